@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# MUMPS::MUMPS, the sequential double-precision library (no MPI).
+find_path(MUMPS_INCLUDE_DIR dmumps_c.h PATH_SUFFIXES mumps_seq)
+set(MUMPS_LIBRARIES "")
+foreach(part dmumps_seq mumps_common_seq mpiseq_seq pord_seq)
+  find_library(MUMPS_${part}_LIBRARY ${part})
+  list(APPEND MUMPS_LIBRARIES ${MUMPS_${part}_LIBRARY})
+  mark_as_advanced(MUMPS_${part}_LIBRARY)
+endforeach()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(MUMPS DEFAULT_MSG MUMPS_INCLUDE_DIR MUMPS_dmumps_seq_LIBRARY)
+if(MUMPS_FOUND AND NOT TARGET MUMPS::MUMPS)
+  add_library(MUMPS::MUMPS INTERFACE IMPORTED)
+  target_include_directories(MUMPS::MUMPS INTERFACE ${MUMPS_INCLUDE_DIR})
+  target_link_libraries(MUMPS::MUMPS INTERFACE ${MUMPS_LIBRARIES})
+endif()

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SuiteSparse::SuiteSparse with CHOLMOD and what it needs.
+find_path(SuiteSparse_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+set(SuiteSparse_LIBRARIES "")
+foreach(part cholmod amd camd colamd ccolamd suitesparseconfig)
+  find_library(SuiteSparse_${part}_LIBRARY ${part})
+  list(APPEND SuiteSparse_LIBRARIES ${SuiteSparse_${part}_LIBRARY})
+  mark_as_advanced(SuiteSparse_${part}_LIBRARY)
+endforeach()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(SuiteSparse DEFAULT_MSG SuiteSparse_INCLUDE_DIR SuiteSparse_cholmod_LIBRARY)
+if(SuiteSparse_FOUND AND NOT TARGET SuiteSparse::SuiteSparse)
+  add_library(SuiteSparse::SuiteSparse INTERFACE IMPORTED)
+  target_include_directories(SuiteSparse::SuiteSparse INTERFACE ${SuiteSparse_INCLUDE_DIR})
+  target_link_libraries(SuiteSparse::SuiteSparse INTERFACE ${SuiteSparse_LIBRARIES})
+endif()

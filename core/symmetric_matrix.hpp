@@ -1,0 +1,46 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/point.hpp"
+
+namespace parison::core {
+
+/// Groups of unknowns that couple with one another (the unknowns of an element, of an interface point).
+struct Cliques {
+  std::vector<Index> start{0};  ///< clique c holds unknowns[start[c]] ... unknowns[start[c+1]-1]
+  std::vector<Index> unknowns;
+
+  void add(const Index* begin, Index count);
+  Index count() const { return static_cast<Index>(start.size()) - 1; }
+};
+
+/// Lower triangle of a symmetric sparse matrix, compressed columns with sorted rows, every diagonal entry present.
+/// The pattern is made once and kept; only the values change.
+struct SymmetricMatrix {
+  Index size = 0;
+  std::vector<Index> column_start, row;
+  std::vector<double> value;
+};
+
+/// Where the entries of each clique's dense matrix go: for clique c, the packed lower triangle by rows
+/// ((0,0) (1,0) (1,1) (2,0) ...) from offset[c].
+struct Scatter {
+  std::vector<Index> offset, position;
+};
+
+struct Assembly {
+  SymmetricMatrix matrix;  ///< values zero
+  Scatter scatter;
+};
+Assembly make_assembly(Index size, const Cliques& cliques);
+
+/// Adds the dense symmetric matrix of a clique; `local` is row-major count x count, its lower triangle is read.
+void add_clique(SymmetricMatrix& matrix, const Scatter& scatter, Index clique, Index count, const double* local);
+
+/// Full symmetric product A x.
+Eigen::VectorXd multiply(const SymmetricMatrix& matrix, const Eigen::VectorXd& x);
+
+}  // namespace parison::core
