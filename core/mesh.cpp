@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/element.hpp"
+
+namespace parison::core {
+
+namespace {
+
+/// Chains boundary edges loop by loop, starting each loop at the lowest remaining edge.
+std::vector<BoundaryEdge> chained(const std::vector<BoundaryEdge>& edges) {
+  std::map<Index, std::size_t> starting_at;
+  for (std::size_t i = 0; i < edges.size(); ++i) starting_at[edges[i].nodes[0]] = i;
+  std::vector<BoundaryEdge> result;
+  result.reserve(edges.size());
+  std::vector<bool> used(edges.size(), false);
+  for (std::size_t first = 0; first < edges.size(); ++first) {
+    for (std::size_t i = first; !used[i];) {
+      used[i] = true;
+      result.push_back(edges[i]);
+      const auto next = starting_at.find(edges[i].nodes[1]);
+      if (next == starting_at.end()) break;
+      i = next->second;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Index find_piece(const Mesh& mesh, const std::string& name) {
+  const auto found = std::find(mesh.pieces.begin(), mesh.pieces.end(), name);
+  return found == mesh.pieces.end() ? -1 : static_cast<Index>(found - mesh.pieces.begin());
+}
+
+Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<std::array<Index, 3>>& triangles) {
+  struct Side {
+    Index middle, count, cell, first, last;
+  };
+  Mesh mesh;
+  mesh.nodes = vertices;
+  mesh.vertex_count = static_cast<Index>(vertices.size());
+  mesh.pieces = {"boundary"};
+  mesh.cells.reserve(triangles.size());
+  std::map<std::pair<Index, Index>, Side> sides;
+  for (const auto& triangle : triangles) {
+    std::array<Index, 6> cell{triangle[0], triangle[1], triangle[2], 0, 0, 0};
+    for (int k = 0; k < 3; ++k) {
+      const Index a = triangle[k], b = triangle[(k + 1) % 3];
+      auto [it, is_new] = sides.try_emplace(std::minmax(a, b), Side{mesh.node_count(), 0, mesh.cell_count(), a, b});
+      if (is_new) mesh.nodes.push_back(0.5 * (vertices[a] + vertices[b]));
+      ++it->second.count;
+      cell[3 + k] = it->second.middle;
+    }
+    mesh.cells.push_back(cell);
+  }
+  std::vector<BoundaryEdge> boundary;
+  for (const auto& [ends, side] : sides)
+    if (side.count == 1) boundary.push_back({{side.first, side.last, side.middle}, side.cell, 0});
+  mesh.boundary = chained(boundary);
+  return mesh;
+}
+
+double volume(const Mesh& mesh, Geometry geometry) {
+  double sum = 0;
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    for (const auto& at : triangle_rule(6)) sum += map_cell_point(mesh, c, geometry, at).volume;
+  return sum;
+}
+
+}  // namespace parison::core

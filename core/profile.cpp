@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace parison::core {
+
+namespace {
+
+Point on_circle(const Segment& arc, double angle) {
+  return arc.centre + arc.radius * Point(std::cos(angle), std::sin(angle));
+}
+
+double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Whether the chords a-b and c-d cross at inner points of both.
+bool chords_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const double scale = 1e-12 * ((b - a).squaredNorm() + (d - c).squaredNorm());
+  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
+  const auto opposite = [&](double p, double q) { return (p > scale && q < -scale) || (p < -scale && q > scale); };
+  return opposite(c_side, d_side) && opposite(a_side, b_side);
+}
+
+std::vector<Point> chords_of(const Segment& segment, double chord, double sagitta) {
+  double step = chord;
+  if (segment.is_arc) step = std::min(step, std::sqrt(8 * segment.radius * sagitta));
+  const int count = std::max(1, static_cast<int>(std::ceil(length(segment) / step - 1e-9)));
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) points.push_back(point_at(segment, double(i) / count));
+  return points;
+}
+
+}  // namespace
+
+Point point_at(const Segment& segment, double t) {
+  if (t == 0) return segment.start;
+  if (t == 1) return segment.end;
+  if (segment.is_arc) return on_circle(segment, segment.from + t * (segment.to - segment.from));
+  return segment.start + t * (segment.end - segment.start);
+}
+
+Point tangent_at(const Segment& segment, double t) {
+  if (!segment.is_arc) return (segment.end - segment.start).normalized();
+  const double angle = segment.from + t * (segment.to - segment.from);
+  const double sense = segment.to > segment.from ? 1 : -1;
+  return sense * Point(-std::sin(angle), std::cos(angle));
+}
+
+Point normal_at(const Segment& segment, double t) {
+  const Point tangent = tangent_at(segment, t);
+  return {tangent[1], -tangent[0]};
+}
+
+double length(const Segment& segment) {
+  return segment.is_arc ? segment.radius * std::abs(segment.to - segment.from) : (segment.end - segment.start).norm();
+}
+
+double projected_parameter(const Segment& segment, const Point& x) {
+  if (!segment.is_arc) {
+    const Point along = segment.end - segment.start;
+    return (x - segment.start).dot(along) / along.squaredNorm();
+  }
+  const Point arm = x - segment.centre;
+  const double middle = 0.5 * (segment.from + segment.to);
+  // Angle counted from the arc's middle, so that the cut lies opposite to it.
+  const double angle = middle + std::remainder(std::atan2(arm[1], arm[0]) - middle, 2 * M_PI);
+  return (angle - segment.from) / (segment.to - segment.from);
+}
+
+double closest_parameter(const Segment& segment, const Point& x) {
+  const double t = projected_parameter(segment, x);
+  if (t >= 0 && t <= 1) return t;
+  return (x - segment.start).squaredNorm() <= (x - segment.end).squaredNorm() ? 0.0 : 1.0;
+}
+
+double signed_area(const Profile& profile) {
+  double sum = 0;
+  for (const auto& segment : profile.segments) {
+    sum += 0.5 * cross(segment.start, segment.end);
+    const double turn = segment.to - segment.from;
+    if (segment.is_arc) sum += 0.5 * segment.radius * segment.radius * (turn - std::sin(turn));
+  }
+  return sum;
+}
+
+Profile reversed(const Profile& profile) {
+  Profile result = profile;
+  std::reverse(result.segments.begin(), result.segments.end());
+  for (auto& segment : result.segments) {
+    std::swap(segment.start, segment.end);
+    std::swap(segment.from, segment.to);
+  }
+  return result;
+}
+
+bool contains(const Profile& profile, const Point& x) {
+  // Sum of the angles under which the chords are seen; arcs contribute the sliver between arc and chord.
+  double turns = 0;
+  for (const auto& segment : profile.segments) {
+    const Point a = segment.start - x, b = segment.end - x;
+    turns += std::atan2(cross(a, b), a.dot(b));
+    if (!segment.is_arc) continue;
+    const double turn = segment.to - segment.from;
+    const double side = cross(segment.end - segment.start, x - segment.start);  // left of the chord when positive
+    const bool beyond_chord = turn > 0 ? side < 0 : side > 0;  // a counterclockwise arc bulges to the right
+    if (beyond_chord && (x - segment.centre).norm() < segment.radius) turns += turn > 0 ? 2 * M_PI : -2 * M_PI;
+  }
+  return turns > M_PI;
+}
+
+double distance(const Profile& profile, const Point& x) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& segment : profile.segments)
+    best = std::min(best, (x - point_at(segment, closest_parameter(segment, x))).norm());
+  return best;
+}
+
+std::pair<Index, Index> find_self_crossing(const Profile& profile) {
+  std::vector<std::pair<Point, Index>> points;
+  double size = 0;
+  for (const auto& segment : profile.segments) size += length(segment);
+  for (Index s = 0; s < static_cast<Index>(profile.segments.size()); ++s)
+    for (const auto& x : chords_of(profile.segments[s], size, 1e-4 * size)) points.push_back({x, s});
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 2; j < count; ++j) {
+      if (i == 0 && j == count - 1) continue;
+      if (chords_cross(points[i].first, points[i + 1].first, points[j].first, points[(j + 1) % count].first))
+        return {points[i].second, points[j].second};
+    }
+  return {-1, -1};
+}
+
+std::vector<Point> polyline(const Profile& profile, double chord, double sagitta) {
+  std::vector<Point> points;
+  for (const auto& segment : profile.segments)
+    for (const auto& x : chords_of(segment, chord, sagitta)) points.push_back(x);
+  return points;
+}
+
+}  // namespace parison::core

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/cholesky.hpp"
+#include "core/element.hpp"
+#include "core/indefinite.hpp"
+#include "core/mesh.hpp"
+#include "core/profile.hpp"
+#include "core/symmetric_matrix.hpp"
+#include "core/table.hpp"
+
+namespace parison::core {
+namespace {
+
+Mesh unit_square(Index n) {
+  std::vector<Point> x;
+  std::vector<std::array<Index, 3>> cells;
+  for (Index j = 0; j <= n; ++j)
+    for (Index i = 0; i <= n; ++i) x.push_back({double(i) / n, double(j) / n});
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const Index a = j * (n + 1) + i;
+      cells.push_back({a, a + 1, a + n + 2});
+      cells.push_back({a, a + n + 2, a + n + 1});
+    }
+  return make_quadratic_mesh(x, cells);
+}
+
+TEST(Element, rules_integrate_the_monomials_they_promise) {
+  for (const int degree : {2, 4, 6})
+    for (int p = 0; p <= degree; ++p)
+      for (int q = 0; p + q <= degree; ++q) {
+        double sum = 0;
+        for (const auto& at : triangle_rule(degree)) sum += at.weight * std::pow(at.a, p) * std::pow(at.b, q);
+        EXPECT_NEAR(sum, std::tgamma(p + 1) * std::tgamma(q + 1) / std::tgamma(p + q + 3), 1e-14);
+      }
+  for (int points = 1; points <= 5; ++points)
+    for (int p = 0; p < 2 * points; ++p) {
+      double sum = 0;
+      for (const auto& at : edge_rule(points)) sum += at.weight * std::pow(at.s, p);
+      EXPECT_NEAR(sum, 1.0 / (p + 1), 1e-15) << points << " " << p;
+    }
+}
+
+TEST(Element, shape_functions_are_nodal_and_their_derivatives_are_right) {
+  const std::array<std::array<double, 2>, 6> at{{{0, 0}, {1, 0}, {0, 1}, {.5, 0}, {.5, .5}, {0, .5}}};
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) EXPECT_NEAR(triangle_shape(at[i][0], at[i][1])[j], i == j, 1e-15);
+  const double a = 0.21, b = 0.37, e = 1e-6;
+  const auto d = triangle_shape_derivative(a, b);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NEAR(d[i][0], (triangle_shape(a + e, b)[i] - triangle_shape(a - e, b)[i]) / (2 * e), 1e-9);
+    EXPECT_NEAR(d[i][1], (triangle_shape(a, b + e)[i] - triangle_shape(a, b - e)[i]) / (2 * e), 1e-9);
+  }
+}
+
+TEST(Element, cell_map_is_inverted_inside_curved_cells) {
+  Mesh mesh = unit_square(1);
+  mesh.nodes[mesh.boundary[0].nodes[2]] += Point(0.05, -0.08);
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto at = map_cell_point(mesh, cell, Geometry::planar, {0.3, 0.5, 1});
+    const auto found = invert_cell_map(mesh, cell, at.position);
+    EXPECT_NEAR(found[0], 0.3, 1e-12);
+    EXPECT_NEAR(found[1], 0.5, 1e-12);
+  }
+}
+
+TEST(Mesh, boundary_is_one_chain_with_the_body_on_the_left) {
+  const Mesh mesh = unit_square(3);
+  ASSERT_EQ(mesh.boundary.size(), 12u);
+  Point outward_flux = Point::Zero();
+  double divergence = 0;
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
+    EXPECT_EQ(mesh.boundary[i].nodes[1], mesh.boundary[(i + 1) % 12].nodes[0]);
+    for (const auto& at : edge_rule(2)) {
+      const auto p = map_edge_point(mesh, mesh.boundary[i].nodes, Geometry::planar, at);
+      outward_flux += p.area * p.normal;
+      divergence += p.area * p.normal.dot(p.position);
+    }
+  }
+  EXPECT_NEAR(outward_flux.norm(), 0, 1e-14);
+  EXPECT_NEAR(divergence, 2, 1e-14);  // int x.n = 2 V
+  EXPECT_NEAR(volume(mesh, Geometry::planar), 1, 1e-14);
+  EXPECT_NEAR(volume(mesh, Geometry::axisymmetric), M_PI, 1e-13);
+}
+
+TEST(SymmetricMatrix, both_solvers_recover_a_known_solution) {
+  const Mesh mesh = unit_square(6);
+  Cliques cliques;
+  for (const auto& cell : mesh.cells) cliques.add(cell.data(), 6);
+  Assembly assembly = make_assembly(mesh.node_count(), cliques);
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    std::array<double, 36> local{};
+    for (const auto& at : triangle_rule(4)) {
+      const auto p = map_cell_point(mesh, c, Geometry::planar, at);
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j)
+          local[6 * i + j] += p.volume * (p.gradient[i].dot(p.gradient[j]) + 10 * p.shape[i] * p.shape[j]);
+    }
+    add_clique(assembly.matrix, assembly.scatter, c, 6, local.data());
+  }
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(mesh.node_count(), -1, 2);
+  const Eigen::VectorXd b = multiply(assembly.matrix, x);
+  Cholesky cholesky;
+  cholesky.analyse(assembly.matrix);
+  ASSERT_TRUE(cholesky.factorise(assembly.matrix));
+  EXPECT_LT((cholesky.solve(b) - x).norm(), 1e-11 * x.norm());
+  for (auto& v : assembly.matrix.value) v = -v;
+  EXPECT_FALSE(cholesky.factorise(assembly.matrix));
+  IndefiniteSolver indefinite;
+  indefinite.analyse(assembly.matrix);
+  ASSERT_TRUE(indefinite.factorise(assembly.matrix));
+  EXPECT_LT((indefinite.solve(b) + x).norm(), 1e-11 * x.norm());
+}
+
+TEST(Table, interpolates_holds_its_ends_and_integrates) {
+  const Table table{{1, 2, 4}, {10, 20, 0}};
+  EXPECT_DOUBLE_EQ(table(0), 10);
+  EXPECT_DOUBLE_EQ(table(1.5), 15);
+  EXPECT_DOUBLE_EQ(table(9), 0);
+  EXPECT_DOUBLE_EQ(table.derivative(3), -10);
+  EXPECT_DOUBLE_EQ(table.integral(4), 35);
+  EXPECT_DOUBLE_EQ(table.integral(0), -10);
+  EXPECT_DOUBLE_EQ(constant(3)(7), 3);
+  EXPECT_DOUBLE_EQ(constant(3).integral(7), 21);
+}
+
+/// Half disc of radius 2 on the right of the last coordinate's axis.
+Profile half_disc() {
+  Profile profile;
+  profile.pieces = {"round", "axis"};
+  profile.segments = {{{0, -2}, {0, 2}, true, {0, 0}, 2, -M_PI / 2, M_PI / 2, 0}, {{0, 2}, {0, -2}}};
+  profile.segments[1].piece = 1;
+  return profile;
+}
+
+TEST(Profile, knows_area_inside_and_distance_of_arcs) {
+  const Profile disc = half_disc();
+  EXPECT_NEAR(signed_area(disc), 2 * M_PI, 1e-14);
+  EXPECT_NEAR(signed_area(reversed(disc)), -2 * M_PI, 1e-14);
+  EXPECT_TRUE(contains(disc, {1.9, 0}));
+  EXPECT_TRUE(contains(disc, {0.1, 1.9}));
+  EXPECT_FALSE(contains(disc, {2.01, 0}));
+  EXPECT_FALSE(contains(disc, {-0.01, 0}));
+  EXPECT_NEAR(distance(disc, {3, 0}), 1, 1e-14);
+  EXPECT_NEAR(distance(disc, {0.5, 0}), 0.5, 1e-14);
+  EXPECT_EQ(find_self_crossing(disc).first, -1);
+  EXPECT_NEAR((normal_at(disc.segments[0], 0.5) - Point(1, 0)).norm(), 0, 1e-14);
+}
+
+TEST(Profile, finds_the_segments_that_cross) {
+  Profile bow;
+  bow.pieces = {"all"};
+  bow.segments = {{{0, 0}, {2, 2}}, {{2, 2}, {2, 0}}, {{2, 0}, {0, 2}}, {{0, 2}, {0, 0}}};
+  EXPECT_EQ(find_self_crossing(bow), (std::pair<Index, Index>{0, 2}));
+}
+
+}  // namespace
+}  // namespace parison::core
