@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/flow/constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "core/element.hpp"
+
+namespace parison::flow {
+
+using core::dim;
+
+namespace {
+
+/// Two normals closer than this (sine of the angle) count as one.
+constexpr double parallel = 0.05;
+
+bool add_equality(std::vector<NodeEquality>& list, const NodeEquality& wish) {
+  if (list.size() >= dim) return false;
+  for (const auto& have : list)
+    if (std::abs(have.normal[0] * wish.normal[1] - have.normal[1] * wish.normal[0]) < parallel) return false;
+  list.push_back(wish);
+  return true;
+}
+
+Point perpendicular(const Point& n) { return {-n[1], n[0]}; }
+
+/// Equalities of symmetry planes and fixed pieces, per node.
+void add_piece_equalities(const Problem& problem, std::vector<std::vector<NodeEquality>>& of_node) {
+  const auto& mesh = *problem.mesh;
+  for (const auto& edge : mesh.boundary) {
+    const auto kind = problem.pieces[edge.piece].kind;
+    if (kind == PieceCondition::Kind::free) continue;
+    const auto at = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1.0});
+    for (const Index node : edge.nodes) {
+      add_equality(of_node[node], {at.normal});
+      if (kind == PieceCondition::Kind::fixed) add_equality(of_node[node], {at.tangent});
+    }
+  }
+}
+
+bool sticks(const Problem& problem, const ContactCandidate& candidate) {
+  const auto law = problem.tools[candidate.tool].friction.law;
+  return law == Friction::Law::stick || law == Friction::Law::grip;
+}
+
+NodeFrame make_frame(const Problem& problem, Index node, const std::vector<NodeEquality>& equalities,
+                     const std::vector<Index>& driven) {
+  NodeFrame result;
+  result.node = node;
+  result.equalities = equalities;
+  const Point axis = core::axis_direction();
+  auto rows = equalities;
+  if (rows.size() == 1) {
+    result.frame.col(0) = rows[0].normal;
+    result.frame.col(1) = perpendicular(rows[0].normal);
+    const Index tool = rows[0].tool;
+    if (tool >= 0 && sticks(problem, problem.candidates[rows[0].candidate])) {
+      NodeEquality side{result.frame.col(1), 0, tool, -1};
+      if (!problem.tools[tool].force) side.value = problem.tools[tool].velocity * side.normal.dot(axis);
+      rows.push_back(side);
+    } else if (tool >= 0 && problem.tools[tool].friction.law == Friction::Law::navier) {
+      result.friction_tool = tool;
+    }
+  }
+  core::Tensor normals = core::Tensor::Identity();
+  Eigen::Matrix<double, dim, Eigen::Dynamic> values =
+      Eigen::Matrix<double, dim, Eigen::Dynamic>::Zero(dim, 1 + Index(driven.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    normals.row(i) = rows[i].normal.transpose();
+    values(i, 0) = rows[i].value;
+    const auto k = std::find(driven.begin(), driven.end(), rows[i].tool);
+    if (k != driven.end()) values(i, 1 + (k - driven.begin())) = rows[i].normal.dot(axis);
+    result.fixed[i] = true;
+  }
+  if (rows.size() == dim) values = normals.inverse() * values;  // the velocity itself
+  if (rows.size() == dim) result.frame = core::Tensor::Identity();
+  result.given = values;
+  return result;
+}
+
+}  // namespace
+
+std::vector<Index> driven_tools(const Problem& problem) {
+  std::vector<Index> driven;
+  for (Index t = 0; t < static_cast<Index>(problem.tools.size()); ++t)
+    if (problem.tools[t].force) driven.push_back(t);
+  return driven;
+}
+
+std::vector<NodeFrame> node_frames(const Problem& problem, const std::vector<bool>& active) {
+  const auto driven = driven_tools(problem);
+  std::vector<std::vector<NodeEquality>> of_node(problem.mesh->nodes.size());
+  add_piece_equalities(problem, of_node);
+  const Point axis = core::axis_direction();
+  for (std::size_t i = 0; i < problem.candidates.size(); ++i) {
+    if (!active[i]) continue;
+    const auto& candidate = problem.candidates[i];
+    const auto& tool = problem.tools[candidate.tool];
+    NodeEquality equality{candidate.normal, candidate.rate, candidate.tool, Index(i)};
+    if (!tool.force) equality.value += tool.velocity * candidate.normal.dot(axis);
+    add_equality(of_node[candidate.node], equality);
+  }
+  std::vector<NodeFrame> frames;
+  for (Index node = 0; node < problem.mesh->node_count(); ++node)
+    if (!of_node[node].empty()) frames.push_back(make_frame(problem, node, of_node[node], driven));
+  return frames;
+}
+
+}  // namespace parison::flow

@@ -1,0 +1,33 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "forming/flow/problem.hpp"
+
+namespace parison::flow {
+
+/// One equality on a node's velocity: normal.v = value + sum over driven tools of coefficient x V.
+struct NodeEquality {
+  Point normal;
+  double value = 0;
+  Index tool = -1;       ///< Problem::tools index, -1 for symmetry planes and fixed pieces
+  Index candidate = -1;  ///< Problem::candidates index, -1 likewise
+};
+
+/// A node with equalities, in the frame of its columns: v = frame u, u[i] given where fixed[i].
+struct NodeFrame {
+  Index node;
+  core::Tensor frame = core::Tensor::Identity();
+  std::array<bool, core::dim> fixed{};
+  Eigen::Matrix<double, core::dim, Eigen::Dynamic> given;  ///< column 0 constant, column 1 + k per m/s of driven tool k
+  std::vector<NodeEquality> equalities;                     ///< at most dim, independent
+  Index friction_tool = -1;                                 ///< Navier friction acts along the last column of the frame
+};
+
+/// Tools whose velocity is an unknown, as indices into Problem::tools.
+std::vector<Index> driven_tools(const Problem& problem);
+
+/// Frames of all nodes held by symmetry, fixed pieces and the active candidates.
+std::vector<NodeFrame> node_frames(const Problem& problem, const std::vector<bool>& active);
+
+}  // namespace parison::flow

@@ -1,0 +1,71 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/mesh.hpp"
+#include "forming/flow/material.hpp"
+
+namespace parison::flow {
+
+using core::Index;
+using core::Point;
+
+/// What holds or loads a piece of the glass boundary.
+struct PieceCondition {
+  enum class Kind { free, symmetry, fixed } kind = Kind::free;
+  double pressure = 0;         ///< over-pressure on free pieces, Pa
+};
+
+/// How a tool moves during the step.
+struct ToolMotion {
+  Friction friction;
+  double velocity = 0;             ///< along the axis, m/s; ignored when force-driven
+  std::optional<double> force;     ///< N along +axis: the velocity becomes an unknown
+  double speed_limit = 0;          ///< m/s, of a force-driven tool
+};
+
+/// A glass node near a tool: n.(v - V) >= rate, with equality and a compressive reaction while active.
+struct ContactCandidate {
+  Index node;
+  Index tool;    ///< index into Problem::tools
+  Point normal;  ///< unit, from the tool into the glass
+  double rate;   ///< m/s: minus the gap over the step
+  bool held = false;  ///< holds in tension and sideways as well (grip)
+};
+
+/// One quasi-static flow problem: div(2 eta D(v)) - grad p + rho g = 0, div v = 0.
+struct Problem {
+  const core::Mesh* mesh;
+  core::Geometry geometry;
+  const Material* material;
+  const Eigen::VectorXd* temperature;  ///< per node, K
+  double gravity = 0;                  ///< along the axis, m/s2
+  Point body_force_direction = core::axis_direction();
+  std::vector<PieceCondition> pieces;  ///< one for each mesh piece
+  std::vector<ToolMotion> tools;
+  std::vector<ContactCandidate> candidates;
+};
+
+struct Solution {
+  bool converged = false;
+  std::string reason;
+  int iterations = 0;                 ///< active-set iterations: factorisations
+  Eigen::VectorXd velocity;           ///< m/s, two per node
+  Eigen::VectorXd pressure;           ///< Pa, per vertex
+  Eigen::VectorXd contact_pressure;   ///< Pa, per node, 0 where nothing presses
+  std::vector<bool> active;           ///< per candidate
+  std::vector<double> tool_velocity;  ///< along the axis, m/s
+  std::vector<double> tool_force;     ///< of the tool on the glass along the axis, N
+  std::vector<double> dissipation;    ///< W at each quadrature point: cells x triangle_rule(4)
+  double largest_rate = 0;            ///< of deformation, sqrt(2 D:D), 1/s
+};
+
+inline Point node_velocity(const Eigen::VectorXd& velocity, Index node) {
+  return velocity.segment<core::dim>(core::dim * node);
+}
+
+}  // namespace parison::flow

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/flow/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "core/indefinite.hpp"
+#include "forming/flow/contact_forces.hpp"
+#include "forming/flow/element_matrix.hpp"
+
+namespace parison::flow {
+
+using core::dim;
+
+namespace {
+
+constexpr int most_iterations = 40;
+/// A contact released this often in one solve stays closed: the set would cycle.
+constexpr int most_releases = 3;
+constexpr int most_thinning_passes = 20;
+
+/// The candidates that start closed: the guess, or those without a gap.
+std::vector<bool> first_set(const Problem& problem, const std::vector<bool>& warm) {
+  std::vector<bool> active(problem.candidates.size(), false);
+  for (std::size_t i = 0; i < active.size(); ++i)
+    active[i] = problem.candidates[i].held || (warm.empty() ? problem.candidates[i].rate >= 0 : bool(warm[i]));
+  return active;
+}
+
+/// Edges not wholly pressed against tools: gas pressure and surface tension act there.
+std::vector<bool> exposed_edges(const core::Mesh& mesh, const std::vector<bool>& pressed) {
+  std::vector<bool> exposed;
+  for (const auto& edge : mesh.boundary)
+    exposed.push_back(!(pressed[edge.nodes[0]] && pressed[edge.nodes[1]] && pressed[edge.nodes[2]]));
+  return exposed;
+}
+
+}  // namespace
+
+struct Solver::Data {
+  core::Assembly assembly;
+  core::IndefiniteSolver linear;
+  bool analysed = false;
+  CellMatrices cells;
+  Eigen::VectorXd load;
+  std::vector<NodeFrame> frames;
+  std::vector<Index> frame_of;  // per node, -1 where free
+
+  explicit Data(const core::Mesh& mesh);
+  std::array<Index, cell_unknowns> unknowns(const core::Mesh& mesh, Index cell) const;
+  Eigen::MatrixXd assemble(const Problem& problem, const Eigen::VectorXd& friction);
+  void add_constrained_cell(const std::array<Index, 6>& nodes, Index cell, Eigen::MatrixXd& rhs,
+                            const std::array<Index, cell_unknowns>& where);
+  void to_global_frame(Eigen::MatrixXd& solution) const;
+  Eigen::MatrixXd reactions(const Problem& problem, const Eigen::MatrixXd& solution) const;
+};
+
+Solver::Data::Data(const core::Mesh& mesh) {
+  core::Cliques cliques;
+  for (Index c = 0; c < mesh.cell_count(); ++c) cliques.add(unknowns(mesh, c).data(), cell_unknowns);
+  assembly = core::make_assembly(dim * mesh.node_count() + mesh.vertex_count, cliques);
+}
+
+std::array<Index, cell_unknowns> Solver::Data::unknowns(const core::Mesh& mesh, Index cell) const {
+  std::array<Index, cell_unknowns> result;
+  for (int i = 0; i < 6; ++i)
+    for (int a = 0; a < dim; ++a) result[dim * i + a] = dim * mesh.cells[cell][i] + a;
+  for (int q = 0; q < 3; ++q) result[cell_velocities + q] = dim * mesh.node_count() + mesh.cells[cell][q];
+  return result;
+}
+
+void Solver::Data::add_constrained_cell(const std::array<Index, 6>& nodes, Index cell, Eigen::MatrixXd& rhs,
+                                        const std::array<Index, cell_unknowns>& where) {
+  using Local = Eigen::Matrix<double, cell_unknowns, cell_unknowns, Eigen::RowMajor>;
+  Local local = Eigen::Map<const Local>(cells.matrix.data() + std::size_t(cell) * cell_unknowns * cell_unknowns);
+  for (int i = 0; i < 6; ++i) {
+    if (frame_of[nodes[i]] < 0) continue;
+    const core::Tensor& frame = frames[frame_of[nodes[i]]].frame;
+    local.middleCols<dim>(dim * i) = (local.middleCols<dim>(dim * i) * frame).eval();
+    local.middleRows<dim>(dim * i) = (frame.transpose() * local.middleRows<dim>(dim * i)).eval();
+  }
+  for (int i = 0; i < 6; ++i) {
+    if (frame_of[nodes[i]] < 0) continue;
+    const NodeFrame& frame = frames[frame_of[nodes[i]]];
+    for (int a = 0; a < dim; ++a) {
+      if (!frame.fixed[a]) continue;
+      const int d = dim * i + a;
+      for (int row = 0; row < cell_unknowns; ++row)
+        if (row != d) rhs.row(where[row]) -= local(row, d) * frame.given.row(a);
+      const double diagonal = local(d, d);
+      local.row(d).setZero();
+      local.col(d).setZero();
+      local(d, d) = diagonal;
+    }
+  }
+  core::add_clique(assembly.matrix, assembly.scatter, cell, cell_unknowns, local.data());
+}
+
+Eigen::MatrixXd Solver::Data::assemble(const Problem& problem, const Eigen::VectorXd& friction) {
+  const auto& mesh = *problem.mesh;
+  const auto driven = driven_tools(problem);
+  auto& matrix = assembly.matrix;
+  std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
+  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(matrix.size, 1 + Index(driven.size()));
+  rhs.col(0) = load;
+  for (const auto& frame : frames)
+    rhs.block(dim * frame.node, 0, dim, 1) = (frame.frame.transpose() * rhs.block(dim * frame.node, 0, dim, 1)).eval();
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const auto& nodes = mesh.cells[c];
+    if (std::all_of(nodes.begin(), nodes.end(), [&](Index n) { return frame_of[n] < 0; }))
+      core::add_clique(matrix, assembly.scatter, c, cell_unknowns,
+                       cells.matrix.data() + std::size_t(c) * cell_unknowns * cell_unknowns);
+    else
+      add_constrained_cell(nodes, c, rhs, unknowns(mesh, c));
+  }
+  for (const auto& frame : frames) {
+    if (frame.friction_tool >= 0) {
+      const Index sideways = dim * frame.node + dim - 1;
+      const double drag = friction[frame.node], along = frame.frame(dim - 1, dim - 1);
+      matrix.value[matrix.column_start[sideways]] += drag;
+      const auto k = std::find(driven.begin(), driven.end(), frame.friction_tool);
+      if (k == driven.end())
+        rhs(sideways, 0) += drag * along * problem.tools[frame.friction_tool].velocity;
+      else
+        rhs(sideways, 1 + (k - driven.begin())) += drag * along;
+    }
+    for (int a = 0; a < dim; ++a)
+      if (frame.fixed[a]) {
+        const Index unknown = dim * frame.node + a;
+        rhs.row(unknown) = matrix.value[matrix.column_start[unknown]] * frame.given.row(a);
+      }
+  }
+  return rhs;
+}
+
+void Solver::Data::to_global_frame(Eigen::MatrixXd& solution) const {
+  for (const auto& frame : frames)
+    solution.middleRows<dim>(dim * frame.node) = (frame.frame * solution.middleRows<dim>(dim * frame.node)).eval();
+}
+
+Eigen::MatrixXd Solver::Data::reactions(const Problem& problem, const Eigen::MatrixXd& solution) const {
+  using Local = Eigen::Matrix<double, cell_unknowns, cell_unknowns, Eigen::RowMajor>;
+  const auto& mesh = *problem.mesh;
+  Eigen::MatrixXd reaction = Eigen::MatrixXd::Zero(dim * mesh.node_count(), solution.cols());
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const auto& nodes = mesh.cells[c];
+    if (std::all_of(nodes.begin(), nodes.end(), [&](Index n) { return frame_of[n] < 0; })) continue;
+    const Eigen::Map<const Local> local(cells.matrix.data() + std::size_t(c) * cell_unknowns * cell_unknowns);
+    const auto where = unknowns(mesh, c);
+    Eigen::MatrixXd x(cell_unknowns, solution.cols());
+    for (int i = 0; i < cell_unknowns; ++i) x.row(i) = solution.row(where[i]);
+    const Eigen::MatrixXd product = local.topRows<cell_velocities>() * x;
+    for (int i = 0; i < cell_velocities; ++i) reaction.row(where[i]) += product.row(i);
+  }
+  reaction.col(0) -= load.head(reaction.rows());
+  return reaction;
+}
+
+namespace {
+
+/// Velocities of the driven tools: force balance, or the speed limit where it would be passed.
+/// `force` column 0 is the axial force at rest, column 1 + k its growth per m/s of driven tool k.
+Eigen::VectorXd drive(const Problem& problem, const std::vector<Index>& driven, const Eigen::MatrixXd& force) {
+  const auto count = static_cast<Index>(driven.size());
+  Eigen::VectorXd velocity = Eigen::VectorXd::Zero(count);
+  std::vector<bool> limited(count, false);
+  for (Index round = 0; round <= count; ++round) {
+    Eigen::MatrixXd resistance = Eigen::MatrixXd::Identity(count, count);
+    Eigen::VectorXd rhs = velocity;
+    for (Index k = 0; k < count; ++k) {
+      if (limited[k]) continue;
+      resistance.row(k) = force.block(k, 1, 1, count);
+      rhs[k] = *problem.tools[driven[k]].force - force(k, 0);
+    }
+    for (Index k = 0; k < count; ++k)
+      if (!limited[k] && resistance(k, k) <= 0) {  // nothing resists
+        limited[k] = true;
+        velocity[k] = std::copysign(problem.tools[driven[k]].speed_limit, rhs[k]);
+        resistance.row(k) = Eigen::RowVectorXd::Unit(count, k);
+        rhs[k] = velocity[k];
+      }
+    velocity = resistance.partialPivLu().solve(rhs);
+    bool changed = false;
+    for (Index k = 0; k < count; ++k) {
+      const double limit = problem.tools[driven[k]].speed_limit;
+      if (limited[k] || std::abs(velocity[k]) <= limit) continue;
+      velocity[k] = std::copysign(limit, velocity[k]);
+      limited[k] = changed = true;
+    }
+    if (!changed) break;
+  }
+  return velocity;
+}
+
+/// One factorisation's outcome, all tools' velocities known.
+struct Instant {
+  Eigen::VectorXd unknowns;
+  ContactForces forces;
+  std::vector<double> tool_velocity;
+};
+
+Instant combine(const Problem& problem, const std::vector<NodeFrame>& frames, const Eigen::MatrixXd& solution,
+                const Eigen::MatrixXd& reaction) {
+  const auto driven = driven_tools(problem);
+  const auto columns = solution.cols();
+  Eigen::MatrixXd force = Eigen::MatrixXd::Zero(Index(driven.size()), columns);
+  std::vector<ContactForces> parts;
+  for (Index column = 0; column < columns; ++column) {
+    parts.push_back(contact_forces(problem, frames, reaction.col(column)));
+    for (std::size_t i = 0; i < problem.candidates.size(); ++i)
+      for (std::size_t k = 0; k < driven.size(); ++k)
+        if (problem.candidates[i].tool == driven[k]) force(k, column) += parts.back().axial[i];
+  }
+  const Eigen::VectorXd velocity = drive(problem, driven, force);
+  Instant instant{solution.col(0), parts[0], {}};
+  for (const auto& tool : problem.tools) instant.tool_velocity.push_back(tool.velocity);
+  for (std::size_t k = 0; k < driven.size(); ++k) {
+    instant.unknowns += velocity[k] * solution.col(1 + k);
+    instant.forces.normal += velocity[k] * parts[1 + k].normal;
+    instant.forces.axial += velocity[k] * parts[1 + k].axial;
+    instant.tool_velocity[driven[k]] = velocity[k];
+  }
+  return instant;
+}
+
+/// Closes the contacts that would be passed through and opens those that pull; true when the set changed.
+bool update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active, std::vector<int>& releases) {
+  const Eigen::VectorXd pressed = shared_forces(problem, active, instant.forces.normal);
+  const double force_noise = 1e-9 * instant.forces.normal.lpNorm<Eigen::Infinity>();
+  const double speed_noise =
+      1e-9 * instant.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + 1e-15;
+  const Point axis = core::axis_direction();
+  bool changed = false;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const auto& candidate = problem.candidates[i];
+    if (active[i]) {
+      if (candidate.held || releases[i] >= most_releases) continue;
+      // A vertex carries its neighbours' share: its own quadratic weight may vanish or oscillate.
+      const double force = candidate.node < problem.mesh->vertex_count && instant.forces.normal[i] < 0
+                               ? pressed[candidate.node]
+                               : instant.forces.normal[i];
+      if (force >= -force_noise) continue;
+      active[i] = false;
+      ++releases[i];
+      changed = true;
+    } else {
+      const Point relative = node_velocity(instant.unknowns, candidate.node) - instant.tool_velocity[candidate.tool] * axis;
+      if (candidate.normal.dot(relative) >= candidate.rate - speed_noise) continue;
+      active[i] = true;
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+/// Navier drag per node, N.s/m, capped by Coulomb's limit at the last iterate.
+Eigen::VectorXd friction_drag(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area,
+                              const Instant* last) {
+  Eigen::VectorXd drag = Eigen::VectorXd::Zero(area.size());
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    if (!active[i]) continue;
+    const auto& candidate = problem.candidates[i];
+    const auto& friction = problem.tools[candidate.tool].friction;
+    drag[candidate.node] = friction.coefficient * area[candidate.node];
+    if (!friction.coulomb || !last || last->forces.normal[i] <= 0) continue;
+    Point slip = node_velocity(last->unknowns, candidate.node) - last->tool_velocity[candidate.tool] * core::axis_direction();
+    slip -= slip.dot(candidate.normal) * candidate.normal;
+    const double cap = *friction.coulomb * last->forces.normal[i];
+    if (drag[candidate.node] * slip.norm() > cap) drag[candidate.node] = cap / slip.norm();
+  }
+  return drag;
+}
+
+}  // namespace
+
+Solver::Solver(const core::Mesh& mesh) : data_(std::make_unique<Data>(mesh)) {}
+Solver::~Solver() = default;
+Solver::Solver(Solver&&) noexcept = default;
+Solver& Solver::operator=(Solver&&) noexcept = default;
+
+Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
+  auto& data = *data_;
+  const auto& mesh = *problem.mesh;
+  const Index velocities = dim * mesh.node_count();
+  Solution result;
+  result.active = first_set(problem, warm);
+  std::vector<int> releases(result.active.size(), 0);
+  auto viscosity = viscosity_field(problem, {});
+  data.cells = cell_matrices(problem, viscosity);
+  std::optional<Instant> instant;
+  Eigen::VectorXd area;
+  int thinning = 0;
+  for (bool settled = false; !settled;) {
+    if (result.iterations == most_iterations + thinning) {
+      result.reason = "the contact set did not settle";
+      return result;
+    }
+    data.load = Eigen::VectorXd::Zero(data.assembly.matrix.size);
+    const auto pressed = pressed_nodes(problem, result.active);
+    area = contact_areas(mesh, problem.geometry, pressed);
+    data.load.head(velocities) = surface_load(problem, exposed_edges(mesh, pressed));
+    for (Index c = 0; c < mesh.cell_count(); ++c)
+      for (int i = 0; i < cell_velocities; ++i)
+        data.load[dim * mesh.cells[c][i / dim] + i % dim] += data.cells.load[std::size_t(c) * cell_unknowns + i];
+    data.frames = node_frames(problem, result.active);
+    data.frame_of.assign(mesh.nodes.size(), -1);
+    for (std::size_t i = 0; i < data.frames.size(); ++i) data.frame_of[data.frames[i].node] = Index(i);
+    const Eigen::VectorXd drag = friction_drag(problem, result.active, area, instant ? &*instant : nullptr);
+    const Eigen::MatrixXd rhs = data.assemble(problem, drag);
+    if (!data.analysed) data.linear.analyse(data.assembly.matrix);
+    data.analysed = true;
+    ++result.iterations;
+    if (!data.linear.factorise(data.assembly.matrix)) {
+      result.reason = "the flow matrix is singular: the glass is not held";
+      return result;
+    }
+    Eigen::MatrixXd solution = data.linear.solve(rhs);
+    data.to_global_frame(solution);
+    const Eigen::VectorXd before = instant ? instant->unknowns : Eigen::VectorXd();
+    instant = combine(problem, data.frames, solution, data.reactions(problem, solution));
+    if (!instant->unknowns.allFinite()) {
+      result.reason = "the flow solution is not finite: the glass is not held";
+      return result;
+    }
+    settled = !update_set(problem, *instant, result.active, releases);
+    if (settled && problem.material->shear_thinning && thinning < most_thinning_passes) {
+      const Eigen::VectorXd v = instant->unknowns.head(velocities);
+      settled = before.size() > 0 && (v - before.head(velocities)).norm() <= 1e-6 * v.norm();
+      ++thinning;
+      viscosity = viscosity_field(problem, v);
+      data.cells = cell_matrices(problem, viscosity);
+    }
+  }
+  result.velocity = instant->unknowns.head(velocities);
+  result.pressure = instant->unknowns.tail(mesh.vertex_count);
+  result.contact_pressure = contact_pressure(problem, result.active, instant->forces.normal, area);
+  result.tool_velocity = instant->tool_velocity;
+  result.tool_force.assign(problem.tools.size(), 0.0);
+  for (std::size_t i = 0; i < problem.candidates.size(); ++i)
+    result.tool_force[problem.candidates[i].tool] += instant->forces.axial[i];
+  evaluate_dissipation(problem, viscosity, result);
+  result.converged = true;
+  return result;
+}
+
+}  // namespace parison::flow

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "forming/flow/material.hpp"
+
+namespace parison::flow {
+
+namespace {
+
+/// Beyond this the glass does not move in the time of a run; the exponent is held there, and near and below T0.
+constexpr double highest_exponent = 12;
+
+}  // namespace
+
+double Viscosity::operator()(double temperature) const {
+  if (constant) return *constant;
+  const double above = temperature - T0;
+  const double exponent = above > 0 ? A + B / above : highest_exponent;
+  return std::pow(10, std::min(exponent, highest_exponent));
+}
+
+double Viscosity::derivative(double temperature) const {
+  if (constant) return 0;
+  const double above = temperature - T0;
+  if (above <= 0 || A + B / above >= highest_exponent) return 0;
+  return -(*this)(temperature)*std::log(10) * B / (above * above);
+}
+
+}  // namespace parison::flow
