@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/box_tree.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace parison::contact {
+
+using core::Index;
+
+Box united(const Box& a, const Box& b) {
+  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
+
+Box inflated(const Box& box, double by) {
+  return {box.low.array() - by, box.high.array() + by};
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+  std::iota(order_.begin(), order_.end(), 0);
+  if (!boxes_.empty()) divide(0, static_cast<Index>(boxes_.size()));
+}
+
+void BoxTree::divide(Index begin, Index end) {
+  constexpr Index leaf_size = 4;
+  Box box = boxes_[order_[begin]];
+  for (Index i = begin + 1; i < end; ++i) box = united(box, boxes_[order_[i]]);
+  const auto self = branches_.size();
+  branches_.push_back({box, begin, end, -1});
+  if (end - begin <= leaf_size) return;
+
+  Index axis;
+  (box.high - box.low).maxCoeff(&axis);
+  const auto centre = [&](Index i) { return boxes_[i].low[axis] + boxes_[i].high[axis]; };
+  const Index middle = (begin + end) / 2;
+  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                   [&](Index i, Index j) { return centre(i) < centre(j); });
+  divide(begin, middle);
+  branches_[self].second = static_cast<Index>(branches_.size());
+  divide(middle, end);
+}
+
+Index BoxTree::query(const Box& box, std::vector<Index>& found) const {
+  Index looked_at = 0;
+  const auto first_new = static_cast<std::ptrdiff_t>(found.size());
+  std::vector<Index> open;
+  if (!branches_.empty()) open.push_back(0);
+  while (!open.empty()) {
+    const Index self = open.back();
+    const Branch& branch = branches_[self];
+    open.pop_back();
+    ++looked_at;
+    if (!overlap(branch.box, box)) continue;
+    if (branch.second >= 0) {
+      open.push_back(branch.second);
+      open.push_back(self + 1);
+      continue;
+    }
+    for (Index i = branch.begin; i < branch.end; ++i, ++looked_at)
+      if (overlap(boxes_[order_[i]], box)) found.push_back(order_[i]);
+  }
+  std::sort(found.begin() + first_new, found.end());
+  return looked_at;
+}
+
+}  // namespace parison::contact

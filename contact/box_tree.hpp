@@ -1,0 +1,38 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "core/point.hpp"
+
+namespace parison::contact {
+
+/// Axis-aligned box, m.
+struct Box {
+  core::Point low, high;
+};
+Box united(const Box& a, const Box& b);
+Box inflated(const Box& box, double by);
+bool overlap(const Box& a, const Box& b);
+
+/// Binary tree over boxes, halved at the median of the longer side.
+class BoxTree {
+ public:
+  explicit BoxTree(std::vector<Box> boxes);
+
+  /// Appends the boxes that overlap `box`, in increasing order; returns how many boxes were looked at.
+  core::Index query(const Box& box, std::vector<core::Index>& found) const;
+
+ private:
+  struct Branch {
+    Box box;
+    core::Index begin, end;  ///< range of order_
+    core::Index second;      ///< the first child follows its parent; -1 in a leaf
+  };
+  void divide(core::Index begin, core::Index end);
+
+  std::vector<Box> boxes_;
+  std::vector<core::Index> order_;
+  std::vector<Branch> branches_;
+};
+
+}  // namespace parison::contact

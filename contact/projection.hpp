@@ -1,0 +1,36 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <vector>
+
+#include "contact/surface.hpp"
+
+namespace parison::contact {
+
+/// Slave edge with the rays along which it faces a master. The rays leave along the outward normal, turned a little so
+/// that they are continuous from edge to edge: neighbouring rays neither cross nor part, so every slave point faces one
+/// master point and every master node one slave point. At corners sharper than 60 degrees each edge keeps its own
+/// normal.
+struct RayEdge {
+  SurfaceEdge edge;
+  Point first_turn, last_turn;  ///< what the ends' rays add to the normal
+};
+
+std::vector<RayEdge> make_rays(const Surface& slave);
+
+/// Unit direction of the ray that leaves at s.
+Point ray(const RayEdge& slave, double s);
+
+/// Where the ray from a slave point meets a master edge.
+struct Hit {
+  double s;         ///< on the master edge, [0, 1]
+  double distance;  ///< along the ray, m; negative where the bodies overlap
+};
+
+/// A node of the slave seen on the master: none when its ray passes the edge by.
+std::optional<Hit> hit_master(const RayEdge& slave, double s, const SurfaceEdge& master);
+
+/// A node of the master seen on the slave: the s in (0, 1) whose ray passes through x, if any.
+std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x);
+
+}  // namespace parison::contact

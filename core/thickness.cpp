@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/thickness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <tuple>
+
+#include "core/element.hpp"
+
+namespace parison::core {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Point edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, double s) {
+  const auto n = edge_shape(s);
+  return n[0] * mesh.nodes[edge[0]] + n[1] * mesh.nodes[edge[1]] + n[2] * mesh.nodes[edge[2]];
+}
+
+Point edge_derivative(const Mesh& mesh, const std::array<Index, 3>& edge, double s) {
+  const auto d = edge_shape_derivative(s);
+  return d[0] * mesh.nodes[edge[0]] + d[1] * mesh.nodes[edge[1]] + d[2] * mesh.nodes[edge[2]];
+}
+
+/// Boundary edges in square bins, for rays.
+class EdgeGrid {
+ public:
+  explicit EdgeGrid(const Mesh& mesh) : mesh_(mesh) {
+    low_ = mesh.nodes[0];
+    Point high = low_;
+    for (const Point& x : mesh.nodes) low_ = low_.cwiseMin(x), high = high.cwiseMax(x);
+    const Point extent = high - low_;
+    bin_ = std::max(std::sqrt(extent.prod() / (4.0 * mesh.boundary.size())), extent.maxCoeff() / 500);
+    low_.array() -= bin_;
+    count_ = {static_cast<int>(extent[0] / bin_) + 3, static_cast<int>(extent[1] / bin_) + 3};
+    bins_.resize(static_cast<std::size_t>(count_[0]) * count_[1]);
+    for (Index i = 0; i < static_cast<Index>(mesh.boundary.size()); ++i) insert(i);
+  }
+
+  struct Hit {
+    double distance = infinity;
+    Index edge = -1;
+  };
+
+  /// First edge at which the ray from a node leaves the body; edges of that node do not count.
+  Hit first_exit(Index from, const Point& direction) const {
+    const Point start = mesh_.nodes[from];
+    std::array<int, 2> at, step;
+    Point next, stride;
+    for (int k = 0; k < 2; ++k) {
+      at[k] = static_cast<int>((start[k] - low_[k]) / bin_);
+      step[k] = direction[k] > 0 ? 1 : -1;
+      stride[k] = direction[k] != 0 ? bin_ / std::abs(direction[k]) : infinity;
+      const double wall = low_[k] + bin_ * (at[k] + (direction[k] > 0 ? 1 : 0));
+      next[k] = direction[k] != 0 ? (wall - start[k]) / direction[k] : infinity;
+    }
+    Hit hit;
+    while (at[0] >= 0 && at[0] < count_[0] && at[1] >= 0 && at[1] < count_[1]) {
+      for (const Index edge : bins_[static_cast<std::size_t>(at[1]) * count_[0] + at[0]]) try_edge(from, direction, edge, hit);
+      const int k = next[0] < next[1] ? 0 : 1;
+      if (hit.distance <= next[k]) break;
+      next[k] += stride[k];
+      at[k] += step[k];
+    }
+    return hit;
+  }
+
+ private:
+  void insert(Index i) {
+    const auto& edge = mesh_.boundary[i].nodes;
+    Point low = mesh_.nodes[edge[0]], high = low;
+    for (const Index node : edge) low = low.cwiseMin(mesh_.nodes[node]), high = high.cwiseMax(mesh_.nodes[node]);
+    const double margin = 0.1 * (high - low).maxCoeff();
+    std::array<int, 2> first, last;
+    for (int k = 0; k < 2; ++k) {
+      first[k] = std::clamp(static_cast<int>((low[k] - margin - low_[k]) / bin_), 0, count_[k] - 1);
+      last[k] = std::clamp(static_cast<int>((high[k] + margin - low_[k]) / bin_), 0, count_[k] - 1);
+    }
+    for (int y = first[1]; y <= last[1]; ++y)
+      for (int x = first[0]; x <= last[0]; ++x) bins_[static_cast<std::size_t>(y) * count_[0] + x].push_back(i);
+  }
+
+  void try_edge(Index from, const Point& direction, Index i, Hit& hit) const {
+    const auto& edge = mesh_.boundary[i].nodes;
+    if (edge[0] == from || edge[1] == from || edge[2] == from) return;
+    const Point start = mesh_.nodes[from], left(-direction[1], direction[0]);
+    const double a = left.dot(mesh_.nodes[edge[0]] - start), b = left.dot(mesh_.nodes[edge[1]] - start);
+    const double slack = 1e-9 * std::abs(b - a);
+    // A ray that leaves sees the edge pass from right to left.
+    if (a > slack || b < -slack || b <= a) return;
+    double s = a / (a - b);
+    for (int pass = 0; pass < 4; ++pass) {
+      const double slope = left.dot(edge_derivative(mesh_, edge, s));
+      if (slope > 0) s = std::clamp(s - left.dot(edge_point(mesh_, edge, s) - start) / slope, 0.0, 1.0);
+    }
+    const double distance = direction.dot(edge_point(mesh_, edge, s) - start);
+    if (distance > 0 && distance < hit.distance) hit = {distance, i};
+  }
+
+  const Mesh& mesh_;
+  Point low_;
+  double bin_;
+  std::array<int, 2> count_;
+  std::vector<std::vector<Index>> bins_;
+};
+
+/// Sum of the outward unit normals of the edges that meet at each node; zero away from the free and contact surface.
+std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
+  std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
+  for (const BoundaryEdge& edge : mesh.boundary) {
+    if (symmetry_pieces.at(edge.piece)) continue;
+    constexpr std::array<double, 3> places{0, 1, 0.5};
+    for (int k = 0; k < 3; ++k) {
+      const Point along = edge_derivative(mesh, edge.nodes, places[k]).normalized();
+      normals[edge.nodes[k]] += Point(along[1], -along[0]);
+    }
+  }
+  return normals;
+}
+
+/// Hands each surface value to the nodes nearest to it, spreading from node to node of the cells.
+void spread(const Mesh& mesh, Eigen::VectorXd& value) {
+  struct Front {
+    double distance;
+    Index node, source;
+    bool operator>(const Front& other) const { return std::tie(distance, node) > std::tie(other.distance, other.node); }
+  };
+  std::vector<Index> start(mesh.nodes.size() + 1, 0), cells(6 * mesh.cells.size());
+  for (const auto& cell : mesh.cells)
+    for (const Index node : cell) ++start[node + 1];
+  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+  std::vector<Index> place(start.begin(), start.end() - 1);
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    for (const Index node : mesh.cells[c]) cells[place[node]++] = c;
+
+  std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts;
+  std::vector<double> reached(mesh.nodes.size(), infinity);
+  for (Index i = 0; i < mesh.node_count(); ++i)
+    if (std::isfinite(value[i])) fronts.push({reached[i] = 0, i, i});
+  while (!fronts.empty()) {
+    const Front front = fronts.top();
+    fronts.pop();
+    if (front.distance > reached[front.node]) continue;
+    value[front.node] = value[front.source];
+    for (Index k = start[front.node]; k < start[front.node + 1]; ++k)
+      for (const Index node : mesh.cells[cells[k]]) {
+        const double distance = (mesh.nodes[node] - mesh.nodes[front.source]).norm();
+        if (distance < reached[node]) fronts.push({reached[node] = distance, node, front.source});
+      }
+  }
+}
+
+}  // namespace
+
+Eigen::VectorXd wall_thickness(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
+  const EdgeGrid grid(mesh);
+  const std::vector<Point> normals = surface_normals(mesh, symmetry_pieces);
+  Eigen::VectorXd thickness = Eigen::VectorXd::Constant(mesh.node_count(), infinity);
+  for (const BoundaryEdge& edge : mesh.boundary) {
+    for (const Index node : edge.nodes) {
+      if (symmetry_pieces[edge.piece] || std::isfinite(thickness[node]) || normals[node].norm() < 1e-6) continue;
+      const EdgeGrid::Hit hit = grid.first_exit(node, -normals[node].normalized());
+      if (hit.edge < 0) continue;
+      thickness[node] = symmetry_pieces[mesh.boundary[hit.edge].piece] ? 2 * hit.distance : hit.distance;
+    }
+  }
+  spread(mesh, thickness);
+  return thickness;
+}
+
+}  // namespace parison::core

@@ -1,0 +1,46 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+namespace parison::core {
+
+/// Exponents of m, kg, s and K. `absolute` marks a temperature that may be given in degC.
+struct Dimension {
+  int length = 0, mass = 0, time = 0, temperature = 0;
+  bool absolute = false;
+};
+
+namespace dimension {
+inline constexpr Dimension none{};
+inline constexpr Dimension length{1};
+inline constexpr Dimension inverse_length{-1};
+inline constexpr Dimension volume{3};
+inline constexpr Dimension time{0, 0, 1};
+inline constexpr Dimension speed{1, 0, -1};
+inline constexpr Dimension acceleration{1, 0, -2};
+inline constexpr Dimension temperature{0, 0, 0, 1, true};
+inline constexpr Dimension temperature_difference{0, 0, 0, 1};
+inline constexpr Dimension density{-3, 1};
+inline constexpr Dimension force{1, 1, -2};
+inline constexpr Dimension pressure{-1, 1, -2};
+inline constexpr Dimension viscosity{-1, 1, -1};
+inline constexpr Dimension surface_tension{0, 1, -2};
+inline constexpr Dimension friction{-2, 1, -1};
+inline constexpr Dimension heat_capacity{2, 0, -2, -1};
+inline constexpr Dimension conductivity{1, 1, -3, -1};
+inline constexpr Dimension conductance{0, 1, -3, -1};
+}  // namespace dimension
+
+/// A quantity in SI, or a sentence part that says what was found and what is allowed.
+struct ParsedQuantity {
+  double value = 0;
+  std::string problem;  ///< empty when the text was understood
+};
+
+/// Reads "2.5 mm", "0.35 bar", "1.3 W/m/K", "20 %"; a bare number only where no dimension is asked for.
+ParsedQuantity parse_quantity(const std::string& text, const Dimension& expected);
+
+/// What a dimension is called, with an example: `a length such as "2.5 mm"`.
+std::string describe(const Dimension& dimension);
+
+}  // namespace parison::core

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include "forming/scene_reading.hpp"
+
+namespace parison::forming {
+
+using core::CaseNode;
+using core::CaseTable;
+namespace dimension = core::dimension;
+
+Probe read_probe(const CaseNode& node, const Scene& scene) {
+  const CaseTable table(node, {"name", "body", "point"});
+  auto bodies = tool_names(scene);
+  bodies.insert(bodies.begin(), "glass");
+  const Probe probe{core::text(table.get("name")), core::choice(table.get("body"), bodies),
+                    read_point(table.get("point"))};
+  const Body& body = probe.body == 0 ? static_cast<const Body&>(scene.glass) : scene.tools[probe.body - 1];
+  constexpr double on_surface = 1e-6;  // m
+  if (!body.thermal)
+    core::refuse(table.get("body"), fmt::format("\"{}\" carries no heat, allowed are bodies that do", body.name));
+  if (!core::contains(body.profile, probe.point) && core::distance(body.profile, probe.point) > on_surface)
+    core::refuse(table.get("point"),
+                 fmt::format("\"{}\" lies outside \"{}\", allowed are points inside or on its outline",
+                             table.get("point").text, body.name));
+  return probe;
+}
+
+Output read_output(const CaseNode& node) {
+  const CaseTable table(node, {"interval", "times"});
+  Output output;
+  if (const auto* item = table.find("interval")) output.interval = core::positive(*item, dimension::time);
+  if (const auto* times = table.find("times"))
+    for (const auto& item : core::list(*times)) output.times.push_back(core::not_negative(item, dimension::time));
+  return output;
+}
+
+void read_numerics(const CaseNode& node, Accuracy& accuracy) {
+  struct Entry {
+    const char* key;
+    double Accuracy::*member;
+    core::Dimension dimension;
+  };
+  const Entry numbers[] = {
+      {"surface_size", &Accuracy::surface_size, dimension::length},
+      {"skin_size", &Accuracy::skin_size, dimension::length},
+      {"elements_across", &Accuracy::elements_across, dimension::none},
+      {"tool_contact_size", &Accuracy::tool_contact_size, dimension::length},
+      {"tool_growth", &Accuracy::tool_growth, dimension::none},
+      {"strain_per_step", &Accuracy::strain_per_step, dimension::none},
+      {"temperature_tolerance", &Accuracy::temperature_tolerance, dimension::temperature_difference},
+      {"temperature_per_step", &Accuracy::temperature_per_step, dimension::temperature_difference},
+      {"largest_step", &Accuracy::largest_step, dimension::time},
+      {"smallest_step", &Accuracy::smallest_step, dimension::time},
+      {"quality_floor", &Accuracy::quality_floor, dimension::none}};
+  std::vector<std::string> keys = {"passes"};
+  for (const auto& entry : numbers) keys.push_back(entry.key);
+  const CaseTable table(node, keys);
+  for (const auto& entry : numbers)
+    if (const auto* item = table.find(entry.key)) accuracy.*entry.member = core::positive(*item, entry.dimension);
+  if (const auto* item = table.find("passes")) accuracy.passes = core::count(*item);
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/curve.hpp"
+
+#include <algorithm>
+
+#include "core/element.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+using Edge = std::array<Index, 3>;
+
+namespace {
+
+Point derivative(const Mesh& mesh, const Edge& edge, double s) {
+  const auto d = core::edge_shape_derivative(s);
+  return d[0] * mesh.nodes[edge[0]] + d[1] * mesh.nodes[edge[1]] + d[2] * mesh.nodes[edge[2]];
+}
+
+}  // namespace
+
+Point point_on(const Mesh& mesh, const Edge& edge, double s) {
+  const auto n = core::edge_shape(s);
+  return n[0] * mesh.nodes[edge[0]] + n[1] * mesh.nodes[edge[1]] + n[2] * mesh.nodes[edge[2]];
+}
+
+Point tangent(const Mesh& mesh, const Edge& edge, double s) { return derivative(mesh, edge, s).normalized(); }
+
+double arc_length(const Mesh& mesh, const Edge& edge, double s) {
+  double sum = 0;
+  for (const core::EdgeRulePoint& at : core::edge_rule(5)) sum += at.weight * s * derivative(mesh, edge, at.s * s).norm();
+  return sum;
+}
+
+double at_arc_length(const Mesh& mesh, const Edge& edge, double length) {
+  double s = length / arc_length(mesh, edge, 1);
+  for (int pass = 0; pass < 4; ++pass) {
+    const double speed = derivative(mesh, edge, s).norm();
+    if (speed > 0) s = std::clamp(s - (arc_length(mesh, edge, s) - length) / speed, 0.0, 1.0);
+  }
+  return s;
+}
+
+double closest_on(const Mesh& mesh, const Edge& edge, const Point& x) {
+  double s = 0.5, best = (point_on(mesh, edge, s) - x).norm();
+  for (const double start : {0.0, 0.25, 0.75, 1.0}) {
+    const double gap = (point_on(mesh, edge, start) - x).norm();
+    if (gap < best) best = gap, s = start;
+  }
+  for (int pass = 0; pass < 6; ++pass) {
+    const Point d = derivative(mesh, edge, s);
+    s = std::clamp(s + d.dot(x - point_on(mesh, edge, s)) / d.squaredNorm(), 0.0, 1.0);
+  }
+  return s;
+}
+
+double turning(const Point& before, const Point& after) {
+  return std::atan2(before[0] * after[1] - before[1] * after[0], before.dot(after));
+}
+
+std::vector<Link> boundary_links(const Mesh& mesh) {
+  const auto count = static_cast<Index>(mesh.boundary.size());
+  std::vector<Link> links(count);
+  for (Index start = 0; start < count;) {
+    Index last = start;
+    while (mesh.boundary[last].nodes[1] != mesh.boundary[start].nodes[0]) ++last;
+    for (Index i = start; i <= last; ++i) {
+      links[i].previous = i == start ? last : i - 1;
+      links[i].next = i == last ? start : i + 1;
+      links[i].kink =
+          turning(tangent(mesh, mesh.boundary[links[i].previous].nodes, 1), tangent(mesh, mesh.boundary[i].nodes, 0));
+    }
+    start = last + 1;
+  }
+  return links;
+}
+
+}  // namespace parison::remesh

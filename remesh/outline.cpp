@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/outline.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+#include "remesh/quality.hpp"
+#include "remesh/triangulate.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+namespace {
+
+constexpr double folded = 0.3;  ///< quality below which a straight edge is tried
+
+struct Chord {
+  Point a, b;
+  Index edge, from, to;  ///< from, to: names of the ends, shared by chords that meet
+};
+
+double cross(const Point& u, const Point& v) { return u[0] * v[1] - u[1] * v[0]; }
+
+bool chords_cross(const Chord& p, const Chord& q) {
+  if (p.from == q.from || p.from == q.to || p.to == q.from || p.to == q.to) return false;
+  const Point u = p.b - p.a, v = q.b - q.a;
+  const double a = cross(u, q.a - p.a), b = cross(u, q.b - p.a);
+  const double c = cross(v, p.a - q.a), d = cross(v, p.b - q.a);
+  return a * b <= 0 && c * d <= 0 && (a != b || c != d);
+}
+
+std::vector<Chord> chords(const Outline& outline) {
+  const std::vector<Index> ends = edge_ends(outline);
+  const Index count = outline.edge_count();
+  std::vector<Chord> result;
+  for (Index i = 0; i < count; ++i) {
+    result.push_back({outline.vertices[i], outline.mids[i], i, i, count + i});
+    result.push_back({outline.mids[i], outline.vertices[ends[i]], i, count + i, ends[i]});
+  }
+  return result;
+}
+
+/// Numbers the mid-side nodes, those of the outline first, and gives the inner ones their place.
+bool add_mid_nodes(const Outline& outline, const Triangulation& triangles, Mesh& mesh) {
+  const auto key = [](Index a, Index b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
+  };
+  std::unordered_map<std::uint64_t, Index> mid;
+  mid.reserve(2 * triangles.triangles.size());
+  const std::vector<Index> ends = edge_ends(outline);
+  for (Index i = 0; i < outline.edge_count(); ++i) {
+    mid[key(i, ends[i])] = mesh.node_count();
+    mesh.nodes.push_back(outline.mids[i]);
+    mesh.boundary.push_back({{i, ends[i], mesh.node_count() - 1}, -1, outline.pieces[i]});
+  }
+  for (const auto& corner : triangles.triangles) {
+    std::array<Index, 6> cell{corner[0], corner[1], corner[2], -1, -1, -1};
+    for (int k = 0; k < 3; ++k) {
+      const Index a = corner[k], b = corner[(k + 1) % 3];
+      const auto [place, is_new] = mid.try_emplace(key(a, b), mesh.node_count());
+      if (is_new) mesh.nodes.push_back(0.5 * (mesh.nodes[a] + mesh.nodes[b]));
+      cell[3 + k] = place->second;
+      const Index edge = place->second - mesh.vertex_count;
+      if (edge < outline.edge_count()) mesh.boundary[edge].cell = mesh.cell_count();
+    }
+    mesh.cells.push_back(cell);
+  }
+  return std::all_of(mesh.boundary.begin(), mesh.boundary.end(), [](const auto& edge) { return edge.cell >= 0; });
+}
+
+void straighten_folded(Mesh& mesh) {
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    const double bent = cell_quality(mesh, edge.cell);
+    if (bent >= folded) continue;
+    const auto [first, last, mid] = edge.nodes;
+    const Point kept = mesh.nodes[mid];
+    mesh.nodes[mid] = 0.5 * (mesh.nodes[first] + mesh.nodes[last]);
+    if (cell_quality(mesh, edge.cell) <= bent) mesh.nodes[mid] = kept;
+  }
+}
+
+}  // namespace
+
+std::vector<Index> edge_ends(const Outline& outline) {
+  std::vector<Index> ends(outline.vertices.size());
+  std::iota(ends.begin(), ends.end(), 1);
+  for (std::size_t k = 0; k + 1 < outline.loop_start.size(); ++k)
+    ends[outline.loop_start[k + 1] - 1] = outline.loop_start[k];
+  return ends;
+}
+
+std::pair<Index, Index> find_crossing(const Outline& outline) {
+  std::vector<Chord> all = chords(outline);
+  const auto left = [](const Chord& c) { return std::min(c.a[0], c.b[0]); };
+  std::sort(all.begin(), all.end(), [&](const Chord& p, const Chord& q) { return left(p) < left(q); });
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double right = std::max(all[i].a[0], all[i].b[0]);
+    const double low = std::min(all[i].a[1], all[i].b[1]), high = std::max(all[i].a[1], all[i].b[1]);
+    for (std::size_t j = i + 1; j < all.size() && left(all[j]) <= right; ++j) {
+      if (std::max(all[j].a[1], all[j].b[1]) < low || std::min(all[j].a[1], all[j].b[1]) > high) continue;
+      if (chords_cross(all[i], all[j])) return std::minmax(all[i].edge, all[j].edge);
+    }
+  }
+  return {-1, -1};
+}
+
+MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& pieces, const SizeField& size) {
+  Triangulation triangles = triangulate(outline, size);
+  if (!triangles.reason.empty()) return {{}, triangles.reason};
+  MeshedOutline result;
+  Mesh& mesh = result.mesh;
+  mesh.nodes = std::move(triangles.vertices);
+  mesh.vertex_count = mesh.node_count();
+  mesh.pieces = pieces;
+  if (!add_mid_nodes(outline, triangles, mesh)) return {{}, "the mesher lost edges of the outline"};
+  straighten_folded(mesh);
+  return result;
+}
+
+}  // namespace parison::remesh

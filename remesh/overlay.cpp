@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/element.hpp"
+#include "remesh/cell_grid.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+namespace {
+
+constexpr double straight = 1e-9;     ///< mid-side offset over size below which a cell counts as straight
+constexpr double negligible = 1e-12;  ///< share of a cell
+constexpr double furthest = 0.3;      ///< extrapolation out of an old cell, reference coordinates
+
+double cross(const Point& u, const Point& v) { return u[0] * v[1] - u[1] * v[0]; }
+
+/// Convex polygon of a few corners.
+struct Polygon {
+  std::array<Point, 10> corner;
+  int count = 0;
+  void add(const Point& x) { corner[count++] = x; }
+};
+
+/// The part on the left of the line a to b.
+Polygon clip(const Polygon& polygon, const Point& a, const Point& b) {
+  Polygon kept;
+  for (int i = 0; i < polygon.count; ++i) {
+    const Point &p = polygon.corner[i], &q = polygon.corner[(i + 1) % polygon.count];
+    const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
+    if (at_p >= 0) kept.add(p);
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) kept.add(p + at_p / (at_p - at_q) * (q - p));
+  }
+  return kept;
+}
+
+bool is_straight(const Mesh& mesh, Index cell) {
+  const auto& n = mesh.cells[cell];
+  const double size = (mesh.nodes[n[1]] - mesh.nodes[n[0]]).norm();
+  for (int k = 0; k < 3; ++k)
+    if ((mesh.nodes[n[3 + k]] - 0.5 * (mesh.nodes[n[k]] + mesh.nodes[n[(k + 1) % 3]])).norm() > straight * size) return false;
+  return true;
+}
+
+/// Reference coordinates of x in the triangle of a cell's vertices.
+std::array<double, 2> in_chords(const Mesh& mesh, Index cell, const Point& x) {
+  const auto& n = mesh.cells[cell];
+  const Point &o = mesh.nodes[n[0]], u = mesh.nodes[n[1]] - o, v = mesh.nodes[n[2]] - o;
+  const double area = cross(u, v);
+  return {cross(x - o, v) / area, cross(u, x - o) / area};
+}
+
+/// A convex region in which an old cell's field is used.
+struct Region {
+  Polygon polygon;
+  Index cell;
+  Box box;
+};
+
+Box box_of(const Polygon& polygon) {
+  Box box{polygon.corner[0], polygon.corner[0]};
+  for (int i = 1; i < polygon.count; ++i) {
+    box.low = box.low.cwiseMin(polygon.corner[i]);
+    box.high = box.high.cwiseMax(polygon.corner[i]);
+  }
+  return box;
+}
+
+/// Strips outside the boundary, each with the field of the cell at its edge.
+std::vector<std::vector<Region>> outer_regions(const Mesh& mesh) {
+  std::vector<Point> outward(mesh.nodes.size(), Point::Zero());
+  std::vector<double> reach(mesh.nodes.size(), 0);
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    const Point chord = mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]];
+    for (int k = 0; k < 2; ++k) {
+      outward[edge.nodes[k]] += Point(chord[1], -chord[0]).normalized();
+      reach[edge.nodes[k]] = std::max(reach[edge.nodes[k]], 0.2 * chord.norm());
+    }
+  }
+  std::vector<std::vector<Region>> regions(mesh.cells.size());
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    Polygon strip;
+    const auto [a, b, mid] = edge.nodes;
+    strip.add(mesh.nodes[a]);
+    strip.add(mesh.nodes[a] + reach[a] * outward[a].normalized());
+    strip.add(mesh.nodes[b] + reach[b] * outward[b].normalized());
+    strip.add(mesh.nodes[b]);
+    regions[edge.cell].push_back({strip, edge.cell, box_of(strip)});
+  }
+  return regions;
+}
+
+/// Adds up the load of one new cell part by part.
+class Overlay {
+ public:
+  Overlay(const Mesh& from, const Mesh& to, core::Geometry geometry, const Eigen::VectorXd& nodal)
+      : from_(from), to_(to), geometry_(geometry), nodal_(nodal), grid_(from), outer_(outer_regions(from)) {
+    for (Index cell = 0; cell < from.cell_count(); ++cell) straight_.push_back(is_straight(from, cell));
+    for (Index cell = 0; cell < to.cell_count(); ++cell) new_straight_.push_back(is_straight(to, cell));
+  }
+
+  std::array<double, 6> load(Index cell) {
+    Polygon triangle;
+    for (int k = 0; k < 3; ++k) triangle.add(to_.nodes[to_.cells[cell][k]]);
+    const double whole = cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
+    std::array<double, 6> sum{};
+    const Box box = box_of(triangle);
+    const Point margin = Point::Constant(0.05 * (box.high - box.low).maxCoeff());
+    grid_.near({box.low - margin, box.high + margin}, near_);
+    for (const Index old : near_) {
+      Polygon common = triangle;
+      for (int k = 0; k < 3 && common.count > 2; ++k)
+        common = clip(common, from_.nodes[from_.cells[old][k]], from_.nodes[from_.cells[old][(k + 1) % 3]]);
+      add_polygon(cell, old, common, whole, sum);
+      for (const Region& strip : outer_[old]) {
+        if (!strip.box.meets(box)) continue;
+        common = triangle;
+        for (int k = 0; k < 4 && common.count > 2; ++k)
+          common = clip(common, strip.polygon.corner[k], strip.polygon.corner[(k + 1) % 4]);
+        add_polygon(cell, old, common, whole, sum);
+      }
+    }
+    return sum;
+  }
+
+ private:
+  double old_value(Index old, const Point& x) const {
+    auto at = straight_[old] ? in_chords(from_, old, x) : core::invert_cell_map(from_, old, x);
+    if (!(std::min({at[0], at[1], 1 - at[0] - at[1]}) > -furthest)) {
+      const CellGrid::Found found = grid_.find(x);
+      old = found.cell;
+      at = found.at;
+    }
+    const auto shape = core::triangle_shape(at[0], at[1]);
+    double value = 0;
+    for (int k = 0; k < 6; ++k) value += shape[k] * nodal_[from_.cells[old][k]];
+    return value;
+  }
+
+  /// Fans the polygon, which lies in the chord triangle of the new cell, and integrates over its image in the cell.
+  void add_polygon(Index cell, Index old, const Polygon& polygon, double whole, std::array<double, 6>& sum) const {
+    for (int i = 1; i + 1 < polygon.count; ++i) {
+      const Point &o = polygon.corner[0], u = polygon.corner[i] - o, v = polygon.corner[i + 1] - o;
+      const double share = cross(u, v) / whole;
+      if (share < negligible) continue;
+      for (const core::TriangleRulePoint& at : core::triangle_rule(6)) {
+        const Point x = o + at.a * u + at.b * v;
+        const auto [a, b] = in_chords(to_, cell, x);
+        if (new_straight_[cell]) {
+          const double volume = at.weight * cross(u, v) * core::depth(geometry_, x);
+          add_point(core::triangle_shape(a, b), volume * old_value(old, x), sum);
+        } else {
+          const core::CellPoint point = core::map_cell_point(to_, cell, geometry_, {a, b, at.weight * share});
+          add_point(point.shape, point.volume * old_value(old, point.position), sum);
+        }
+      }
+    }
+  }
+
+  static void add_point(const std::array<double, 6>& shape, double value, std::array<double, 6>& sum) {
+    for (int k = 0; k < 6; ++k) sum[k] += shape[k] * value;
+  }
+
+  const Mesh &from_, &to_;
+  core::Geometry geometry_;
+  const Eigen::VectorXd& nodal_;
+  CellGrid grid_;
+  std::vector<std::vector<Region>> outer_;
+  std::vector<bool> straight_, new_straight_;
+  std::vector<Index> near_;
+};
+
+}  // namespace
+
+Eigen::VectorXd overlay_load(const Mesh& from, const Mesh& to, core::Geometry geometry, const Eigen::VectorXd& nodal) {
+  Overlay overlay(from, to, geometry, nodal);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(to.node_count());
+  for (Index cell = 0; cell < to.cell_count(); ++cell) {
+    const std::array<double, 6> own = overlay.load(cell);
+    for (int k = 0; k < 6; ++k) load[to.cells[cell][k]] += own[k];
+  }
+  return load;
+}
+
+}  // namespace parison::remesh

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/remesh_glass.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "core/element.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+namespace {
+
+constexpr double volume_tolerance = 2e-15;  ///< relative, at which the shift stops
+constexpr double largest_defect = 0.01;     ///< relative volume a resampling may miss
+
+/// Unit normals at the surface nodes that may give way, zero elsewhere.
+std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface) {
+  const auto count = static_cast<std::size_t>(surface.outline.edge_count());
+  const auto place = [&](Index node) { return node < mesh.vertex_count ? node : node - mesh.vertex_count + count; };
+  bool any_free = false;
+  for (std::size_t i = 0; i < 2 * count; ++i) any_free |= !surface.fixed[i] && !surface.contact[i];
+  std::vector<Point> directions(mesh.nodes.size(), Point::Zero());
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    constexpr std::array<double, 3> ends{0, 1, 0.5};
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t at = place(edge.nodes[k]);
+      if (surface.fixed[at] || (any_free && surface.contact[at])) continue;
+      directions[edge.nodes[k]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {ends[k], 1}).normal;
+    }
+  }
+  for (Point& direction : directions)
+    if (direction.norm() > 0) direction.normalize();
+  return directions;
+}
+
+/// Volume swept per metre of shift, m2.
+double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<Point>& directions) {
+  double area = 0;
+  for (const core::BoundaryEdge& edge : mesh.boundary)
+    for (const core::EdgeRulePoint& at : core::edge_rule(4)) {
+      const core::EdgePoint point = core::map_edge_point(mesh, edge.nodes, geometry, at);
+      for (int k = 0; k < 3; ++k) area += point.area * point.shape[k] * point.normal.dot(directions[edge.nodes[k]]);
+    }
+  return area;
+}
+
+double restore_volume(Mesh& mesh, const Surface& surface, core::Geometry geometry, double wanted) {
+  const std::vector<Point> directions = shift_directions(mesh, surface);
+  double now = core::volume(mesh, geometry);
+  for (int pass = 0; pass < 4 && std::abs(now - wanted) > volume_tolerance * wanted; ++pass) {
+    const double area = swept_area(mesh, geometry, directions);
+    if (!(area > 0)) break;
+    const double shift = (wanted - now) / area;
+    for (std::size_t i = 0; i < directions.size(); ++i) mesh.nodes[i] += shift * directions[i];
+    now = core::volume(mesh, geometry);
+  }
+  return now;
+}
+
+std::string describe(const Point& x) {
+  std::string text = "(";
+  for (int k = 0; k < core::dim; ++k) text += fmt::format("{}{:.3f}", k ? ", " : "", 1e3 * x[k]);
+  return text + ") mm";
+}
+
+}  // namespace
+
+Remeshed remesh_glass(const Mesh& old, const Criteria& criteria) {
+  Remeshed result;
+  result.volume_before = core::volume(old, criteria.geometry);
+  const SizeField size = size_field(old, criteria);
+  const Surface surface = resample(old, criteria, size);
+  const auto [first, second] = find_crossing(surface.outline);
+  if (first >= 0) {
+    result.reason = fmt::format("the glass surface crosses itself near {} and {}", describe(surface.outline.vertices[first]),
+                                describe(surface.outline.vertices[second]));
+    return result;
+  }
+  MeshedOutline meshed = mesh_outline(surface.outline, old.pieces, size);
+  if (!meshed.reason.empty()) {
+    result.reason = "the glass cannot be remeshed: " + meshed.reason;
+    return result;
+  }
+  result.mesh = std::move(meshed.mesh);
+  const double missed = core::volume(result.mesh, criteria.geometry) / result.volume_before - 1;
+  if (!(std::abs(missed) < largest_defect)) {
+    result.reason = fmt::format("the resampled surface misses the glass volume by {:.2g} %", 100 * missed);
+    return result;
+  }
+  result.volume_after = restore_volume(result.mesh, surface, criteria.geometry, result.volume_before);
+  result.ok = true;
+  return result;
+}
+
+}  // namespace parison::remesh

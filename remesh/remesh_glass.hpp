@@ -1,0 +1,20 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "remesh/surface.hpp"
+
+namespace parison::remesh {
+
+struct Remeshed {
+  core::Mesh mesh;
+  bool ok = false;
+  std::string reason;  ///< why not, a sentence
+  double volume_before = 0, volume_after = 0;  ///< m3
+};
+
+/// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to round-off by
+/// a common small shift of the free surface along its normal (of the whole surface where all of it touches tools).
+Remeshed remesh_glass(const core::Mesh& old, const Criteria& criteria);
+
+}  // namespace parison::remesh

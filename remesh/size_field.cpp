@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/element.hpp"
+#include "core/thickness.hpp"
+#include "remesh/curve.hpp"
+#include "remesh/surface.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+namespace {
+
+constexpr double largest_turn = 20 * M_PI / 180;  ///< of the surface within one edge
+constexpr Index most_samples = 64;  ///< of the wishes along one old edge
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Nodal value at s of an edge, linear between its three nodes; infinite where one of the two is.
+template <class Nodal>
+double along(const std::array<Index, 3>& edge, double s, const Nodal& value) {
+  const double start = value(edge[s < 0.5 ? 0 : 2]), end = value(edge[s < 0.5 ? 2 : 1]), share = s < 0.5 ? 2 * s : 2 * s - 1;
+  return share == 0 ? start : share == 1 ? end : (1 - share) * start + share * end;
+}
+
+/// Radius of curvature along each boundary edge: half of the kinks to its neighbours count as turning of the edge.
+std::vector<double> curvature_radii(const Mesh& mesh) {
+  const std::vector<Link> links = boundary_links(mesh);
+  std::vector<double> radii(mesh.boundary.size());
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const auto& edge = mesh.boundary[i].nodes;
+    double turn = turning(tangent(mesh, edge, 0), tangent(mesh, edge, 1));
+    for (const double kink : {links[i].kink, links[links[i].next].kink})
+      if (std::abs(kink) < corner_angle) turn += 0.5 * kink;
+    radii[i] = std::abs(turn) > 1e-9 ? arc_length(mesh, edge, 1) / std::abs(turn) : infinity;
+  }
+  return radii;
+}
+
+}  // namespace
+
+SizeField size_field(const Mesh& old, const Criteria& criteria) {
+  const Eigen::VectorXd wall = core::wall_thickness(old, criteria.straight_pieces);
+  const std::vector<double> radii = curvature_radii(old);
+  std::vector<SizeSource> sources;
+  for (std::size_t i = 0; i < old.boundary.size(); ++i) {
+    const auto& edge = old.boundary[i].nodes;
+    if (criteria.straight_pieces.at(old.boundary[i].piece)) continue;
+    const double bend = std::max(largest_turn * radii[i], criteria.smallest);
+    const auto skin = [&](Index node) { return criteria.skin_wish.empty() ? infinity : criteria.skin_wish[node]; };
+    const auto least = [&](const auto& at) { return std::min({at(edge[0]), at(edge[1]), at(edge[2])}); };
+    const double thinnest = least([&](Index node) { return wall[node]; });
+    const double finest = std::max(std::min(thinnest / criteria.elements_across, least(skin)), criteria.smallest);
+    const Index steps = std::clamp(static_cast<Index>(std::ceil(arc_length(old, edge, 1) / finest)), 2, most_samples);
+    for (Index k = 0; k <= steps; ++k) {
+      const double s = static_cast<double>(k) / steps;
+      const Point at = point_on(old, edge, s);
+      const double thickness = along(edge, s, [&](Index node) { return wall[node]; });
+      const double across = std::max(thickness / criteria.elements_across, criteria.smallest);
+      const double wish = std::max({along(edge, s, skin), criteria.skin_size, criteria.smallest});
+      sources.push_back({at, std::min({criteria.surface_size, across, bend, wish}), 0});
+      if (across < 2 * criteria.surface_size) sources.push_back({at, across, 0.5 * thickness});
+    }
+  }
+  return SizeField(std::move(sources), criteria.growth, 2 * criteria.surface_size);
+}
+
+}  // namespace parison::remesh

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "remesh/curve.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+namespace {
+
+/// A place on the old boundary.
+struct Place {
+  Index edge;
+  double s;
+};
+
+/// Boundary from one kept point to the next, within one piece, as a curve over arc length.
+struct Stretch {
+  std::vector<Place> parts;         ///< old edge and the s it starts from
+  std::vector<double> until;        ///< arc length from the stretch's start to the end of each part, m
+  std::vector<double> before;       ///< arc length of each part's edge before its start, m
+  bool straight;
+  double length() const { return until.back(); }
+};
+
+Place place_at(const Mesh& old, const Stretch& stretch, double s) {
+  const auto part = std::min<std::size_t>(
+      std::lower_bound(stretch.until.begin(), stretch.until.end(), s) - stretch.until.begin(), stretch.parts.size() - 1);
+  const double start = part == 0 ? 0 : stretch.until[part - 1];
+  const Index edge = stretch.parts[part].edge;
+  return {edge, at_arc_length(old, old.boundary[edge].nodes, s - start + stretch.before[part])};
+}
+
+/// Whether an old edge starts at the end of a piece or at a corner.
+bool is_fixed(const Mesh& old, const std::vector<Link>& links, Index i) {
+  return old.boundary[i].piece != old.boundary[links[i].previous].piece || std::abs(links[i].kink) > corner_angle;
+}
+
+/// Places, by old edge, where the surface passes a kept point closer than half the edge length there.
+std::map<Index, double> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
+  const std::vector<Link> links = boundary_links(old);
+  std::vector<Index> fixed;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (is_fixed(old, links, static_cast<Index>(i))) fixed.push_back(static_cast<Index>(i));
+  std::map<Index, double> kept;
+  for (const Point& corner : criteria.keep) {
+    const double wished = std::min(criteria.surface_size, size(corner));
+    double best = 0.5 * wished;
+    Place found{-1, 0};
+    for (std::size_t i = 0; i < old.boundary.size(); ++i) {
+      const auto& edge = old.boundary[i].nodes;
+      const Point &a = old.nodes[edge[0]], &b = old.nodes[edge[1]];
+      if (criteria.straight_pieces[old.boundary[i].piece] || (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best) continue;
+      const double s = closest_on(old, edge, corner);
+      const double gap = (point_on(old, edge, s) - corner).norm();
+      if (gap < best) best = gap, found = {static_cast<Index>(i), s};
+    }
+    if (found.edge < 0) continue;
+    const Point at = point_on(old, old.boundary[found.edge].nodes, found.s);
+    const bool crowded = std::any_of(fixed.begin(), fixed.end(), [&](Index i) {
+      return (old.nodes[old.boundary[i].nodes[0]] - at).norm() < 0.3 * wished;
+    });
+    if (!crowded) kept[found.edge] = found.s;
+  }
+  return kept;
+}
+
+class Resampler {
+ public:
+  Resampler(const Mesh& old, const Criteria& criteria, const SizeField& size)
+      : old_(old), criteria_(criteria), size_(size), links_(boundary_links(old)), kept_(kept_places(old, criteria, size)) {}
+
+  Surface run() {
+    const auto count = static_cast<Index>(links_.size());
+    for (Index start = 0; start < count;) {
+      Index last = start;
+      while (links_[last].next != start) ++last;
+      loop(start, last);
+      surface_.outline.loop_start.push_back(surface_.outline.edge_count());
+      start = last + 1;
+    }
+    surface_.contact.insert(surface_.contact.end(), mid_contact_.begin(), mid_contact_.end());
+    surface_.fixed.insert(surface_.fixed.end(), mid_fixed_.begin(), mid_fixed_.end());
+    return std::move(surface_);
+  }
+
+ private:
+  bool starts_stretch(Index i) const {
+    const auto kept = kept_.find(i);
+    return is_fixed(old_, links_, i) || (kept != kept_.end() && kept->second == 0);
+  }
+
+  void extend(Stretch& stretch, Index edge, double from, double to) const {
+    const auto& nodes = old_.boundary[edge].nodes;
+    const double before = from > 0 ? arc_length(old_, nodes, from) : 0;
+    stretch.parts.push_back({edge, from});
+    stretch.before.push_back(before);
+    stretch.until.push_back((stretch.until.empty() ? 0 : stretch.until.back()) + arc_length(old_, nodes, to) - before);
+  }
+
+  void loop(Index first, Index last) {
+    Index start = first;
+    while (start <= last && !starts_stretch(start)) ++start;
+    if (start > last) start = first;
+    std::vector<Stretch> stretches;
+    Index i = start;
+    do {
+      if (i == start || starts_stretch(i)) stretches.push_back({{}, {}, {}, criteria_.straight_pieces[old_.boundary[i].piece]});
+      const auto kept = kept_.find(i);
+      if (kept != kept_.end() && kept->second > 0) {
+        extend(stretches.back(), i, 0, kept->second);
+        stretches.push_back({{}, {}, {}, stretches.back().straight});
+        extend(stretches.back(), i, kept->second, 1);
+      } else {
+        extend(stretches.back(), i, 0, 1);
+      }
+      i = links_[i].next;
+    } while (i != start);
+    for (std::size_t k = 0; k < stretches.size(); ++k)
+      add(stretches[k], stretches[(k + 1) % stretches.size()], stretches.size() > 2 ? 1 : 3);
+  }
+
+  /// Whether the old nodes on both sides of a place touch a tool.
+  bool touches(const Place& place) const {
+    if (criteria_.contact.empty()) return false;
+    const auto& nodes = old_.boundary[place.edge].nodes;
+    return criteria_.contact[nodes[2]] && criteria_.contact[nodes[place.s < 0.5 ? 0 : 1]];
+  }
+
+  Point start_of(const Stretch& stretch) const {
+    const Place& place = stretch.parts.front();
+    const auto& nodes = old_.boundary[place.edge].nodes;
+    return place.s == 0 ? old_.nodes[nodes[0]] : point_on(old_, nodes, place.s);
+  }
+
+  void add(const Stretch& stretch, const Stretch& next, Index at_least) {
+    const Point start = start_of(stretch), end = start_of(next);
+    const auto on_curve = [&](double s) -> Point {
+      const Place place = place_at(old_, stretch, s);
+      return point_on(old_, old_.boundary[place.edge].nodes, place.s);
+    };
+    const auto point = [&](double s) -> Point {
+      return stretch.straight ? Point(start + s / stretch.length() * (end - start)) : on_curve(s);
+    };
+    const std::vector<double> at = divide(
+        stretch.length(),
+        [&](double s) { return stretch.straight ? size_(point(s)) : std::min(criteria_.surface_size, size_(point(s))); },
+        stretch.straight ? 1 : at_least);
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+      const double middle = 0.5 * (at[i] + at[i + 1]);
+      surface_.outline.vertices.push_back(i == 0 ? start : point(at[i]));
+      surface_.outline.mids.push_back(point(middle));
+      surface_.outline.pieces.push_back(old_.boundary[stretch.parts.front().edge].piece);
+      surface_.contact.push_back(touches(i == 0 ? stretch.parts.front() : place_at(old_, stretch, at[i])));
+      surface_.fixed.push_back(stretch.straight || i == 0);
+      mid_contact_.push_back(touches(place_at(old_, stretch, middle)));
+      mid_fixed_.push_back(stretch.straight);
+    }
+  }
+
+  const Mesh& old_;
+  const Criteria& criteria_;
+  const SizeField& size_;
+  std::vector<Link> links_;
+  std::map<Index, double> kept_;
+  Surface surface_;
+  std::vector<bool> mid_contact_, mid_fixed_;
+};
+
+}  // namespace
+
+Surface resample(const Mesh& old, const Criteria& criteria, const SizeField& size) {
+  return Resampler(old, criteria, size).run();
+}
+
+}  // namespace parison::remesh

@@ -1,0 +1,37 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "core/mesh.hpp"
+#include "remesh/outline.hpp"
+
+namespace parison::remesh {
+
+/// What the new mesh of a deforming body should look like.
+struct Criteria {
+  core::Geometry geometry;
+  double surface_size;     ///< largest edge on the surface, m; inside, twice that
+  double skin_size;        ///< smallest edge a thermal skin may ask for, m
+  double elements_across;  ///< elements across a wall
+  double growth;           ///< of the edge length per metre of distance
+  double smallest;         ///< smallest edge of all, m
+  std::vector<bool> straight_pieces;  ///< symmetry pieces: their nodes stay on their line
+  std::vector<bool> contact;          ///< per old node: touches a tool
+  std::vector<core::Point> keep;      ///< tool corners: a vertex where the surface passes one, m
+  std::vector<double> skin_wish;      ///< per old node: edge length the thermal skin asks for, m; infinite where none
+};
+
+/// A resampled surface and what is known of its points (vertices first, then mid points, in the order of the outline).
+struct Surface {
+  Outline outline;
+  std::vector<bool> contact;  ///< touches a tool
+  std::vector<bool> fixed;    ///< ends of pieces, corners and points of symmetry pieces
+};
+
+/// Edge lengths over space from the present mesh: the surface size, the wall's thickness, curvature and thermal skin.
+SizeField size_field(const core::Mesh& old, const Criteria& criteria);
+
+/// New points on the old boundary's own curves at those lengths; ends of pieces and corners are kept to the bit.
+Surface resample(const core::Mesh& old, const Criteria& criteria, const SizeField& size);
+
+}  // namespace parison::remesh

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/triangulate.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <unordered_map>
+
+#include <gmsh.h>
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Point;
+
+namespace {
+
+constexpr int frontal_delaunay = 6;
+constexpr int linear_triangle = 2;
+
+void start_gmsh() {
+  static const bool started = [] {
+    gmsh::initialize(0, nullptr, false);
+    for (const char* off : {"General.Terminal", "General.AbortOnError", "Mesh.MeshSizeExtendFromBoundary",
+                            "Mesh.MeshSizeFromPoints"})
+      gmsh::option::setNumber(off, 0);
+    for (const char* threads : {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D"})
+      gmsh::option::setNumber(threads, 1);
+    gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
+    return true;
+  }();
+  (void)started;
+}
+
+/// Power of two that brings the body to about 100 units, far from gmsh's absolute tolerances; exact to undo.
+double unit_scale(const Outline& outline) {
+  Point low = outline.vertices[0], high = low;
+  for (const Point& x : outline.vertices) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  return std::ldexp(1.0, 7 - std::ilogb((high - low).maxCoeff()));
+}
+
+void give_outline(const Outline& outline, double scale) {
+  const std::vector<Index> ends = edge_ends(outline);
+  for (Index i = 0; i < outline.edge_count(); ++i)
+    gmsh::model::geo::addPoint(scale * outline.vertices[i][0], scale * outline.vertices[i][1], 0, 0, i + 1);
+  for (Index i = 0; i < outline.edge_count(); ++i) gmsh::model::geo::addLine(i + 1, ends[i] + 1, i + 1);
+  std::vector<int> loops;
+  for (std::size_t k = 0; k + 1 < outline.loop_start.size(); ++k) {
+    std::vector<int> lines;
+    for (Index i = outline.loop_start[k]; i < outline.loop_start[k + 1]; ++i) lines.push_back(i + 1);
+    loops.push_back(gmsh::model::geo::addCurveLoop(lines));
+  }
+  gmsh::model::geo::addPlaneSurface(loops, 1);
+  gmsh::model::geo::synchronize();
+  for (Index i = 0; i < outline.edge_count(); ++i) gmsh::model::mesh::setTransfiniteCurve(i + 1, 2);
+}
+
+/// Meshes a triangle that is always the same: what gmsh remembers of the last body would change the bits of the next.
+void forget_last_body() {
+  Outline triangle;
+  triangle.vertices = {Point(0, 0), Point(1, 0), Point(0, 1)};
+  triangle.loop_start = {0, 3};
+  gmsh::model::add("triangle");
+  give_outline(triangle, 1);
+  gmsh::model::mesh::generate(2);
+  gmsh::clear();
+  std::srand(1);  // it perturbs points by rand()
+}
+
+/// Reads the triangles back; the tags of the outline's nodes are known by the points they sit on.
+Triangulation take_mesh(const Outline& outline, double scale) {
+  Triangulation result;
+  result.vertices = outline.vertices;
+  std::vector<std::size_t> tags, elements, corners;
+  std::vector<double> coordinates, unused;
+  std::unordered_map<std::size_t, Index> number;
+  gmsh::model::mesh::getNodes(tags, coordinates, unused, 0, -1, false, false);
+  if (tags.size() != outline.vertices.size()) return {{}, {}, "the mesher lost points of the outline"};
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    if (coordinates[3 * i] != scale * outline.vertices[i][0] || coordinates[3 * i + 1] != scale * outline.vertices[i][1])
+      return {{}, {}, "the mesher moved points of the outline"};
+    number[tags[i]] = static_cast<Index>(i);
+  }
+  gmsh::model::mesh::getNodes(tags, coordinates, unused, 2, -1, false, false);
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    number[tags[i]] = static_cast<Index>(result.vertices.size());
+    result.vertices.emplace_back(coordinates[3 * i] / scale, coordinates[3 * i + 1] / scale);
+  }
+  gmsh::model::mesh::getElementsByType(linear_triangle, elements, corners);
+  for (std::size_t t = 0; t < elements.size(); ++t) {
+    std::array<Index, 3> triangle;
+    for (int k = 0; k < 3; ++k) {
+      const auto found = number.find(corners[3 * t + k]);
+      if (found == number.end()) return {{}, {}, "the mesher split edges of the outline"};
+      triangle[k] = found->second;
+    }
+    const Point u = result.vertices[triangle[1]] - result.vertices[triangle[0]];
+    const Point v = result.vertices[triangle[2]] - result.vertices[triangle[0]];
+    if (u[0] * v[1] < u[1] * v[0]) std::swap(triangle[1], triangle[2]);
+    result.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+}  // namespace
+
+Triangulation triangulate(const Outline& outline, const SizeField& size) {
+  start_gmsh();
+  forget_last_body();
+  const double scale = unit_scale(outline);
+  gmsh::model::add("body");
+  give_outline(outline, scale);
+  gmsh::model::mesh::setSizeCallback(
+      [&](int, int, double x, double y, double) { return scale * size(Point(x / scale, y / scale)); });
+  gmsh::logger::start();
+  gmsh::model::mesh::generate(2);
+  std::vector<std::string> log;
+  gmsh::logger::get(log);
+  gmsh::logger::stop();
+  Triangulation result = take_mesh(outline, scale);
+  for (const std::string& line : log)
+    if (line.rfind("Error", 0) == 0 && result.reason.empty()) result.reason = "the mesher reports: " + line;
+  if (result.triangles.empty() && result.reason.empty()) result.reason = "the mesher made no triangles";
+  gmsh::model::mesh::removeSizeCallback();
+  gmsh::clear();
+  return result;
+}
+
+}  // namespace parison::remesh

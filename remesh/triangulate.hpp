@@ -1,0 +1,15 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/outline.hpp"
+
+namespace parison::remesh {
+
+/// Straight triangles, counterclockwise; the outline's vertices come first, then the inner ones.
+struct Triangulation {
+  std::vector<core::Point> vertices;
+  std::vector<std::array<core::Index, 3>> triangles;
+  std::string reason;  ///< empty when meshing went well
+};
+Triangulation triangulate(const Outline& outline, const SizeField& size);
+
+}  // namespace parison::remesh

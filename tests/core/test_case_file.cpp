@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/case_file.hpp"
+
+namespace parison::core {
+namespace {
+
+/// A case file of the given text in a folder of its own.
+std::string write_case(const std::string& text) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("parison_core_") + test->name());
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "case.toml") << text;
+  return (folder / "case.toml").string();
+}
+
+/// What an action complains about, without the file's name.
+template <class Action>
+std::string complaint(const std::string& file, Action action) {
+  try {
+    action();
+  } catch (const CaseError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.rfind(file + ":", 0), 0u) << message;
+    return message.substr(file.size() + 1);
+  }
+  return "";
+}
+
+TEST(CaseFile, AFolderStandsForItsCaseToml) {
+  const auto path = write_case("a = 1\n");
+  const auto folder = std::filesystem::path(path).parent_path().string();
+  EXPECT_EQ(read_case_file(folder).path, path);
+  EXPECT_EQ(read_case_file(path).directory, folder);
+}
+
+TEST(CaseFile, EveryValueKnowsItsLineAndItsKeys) {
+  const auto file =
+      read_case_file(write_case("a = 1\n\n[b]\nlength = '2 mm'\nlist = [\n  'x',\n  'y']\n[[c]]\nd.e = true\n"));
+  const CaseTable root(file.root, {"a", "b", "c"});
+  const CaseTable b(root.get("b"), {"length", "list"});
+  EXPECT_EQ(b.get("length").line, 4);
+  EXPECT_EQ(b.get("length").key, "b.length");
+  EXPECT_DOUBLE_EQ(quantity(b.get("length"), dimension::length), 2e-3);
+  EXPECT_EQ(list(b.get("list"))[1].line, 7);
+  const CaseTable c(*root.tables("c").at(0), {"d"});
+  EXPECT_EQ(entries(c.get("d")).at(0).key, "c.d.e");
+  EXPECT_TRUE(flag(entries(c.get("d")).at(0)));
+  EXPECT_DOUBLE_EQ(quantity(root.get("a"), dimension::none), 1);
+}
+
+TEST(CaseFile, AnUnknownKeyIsRefusedWithTheNearestKnownOne) {
+  const auto path = write_case("[stage]\nname = 'press'\nduraton = '1 s'\n");
+  const auto file = read_case_file(path);
+  EXPECT_EQ(complaint(path,
+                      [&] {
+                        CaseTable(file.root.items[0], {"name", "duration", "tools"});
+                      }),
+            "3: stage.duraton: unknown key (did you mean \"duration\"?), allowed are name, duration, tools");
+}
+
+TEST(CaseFile, AMissingKeyIsNamedAtItsTable) {
+  const auto path = write_case("\n[stage]\nname = 'press'\n");
+  const auto file = read_case_file(path);
+  const CaseTable stage(file.root.items[0], {"name", "duration"});
+  EXPECT_EQ(stage.find("duration"), nullptr);
+  EXPECT_EQ(complaint(path, [&] { stage.get("duration"); }),
+            "2: stage.duration: missing, the table that starts here needs the key \"duration\"");
+}
+
+TEST(CaseFile, AWrongKindOfValueIsNamed) {
+  const auto path = write_case("a = 5\nb = [1]\nc = 'x'\nd = 2.5\n");
+  const auto file = read_case_file(path);
+  const CaseTable root(file.root, {"a", "b", "c", "d"});
+  EXPECT_EQ(complaint(path, [&] { quantity(root.get("a"), dimension::length); }),
+            "1: a: the number 5 was found, allowed is a length such as \"2.5 mm\"");
+  EXPECT_EQ(complaint(path, [&] { text(root.get("b")); }), "2: b: a list was found, allowed is a text in quotes");
+  EXPECT_EQ(complaint(path, [&] { list(root.get("c")); }),
+            "3: c: the text \"x\" was found, allowed is a list in brackets");
+  EXPECT_EQ(complaint(path, [&] { count(root.get("d")); }),
+            "4: d: the number 2.5 was found, allowed is a whole number from 1 to 1000000");
+  EXPECT_EQ(complaint(path, [&] { choice(root.get("c"), {"y", "z"}); }), "3: c: \"x\" was found, allowed are y, z");
+}
+
+TEST(CaseFile, SignsAreChecked) {
+  const auto path = write_case("a = '-5 mm'\nb = '-300 degC'\nc = 0\n");
+  const auto file = read_case_file(path);
+  const CaseTable root(file.root, {"a", "b", "c"});
+  EXPECT_EQ(complaint(path, [&] { positive(root.get("a"), dimension::length); }),
+            "1: a: \"-5 mm\" was found, allowed is a length such as \"2.5 mm\", above zero");
+  EXPECT_EQ(complaint(path, [&] { not_negative(root.get("a"), dimension::length); }),
+            "1: a: \"-5 mm\" was found, allowed is a length such as \"2.5 mm\", not below zero");
+  EXPECT_EQ(complaint(path, [&] { quantity(root.get("b"), dimension::temperature); }),
+            "2: b: \"-300 degC\" is not above absolute zero, allowed is a temperature such as \"1150 degC\"");
+  EXPECT_EQ(not_negative(root.get("c"), dimension::none), 0);
+  EXPECT_NE(complaint(path, [&] { positive(root.get("c"), dimension::none); }), "");
+}
+
+TEST(CaseFile, ATableOfQuantitiesInterpolatesAndHasToRise) {
+  const auto path = write_case(
+      "a = [['20 degC', '850 J/kg/K'],\n['120 degC', '950 J/kg/K']]\nb = [['20 degC', '1 m'],\n"
+      "['10 degC', '1 m']]\nc = '3 m'\n");
+  const auto file = read_case_file(path);
+  const CaseTable root(file.root, {"a", "b", "c"});
+  EXPECT_DOUBLE_EQ(quantity_table(root.get("a"), dimension::temperature, dimension::heat_capacity)(343.15), 900);
+  EXPECT_DOUBLE_EQ(quantity_table(root.get("c"), dimension::temperature, dimension::length)(343.15), 3);
+  EXPECT_EQ(complaint(path, [&] { quantity_table(root.get("b"), dimension::temperature, dimension::length); }),
+            "4: b: \"10 degC\" does not lie above the entry before, allowed are rising entries");
+}
+
+TEST(CaseFile, BrokenTomlAndMissingFilesAreCaseErrors) {
+  const auto path = write_case("a = 1\nb = = 2\n");
+  EXPECT_EQ(complaint(path, [&] { read_case_file(path); }).substr(0, 2), "2:");
+  const auto absent = path + ".none";
+  EXPECT_EQ(complaint(absent, [&] { read_case_file(absent); }),
+            "1: no such file, allowed is a case file or a folder that holds a case.toml");
+}
+
+TEST(CaseFile, TheNearestWordIsFoundAndAFarOneIsNot) {
+  const std::vector<std::string> words = {"density", "viscosity", "conductivity"};
+  EXPECT_EQ(nearest("viscocity", words), "viscosity");
+  EXPECT_EQ(nearest("densty", words), "density");
+  EXPECT_EQ(nearest("colour", words), "");
+}
+
+}  // namespace
+}  // namespace parison::core

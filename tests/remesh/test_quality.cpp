@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "remesh/quality.hpp"
+
+namespace parison::remesh {
+namespace {
+
+using core::Mesh;
+using core::Point;
+
+Mesh one_triangle(const Point& a, const Point& b, const Point& c) { return core::make_quadratic_mesh({a, b, c}, {{0, 1, 2}}); }
+
+TEST(Quality, an_equilateral_triangle_has_one) {
+  EXPECT_NEAR(quality(one_triangle({1, 1}, {2, 1}, {1.5, 1 + std::sqrt(3.0) / 2})).worst, 1, 1e-14);
+}
+
+TEST(Quality, a_straight_triangle_follows_the_formula_of_area_and_sides) {
+  const Point a(0, 0), b(3, 0.2), c(0.4, 1.1);
+  const double area = 0.5 * (b[0] * c[1] - b[1] * c[0]);
+  const double sides = (a - b).squaredNorm() + (b - c).squaredNorm() + (c - a).squaredNorm();
+  EXPECT_NEAR(quality(one_triangle(a, b, c)).worst, 4 * std::sqrt(3.0) * area / sides, 1e-14);
+}
+
+TEST(Quality, a_curved_edge_that_folds_its_cell_shows_although_the_vertices_are_fine) {
+  Mesh mesh = one_triangle({0, 0}, {1, 0}, {0.5, 0.8});
+  const double straight = quality(mesh).worst;
+  mesh.nodes[3][1] = 0.1;
+  const double bent = quality(mesh).worst;
+  mesh.nodes[3][1] = 0.5;
+  EXPECT_GT(straight, 0.9);
+  EXPECT_LT(bent, straight);
+  EXPECT_GT(bent, 0);
+  EXPECT_LE(quality(mesh).worst, 0);
+}
+
+TEST(Quality, the_worst_cell_is_named) {
+  const Mesh mesh = core::make_quadratic_mesh({{0, 0}, {1, 0}, {0.5, 0.9}, {0.5, -0.05}}, {{0, 1, 2}, {0, 3, 1}});
+  const Quality q = quality(mesh);
+  EXPECT_EQ(q.worst_cell, 1);
+  EXPECT_NEAR(q.mean, 0.5 * (cell_quality(mesh, 0) + cell_quality(mesh, 1)), 1e-15);
+  EXPECT_EQ(q.worst, cell_quality(mesh, 1));
+}
+
+}  // namespace
+}  // namespace parison::remesh

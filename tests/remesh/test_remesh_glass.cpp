@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include "core/thickness.hpp"
+#include "remesh/mesh_profile.hpp"
+#include "remesh/profiles.hpp"
+#include "remesh/quality.hpp"
+#include "remesh/remesh_glass.hpp"
+#include "remesh/show.hpp"
+
+namespace parison::remesh {
+namespace {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+constexpr double none = std::numeric_limits<double>::infinity();
+
+Mesh meshed(const core::Profile& profile, double size) {
+  return mesh_profile(profile, {size, size, 0.3, std::vector<bool>(profile.pieces.size(), false)});
+}
+
+Mesh deformed(Mesh mesh, const std::function<Point(const Point&)>& map) {
+  for (Point& x : mesh.nodes) x = map(x);
+  return mesh;
+}
+
+Criteria criteria_for(const Mesh& mesh, double surface_size) {
+  Criteria criteria{core::Geometry::axisymmetric, surface_size, 0.1e-3, 4, 0.3, 0.05e-3, {}, {}, {}, {}};
+  for (const std::string& name : mesh.pieces) criteria.straight_pieces.push_back(name == "axis");
+  criteria.contact.assign(mesh.nodes.size(), false);
+  criteria.skin_wish.assign(mesh.nodes.size(), none);
+  return criteria;
+}
+
+/// Cup whose wall of 6 mm is pressed down to `wall` and sheared along the axis.
+Mesh pressed_cup(double wall) {
+  return deformed(meshed(cup(6), 1.5e-3), [wall](const Point& x) {
+    const Point centre(0, 60e-3);
+    const bool dome = x[1] > centre[1];
+    const double depth = dome ? (x - centre).norm() - 25e-3 : x[0] - 25e-3;
+    const double thin = depth * wall / 6;
+    Point moved = dome ? Point(centre + (x - centre).normalized() * (25e-3 + thin)) : Point(25e-3 + thin, x[1]);
+    moved[1] += 0.2 * moved[0];
+    return moved;
+  });
+}
+
+Mesh sheared_gob() {
+  return deformed(meshed(gob(), 2e-3), [](const Point& x) {
+    return Point(x[0] * (1 + 8 * (x[1] - 20e-3)), x[1] + 0.6 * x[0] + 10 * x[0] * x[0]);
+  });
+}
+
+void expect_sound(const Mesh& old, const Remeshed& made, const char* name) {
+  ASSERT_TRUE(made.ok) << made.reason;
+  const Quality before = quality(old), after = quality(made.mesh);
+  std::printf("%-12s %5d -> %5d cells, quality worst %.3f -> %.3f, median %.3f -> %.3f, volume change %.1e\n", name,
+              old.cell_count(), made.mesh.cell_count(), before.worst, after.worst, before.median, after.median,
+              made.volume_after / made.volume_before - 1);
+  show(old, std::string(name) + "_old");
+  show(made.mesh, std::string(name) + "_new");
+  EXPECT_GE(after.worst, 0.3) << name;
+  EXPECT_GE(after.median, 0.9) << name;
+  EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13) << name;
+  EXPECT_EQ(core::volume(made.mesh, core::Geometry::axisymmetric), made.volume_after);
+  EXPECT_EQ(made.mesh.pieces, old.pieces);
+}
+
+/// Points where the boundary changes its piece, in order.
+std::vector<Point> piece_ends(const Mesh& mesh) {
+  std::vector<Point> ends;
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+    if (mesh.boundary[i].piece != mesh.boundary[(i + mesh.boundary.size() - 1) % mesh.boundary.size()].piece)
+      ends.push_back(mesh.nodes[mesh.boundary[i].nodes[0]]);
+  std::sort(ends.begin(), ends.end(), [](const Point& a, const Point& b) { return a[0] + 2 * a[1] < b[0] + 2 * b[1]; });
+  return ends;
+}
+
+TEST(RemeshGlass, deformed_bodies_come_back_well_shaped_with_their_volume) {
+  const Mesh gob_mesh = sheared_gob(), cup_mesh = pressed_cup(1);
+  expect_sound(gob_mesh, remesh_glass(gob_mesh, criteria_for(gob_mesh, 1.5e-3)), "gob");
+  expect_sound(cup_mesh, remesh_glass(cup_mesh, criteria_for(cup_mesh, 1.5e-3)), "cup_1mm");
+}
+
+TEST(RemeshGlass, corners_and_ends_of_pieces_stay_to_the_bit) {
+  const Mesh old = pressed_cup(2);
+  const Remeshed made = remesh_glass(old, criteria_for(old, 1e-3));
+  ASSERT_TRUE(made.ok) << made.reason;
+  EXPECT_EQ(piece_ends(old).size(), 4u);
+  EXPECT_EQ(piece_ends(old), piece_ends(made.mesh));
+}
+
+TEST(RemeshGlass, the_axis_stays_the_axis) {
+  const Mesh old = sheared_gob();
+  const Remeshed made = remesh_glass(old, criteria_for(old, 1.5e-3));
+  ASSERT_TRUE(made.ok) << made.reason;
+  const Index axis = core::find_piece(made.mesh, "axis");
+  int count = 0;
+  for (const auto& edge : made.mesh.boundary)
+    if (edge.piece == axis)
+      for (const Index node : edge.nodes) {
+        EXPECT_EQ(made.mesh.nodes[node][0], 0.0);
+        ++count;
+      }
+  EXPECT_GT(count, 30);
+}
+
+TEST(RemeshGlass, a_wall_of_300_micrometres_has_four_elements_across) {
+  const Mesh old = pressed_cup(0.3);
+  Criteria criteria = criteria_for(old, 1.5e-3);
+  criteria.contact.assign(old.nodes.size(), true);
+  const Remeshed made = remesh_glass(old, criteria);
+  expect_sound(old, made, "cup_0.3mm");
+  // Cells met on straight ways through the cylindrical wall, away from rim and dome.
+  for (double height = 20e-3; height < 40e-3; height += 0.37e-3) {
+    int met = 0;
+    for (const auto& cell : made.mesh.cells) {
+      double low = 1, high = -1;
+      for (int k = 0; k < 3; ++k) {
+        const Point& x = made.mesh.nodes[cell[k]];
+        low = std::min(low, x[1] - 0.2 * x[0]);
+        high = std::max(high, x[1] - 0.2 * x[0]);
+      }
+      if (low < height && high > height) ++met;
+    }
+    EXPECT_GE(met, 4) << height;
+  }
+}
+
+TEST(RemeshGlass, contact_nodes_do_not_give_way) {
+  const Mesh old = pressed_cup(2);
+  Criteria criteria = criteria_for(old, 1.5e-3);
+  const Index inner = core::find_piece(old, "inner"), outer = core::find_piece(old, "outer");
+  for (const auto& edge : old.boundary)
+    if (edge.piece == inner)
+      for (const Index node : edge.nodes) criteria.contact[node] = true;
+  const Surface surface = resample(old, criteria, size_field(old, criteria));
+  const Remeshed made = remesh_glass(old, criteria);
+  ASSERT_TRUE(made.ok) << made.reason;
+  double moved = 0;
+  for (std::size_t i = 0; i < made.mesh.boundary.size(); ++i) {
+    const auto& edge = made.mesh.boundary[i];
+    if (edge.piece == inner) EXPECT_EQ(made.mesh.nodes[edge.nodes[2]], surface.outline.mids[i]);
+    if (edge.piece == outer) moved = std::max(moved, (made.mesh.nodes[edge.nodes[2]] - surface.outline.mids[i]).norm());
+  }
+  EXPECT_GT(moved, 0);
+  EXPECT_LT(moved, 5e-6);
+}
+
+TEST(RemeshGlass, thermal_skin_is_refined_and_no_finer_than_allowed) {
+  const Mesh old = meshed(gob(), 2e-3);
+  Criteria criteria = criteria_for(old, 2e-3);
+  for (Index i = 0; i < old.node_count(); ++i)
+    if (old.nodes[i][1] > 60e-3) criteria.skin_wish[i] = 1e-5;
+  criteria.skin_size = 0.3e-3;
+  const Remeshed made = remesh_glass(old, criteria);
+  expect_sound(old, made, "gob_skin");
+  double cold = 1, warm = 1;
+  for (const auto& edge : made.mesh.boundary) {
+    const Point &a = made.mesh.nodes[edge.nodes[0]], &b = made.mesh.nodes[edge.nodes[1]];
+    if (made.mesh.pieces[edge.piece] == "axis") continue;
+    if (std::min(a[1], b[1]) > 62e-3) cold = std::min(cold, (a - b).norm());
+    if (std::max(a[1], b[1]) < 50e-3) warm = std::min(warm, (a - b).norm());
+  }
+  EXPECT_GT(cold, 0.2e-3);
+  EXPECT_LT(cold, 0.35e-3);
+  EXPECT_GT(warm, 1e-3);
+}
+
+TEST(RemeshGlass, a_tool_corner_on_the_surface_gets_a_vertex) {
+  const Mesh old = meshed(gob(), 2e-3);
+  Criteria criteria = criteria_for(old, 2e-3);
+  const Point on(26e-3, 49.77e-3), off(30e-3, 49e-3);
+  criteria.keep = {on, off};
+  const Remeshed made = remesh_glass(old, criteria);
+  ASSERT_TRUE(made.ok) << made.reason;
+  double nearest = 1;
+  for (Index i = 0; i < made.mesh.vertex_count; ++i) nearest = std::min(nearest, (made.mesh.nodes[i] - on).norm());
+  EXPECT_LT(nearest, 1e-12);
+  expect_sound(old, made, "gob_keep");
+}
+
+TEST(RemeshGlass, a_surface_that_crosses_itself_is_reported) {
+  const Mesh old = deformed(meshed(cup(6), 1.5e-3), [](const Point& x) {
+    return x[1] < 20e-3 ? Point(x[0] + 0.8 * (20e-3 - x[1]) * (28e-3 - x[0]) / 3e-3, x[1]) : x;
+  });
+  const Remeshed made = remesh_glass(old, criteria_for(old, 1.5e-3));
+  EXPECT_FALSE(made.ok);
+  EXPECT_NE(made.reason.find("crosses itself"), std::string::npos) << made.reason;
+}
+
+TEST(RemeshGlass, the_same_mesh_gives_the_same_bits) {
+  const Mesh old = pressed_cup(1);
+  const Remeshed first = remesh_glass(old, criteria_for(old, 1e-3));
+  remesh_glass(sheared_gob(), criteria_for(sheared_gob(), 2e-3));
+  meshed(neck_ring(), 4e-3);
+  std::rand();
+  const std::vector<std::vector<char>> elsewhere(1000, std::vector<char>(137));
+  const Remeshed second = remesh_glass(old, criteria_for(old, 1e-3));
+  ASSERT_TRUE(first.ok && second.ok);
+  EXPECT_EQ(first.mesh.cells, second.mesh.cells);
+  ASSERT_EQ(first.mesh.node_count(), second.mesh.node_count());
+  for (Index i = 0; i < first.mesh.node_count(); ++i) ASSERT_EQ(first.mesh.nodes[i], second.mesh.nodes[i]);
+}
+
+TEST(RemeshGlass, a_planar_disc_without_corners_keeps_its_area) {
+  const core::Profile disc = Pen(10, 0).arc(0, 0, 0, 180, "rim").arc(0, 0, 180, 360, "rim").closed();
+  const Mesh old = deformed(meshed(disc, 1e-3), [](const Point& x) { return Point(2 * x[0] + x[1], 0.5 * x[1]); });
+  Criteria criteria = criteria_for(old, 1e-3);
+  criteria.geometry = core::Geometry::planar;
+  for (const bool touching : {false, true}) {
+    criteria.contact.assign(old.nodes.size(), touching);
+    const Remeshed made = remesh_glass(old, criteria);
+    ASSERT_TRUE(made.ok) << made.reason;
+    EXPECT_GE(quality(made.mesh).worst, 0.3);
+    EXPECT_NEAR(core::volume(made.mesh, core::Geometry::planar) / core::volume(old, core::Geometry::planar), 1, 1e-13);
+  }
+}
+
+TEST(RemeshGlass, a_hundred_remeshes_keep_the_shape_the_volume_and_the_memory) {
+  Mesh mesh = meshed(gob(), 1.6e-3);
+  const double start = core::volume(mesh, core::Geometry::axisymmetric);
+  std::size_t early = 0;
+  for (int pass = 0; pass < 100; ++pass) {
+    Remeshed made = remesh_glass(mesh, criteria_for(mesh, pass % 2 ? 1.6e-3 : 1.4e-3));
+    ASSERT_TRUE(made.ok) << made.reason;
+    mesh = std::move(made.mesh);
+    if (pass == 19) early = mallinfo2().uordblks;
+  }
+  const std::size_t late = mallinfo2().uordblks;
+  std::printf("heap in use %.3f MB after 20 remeshes, %.3f MB after 100\n", early * 1e-6, late * 1e-6);
+  EXPECT_LT(static_cast<double>(late), early + 80 * 1e3);
+  EXPECT_NEAR(core::volume(mesh, core::Geometry::axisymmetric) / start, 1, 1e-12);
+  double deviation = 0;
+  const core::Profile exact = gob();
+  for (const auto& edge : mesh.boundary)
+    for (const Index node : edge.nodes) deviation = std::max(deviation, core::distance(exact, mesh.nodes[node]));
+  std::printf("surface off the exact gob by %.2e mm\n", 1e3 * deviation);
+  EXPECT_LT(deviation, 20e-6);
+}
+
+TEST(RemeshGlass, six_thousand_triangles_are_quick) {
+  const Mesh old = meshed(gob(), 1e-3);
+  const Criteria criteria = criteria_for(old, 0.4e-3);
+  double best = 1;  // s of processor time, so that neighbours on the machine do not count
+  Remeshed made;
+  for (int pass = 0; pass < 5; ++pass) {
+    const std::clock_t start = std::clock();
+    made = remesh_glass(old, criteria);
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  ASSERT_TRUE(made.ok) << made.reason;
+  std::printf("%d cells in %.3f s\n", made.mesh.cell_count(), best);
+  EXPECT_GT(made.mesh.cell_count(), 5000);
+  EXPECT_LT(best, 0.2 * std::max(1.0, made.mesh.cell_count() / 6000.0));
+}
+
+}  // namespace
+}  // namespace parison::remesh

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "core/element.hpp"
+#include "remesh/mesh_profile.hpp"
+#include "remesh/profiles.hpp"
+#include "remesh/remesh_glass.hpp"
+#include "remesh/transfer.hpp"
+
+namespace parison::remesh {
+namespace {
+
+using core::Geometry;
+using core::Index;
+using core::Mesh;
+using core::Point;
+using Field = std::function<double(const Point&)>;
+
+Mesh gob_mesh(double size) { return mesh_profile(gob(), {size, size, 0.3, {false, false}}); }
+
+Mesh again(const Mesh& mesh, double size) {
+  const Criteria criteria{Geometry::axisymmetric, size, 1e-4, 2, 0.3, 5e-5, {false, true}, {}, {}, {}};
+  Remeshed made = remesh_glass(mesh, criteria);
+  EXPECT_TRUE(made.ok) << made.reason;
+  return std::move(made.mesh);
+}
+
+Eigen::VectorXd sample(const Mesh& mesh, const Field& field) {
+  Eigen::VectorXd nodal(mesh.node_count());
+  for (Index i = 0; i < mesh.node_count(); ++i) nodal[i] = field(mesh.nodes[i]);
+  return nodal;
+}
+
+double error_l2(const Mesh& mesh, const Eigen::VectorXd& nodal, const Field& field) {
+  double sum = 0, volume = 0;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    for (const auto& at : core::triangle_rule(6)) {
+      const core::CellPoint point = core::map_cell_point(mesh, cell, Geometry::axisymmetric, at);
+      double value = -field(point.position);
+      for (int k = 0; k < 6; ++k) value += point.shape[k] * nodal[mesh.cells[cell][k]];
+      sum += value * value * point.volume;
+      volume += point.volume;
+    }
+  return std::sqrt(sum / volume);
+}
+
+/// Core and skin of a gob, with its hottest and coldest points inside.
+double smooth(const Point& x) { return 1300 + 80 * std::cos(160 * x[0]) * std::sin(140 * x[1]); }
+
+/// A skin about 1 mm deep under the surface.
+double skin(const Point& x) { return 900 + 520 * (1 - std::exp(-core::distance(gob(), x) / 1e-3)); }
+
+TEST(Transfer, quadratic_fields_are_carried_over_exactly) {
+  const Mesh from = gob_mesh(3e-3), to = again(from, 2.3e-3);
+  const Field quadratic = [](const Point& x) { return 1000 + 3e3 * x[0] - 2e3 * x[1] + 5e4 * x[0] * x[1] + 4e4 * x[0] * x[0]; };
+  const Transfer transfer = make_transfer(from, to);
+  const Eigen::VectorXd carried = interpolate(from, transfer, sample(from, quadratic)), exact = sample(to, quadratic);
+  double inner = 0, all = 0;
+  for (Index i = 0; i < to.node_count(); ++i) {
+    const double error = std::abs(carried[i] - exact[i]);
+    all = std::max(all, error);
+    if (core::distance(gob(), to.nodes[i]) > 4e-3) inner = std::max(inner, error);
+  }
+  EXPECT_LT(inner, 1e-9);
+  EXPECT_LT(all, 0.05);  // curved cells are not exactly quadratic
+}
+
+TEST(Transfer, every_new_node_is_found_where_it_is) {
+  const Mesh from = gob_mesh(3e-3), to = again(from, 1.7e-3);
+  const Transfer transfer = make_transfer(from, to);
+  double worst = 0;
+  for (Index i = 0; i < to.node_count(); ++i) {
+    const auto shape = core::triangle_shape(transfer.at[i][0], transfer.at[i][1]);
+    Point reached = Point::Zero();
+    for (int k = 0; k < 6; ++k) reached += shape[k] * from.nodes[from.cells[transfer.cell[i]][k]];
+    worst = std::max(worst, (reached - to.nodes[i]).norm());
+  }
+  std::printf("farthest new node from the old body: %.2e mm\n", 1e3 * worst);
+  EXPECT_LT(worst, 2e-6);  // only the shift that restores the volume
+}
+
+TEST(Transfer, heat_is_kept_and_no_extreme_is_new) {
+  const Mesh from = gob_mesh(2.5e-3), to = again(from, 2e-3);
+  for (const Field& field : {Field(smooth), Field(skin)}) {
+    const Eigen::VectorXd old = sample(from, field);
+    const Transfer transfer = make_transfer(from, to);
+    const double raw = mean(to, Geometry::axisymmetric, interpolate(from, transfer, old));
+    const Eigen::VectorXd carried = transfer_conserving(from, to, Geometry::axisymmetric, transfer, old);
+    const double before = mean(from, Geometry::axisymmetric, old);
+    const double after = mean(to, Geometry::axisymmetric, carried);
+    std::printf("heat: interpolation alone is off by %.1e, kept to %.1e\n", raw / before - 1, after / before - 1);
+    EXPECT_GT(std::abs(raw / before - 1), 1e-12);
+    EXPECT_NEAR(after / before, 1, 1e-13);
+    EXPECT_LE(carried.maxCoeff(), old.maxCoeff());
+    EXPECT_GE(carried.minCoeff(), old.minCoeff());
+  }
+}
+
+TEST(Transfer, a_uniform_field_stays_uniform) {
+  const Mesh from = gob_mesh(3e-3), to = again(from, 2e-3);
+  const Eigen::VectorXd old = Eigen::VectorXd::Constant(from.node_count(), 1423.15);
+  const Eigen::VectorXd carried = transfer_conserving(from, to, Geometry::axisymmetric, make_transfer(from, to), old);
+  EXPECT_LT((carried.array() - 1423.15).abs().maxCoeff(), 1e-9);
+  EXPECT_LE(carried.maxCoeff(), 1423.15);
+}
+
+void carry_hundred_times(const Field& field, const char* name) {
+  Mesh mesh = again(gob_mesh(1.3e-3), 1.3e-3);
+  Eigen::VectorXd carried = sample(mesh, field);
+  const double once = error_l2(mesh, carried, field), start = mean(mesh, Geometry::axisymmetric, carried);
+  double time = 0;
+  for (int pass = 0; pass < 100; ++pass) {
+    const Mesh next = again(mesh, pass % 2 ? 1.3e-3 : 1.26e-3);
+    const auto begin = std::chrono::steady_clock::now();
+    carried = transfer_conserving(mesh, next, Geometry::axisymmetric, make_transfer(mesh, next), carried);
+    time += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    mesh = next;
+    if (pass == 0 || pass == 9 || pass == 99)
+      std::printf("%s after %3d remeshes: L2 error %.3f times one interpolation (%.2e K)\n", name, pass + 1,
+                  error_l2(mesh, carried, field) / once, once);
+  }
+  std::printf("%.1f ms a transfer of %d cells\n", 10 * time, mesh.cell_count());
+  EXPECT_LE(error_l2(mesh, carried, field), 3 * once) << name;
+  EXPECT_NEAR(mean(mesh, Geometry::axisymmetric, carried) / start, 1, 1e-12) << name;
+}
+
+TEST(Transfer, a_smooth_field_survives_a_hundred_remeshes) { carry_hundred_times(smooth, "smooth"); }
+
+TEST(Transfer, a_thermal_skin_survives_a_hundred_remeshes) { carry_hundred_times(skin, "skin"); }
+
+}  // namespace
+}  // namespace parison::remesh

@@ -1,0 +1,39 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/interface.hpp"
+#include "core/mesh.hpp"
+#include "thermal/material.hpp"
+
+namespace parison::thermal {
+
+using core::Index;
+
+/// One body in a heat problem; everything pointed to outlives the problem. The mass of a material point is that of
+/// `mass_mesh` and stays while `mesh` moves, so heat content does not change by motion.
+struct BodyView {
+  const core::Mesh* mesh;       ///< present positions: conduction and surfaces
+  const core::Mesh* mass_mesh;  ///< positions in which the mass was last distributed; same topology
+  double density;               ///< of mass_mesh, kg/m3
+  const Material* material;
+  std::vector<std::optional<SurfaceExchange>> exchange;  ///< one per piece of the mesh; empty: none anywhere
+  std::vector<std::optional<double>> prescribed;         ///< given temperature per piece, K; empty: none anywhere
+  const Eigen::VectorXd* wall_thickness = nullptr;       ///< per node, m; null: no thin-wall limit
+  const std::vector<double>* source = nullptr;  ///< W at each point of triangle_rule(4), cell by cell; null: none
+};
+
+/// Heat in all bodies. Where the interface is closed, its conductance replaces both sides' own exchange.
+struct Problem {
+  core::Geometry geometry;
+  std::vector<BodyView> bodies;
+  std::vector<core::InterfacePoint> interface;  ///< slave_body and master_body index `bodies`
+  std::function<core::Conductance(const core::InterfacePoint&, double slave_temperature)> law;
+};
+
+/// Heat content of a body relative to `content_reference`, J; temperature in K at the nodes.
+double heat_content(const BodyView& body, core::Geometry geometry, const Eigen::VectorXd& temperature);
+
+}  // namespace parison::thermal

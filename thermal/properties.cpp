@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/properties.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parison::thermal {
+
+double thin_wall_factor(const Radiation& radiation, double wall_thickness) {
+  return radiation.thin_wall ? 1 / (1 + 4 / (3 * radiation.absorption * wall_thickness)) : 1.0;
+}
+
+double conductivity(const Material& material, double temperature, double thin_wall) {
+  const double phonon = material.conductivity(temperature);
+  if (!material.radiation) return phonon;
+  const Radiation& radiation = *material.radiation;
+  const double n = radiation.refractive_index, T = std::max(temperature, 0.0);
+  const double rosseland = 16.0 / 3 * n * n * stefan_boltzmann * T * T * T / radiation.absorption;
+  return phonon + rosseland * thin_wall;
+}
+
+Enthalpy::Enthalpy(const core::Table& heat_capacity) : capacity_(heat_capacity) {
+  const double reference = heat_capacity.integral(content_reference);
+  for (const double T : capacity_.x) at_knot_.push_back(heat_capacity.integral(T) - reference);
+}
+
+EnthalpyValue Enthalpy::operator()(double temperature) const {
+  const auto& [x, c] = capacity_;
+  if (!(temperature < x.back())) return {at_knot_.back() + c.back() * (temperature - x.back()), c.back()};
+  if (temperature <= x.front()) return {at_knot_.front() + c.front() * (temperature - x.front()), c.front()};
+  const auto i = std::upper_bound(x.begin(), x.end(), temperature) - x.begin() - 1;
+  const double past = temperature - x[i];
+  const double here = c[i] + (c[i + 1] - c[i]) * past / (x[i + 1] - x[i]);
+  return {at_knot_[i] + 0.5 * (c[i] + here) * past, here};
+}
+
+SurfaceFlux surface_flux(const SurfaceExchange& exchange, double temperature) {
+  const double radiant = exchange.emissivity * stefan_boltzmann, a = exchange.ambient_temperature;
+  const double cube = std::abs(temperature) * temperature * temperature;  // |T|^3 T rises everywhere
+  return {exchange.h * (temperature - exchange.air_temperature) + radiant * (cube * temperature - a * a * a * a),
+          exchange.h + 4 * radiant * cube};
+}
+
+}  // namespace parison::thermal

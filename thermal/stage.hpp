@@ -1,0 +1,25 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/step_matrix.hpp"
+
+namespace parison::thermal {
+
+/// Equation of an implicit stage: content(T) - step power(T) = target at every unknown that is not prescribed.
+struct StageEquation {
+  double step;             ///< s
+  Eigen::VectorXd target;  ///< J
+};
+
+struct StageSolution {
+  bool converged = false;
+  Eigen::VectorXd temperature;
+  Response response;  ///< at the temperature
+  Index solves = 0;
+};
+
+/// Modified Newton with the matrix's present factor, accelerated by Anderson's method; ends when the residual stands
+/// for less than `tolerance` K at every node.
+StageSolution solve_stage(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
+                          const Eigen::VectorXd& guess, double tolerance);
+
+}  // namespace parison::thermal

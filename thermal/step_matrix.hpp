@@ -1,0 +1,32 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <vector>
+
+#include "core/cholesky.hpp"
+#include "thermal/system.hpp"
+
+namespace parison::thermal {
+
+/// Factor of C + step K, kept from step to step: C the heat capacity, K the conduction, exchange and interface at the
+/// temperature of the factorisation. K leaves out the slopes of conductivity and conductance with temperature, so it is
+/// symmetric and positive definite; Newton with it is a modified Newton.
+struct StepMatrix {
+  std::vector<Index> topology;                              ///< unknowns of all cells and boundary edges
+  std::map<std::pair<Index, Index>, Index> contact_clique;  ///< by slave and master mid-side unknown
+  std::vector<char> is_prescribed;
+  core::Assembly assembly;
+  core::Cholesky cholesky;
+  Eigen::VectorXd diagonal;
+  double factored_step = 0;  ///< s; 0 when there is no factor
+  Index factorisations = 0;
+};
+
+/// Makes pattern and analysis anew where the cells changed or new edges face each other; drops the factor then, and
+/// where other unknowns are prescribed.
+void prepare(StepMatrix& matrix, const HeatSystem& system);
+/// Assembles and factorises at a temperature; false when the matrix is not positive definite.
+[[nodiscard]] bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature,
+                             double step);
+
+}  // namespace parison::thermal

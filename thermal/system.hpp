@@ -1,0 +1,97 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "core/cholesky.hpp"
+#include "core/element.hpp"
+#include "thermal/ledger.hpp"
+#include "thermal/problem.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::thermal {
+
+/// Quadrature point of a cell: what does not depend on temperature.
+struct HeatPoint {
+  std::array<core::Point, 6> gradient;  ///< 1/m
+  double volume;                        ///< present, m3
+  double mass;                          ///< kg
+  double thin_wall;                     ///< factor on the Rosseland conductivity
+  double source;                        ///< W
+};
+struct HeatCell {
+  std::array<Index, 6> unknowns;
+  std::array<HeatPoint, 6> points;
+};
+/// Boundary edge that exchanges heat with its surroundings.
+struct HeatEdge {
+  std::array<Index, 3> unknowns;
+  Index boundary_edge;  ///< counted through all bodies
+  Index body;
+  SurfaceExchange exchange;
+  std::array<double, 3> area;  ///< at the points of edge_rule(3), m2
+};
+/// Interface point with both sides' unknowns; the exchanges are those that the closed interface replaces.
+struct HeatContact {
+  std::array<Index, 6> unknowns;  ///< slave first, last, mid, then master
+  const core::InterfacePoint* point;
+  Index pair;  ///< index into HeatSystem::pairs
+  std::optional<SurfaceExchange> slave_air, master_air;
+};
+struct BodyLaws {
+  const Material* material;
+  Enthalpy enthalpy;
+  Index first_cell, last_cell;  ///< range of HeatSystem::cells
+};
+
+/// A heat problem with the meshes where they are: everything but the temperature. The unknowns are the nodal
+/// temperatures of body after body.
+struct HeatSystem {
+  const Problem* problem;
+  std::vector<Index> first_unknown;  ///< of each body; the last entry is the number of unknowns
+  std::vector<BodyLaws> bodies;
+  std::vector<HeatCell> cells;
+  std::vector<HeatEdge> edges;
+  std::vector<HeatContact> contacts;
+  std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body
+  std::vector<std::pair<Index, double>> prescribed;  ///< unknown and its temperature, K
+  std::vector<char> is_prescribed;
+
+  Index size() const { return first_unknown.back(); }
+};
+HeatSystem make_heat_system(const Problem& problem);
+
+/// Heat flows of the ledger's entries, W: to air by body, from source by body, from slave to master by pair.
+struct Flows {
+  Eigen::VectorXd to_air, from_source, across;
+};
+/// What the equations say at a temperature.
+struct Response {
+  Eigen::VectorXd content;  ///< integral of density times enthalpy times shape function, J; or its rate, W
+  Eigen::VectorXd power;    ///< heat into each unknown by conduction, exchange, interface and source, W
+  Flows flows;
+};
+
+/// Content and power at the given temperatures.
+Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature);
+/// The same with the rate of the content for a given rate of temperature, K/s.
+Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature, const Eigen::VectorXd& rate);
+/// Flows alone: no loop over the cells.
+Flows evaluate_flows(const HeatSystem& system, const Eigen::VectorXd& temperature);
+
+/// Ledger with its bodies and pairs named and every entry zero.
+Ledger empty_ledger(const HeatSystem& system);
+/// Books flows that lasted `duration` seconds.
+void book(Ledger& ledger, const Flows& flows, double duration);
+/// Books the content change between two vectors of nodal content.
+void book_content(Ledger& ledger, const HeatSystem& system, const Eigen::VectorXd& before,
+                  const Eigen::VectorXd& after);
+
+/// Body that an unknown belongs to.
+Index body_of(const HeatSystem& system, Index unknown);
+/// One vector of all bodies' temperatures, and back.
+Eigen::VectorXd join(const HeatSystem& system, const std::vector<Eigen::VectorXd>& temperature);
+std::vector<Eigen::VectorXd> split(const HeatSystem& system, const Eigen::VectorXd& joined);
+
+}  // namespace parison::thermal

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/tr_bdf2.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "thermal/stage.hpp"
+
+namespace parison::thermal {
+
+namespace {
+
+// Stages at 0, middle and 1; both implicit ones solve content - implicit dt power = target.
+const double middle = 2 - std::sqrt(2.0), implicit = middle / 2, w = std::sqrt(2.0) / 4;
+const std::array<double, 3> weight{w, w, implicit};
+const std::array<double, 3> error_weight{w - (1 - w) / 3, w - (3 * w + 1) / 3, implicit - implicit / 3};
+
+constexpr double reuse_band = 1e-9;  ///< relative change of the step that the factor bears
+constexpr Index many_solves = 7;     ///< a stage that needs more asks for a new factor
+
+struct Run {
+  const HeatSystem& system;
+  const StepOptions& options;
+  StepMatrix& matrix;
+  Index solves = 0;
+};
+
+/// Temperatures, what the equations say there, and the content that they have accounted for.
+struct Moment {
+  Eigen::VectorXd temperature;
+  Response response;
+  Eigen::VectorXd content;  ///< J
+};
+
+struct Attempt {
+  bool solved = false;
+  double error = 0;  ///< K
+  Response middle;
+  Moment end;
+  Eigen::VectorXd slope;  ///< K/s over the last part
+};
+
+/// Solves a stage with the factor at hand, or with a new one where that does not serve.
+StageSolution solve(Run& run, const StageEquation& equation, const Eigen::VectorXd& guess) {
+  bool fresh = false;
+  const auto renew = [&] { return fresh = factorise(run.matrix, run.system, guess, equation.step); };
+  if (!(std::abs(run.matrix.factored_step / equation.step - 1) <= reuse_band) && !renew()) return {};
+  StageSolution solution = solve_stage(run.system, run.matrix, equation, guess, run.options.newton_tolerance);
+  run.solves += solution.solves;
+  if (!solution.converged && !fresh && renew()) {
+    solution = solve_stage(run.system, run.matrix, equation, guess, run.options.newton_tolerance);
+    run.solves += solution.solves;
+  }
+  return solution;
+}
+
+Attempt attempt(Run& run, const Moment& start, const Eigen::VectorXd& slope, double dt) {
+  Attempt result;
+  const double step = implicit * dt;
+  const Eigen::VectorXd& before = start.response.power;
+  StageSolution half = solve(run, {step, start.content + step * before}, start.temperature + middle * dt * slope);
+  if (!half.converged) return result;
+  const Eigen::VectorXd target = start.content + dt * (weight[0] * before + weight[1] * half.response.power);
+  const Eigen::VectorXd guess = start.temperature + (half.temperature - start.temperature) / middle;
+  StageSolution full = solve(run, {step, target}, guess);
+  if (!full.converged) return result;
+
+  const Eigen::VectorXd& after = full.response.power;
+  Eigen::VectorXd error =
+      dt * (error_weight[0] * before + error_weight[1] * half.response.power + error_weight[2] * after);
+  for (const auto& [unknown, value] : run.system.prescribed) error[unknown] = 0;
+  result.error = run.matrix.cholesky.solve(error).lpNorm<Eigen::Infinity>();
+  ++run.solves;
+  result.solved = std::isfinite(result.error);
+  result.slope = (full.temperature - half.temperature) / ((1 - middle) * dt);
+  result.middle = std::move(half.response);
+  result.end = {std::move(full.temperature), {}, target + step * after};
+  result.end.response = std::move(full.response);
+  if (half.solves > many_solves || full.solves > many_solves) run.matrix.factored_step = 0;
+  return result;
+}
+
+/// Books an accepted substep. What the equations of the prescribed unknowns lack is what flowed in through them.
+void book_substep(Ledger& ledger, const HeatSystem& system, const Moment& start, const Attempt& accepted, double dt) {
+  book(ledger, start.response.flows, dt * weight[0]);
+  book(ledger, accepted.middle.flows, dt * weight[1]);
+  book(ledger, accepted.end.response.flows, dt * weight[2]);
+  for (const auto& [unknown, value] : system.prescribed) {
+    const double power = weight[0] * start.response.power[unknown] + weight[1] * accepted.middle.power[unknown] +
+                         weight[2] * accepted.end.response.power[unknown];
+    ledger.bodies[body_of(system, unknown)].from_prescribed +=
+        accepted.end.response.content[unknown] - start.response.content[unknown] - dt * power;
+  }
+}
+
+/// Start of a step: prescribed temperatures are set, and the heat that takes is booked as coming through them.
+Moment begin(const HeatSystem& system, const std::vector<Eigen::VectorXd>& temperature, Ledger& ledger) {
+  Moment start;
+  start.temperature = join(system, temperature);
+  start.response = evaluate(system, start.temperature);
+  if (!system.prescribed.empty()) {
+    const Eigen::VectorXd before = start.response.content;
+    for (const auto& [unknown, value] : system.prescribed) start.temperature[unknown] = value;
+    start.response = evaluate(system, start.temperature);
+    book_content(ledger, system, before, start.response.content);
+    for (BodyLedger& body : ledger.bodies) body.from_prescribed = body.content_change;
+  }
+  start.content = start.response.content;
+  return start;
+}
+
+/// Size of the next substep; the estimate falls with the third power. A size that serves is kept, for its factor.
+double next_size(const Attempt& tried, double substep, double tolerance, bool rejected_before) {
+  if (!tried.solved) return 0.25 * substep;
+  const double factor = tried.error > 0 ? std::clamp(0.9 * std::cbrt(tolerance / tried.error), 0.1, 4.0) : 4.0;
+  if (tried.error > tolerance) return substep * std::min(factor, 0.9);
+  if (factor > 1 && (rejected_before || factor < 1.3)) return substep;
+  return factor * substep;
+}
+
+std::string describe_failure(const Attempt& tried, double substep, const StepOptions& options) {
+  const std::string what =
+      tried.solved ? fmt::format("the error is {:.3g} K where {:.3g} K is allowed", tried.error, options.tolerance)
+                   : "the equations do not converge";
+  return fmt::format("heat: substeps below {:.3g} s would be needed: with {:.3g} s {}", options.smallest_substep,
+                     substep, what);
+}
+
+/// Substeps over dt from `start`, which ends at the last accepted one; counts, ledger and reason go into the outcome.
+void integrate(Run& run, Moment& start, double dt, StepOutcome& outcome) {
+  const StepOptions& options = run.options;
+  Eigen::VectorXd slope = Eigen::VectorXd::Zero(run.system.size());
+  double remaining = dt, wanted = options.first_substep > 0 ? options.first_substep : dt;
+  bool rejected_before = false;
+  while (remaining > 0) {
+    const double count = std::max(1.0, std::ceil(remaining / std::min(wanted, options.largest_substep) - 1e-9));
+    const double substep = remaining / count;
+    Attempt tried = attempt(run, start, slope, substep);
+    const bool accepted = tried.solved && tried.error <= options.tolerance;
+    wanted = next_size(tried, substep, options.tolerance, rejected_before);
+    rejected_before = !accepted;
+    if (!accepted) {
+      ++outcome.rejected;
+      if (wanted >= options.smallest_substep) continue;
+      outcome.reason = describe_failure(tried, substep, options);
+      return;
+    }
+    ++outcome.substeps;
+    book_substep(outcome.ledger, run.system, start, tried, substep);
+    start = std::move(tried.end);
+    slope = std::move(tried.slope);
+    remaining = count > 1 ? remaining - substep : 0;
+  }
+  outcome.next_substep = wanted;
+  outcome.converged = true;
+}
+
+}  // namespace
+
+StepOutcome advance(const Problem& problem, const std::vector<Eigen::VectorXd>& temperature, double dt,
+                    const StepOptions& options, StepMatrix& matrix) {
+  const HeatSystem system = make_heat_system(problem);
+  prepare(matrix, system);
+  const Index factorisations_before = matrix.factorisations;
+  Run run{system, options, matrix};
+  StepOutcome outcome;
+  outcome.ledger = empty_ledger(system);
+  Moment moment = begin(system, temperature, outcome.ledger);
+  if (!moment.response.power.allFinite() || !moment.response.content.allFinite()) {
+    outcome.reason = "heat: the temperatures or the meshes at the start of the step are not finite";
+    return outcome;
+  }
+  const Eigen::VectorXd content = moment.response.content;
+  integrate(run, moment, dt, outcome);
+  book_content(outcome.ledger, system, content, moment.response.content);
+  outcome.temperature = split(system, moment.temperature);
+  outcome.factorisations = matrix.factorisations - factorisations_before;
+  outcome.solves = run.solves;
+  return outcome;
+}
+
+}  // namespace parison::thermal
