@@ -13,12 +13,14 @@ Accuracy draft() {
   a.surface_size = 1.0e-3;
   a.skin_size = 0.4e-3;
   a.elements_across = 3;
+  a.glass_growth = 0.5;
   a.tool_contact_size = 1.5e-3;
   a.tool_growth = 0.5;
   a.strain_per_step = 0.2;
   a.temperature_tolerance = 1.0;
   a.temperature_per_step = 40;
   a.largest_step = 0.05;
+  a.first_step = 1e-3;
   a.smallest_step = 1e-6;
   a.quality_floor = 0.15;
   a.passes = 1;

@@ -9,12 +9,14 @@ struct Accuracy {
   double surface_size;       ///< largest edge on the glass surface, m
   double skin_size;          ///< smallest edge asked for where hot glass meets a cold tool, m
   double elements_across;    ///< elements across a glass wall
+  double glass_growth;       ///< growth of the glass edge length with the distance from the surface
   double tool_contact_size;  ///< edge on a tool's contact pieces, m
   double tool_growth;        ///< growth of the edge with the distance from there
-  double strain_per_step;    ///< largest rate of deformation times step
+  double strain_per_step;    ///< rate of deformation times step, seen by 2 % of the glass
   double temperature_tolerance;  ///< local error of a heat step, K
   double temperature_per_step;   ///< largest change of the glass surface temperature in a coupled step, K
   double largest_step;       ///< s
+  double first_step;         ///< of each stage, s
   double smallest_step;      ///< s; a run that needs less stops
   double quality_floor;      ///< remesh below this scaled inverse condition number
   int passes;                ///< flow-heat sweeps per step

@@ -47,10 +47,12 @@ void read_numerics(const CaseNode& node, Accuracy& accuracy) {
       {"elements_across", &Accuracy::elements_across, dimension::none},
       {"tool_contact_size", &Accuracy::tool_contact_size, dimension::length},
       {"tool_growth", &Accuracy::tool_growth, dimension::none},
+      {"glass_growth", &Accuracy::glass_growth, dimension::none},
       {"strain_per_step", &Accuracy::strain_per_step, dimension::none},
       {"temperature_tolerance", &Accuracy::temperature_tolerance, dimension::temperature_difference},
       {"temperature_per_step", &Accuracy::temperature_per_step, dimension::temperature_difference},
       {"largest_step", &Accuracy::largest_step, dimension::time},
+      {"first_step", &Accuracy::first_step, dimension::time},
       {"smallest_step", &Accuracy::smallest_step, dimension::time},
       {"quality_floor", &Accuracy::quality_floor, dimension::none}};
   std::vector<std::string> keys = {"passes"};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/scene.hpp"
 
+#include "core/files.hpp"
 #include "forming/scene_reading.hpp"
 
 namespace parison::forming {
@@ -47,6 +48,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy) {
   Scene scene;
   scene.name = core::text(root.get("case"));
   scene.directory = file.directory;
+  scene.fingerprint = core::fingerprint(core::read_text(file.path));
   scene.accuracy_name = accuracy;
   scene.accuracy = accuracy_preset(accuracy);
   read_bodies(root, read_context(root, file.directory), scene);

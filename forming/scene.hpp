@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -125,6 +126,7 @@ struct Output {
 struct Scene {
   std::string name;
   std::string directory;  ///< folder of the case file
+  std::uint64_t fingerprint = 0;  ///< of the case file's text
   core::Geometry geometry;
   Glass glass;
   std::vector<Tool> tools;

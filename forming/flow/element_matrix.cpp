@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "core/element.hpp"
 
@@ -103,6 +103,7 @@ CellMatrices cell_matrices(const Problem& problem, const std::vector<double>& vi
         for (int j = 0; j <= i; ++j)
           matrix[(cell_velocities + i) * cell_unknowns + cell_velocities + j] -=
               compliance * at.volume * at.linear[i] * at.linear[j];
+      for (int i = 0; i < 3; ++i) load[cell_velocities + i] -= problem.volume_rate * at.volume * at.linear[i];
     }
     for (int i = 0; i < cell_unknowns; ++i)
       for (int j = i + 1; j < cell_unknowns; ++j) matrix[i * cell_unknowns + j] = matrix[j * cell_unknowns + i];
@@ -152,15 +153,23 @@ void evaluate_dissipation(const Problem& problem, const std::vector<double>& vis
   const auto& rule = core::triangle_rule(4);
   solution.dissipation.clear();
   solution.dissipation.reserve(viscosity.size());
-  double largest = 0;
+  std::vector<std::pair<double, double>> squared_and_volume;
+  double total = 0;
   for (Index c = 0; c < problem.mesh->cell_count(); ++c)
     for (const auto& q : rule) {
       const auto at = core::map_cell_point(*problem.mesh, c, problem.geometry, q);
       const double squared = rates_at(problem, c, at, solution.velocity).squared();
-      largest = std::max(largest, squared);
+      squared_and_volume.push_back({squared, at.volume});
+      total += at.volume;
       solution.dissipation.push_back(2 * viscosity[solution.dissipation.size()] * squared * at.volume);
     }
-  solution.largest_rate = std::sqrt(2 * largest);
+  std::sort(squared_and_volume.rbegin(), squared_and_volume.rend());
+  double above = 0;
+  for (const auto& [squared, volume] : squared_and_volume) {
+    solution.high_rate = std::sqrt(2 * squared);
+    above += volume;
+    if (above > high_rate_share * total) break;
+  }
 }
 
 }  // namespace parison::flow

@@ -31,7 +31,7 @@ Eigen::VectorXd surface_load(const Problem& problem, const std::vector<bool>& ex
 /// all its edges where none is.
 Eigen::VectorXd contact_areas(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& pressed);
 
-/// 2 eta D:D dV at each quadrature point, W, and the largest rate of deformation, 1/s.
+/// 2 eta D:D dV at each quadrature point, W, and the high rate of deformation, 1/s.
 void evaluate_dissipation(const Problem& problem, const std::vector<double>& viscosity, Solution& solution);
 
 }  // namespace parison::flow

@@ -44,11 +44,15 @@ struct Problem {
   const Material* material;
   const Eigen::VectorXd* temperature;  ///< per node, K
   double gravity = 0;                  ///< along the axis, m/s2
+  double volume_rate = 0;              ///< div v everywhere, 1/s: takes back what the finite steps did to the volume
   Point body_force_direction = core::axis_direction();
   std::vector<PieceCondition> pieces;  ///< one for each mesh piece
   std::vector<ToolMotion> tools;
   std::vector<ContactCandidate> candidates;
 };
+
+/// Corners of tools make the rate singular; what counts for a step is what a share of the volume sees.
+inline constexpr double high_rate_share = 0.02;
 
 struct Solution {
   bool converged = false;
@@ -61,7 +65,7 @@ struct Solution {
   std::vector<double> tool_velocity;  ///< along the axis, m/s
   std::vector<double> tool_force;     ///< of the tool on the glass along the axis, N
   std::vector<double> dissipation;    ///< W at each quadrature point: cells x triangle_rule(4)
-  double largest_rate = 0;            ///< of deformation, sqrt(2 D:D), 1/s
+  double high_rate = 0;               ///< rate of deformation sqrt(2 D:D) exceeded in `high_rate_share` of the volume, 1/s
 };
 
 inline Point node_velocity(const Eigen::VectorXd& velocity, Index node) {

@@ -301,9 +301,11 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     const auto pressed = pressed_nodes(problem, result.active);
     area = contact_areas(mesh, problem.geometry, pressed);
     data.load.head(velocities) = surface_load(problem, exposed_edges(mesh, pressed));
-    for (Index c = 0; c < mesh.cell_count(); ++c)
-      for (int i = 0; i < cell_velocities; ++i)
-        data.load[dim * mesh.cells[c][i / dim] + i % dim] += data.cells.load[std::size_t(c) * cell_unknowns + i];
+    for (Index c = 0; c < mesh.cell_count(); ++c) {
+      const auto where = data.unknowns(mesh, c);
+      for (int i = 0; i < cell_unknowns; ++i)
+        data.load[where[i]] += data.cells.load[std::size_t(c) * cell_unknowns + i];
+    }
     data.frames = node_frames(problem, result.active);
     data.frame_of.assign(mesh.nodes.size(), -1);
     for (std::size_t i = 0; i < data.frames.size(); ++i) data.frame_of[data.frames[i].node] = Index(i);

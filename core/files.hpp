@@ -1,0 +1,26 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace parison::core {
+
+/// The whole of a file. Like all functions here it throws std::runtime_error with the path where the system refuses.
+std::string read_text(const std::string& path);
+void write_text(const std::string& path, const std::string& text);
+
+/// Has `write` make a file under a temporary name and gives it its own: a reader sees the old file or the new one.
+void replace_file(const std::string& path, const std::function<void(const std::string& temporary)>& write);
+void replace_file(const std::string& path, const std::string& text);
+
+/// Returns when the file is on the disk (fsync).
+void sync_to_disk(const std::string& path);
+
+/// A text as one field of a CSV line, in quotes where it needs them.
+std::string csv_text(const std::string& text);
+
+/// FNV-1a hash of a text.
+std::uint64_t fingerprint(const std::string& text);
+
+}  // namespace parison::core

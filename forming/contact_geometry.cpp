@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/contact_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/tool_gap.hpp"
+#include "core/profile.hpp"
+#include "forming/initial_state.hpp"
+
+namespace parison::forming {
+
+using core::dim;
+
+namespace {
+
+/// Gaps beyond this are not worth a candidate unless a node moves further in the step, m.
+constexpr double near = 1e-3;
+/// A node found inside a tool is led out over at least this time, s: at once, it would ask a full cavity to burst.
+constexpr double recovery_time = 5e-3;
+/// Constraints of different tools whose normals are closer than this (cosine) count as one.
+constexpr double same_direction = 0.94;
+
+struct ToolConstraint {
+  Index tool;
+  contact::GapConstraint constraint;
+};
+
+/// The nearest constraints of a node over all tools in place: the union of the tools counts.
+std::vector<ToolConstraint> node_constraints(const Scene& scene, const std::vector<Index>& tools,
+                                             const std::vector<double>& offset, const Point& x, double reach) {
+  std::vector<ToolConstraint> found;
+  for (const Index tool : tools) {
+    const Body& body = scene.tools[tool];
+    std::vector<bool> contact;
+    for (const auto& piece : body.pieces) contact.push_back(piece.kind == PieceKind::contact);
+    const Point local = x - offset[tool] * core::axis_direction();
+    for (const auto& constraint : contact::gap_constraints(body.profile, contact, local, reach))
+      found.push_back({tool, constraint});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.constraint.gap < b.constraint.gap; });
+  std::vector<ToolConstraint> kept;
+  for (const auto& wish : found) {
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const auto& have) {
+      return have.constraint.normal.dot(wish.constraint.normal) > same_direction;
+    });
+    if (!known && kept.size() < dim) kept.push_back(wish);
+  }
+  return kept;
+}
+
+std::vector<Index> tools_in_place(const Scene& scene, const State& state) {
+  std::vector<Index> tools;
+  for (const auto& tool : scene.stages[state.stage].tools) tools.push_back(tool.tool);
+  return tools;
+}
+
+}  // namespace
+
+std::vector<Index> surface_nodes(const core::Mesh& mesh) {
+  std::vector<bool> seen(mesh.nodes.size(), false);
+  std::vector<Index> nodes;
+  for (const auto& edge : mesh.boundary)
+    for (const Index node : {edge.nodes[0], edge.nodes[2], edge.nodes[1]})
+      if (!seen[node]) {
+        seen[node] = true;
+        nodes.push_back(node);
+      }
+  return nodes;
+}
+
+std::vector<flow::ToolMotion> tool_motions(const Scene& scene, const State& state, double dt) {
+  std::vector<flow::ToolMotion> motions(scene.tools.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) motions[i].friction = scene.tools[i].friction;
+  for (const auto& tool : scene.stages[state.stage].tools) {
+    auto& motion = motions[tool.tool];
+    if (const auto* position = std::get_if<PositionMotion>(&tool.motion))
+      motion.velocity = (position->offset(state.stage_time + dt) - state.bodies[1 + tool.tool].offset) / dt;
+    if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) {
+      motion.force = force->force;
+      motion.speed_limit = force->speed_limit;
+    }
+  }
+  return motions;
+}
+
+std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const State& state,
+                                                       const Eigen::VectorXd& velocity, double dt) {
+  const auto motions = tool_motions(scene, state, dt);
+  std::vector<double> speed, offset;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    speed.push_back(motions[i].force ? state.bodies[1 + i].velocity : motions[i].velocity);
+    offset.push_back(state.bodies[1 + i].offset + dt * speed.back());
+  }
+  const core::Mesh& glass = state.bodies[0].mesh;
+  const auto tools = tools_in_place(scene, state);
+  const Point axis = core::axis_direction();
+  std::vector<flow::ContactCandidate> candidates;
+  for (const Index node : surface_nodes(glass)) {
+    const Point v = flow::node_velocity(velocity, node);
+    double fastest = v.norm();
+    for (const Index tool : tools)
+      fastest = std::max({fastest, std::abs(speed[tool]), motions[tool].force ? motions[tool].speed_limit : 0.0});
+    const Point reached = glass.nodes[node] + dt * v;
+    for (const auto& [tool, constraint] :
+         node_constraints(scene, tools, offset, reached, near + 2 * dt * fastest)) {
+      const double approach = constraint.normal.dot(v - speed[tool] * axis);
+      const double gap = constraint.gap - dt * approach;  // at the step's start
+      const double rate = -gap / (gap < 0 ? std::max(dt, recovery_time) : dt);
+      const bool held = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
+      candidates.push_back({node, tool, constraint.normal, rate, held});
+    }
+  }
+  return candidates;
+}
+
+Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach) {
+  const Body& body = scene.tools[tool];
+  const core::Mesh& glass = state.bodies[0].mesh;
+  std::vector<bool> contact;
+  for (const auto& piece : body.pieces) contact.push_back(piece.kind == PieceKind::contact);
+  Eigen::VectorXd gaps =
+      Eigen::VectorXd::Constant(glass.node_count(), std::numeric_limits<double>::infinity());
+  const auto glass_contact = contact_pieces(scene.glass, glass);
+  for (const auto& edge : glass.boundary) {
+    if (!glass_contact[edge.piece]) continue;
+    for (const Index node : edge.nodes) {
+      if (std::isfinite(gaps[node])) continue;
+      const Point local = glass.nodes[node] - state.bodies[1 + tool].offset * core::axis_direction();
+      const double gap = contact::signed_gap(body.profile, contact, local);
+      if (gap <= reach) gaps[node] = gap;
+    }
+  }
+  return gaps;
+}
+
+double deepest_penetration(const Scene& scene, const State& state) {
+  double deepest = 0;
+  const core::Mesh& glass = state.bodies[0].mesh;
+  for (const Index tool : tools_in_place(scene, state)) {
+    const auto& profile = scene.tools[tool].profile;
+    for (const Index node : surface_nodes(glass)) {
+      const Point local = glass.nodes[node] - state.bodies[1 + tool].offset * core::axis_direction();
+      if (core::contains(profile, local)) deepest = std::max(deepest, core::distance(profile, local));
+    }
+  }
+  return deepest;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,30 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene.hpp"
+#include "forming/state.hpp"
+#include "forming/workspace.hpp"
+
+namespace parison::forming {
+
+/// Heat content of the glass, J, relative to thermal::content_reference.
+double glass_heat(const Scene& scene, const State& state);
+
+/// Thermal interfaces of the glass with every tool in place that has one, at the present positions.
+std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state);
+
+/// Conductance of a point of the interface at a glass surface temperature, K: contact pressure and viscosity into h.
+core::Conductance point_conductance(const Scene& scene, const core::InterfacePoint& point, double temperature,
+                                    long& table_holds);
+
+struct HeatOutcome {
+  bool converged = false;
+  std::string reason;
+  int substeps = 0;
+};
+
+/// Advances the temperatures of all bodies by dt at their present positions and books the ledger in the state's totals;
+/// `dissipation` in W at the glass quadrature points (empty: none).
+HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
+                         const std::vector<double>& dissipation, double dt, Workspace& workspace);
+
+}  // namespace parison::forming

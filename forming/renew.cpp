@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/renew.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "contact/tool_gap.hpp"
+#include "forming/contact_geometry.hpp"
+#include "forming/heat_step.hpp"
+#include "forming/initial_state.hpp"
+#include "remesh/quality.hpp"
+#include "remesh/remesh_glass.hpp"
+#include "remesh/transfer.hpp"
+
+namespace parison::forming {
+
+using core::dim;
+
+namespace {
+
+/// A new node this near to a tool, next to an old node that touched it, touches it.
+constexpr double touching = 2e-5;
+/// A surface node nearer to a tool than this will soon touch: it wants the resolution of a thermal skin.
+constexpr double soon = 1.0e-3;
+/// Smallest edge of all, of the skin size.
+constexpr double smallest_share = 0.5;
+/// Turns of a tool's outline sharper than this (sine) want a vertex of the glass.
+constexpr double corner = 0.2;
+
+std::vector<core::Point> tool_corners(const Scene& scene, const State& state) {
+  std::vector<core::Point> corners;
+  for (const auto& place : scene.stages[state.stage].tools) {
+    const Body& tool = scene.tools[place.tool];
+    const auto& segments = tool.profile.segments;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const auto& next = segments[(i + 1) % segments.size()];
+      if (tool.pieces[segments[i].piece].kind != PieceKind::contact) continue;
+      const Point a = core::tangent_at(segments[i], 1), b = core::tangent_at(next, 0);
+      if (a[0] * b[1] - a[1] * b[0] > corner)  // turns left: the tool's corner points into the glass
+        corners.push_back(segments[i].end + state.bodies[1 + place.tool].offset * core::axis_direction());
+    }
+  }
+  return corners;
+}
+
+remesh::Criteria criteria(const Scene& scene, const State& state) {
+  const Accuracy& accuracy = scene.accuracy;
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  remesh::Criteria result;
+  result.geometry = scene.geometry;
+  result.surface_size = accuracy.surface_size;
+  result.skin_size = accuracy.skin_size;
+  result.elements_across = accuracy.elements_across;
+  result.growth = accuracy.glass_growth;
+  result.smallest = smallest_share * accuracy.skin_size;
+  result.straight_pieces = symmetry_pieces(scene.glass, mesh);
+  result.contact.assign(mesh.nodes.size(), false);
+  result.skin_wish.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
+  for (Index n = 0; n < mesh.node_count(); ++n) result.contact[n] = state.contact.tool[n] >= 0;
+  if (scene.has_heat())
+    for (const auto& place : scene.stages[state.stage].tools) {
+      const Eigen::VectorXd gaps = tool_gaps(scene, state, place.tool, soon);
+      for (Index n = 0; n < mesh.node_count(); ++n)
+        if (gaps[n] < soon) result.skin_wish[n] = accuracy.skin_size;
+    }
+  result.keep = tool_corners(scene, state);
+  return result;
+}
+
+/// The tool that the old surface node nearest to each new one touches, where the new one is near that tool too.
+std::vector<Index> carried_contact(const Scene& scene, const State& old, const core::Mesh& mesh) {
+  const core::Mesh& from = old.bodies[0].mesh;
+  const auto old_nodes = surface_nodes(from);
+  std::vector<Index> tools(mesh.nodes.size(), -1);
+  for (const Index node : surface_nodes(mesh)) {
+    const Point& x = mesh.nodes[node];
+    const Index nearest = *std::min_element(old_nodes.begin(), old_nodes.end(), [&](Index a, Index b) {
+      return (from.nodes[a] - x).squaredNorm() < (from.nodes[b] - x).squaredNorm();
+    });
+    const Index tool = old.contact.tool[nearest];
+    if (tool < 0) continue;
+    const Body& body = scene.tools[tool];
+    std::vector<bool> contact;
+    for (const auto& piece : body.pieces) contact.push_back(piece.kind == PieceKind::contact);
+    const Point local = x - old.bodies[1 + tool].offset * core::axis_direction();
+    if (contact::signed_gap(body.profile, contact, local) < touching) tools[node] = tool;
+  }
+  return tools;
+}
+
+/// Shifts the glass temperature so that its heat content is `wanted`, J.
+void restore_heat(const Scene& scene, double wanted, State& state) {
+  for (int i = 0; i < 2; ++i) {
+    const double defect = wanted - glass_heat(scene, state);
+    auto& temperature = state.bodies[0].temperature;
+    const double before = glass_heat(scene, state);
+    temperature.array() += 1;
+    const double per_kelvin = glass_heat(scene, state) - before;
+    temperature.array() += defect / per_kelvin - 1;
+  }
+}
+
+/// Names the edges from the surface node nearest `from` to the one nearest `to`.
+void name_stretch(const NamedStretch& stretch, const std::vector<bool>& symmetry, core::Mesh& mesh) {
+  const auto nearest_start = [&](const Point& x, int end) {
+    std::size_t best = 0;
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
+      if (symmetry[mesh.boundary[e].piece]) continue;
+      const double d = (mesh.nodes[mesh.boundary[e].nodes[end]] - x).norm();
+      if (d < distance) std::tie(distance, best) = std::pair{d, e};
+    }
+    return best;
+  };
+  Index piece = core::find_piece(mesh, stretch.name);
+  if (piece < 0) {
+    piece = static_cast<Index>(mesh.pieces.size());
+    mesh.pieces.push_back(stretch.name);
+  }
+  const std::size_t last = nearest_start(stretch.to, 1);
+  for (std::size_t e = nearest_start(stretch.from, 0);; e = (e + 1) % mesh.boundary.size()) {
+    if (!symmetry[mesh.boundary[e].piece]) mesh.boundary[e].piece = piece;
+    if (e == last) break;
+  }
+}
+
+}  // namespace
+
+bool needs_new_mesh(const Scene& scene, const State& state) {
+  return remesh::quality(state.bodies[0].mesh).worst < scene.accuracy.quality_floor;
+}
+
+Renewed renew_glass_mesh(const Scene& scene, const State& state) {
+  Renewed result;
+  const auto made = remesh::remesh_glass(state.bodies[0].mesh, criteria(scene, state));
+  if (!made.ok) {
+    result.reason = made.reason;
+    return result;
+  }
+  result.state = state;
+  State& next = result.state;
+  BodyState& glass = next.bodies[0];
+  const core::Mesh& old = state.bodies[0].mesh;
+  glass.mesh = made.mesh;
+  const auto transfer = remesh::make_transfer(old, glass.mesh);
+  if (glass.temperature.size() > 0)
+    glass.temperature =
+        remesh::transfer_conserving(old, glass.mesh, scene.geometry, transfer, state.bodies[0].temperature);
+  next.velocity.resize(dim * glass.mesh.node_count());
+  for (int a = 0; a < dim; ++a) {
+    const Eigen::VectorXd component = Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<dim>>(
+        state.velocity.data() + a, old.node_count());
+    Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<dim>>(next.velocity.data() + a, glass.mesh.node_count()) =
+        remesh::interpolate(old, transfer, component);
+  }
+  next.contact.tool = carried_contact(scene, state, glass.mesh);
+  next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
+  for (Index n = 0; n < glass.mesh.node_count(); ++n)
+    if (next.contact.tool[n] < 0) next.contact.pressure[n] = 0;
+  next.mass_nodes = glass.mesh.nodes;
+  core::Mesh mass = mass_mesh(state);
+  const double volume = core::volume(glass.mesh, scene.geometry);
+  next.density = state.density * core::volume(mass, scene.geometry) / volume;
+  next.totals.remesh_volume += volume - core::volume(old, scene.geometry);
+  if (scene.has_heat()) {
+    const double heat = glass_heat(scene, state);
+    restore_heat(scene, heat, next);
+    next.totals.remesh_heat += glass_heat(scene, next) - heat;
+  }
+  ++next.totals.remeshes;
+  result.ok = true;
+  return result;
+}
+
+State start_stage(const Scene& scene, const State& state, Index stage) {
+  State next = state;
+  next.stage = stage;
+  next.stage_time = 0;
+  next.last_step = 0;
+  next.velocity.setZero();
+  const auto& tools = scene.stages[stage].tools;
+  const auto in_place = [&](Index tool) {
+    return std::any_of(tools.begin(), tools.end(), [&](const StageTool& t) { return t.tool == tool; });
+  };
+  for (std::size_t n = 0; n < next.contact.tool.size(); ++n)
+    if (next.contact.tool[n] >= 0 && !in_place(next.contact.tool[n])) {
+      next.contact.tool[n] = -1;
+      next.contact.pressure[static_cast<Index>(n)] = 0;
+    }
+  for (std::size_t b = 1; b < next.bodies.size(); ++b) next.bodies[b].velocity = next.bodies[b].force = 0;
+  auto& mesh = next.bodies[0].mesh;
+  for (const auto& stretch : scene.stages[stage].name_pieces)
+    name_stretch(stretch, symmetry_pieces(scene.glass, mesh), mesh);
+  return next;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,84 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/interface.hpp"
+#include "core/mesh.hpp"
+
+namespace parison::forming {
+
+using core::Index;
+using core::Point;
+
+/// A body at an instant. Tools keep their mesh and move by `offset`; the glass mesh moves itself.
+struct BodyState {
+  core::Mesh mesh;              ///< tools: in their own frame
+  Eigen::VectorXd temperature;  ///< per node, K; empty where the scene has no heat
+  double offset = 0;            ///< along the axis, m
+  double velocity = 0;          ///< along the axis, m/s
+  double force = 0;             ///< on the glass along the axis, N
+  double heat_received = 0;     ///< through interfaces since the start, J
+  double hottest_surface = 0;   ///< highest temperature so far on its contact pieces, K
+};
+
+/// Where the glass touches tools, per glass node.
+struct ContactState {
+  std::vector<Index> tool;   ///< index into Scene::tools of the tool that presses on the node, -1 where none
+  Eigen::VectorXd pressure;  ///< Pa
+};
+
+/// Sums since the start.
+struct Totals {
+  double to_air = 0;        ///< heat lost by the glass to air, J
+  double to_tools = 0;      ///< heat that crossed from glass to tools, J
+  double dissipation = 0;   ///< viscous, into the glass, J
+  double content_change = 0;  ///< of the glass, J, by the heat solver
+  double remesh_heat = 0;   ///< heat content changed by remeshing, J
+  double remesh_volume = 0;  ///< volume changed by remeshing, m3
+  Index steps = 0, rejected = 0, remeshes = 0;
+  long table_holds = 0;     ///< evaluations of h outside its table
+  double deepest = 0;       ///< deepest penetration of a glass node into a tool at any step, m
+  double largest_reynolds = 0;
+};
+
+/// Everything that changes during a run.
+struct State {
+  double time = 0;        ///< s
+  Index stage = 0;
+  double stage_time = 0;  ///< since the stage's start, s
+  double next_step = 0;   ///< what the step control wishes, s
+  double heat_substep = 0;  ///< what the heat solver wishes, s
+  double last_step = 0;   ///< s, 0 when there is no velocity to extrapolate from
+  std::vector<BodyState> bodies;  ///< glass, then the tools in the scene's order
+  std::vector<Point> mass_nodes;  ///< glass node positions in which the mass was last distributed
+  double density = 0;             ///< of the glass in those positions, kg/m3
+  double first_volume = 0;        ///< of the glass, m3
+  double first_heat = 0;          ///< heat content of the glass at the start, J
+  Eigen::VectorXd velocity;       ///< of the glass nodes over the last step, m/s; empty without flow
+  ContactState contact;
+  std::vector<Point> probes;      ///< present positions, in the body's frame
+  Totals totals;
+};
+
+/// What one step did, beyond the new state.
+struct StepReport {
+  double dt = 0;
+  int contact_iterations = 0, heat_substeps = 0;
+  double temperature_change = 0;  ///< largest of the glass surface, K
+  double strain = 0;              ///< largest rate of deformation times dt
+  std::vector<core::InterfacePoint> interface;  ///< of the step's end
+  std::map<std::string, double> seconds;  ///< by part: flow, heat, contact, remesh, output
+};
+
+/// The named numbers of history.csv, one row.
+struct HistoryRow {
+  double time, dt, volume, glass_mean, heat_to_tools, heat_to_air, dissipation, energy_imbalance, contact_area;
+  std::string stage;
+  std::vector<double> tool_force, tool_position, probe;  ///< N, m, K
+};
+
+}  // namespace parison::forming

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "forming/contact_geometry.hpp"
+#include "forming/heat_step.hpp"
+#include "forming/initial_state.hpp"
+#include "forming/sample.hpp"
+#include "remesh/quality.hpp"
+
+namespace parison::forming {
+
+using core::dim;
+
+namespace {
+
+/// Time over which the flow takes back a drift of the glass volume, at least one step, s.
+constexpr double volume_recovery_time = 0.02;
+
+/// Adds the seconds until its end to a part's account.
+class Timer {
+ public:
+  Timer(StepReport& report, const char* part) : seconds_(report.seconds[part]), start_(now()) {}
+  ~Timer() { seconds_ += std::chrono::duration<double>(now() - start_).count(); }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  static std::chrono::steady_clock::time_point now() { return std::chrono::steady_clock::now(); }
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+void move_nodes(core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt) {
+  for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
+}
+
+std::vector<flow::PieceCondition> piece_conditions(const Scene& scene, const State& state) {
+  std::vector<flow::PieceCondition> conditions;
+  const auto& pressure = scene.stages[state.stage].pressure;
+  for (const auto& name : state.bodies[0].mesh.pieces) {
+    flow::PieceCondition condition;
+    const PieceKind kind = piece_kind(scene.glass, name);
+    if (kind == PieceKind::symmetry) condition.kind = flow::PieceCondition::Kind::symmetry;
+    if (kind == PieceKind::fixed) condition.kind = flow::PieceCondition::Kind::fixed;
+    if (const auto found = pressure.find(name); found != pressure.end()) condition.pressure = found->second;
+    conditions.push_back(condition);
+  }
+  return conditions;
+}
+
+struct FlowPass {
+  std::vector<flow::ContactCandidate> candidates;
+  flow::Solution solution;
+};
+
+/// Flow of the step seen from its middle, where `guess` has carried the mesh.
+FlowPass solve_flow(const Scene& scene, const State& state, const Eigen::VectorXd& guess,
+                    const Eigen::VectorXd& temperature, double dt, Workspace& workspace) {
+  core::Mesh middle = state.bodies[0].mesh;
+  move_nodes(middle, guess, 0.5 * dt);
+  flow::Problem problem{&middle, scene.geometry, &*scene.glass.flow, &temperature};
+  problem.gravity = scene.stages[state.stage].gravity;
+  const double excess = core::volume(state.bodies[0].mesh, scene.geometry) / state.first_volume - 1;
+  problem.volume_rate = -excess / std::max(dt, volume_recovery_time);
+  problem.pieces = piece_conditions(scene, state);
+  problem.tools = tool_motions(scene, state, dt);
+  problem.candidates = contact_candidates(scene, state, guess, dt);
+  std::vector<bool> warm;
+  for (const auto& candidate : problem.candidates)
+    warm.push_back(state.contact.tool[candidate.node] == candidate.tool ||
+                   (state.last_step == 0 && candidate.rate >= 0));
+  if (!workspace.flow) workspace.flow.emplace(middle);
+  auto solution = workspace.flow->solve(problem, warm);
+  return {std::move(problem.candidates), std::move(solution)};
+}
+
+/// Puts the flow's motion and contact into the state.
+void take_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
+  const auto& [candidates, solution] = pass;
+  move_nodes(state.bodies[0].mesh, solution.velocity, dt);
+  state.velocity = solution.velocity;
+  state.last_step = dt;
+  std::fill(state.contact.tool.begin(), state.contact.tool.end(), -1);
+  for (std::size_t i = candidates.size(); i-- > 0;)
+    if (solution.active[i]) state.contact.tool[candidates[i].node] = candidates[i].tool;
+  state.contact.pressure = solution.contact_pressure;
+  for (const auto& tool : scene.stages[state.stage].tools) {
+    auto& body = state.bodies[1 + tool.tool];
+    body.velocity = solution.tool_velocity[tool.tool];
+    body.offset += dt * body.velocity;
+    body.force = solution.tool_force[tool.tool];
+  }
+}
+
+void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt,
+                       State& state) {
+  for (std::size_t p = 0; p < scene.probes.size(); ++p)
+    if (scene.probes[p].body == 0)
+      state.probes[p] += dt * sample(mesh, velocity, dim, {state.probes[p]}).row(0).transpose();
+}
+
+/// Inertia against viscous force with the viscosity that the dissipation shows.
+double reynolds(const Scene& scene, const flow::Solution& solution, double volume) {
+  double dissipation = 0;
+  for (const double w : solution.dissipation) dissipation += w;
+  const double speed = solution.velocity.lpNorm<Eigen::Infinity>(), length = std::cbrt(volume);
+  return dissipation > 0 ? scene.glass.flow->density * speed * speed * speed * length * length / dissipation : 0;
+}
+
+/// Tools that move by position where nothing flows.
+void move_tools(const Scene& scene, double dt, State& state) {
+  const auto motions = tool_motions(scene, state, dt);
+  for (const auto& tool : scene.stages[state.stage].tools) {
+    auto& body = state.bodies[1 + tool.tool];
+    body.velocity = motions[tool.tool].velocity;
+    body.offset += dt * body.velocity;
+  }
+}
+
+double surface_temperature_change(const State& before, const State& after) {
+  double change = 0;
+  for (const Index node : surface_nodes(before.bodies[0].mesh))
+    change = std::max(change, std::abs(after.bodies[0].temperature[node] - before.bodies[0].temperature[node]));
+  return change;
+}
+
+/// Moves the glass and the tools by the flow; an unsuccessful solve is told in `result.reason`.
+bool step_flow(const Scene& scene, const State& state, const Eigen::VectorXd& guess, const Eigen::VectorXd& temperature,
+               double dt, Workspace& workspace, StepResult& result, std::vector<double>& dissipation) {
+  const Timer timer(result.report, "flow");
+  auto pass = solve_flow(scene, state, guess, temperature, dt, workspace);
+  result.report.contact_iterations += pass.solution.iterations;
+  if (!pass.solution.converged) {
+    result.reason = pass.solution.reason;
+    return false;
+  }
+  take_flow(scene, pass, dt, result.state);
+  move_glass_probes(scene, state.bodies[0].mesh, pass.solution.velocity, dt, result.state);
+  if (remesh::quality(result.state.bodies[0].mesh).worst <= 0) {
+    result.reason = "a cell of the glass turned over";
+    return false;
+  }
+  result.report.strain = pass.solution.high_rate * dt;
+  auto& largest = result.state.totals.largest_reynolds;
+  largest = std::max(largest, reynolds(scene, pass.solution, state.first_volume));
+  dissipation = std::move(pass.solution.dissipation);
+  return true;
+}
+
+bool step_heat(const Scene& scene, const std::vector<double>& dissipation, double dt, Workspace& workspace,
+               StepResult& result) {
+  if (!scene.has_heat()) return true;
+  {
+    const Timer timer(result.report, "contact");
+    result.report.interface = thermal_interface(scene, result.state);
+  }
+  const Timer timer(result.report, "heat");
+  const auto outcome =
+      advance_heat(scene, result.state, result.report.interface, dissipation, dt, workspace);
+  result.reason = outcome.reason;
+  result.report.heat_substeps += outcome.substeps;
+  return outcome.converged;
+}
+
+}  // namespace
+
+StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
+  StepResult result;
+  Eigen::VectorXd guess = state.velocity, temperature = state.bodies[0].temperature;
+  // A first velocity has no predecessor to carry the mesh to the middle of the step.
+  const int passes = scene.has_flow() && state.last_step == 0 ? std::max(2, scene.accuracy.passes)
+                     : scene.has_flow()                       ? scene.accuracy.passes
+                                                              : 1;
+  for (int pass = 0; pass < passes; ++pass) {
+    result.state = state;
+    std::vector<double> dissipation;
+    if (!scene.has_flow())
+      move_tools(scene, dt, result.state);
+    else if (!step_flow(scene, state, guess, temperature, dt, workspace, result, dissipation))
+      return result;
+    if (!step_heat(scene, dissipation, dt, workspace, result)) return result;
+    guess = result.state.velocity;
+    temperature = 0.5 * (state.bodies[0].temperature + result.state.bodies[0].temperature);
+  }
+  State& after = result.state;
+  after.time += dt;
+  after.stage_time += dt;
+  ++after.totals.steps;
+  after.totals.table_holds = workspace.table_holds;
+  if (scene.has_flow())
+    after.totals.deepest = std::max(after.totals.deepest, deepest_penetration(scene, after));
+  result.report.dt = dt;
+  if (scene.has_heat()) result.report.temperature_change = surface_temperature_change(state, after);
+  result.converged = true;
+  return result;
+}
+
+}  // namespace parison::forming

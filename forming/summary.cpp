@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/summary.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "contact/tool_gap.hpp"
+#include "core/element.hpp"
+#include "core/files.hpp"
+#include "core/json.hpp"
+#include "forming/initial_state.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::JsonWriter;
+
+constexpr double near_tool = 0.2e-3;  ///< m
+
+double celsius(double kelvin) { return kelvin - thermal::content_reference; }
+
+/// Distance to the nearest tool in place, by the exact profiles, m.
+double gap_to_tools(const Scene& scene, const State& state, const std::vector<std::vector<bool>>& contact,
+                    const Point& x) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (const StageTool& stage_tool : scene.stages.at(state.stage).tools) {
+    const Tool& tool = scene.tools[stage_tool.tool];
+    const Point offset = state.bodies.at(stage_tool.tool + 1).offset * core::axis_direction();
+    gap = std::min(gap, contact::signed_gap(tool.profile, contact[stage_tool.tool], x - offset));
+  }
+  return gap;
+}
+
+double share_near_tools(const Scene& scene, const State& state) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  std::vector<std::vector<bool>> contact;
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+    contact.push_back(contact_pieces(scene.tools[i], state.bodies.at(i + 1).mesh));
+  double near = 0, whole = 0;
+  for (const Index edge : outer_edges(scene, mesh))
+    for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
+      const auto point = core::map_edge_point(mesh, mesh.boundary[edge].nodes, scene.geometry, at);
+      whole += point.area;
+      if (gap_to_tools(scene, state, contact, point.position) <= near_tool) near += point.area;
+    }
+  return near / whole;
+}
+
+void add_run(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
+  json.add("case", scene.name);
+  json.add("accuracy", scene.accuracy_name);
+  json.add("completed", summary.run.completed);
+  json.add("reason", summary.run.reason);
+  json.add("time_s", state.time);
+  json.add("wall_seconds", summary.run.wall_seconds);
+  json.add("steps", static_cast<long>(state.totals.steps));
+  json.add("rejected_steps", static_cast<long>(state.totals.rejected));
+  json.add("remeshes", static_cast<long>(state.totals.remeshes));
+  json.open_object("timing");
+  for (const char* part : {"flow", "heat", "contact", "remesh", "output"}) {
+    const auto found = summary.run.timing.find(part);
+    json.add(part, found == summary.run.timing.end() ? 0.0 : found->second);
+  }
+  json.close();
+}
+
+void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
+  json.add("volume_drift", summary.glass.volume_drift);
+  json.add("energy_imbalance", summary.glass.energy_imbalance);
+  json.add("remesh_heat_J", state.totals.remesh_heat);
+  json.add("remesh_volume_m3", state.totals.remesh_volume);
+  json.add("largest_penetration_mm", 1e3 * state.totals.deepest);
+  json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
+  json.add("heat_to_air_J", state.totals.to_air);
+  json.add("dissipation_J", state.totals.dissipation);
+  json.add("largest_reynolds", state.totals.largest_reynolds);
+  json.add("conductance_outside_table", static_cast<long>(state.totals.table_holds));
+}
+
+void add_bodies(JsonWriter& json, const Summary& summary) {
+  json.open_object("glass");
+  json.add("mass_kg", summary.glass.mass);
+  json.add("volume_m3", summary.glass.volume);
+  json.add("temperature_mean_C", celsius(summary.glass.mean));
+  json.add("temperature_min_C", celsius(summary.glass.lowest));
+  json.add("temperature_max_C", celsius(summary.glass.highest));
+  json.close();
+  json.open_object("tools");
+  for (const ToolSummary& tool : summary.tools) {
+    json.open_object(tool.name);
+    json.add("heat_received_J", tool.heat_received);
+    json.add("surface_temperature_max_C", celsius(tool.hottest_surface));
+    json.close();
+  }
+  json.close();
+}
+
+void add_stages(JsonWriter& json, const RunFacts& run) {
+  json.open_list("stages");
+  for (const StageRecord& stage : run.stages) {
+    json.open_object("");
+    json.add("name", stage.name);
+    json.add("start_s", stage.start);
+    json.add("end_s", stage.end);
+    json.add("end_reason", stage.end_reason);
+    json.close();
+  }
+  json.close();
+}
+
+std::string summary_json(const Scene& scene, const State& state, const Summary& summary) {
+  JsonWriter json;
+  add_run(json, scene, state, summary);
+  add_balance(json, state, summary);
+  add_bodies(json, summary);
+  add_stages(json, summary.run);
+  json.open_object("thickness");
+  json.add("min_mm", 1e3 * summary.thickness.lowest);
+  json.add("mean_mm", 1e3 * summary.thickness.mean);
+  json.add("max_mm", 1e3 * summary.thickness.highest);
+  json.close();
+  json.open_list("warnings");
+  for (const std::string& warning : summary.run.warnings) json.add("", warning);
+  return json.finish();
+}
+
+}  // namespace
+
+Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const std::vector<ThicknessRow>& rows) {
+  Summary summary;
+  summary.run = run;
+  summary.glass = glass_facts(scene, state);
+  summary.thickness = thickness_range(rows);
+  summary.outer_within_02mm = share_near_tools(scene, state);
+  for (std::size_t i = 0; i < scene.tools.size(); ++i) {
+    const BodyState& body = state.bodies.at(i + 1);
+    const double hottest = body.temperature.size() > 0 ? body.hottest_surface : std::numeric_limits<double>::quiet_NaN();
+    summary.tools.push_back({scene.tools[i].name, body.heat_received, hottest, body.offset, body.force});
+  }
+  return summary;
+}
+
+Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run) {
+  const std::vector<ThicknessRow> rows = thickness_profile(scene, state);
+  const Summary summary = summarise(scene, state, run, rows);
+  write_thickness(directory + "/thickness.csv", rows);
+  core::replace_file(directory + "/summary.json", summary_json(scene, state, summary));
+  return summary;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,54 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <string>
+#include <vector>
+
+#include "forming/history.hpp"
+#include "forming/scene.hpp"
+#include "forming/state.hpp"
+#include "forming/thickness_profile.hpp"
+
+namespace parison::forming {
+
+/// A stage as it went.
+struct StageRecord {
+  std::string name;
+  double start, end;       ///< s since the start of the run
+  std::string end_reason;  ///< such as "duration" or "plunger below 0.5 mm/s"
+};
+
+/// What only the run itself knows.
+struct RunFacts {
+  bool completed = false;
+  std::string reason;  ///< why not, a sentence; empty when completed
+  double wall_seconds = 0;
+  std::map<std::string, double> timing;  ///< s by part: flow, heat, contact, remesh, output
+  std::vector<std::string> warnings;
+  std::vector<StageRecord> stages;
+};
+
+struct ToolSummary {
+  std::string name;
+  double heat_received;    ///< J
+  double hottest_surface;  ///< so far, K; NaN where the tool carries no heat
+  double position, force;  ///< m, N
+};
+
+/// The results of a run in numbers.
+struct Summary {
+  RunFacts run;
+  GlassFacts glass;
+  std::vector<ToolSummary> tools;
+  ThicknessRange thickness;      ///< m
+  double outer_within_02mm;      ///< share of the outer surface within 0.2 mm of a tool in place
+};
+Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const std::vector<ThicknessRow>& rows);
+
+/// Writes thickness.csv and summary.json into the result folder.
+Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run);
+
+/// What a process engineer asks for, as a table for the terminal.
+std::string summary_table(const Scene& scene, const State& state, const Summary& summary);
+
+}  // namespace parison::forming

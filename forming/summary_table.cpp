@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "forming/summary.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+double celsius(double kelvin) { return kelvin - thermal::content_reference; }
+
+std::string line(const std::string& label, const std::string& value) { return fmt::format("  {:<22}{}\n", label, value); }
+
+std::string glass_lines(const Scene& scene, const Summary& summary) {
+  const GlassFacts& glass = summary.glass;
+  std::string text = line("glass", fmt::format("{:.1f} g, {:.2f} cm3", 1e3 * glass.mass, 1e6 * glass.volume));
+  if (scene.has_heat())
+    text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
+                                                  celsius(glass.lowest), celsius(glass.highest)));
+  text += line("wall thickness",
+               fmt::format("min {:.2f} mm, mean {:.2f} mm, max {:.2f} mm", 1e3 * summary.thickness.lowest,
+                           1e3 * summary.thickness.mean, 1e3 * summary.thickness.highest));
+  if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
+    text += line("outer surface", fmt::format("{:.1f} % within 0.2 mm of the tools in place",
+                                              100 * summary.outer_within_02mm));
+  return text;
+}
+
+std::string tool_lines(const Summary& summary) {
+  if (summary.tools.empty()) return {};
+  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>12}\n", "tool", "heat, kJ", "hottest, degC", "at, mm");
+  for (const ToolSummary& tool : summary.tools) {
+    const std::string hottest =
+        std::isnan(tool.hottest_surface) ? "-" : fmt::format("{:.0f}", celsius(tool.hottest_surface));
+    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>12.2f}\n", tool.name, 1e-3 * tool.heat_received, hottest,
+                        1e3 * tool.position);
+  }
+  return text;
+}
+
+std::string stage_lines(const RunFacts& run) {
+  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}   {}\n", "stage", "from, s", "to, s", "ended by");
+  for (const StageRecord& stage : run.stages)
+    text += fmt::format("  {:<22}{:>12.3f}{:>18.3f}   {}\n", stage.name, stage.start, stage.end, stage.end_reason);
+  return text + '\n';
+}
+
+std::string run_lines(const Scene& scene, const State& state, const Summary& summary) {
+  const Totals& totals = state.totals;
+  std::string text = line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, totals.rejected,
+                                               totals.remeshes));
+  text += line("volume drift", fmt::format("{:.4f} %", 100 * summary.glass.volume_drift));
+  if (scene.has_heat()) {
+    text += line("energy imbalance", fmt::format("{:.4f} %", 100 * summary.glass.energy_imbalance));
+    text += line("heat lost", fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air", 1e-3 * totals.to_tools,
+                                          1e-3 * totals.to_air));
+  }
+  if (scene.has_flow() && !scene.tools.empty())
+    text += line("deepest penetration", fmt::format("{:.4f} mm", 1e3 * totals.deepest));
+  text += line("wall time", fmt::format("{:.1f} s", summary.run.wall_seconds));
+  for (const std::string& warning : summary.run.warnings) text += line("warning", warning);
+  return text;
+}
+
+}  // namespace
+
+std::string summary_table(const Scene& scene, const State& state, const Summary& summary) {
+  std::string text = fmt::format("\n{} at {} accuracy: ", scene.name, scene.accuracy_name);
+  text += summary.run.completed ? fmt::format("completed, {:.4g} s simulated\n", state.time)
+                                : fmt::format("stopped at {:.4g} s: {}\n", state.time, summary.run.reason);
+  return text + glass_lines(scene, summary) + tool_lines(summary) + stage_lines(summary.run) +
+         run_lines(scene, state, summary);
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,28 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <optional>
+
+#include "forming/flow/solver.hpp"
+#include "thermal/ida.hpp"
+#include "thermal/tr_bdf2.hpp"
+
+namespace parison::forming {
+
+/// What the solvers keep between steps to be fast: it never changes a result beyond round-off and may be dropped at any time.
+struct Workspace {
+  std::optional<flow::Solver> flow;  ///< until the glass mesh is renewed
+  thermal::StepMatrix heat;
+  /// Heat of a stage in which nothing moves: the integrator with what it looks at, and its start.
+  struct Standing {
+    std::vector<core::Mesh> meshes;
+    std::vector<Eigen::VectorXd> thickness;
+    std::optional<thermal::IdaIntegrator> integrator;
+    double start = 0;  ///< time, s
+    Index stage = -1;
+  };
+  std::unique_ptr<Standing> standing;
+  long table_holds = 0;
+};
+
+}  // namespace parison::forming

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+
+#include "core/element.hpp"
+#include "core/files.hpp"
+#include "core/hdf5.hpp"
+#include "core/json.hpp"
+#include "core/pvd.hpp"
+#include "core/vtu.hpp"
+#include "structured.hpp"
+
+namespace parison::core {
+namespace {
+
+/// A new folder for the running test.
+std::string new_folder() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("parison_files_") + test->name());
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder.string();
+}
+
+Mesh bent_mesh() {
+  return tests::structured(5, 3, [](double s, double t) { return Point(0.01 + 0.02 * s + 0.004 * t * t, 0.03 * t); });
+}
+
+TEST(Vtu, AFileReadBackHasTheQuadraticCellsPointsAndFieldsToTheBit) {
+  const Mesh mesh = bent_mesh();
+  VtuFields fields;
+  fields.time = 0.375;
+  fields.displacement = Point(0, 0.125);
+  fields.nodal.push_back({"temperature_C", Eigen::VectorXd::LinSpaced(mesh.node_count(), 400, 1100 / 3.0)});
+  fields.nodal.push_back({"velocity", Eigen::VectorXd::LinSpaced(dim * mesh.node_count(), -1 / 3.0, 1)});
+  fields.cell.push_back({"in_place", 1});
+  const std::string path = new_folder() + "/glass_0000.vtu";
+  write_vtu(path, mesh, fields);
+
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkUnstructuredGrid& grid = *reader->GetOutput();
+  ASSERT_EQ(grid.GetNumberOfPoints(), mesh.node_count());
+  ASSERT_EQ(grid.GetNumberOfCells(), mesh.cell_count());
+  for (Index i = 0; i < mesh.node_count(); ++i) {
+    EXPECT_EQ(grid.GetPoint(i)[0], mesh.nodes[i][0]);
+    EXPECT_EQ(grid.GetPoint(i)[1], mesh.nodes[i][1] + 0.125);
+    EXPECT_EQ(grid.GetPoint(i)[2], 0);
+    EXPECT_EQ(grid.GetPointData()->GetArray("temperature_C")->GetTuple1(i), fields.nodal[0].values[i]);
+    const double* v = grid.GetPointData()->GetArray("velocity")->GetTuple3(i);
+    EXPECT_EQ(v[0], fields.nodal[1].values[2 * i]);
+    EXPECT_EQ(v[1], fields.nodal[1].values[2 * i + 1]);
+    EXPECT_EQ(v[2], 0);
+  }
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    ASSERT_EQ(grid.GetCellType(c), VTK_QUADRATIC_TRIANGLE);
+    for (int k = 0; k < 6; ++k) EXPECT_EQ(grid.GetCell(c)->GetPointId(k), mesh.cells[c][k]);
+    EXPECT_EQ(grid.GetCellData()->GetArray("in_place")->GetTuple1(c), 1);
+  }
+  EXPECT_EQ(grid.GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.375);
+}
+
+TEST(Vtu, TheMiddleOfAnEdgeInTheFileIsWhereTheQuadraticEdgeRuns) {
+  const Mesh mesh = bent_mesh();
+  const std::string path = new_folder() + "/glass.vtu";
+  write_vtu(path, mesh, {});
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  double where[3] = {0.25, 0.25, 0}, x[3], weights[6];
+  int sub = 0;
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    reader->GetOutput()->GetCell(c)->EvaluateLocation(sub, where, x, weights);
+    const auto shape = triangle_shape(0.25, 0.25);
+    Point expected = Point::Zero();
+    for (int k = 0; k < 6; ++k) expected += shape[k] * mesh.nodes[mesh.cells[c][k]];
+    EXPECT_NEAR(x[0], expected[0], 1e-15);
+    EXPECT_NEAR(x[1], expected[1], 1e-15);
+  }
+}
+
+TEST(Pvd, TheCollectionIsCompleteAfterEveryAddition) {
+  const std::string path = new_folder() + "/glass.pvd";
+  PvdCollection collection(path);
+  for (int i = 0; i < 3; ++i) {
+    collection.add(0.1 * i, "vtu/glass_" + std::to_string(i) + ".vtu");
+    const std::string text = read_text(path);
+    EXPECT_NE(text.find("timestep=\"" + std::string(i == 0 ? "0" : i == 1 ? "0.1" : "0.2")), text.npos);
+    EXPECT_NE(text.find("file=\"vtu/glass_" + std::to_string(i) + ".vtu\""), text.npos);
+    EXPECT_EQ(text.substr(text.size() - 11), "</VTKFile>\n");
+    EXPECT_EQ(std::filesystem::exists(path + ".part"), false);
+  }
+}
+
+TEST(Hdf5, ValuesComeBackToTheBit) {
+  const std::string path = new_folder() + "/values.h5";
+  const std::vector<double> doubles{0.1, -0.0, 5e-324, std::numeric_limits<double>::infinity(), 1 / 3.0, 1e300};
+  const std::vector<int> integers{-1, 0, std::numeric_limits<int>::max()};
+  const Eigen::VectorXd vector = Eigen::VectorXd::LinSpaced(7, 0, 1 / 7.0);
+  const std::int64_t large = std::numeric_limits<std::int64_t>::min() + 3;
+  {
+    Hdf5Group file = create_hdf5(path);
+    file.write("doubles", doubles, 2);
+    file.write("none", std::vector<double>{});
+    Hdf5Group group = file.create("inner").create("most");
+    group.write("integers", integers);
+    group.write("vector", vector);
+    group.write("large", large);
+    group.write("small", 5e-324);
+    group.write("text", std::string("Glas, 1150 \xc2\xb0""C"));
+    group.write("no_text", std::string());
+  }
+  const Hdf5Group file = open_hdf5(path);
+  const std::vector<double> read = file.read_doubles("doubles");
+  ASSERT_EQ(read.size(), doubles.size());
+  EXPECT_EQ(std::memcmp(read.data(), doubles.data(), sizeof(double) * doubles.size()), 0);
+  EXPECT_TRUE(file.read_doubles("none").empty());
+  const Hdf5Group group = file.open("inner").open("most");
+  EXPECT_EQ(group.read_integers("integers"), integers);
+  EXPECT_EQ(group.read_vector("vector"), vector);
+  EXPECT_EQ(group.read_integer("large"), large);
+  EXPECT_EQ(group.read_double("small"), 5e-324);
+  EXPECT_EQ(group.read_string("text"), "Glas, 1150 \xc2\xb0""C");
+  EXPECT_EQ(group.read_string("no_text"), "");
+  EXPECT_TRUE(group.has("text"));
+  EXPECT_FALSE(group.has("texts"));
+}
+
+TEST(Hdf5, WhatIsMissingIsNamed) {
+  const std::string path = new_folder() + "/values.h5";
+  { create_hdf5(path).write("a", 1.0); }
+  const Hdf5Group file = open_hdf5(path);
+  try {
+    file.read_double("b");
+    FAIL() << "nothing was thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), path + ": \"b\" is missing");
+  }
+  write_text(path + ".txt", "not HDF5");
+  EXPECT_THROW(open_hdf5(path + ".txt"), std::runtime_error);
+  EXPECT_THROW(open_hdf5(path + ".absent"), std::runtime_error);
+}
+
+TEST(Json, TextIsEscapedNumbersKeepTheirDigitsAndNanIsNull) {
+  JsonWriter json;
+  json.add("quote \" and \\", std::string("line\nbreak \x01"));
+  json.add("third", 1 / 3.0);
+  json.add("nan", std::nan(""));
+  json.add("infinity", -std::numeric_limits<double>::infinity());
+  json.add("whole", 12345678901L);
+  json.open_object("empty");
+  json.close();
+  json.open_list("list");
+  json.add("", true);
+  json.open_object("");
+  json.add("a", 1e-300);
+  EXPECT_EQ(json.finish(), R"({
+  "quote \" and \\": "line\u000abreak \u0001",
+  "third": 0.3333333333333333,
+  "nan": null,
+  "infinity": null,
+  "whole": 12345678901,
+  "empty": {},
+  "list": [
+    true,
+    {
+      "a": 1e-300
+    }
+  ]
+}
+)");
+}
+
+TEST(Files, AReplacedFileIsTheOldOneUntilTheNewOneIsComplete) {
+  const std::string path = new_folder() + "/a.txt";
+  replace_file(path, "old");
+  replace_file(path, [&](const std::string& temporary) {
+    write_text(temporary, "new");
+    sync_to_disk(temporary);
+    EXPECT_EQ(read_text(path), "old");
+  });
+  EXPECT_EQ(read_text(path), "new");
+  EXPECT_THROW(replace_file(path, [](const std::string&) { throw std::runtime_error("disk full"); }),
+               std::runtime_error);
+  EXPECT_EQ(read_text(path), "new");
+  EXPECT_THROW(write_text(new_folder() + "/absent/a.txt", "x"), std::runtime_error);
+}
+
+TEST(Files, CsvFieldsAreQuotedWhereTheyNeedIt) {
+  EXPECT_EQ(csv_text("press"), "press");
+  EXPECT_EQ(csv_text("press, then \"blow\""), "\"press, then \"\"blow\"\"\"");
+}
+
+TEST(Files, TheFingerprintIsFnv1a) {
+  EXPECT_EQ(fingerprint(""), 0xcbf29ce484222325u);
+  EXPECT_EQ(fingerprint("a"), 0xaf63dc4c8601ec8cu);
+  EXPECT_EQ(fingerprint("foobar"), 0x85944171f73967e8u);
+}
+
+}  // namespace
+}  // namespace parison::core
