@@ -106,10 +106,10 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
     const Point reached = glass.nodes[node] + dt * v;
     for (const auto& [tool, constraint] :
          node_constraints(scene, tools, offset, reached, near + 2 * dt * fastest)) {
+      const bool held = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
       const double approach = constraint.normal.dot(v - speed[tool] * axis);
       const double gap = constraint.gap - dt * approach;  // at the step's start
-      const double rate = -gap / (gap < 0 ? std::max(dt, recovery_time) : dt);
-      const bool held = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
+      const double rate = held ? 0.0 : -gap / (gap < 0 ? std::max(dt, recovery_time) : dt);
       candidates.push_back({node, tool, constraint.normal, rate, held});
     }
   }

@@ -37,7 +37,7 @@ std::string flow_parts(const Scene& scene) {
   text += part("air pressure", on && !pressure.empty(), "in " + pressure, on ? "no stage names one" : no_flow);
   text += part("surface tension", tension > 0, fmt::format("{:.3g} N/m", tension), on ? "the material names none" : no_flow);
   text += part("contact with tools", on && !scene.tools.empty(),
-               fmt::format("unilateral, {} tools", scene.tools.size()), on ? "the scene has no tools" : no_flow);
+               fmt::format("unilateral, tools: {}", scene.tools.size()), on ? "the scene has no tools" : no_flow);
   return text + part("inertia", false, "", "left out: see the Reynolds number");
 }
 
@@ -47,11 +47,11 @@ std::string heat_parts(const Scene& scene) {
   const auto air = stages_with(scene, [](const Stage& s) { return s.air.h > 0; });
   std::size_t hot_tools = 0;
   for (const Tool& tool : scene.tools) hot_tools += tool.thermal.has_value();
-  std::string text = part("heat", on, fmt::format("glass and {} tools", hot_tools),
+  std::string text = part("heat", on, fmt::format("in the glass, in tools: {}", hot_tools),
                           "the glass's material has no heat capacity and conductivity");
   text += part("internal radiation", on && scene.glass.thermal->radiation, "Rosseland conductivity",
                on ? "the material names none" : no_heat);
-  text += part("interfaces", on && !scene.interfaces.empty(), fmt::format("mortar, {} named", scene.interfaces.size()),
+  text += part("interfaces", on && !scene.interfaces.empty(), fmt::format("mortar, glass with tools: {}", scene.interfaces.size()),
                on ? "the scene names none" : no_heat);
   text += part("air and radiation", on && (!air.empty() || scene.glass.emissivity > 0),
                fmt::format("{}emissivity {:.3g}", air.empty() ? "" : "air in " + air + ", ", scene.glass.emissivity),

@@ -31,11 +31,12 @@ double distance_to_chord(const Point& x, const Point& a, const Point& b) {
   return (x - a - std::clamp(along, 0.0, 1.0) * (b - a)).norm();
 }
 
-/// Piece of the boundary edge nearest to x.
-Index nearest_piece(const core::Mesh& mesh, const Point& x) {
+/// Piece of the boundary edge nearest to x, symmetry pieces aside.
+Index nearest_piece(const core::Mesh& mesh, const std::vector<bool>& symmetry, const Point& x) {
   double nearest = infinity;
   Index piece = -1;
   for (const core::BoundaryEdge& edge : mesh.boundary) {
+    if (symmetry[edge.piece]) continue;
     const auto& [first, last, mid] = edge.nodes;
     const double distance = std::min(distance_to_chord(x, mesh.nodes[first], mesh.nodes[mid]),
                                      distance_to_chord(x, mesh.nodes[mid], mesh.nodes[last]));
@@ -106,7 +107,7 @@ std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& sta
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].thickness = thickness[nodes[i]];
     opposite.push_back(rows[i].position - rows[i].thickness * normals[nodes[i]]);
-    rows[i].is_wall = !any_loaded || loaded[nearest_piece(mesh, opposite.back())];
+    rows[i].is_wall = !any_loaded || loaded[nearest_piece(mesh, symmetry, opposite.back())];
     rows[i].inner_temperature = rows[i].outer_temperature = std::numeric_limits<double>::quiet_NaN();
   }
   if (!scene.has_heat()) return rows;

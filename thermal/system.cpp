@@ -30,8 +30,8 @@ void add_cells(HeatSystem& system, const BodyView& body, Index first_unknown) {
           body.density * (same ? at.volume : core::map_cell_point(*body.mass_mesh, c, geometry, rule[q]).volume);
       point.thin_wall = 1;
       if (thin) {
-        double w = 0;
-        for (int i = 0; i < 6; ++i) w += at.shape[i] * (*body.wall_thickness)[body.mesh->cells[c][i]];
+        double w = 0;  // linear: a quadratic through thicknesses that jump would turn negative
+        for (int i = 0; i < 3; ++i) w += at.linear[i] * (*body.wall_thickness)[body.mesh->cells[c][i]];
         point.thin_wall = thin_wall_factor(*body.material->radiation, w);
       }
       point.source = body.source ? (*body.source)[c * rule.size() + q] : 0;

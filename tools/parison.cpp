@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "core/case_error.hpp"
+#include "forming/checkup.hpp"
+#include "forming/run.hpp"
+#include "forming/scene.hpp"
+#include "forming/summary.hpp"
+
+namespace {
+
+constexpr int run_failed = 1, case_wrong = 2;
+
+int check(const std::string& path, const std::string& accuracy) {
+  fmt::print("{}", parison::forming::describe_scene(parison::forming::read_scene(path, accuracy)));
+  return 0;
+}
+
+int run(const std::string& path, const std::string& accuracy, std::string output) {
+  using namespace parison::forming;
+  const Scene scene = read_scene(path, accuracy);
+  if (output.empty()) output = "results/" + scene.name;
+  fmt::print("{}\n", describe_scene(scene));
+  std::fflush(stdout);
+  const RunOutcome outcome = parison::forming::run(scene, output);
+  const Summary summary = write_summary(output, scene, outcome.state, outcome.facts);
+  fmt::print("\n{}", summary_table(scene, outcome.state, summary));
+  if (outcome.facts.completed) return 0;
+  std::fflush(stdout);
+  fmt::print(stderr, "parison: the run stopped: {}\n", outcome.facts.reason);
+  return run_failed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Parison: forming of glass containers, from the gob to the take-out.");
+  app.require_subcommand(1);
+  std::string path, accuracy = "standard", output;
+  const auto with_case = [&](const char* name, const char* what) {
+    auto* command = app.add_subcommand(name, what);
+    command->add_option("case", path, "folder that holds a case.toml, or a case file")->required();
+    command->add_option("--accuracy", accuracy, "draft, standard or fine")->capture_default_str();
+    return command;
+  };
+  auto* run_command = with_case("run", "run a case");
+  run_command->add_option("--output", output, "new folder for the results [results/NAME]");
+  auto* check_command = with_case("check", "read a case and say what it needs");
+  try {
+    app.parse(argc, argv);
+    return check_command->parsed() ? check(path, accuracy) : run(path, accuracy, output);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : case_wrong;
+  } catch (const parison::core::CaseError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return case_wrong;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "parison: {}\n", error.what());
+    return run_failed;
+  }
+}

@@ -1,0 +1,150 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the temperature and the mesh of glass and tools in place from a result folder, one PNG for each time."""
+import argparse
+import json
+import sys
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.tri import Triangulation
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+GLASS_MAP, TOOL_MAP = "inferno", "cividis"
+SUB_TRIANGLES = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
+
+
+class Body:
+    """A body at an output time, in mm and degC."""
+
+    def __init__(self, path):
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        grid = reader.GetOutput()
+        self.points = 1e3 * vtk_to_numpy(grid.GetPoints().GetData())[:, :2]
+        self.cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 6)
+        temperature = grid.GetPointData().GetArray("temperature_C")
+        self.temperature = None if temperature is None else vtk_to_numpy(temperature)
+        place = grid.GetCellData().GetArray("in_place")
+        self.in_place = place is None or place.GetTuple1(0) > 0
+
+    def edges(self):
+        """Quadratic cell edges once each, as (first, last, mid), and how many cells share them."""
+        edges = np.concatenate([self.cells[:, [i, (i + 1) % 3, 3 + i]] for i in range(3)])
+        _, index, count = np.unique(edges[:, 2], return_index=True, return_counts=True)
+        return edges[index], count
+
+    def curves(self, edges, sign, pieces=6):
+        s = np.linspace(0, 1, pieces + 1)[:, None]
+        shape = np.stack([(1 - s) * (1 - 2 * s), s * (2 * s - 1), 4 * s * (1 - s)])
+        lines = np.einsum("ksx,ekd->esd", shape, self.points[edges])
+        return lines * [sign, 1]
+
+
+def collection(results, name):
+    """Times and files of a .pvd."""
+    root = xml.parse(results / f"{name}.pvd").getroot()
+    return [(float(d.get("timestep")), results / d.get("file")) for d in root.iter("DataSet")]
+
+
+def bodies_at(results, time):
+    """The glass and the tools in place at the output nearest to a time."""
+    found, actual = {}, None
+    for pvd in sorted(results.glob("*.pvd"), key=lambda p: p.stem != "glass"):
+        at, path = min(collection(results, pvd.stem), key=lambda entry: abs(entry[0] - time))
+        body = Body(path)
+        actual = at if pvd.stem == "glass" else actual
+        if body.in_place:
+            found[pvd.stem] = body
+    return found, actual
+
+
+def limits(bodies):
+    values = [body.temperature for body in bodies if body.temperature is not None]
+    if not values:
+        return None
+    low, high = min(v.min() for v in values), max(v.max() for v in values)
+    return (low, high) if high - low > 1 else (low - 5, high + 5)
+
+
+def draw_body(axes, body, colours, span, mirrored, lines):
+    sub = np.concatenate([body.cells[:, corners] for corners in SUB_TRIANGLES])
+    edges, shared = body.edges()
+    image = None
+    for sign in (1, -1) if mirrored else (1,):
+        x, y = sign * body.points[:, 0], body.points[:, 1]
+        if span is None or body.temperature is None:
+            axes.add_collection(PolyCollection(np.stack([x[sub], y[sub]], -1), facecolor="#c9d6df", edgecolor="face"))
+        else:
+            image = axes.tripcolor(Triangulation(x, y, sub), body.temperature, shading="gouraud", cmap=colours,
+                                   vmin=span[0], vmax=span[1])
+        if sign > 0 or not mirrored:
+            axes.add_collection(LineCollection(body.curves(edges, sign), **lines))
+        axes.add_collection(LineCollection(body.curves(edges[shared == 1], sign), colors="black", linewidths=0.5))
+    return image
+
+
+def window(bodies, mirrored):
+    """The glass with a margin: tools may reach far beyond it."""
+    points = bodies["glass"].points
+    low, high = points.min(0), points.max(0)
+    margin = 0.35 * (high - low).max()
+    return ((-high[0] if mirrored else low[0]) - margin, high[0] + margin), (low[1] - margin, high[1] + margin)
+
+
+def draw(results, time, title, mirrored, path):
+    bodies, actual = bodies_at(results, time)
+    tools = {name: body for name, body in bodies.items() if name != "glass"}
+    (left, right), (bottom, top) = window(bodies, mirrored)
+    height = 9.0
+    figure, axes = plt.subplots(figsize=(height * (right - left) / (top - bottom) + 3.4, height), dpi=160)
+    glass_span, tool_span = limits([bodies["glass"]]), limits(tools.values())
+    tool_image = None
+    for body in tools.values():
+        image = draw_body(axes, body, TOOL_MAP, tool_span, mirrored, {"colors": (1, 1, 1, 0.22), "linewidths": 0.2})
+        tool_image = tool_image or image
+    glass_image = draw_body(axes, bodies["glass"], GLASS_MAP, glass_span, mirrored,
+                            {"colors": (0, 0, 0, 0.35), "linewidths": 0.2})
+    axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal", xlabel="r, mm" if mirrored else "x, mm",
+             ylabel="z, mm" if mirrored else "y, mm", title=f"{title}   t = {actual:.4g} s")
+    axes.set_facecolor("#f4f4f2")
+    for image, label in ((tool_image, "tools, °C"), (glass_image, "glass, °C")):
+        if image is not None:
+            figure.colorbar(image, ax=axes, label=label, fraction=0.04, pad=0.03)
+    figure.savefig(path, bbox_inches="tight")
+    plt.close(figure)
+    print(path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("results", type=Path, help="result folder of a run")
+    parser.add_argument("--time", type=float, help="seconds; the nearest output is drawn")
+    parser.add_argument("--stage-ends", action="store_true", help="one picture for the end of each stage (the default)")
+    parser.add_argument("--planar", action="store_true", help="do not mirror at the axis")
+    parser.add_argument("--out", type=Path, help="PNG file of a single time, else the folder of the pictures")
+    options = parser.parse_args()
+    results, mirrored = options.results, not options.planar
+    if options.time is not None:
+        draw(results, options.time, results.resolve().name, mirrored, options.out or results / f"t_{options.time:g}.png")
+        return
+    try:
+        stages = json.loads((results / "summary.json").read_text())["stages"]
+    except FileNotFoundError:
+        sys.exit(f"{results}/summary.json: was not found; give --time, or wait for the end of the run")
+    folder = options.out or results
+    folder.mkdir(parents=True, exist_ok=True)
+    for number, stage in enumerate(stages, 1):
+        draw(results, stage["end_s"], stage["name"], mirrored, folder / f"{number}_{stage['name'].replace('/', '_')}.png")
+
+
+if __name__ == "__main__":
+    main()
