@@ -31,19 +31,22 @@ double distance_to_chord(const Point& x, const Point& a, const Point& b) {
   return (x - a - std::clamp(along, 0.0, 1.0) * (b - a)).norm();
 }
 
-/// Piece of the boundary edge nearest to x, symmetry pieces aside.
-Index nearest_piece(const core::Mesh& mesh, const std::vector<bool>& symmetry, const Point& x) {
+/// Boundary edge nearest to x, symmetry pieces aside.
+const core::BoundaryEdge& nearest_edge(const core::Mesh& mesh, const std::vector<bool>& symmetry, const Point& x) {
   double nearest = infinity;
-  Index piece = -1;
+  const core::BoundaryEdge* found = &mesh.boundary.front();
   for (const core::BoundaryEdge& edge : mesh.boundary) {
     if (symmetry[edge.piece]) continue;
     const auto& [first, last, mid] = edge.nodes;
     const double distance = std::min(distance_to_chord(x, mesh.nodes[first], mesh.nodes[mid]),
                                      distance_to_chord(x, mesh.nodes[mid], mesh.nodes[last]));
-    if (distance < nearest) nearest = distance, piece = edge.piece;
+    if (distance < nearest) nearest = distance, found = &edge;
   }
-  return piece;
+  return *found;
 }
+
+/// Largest cosine between the normals of a wall's two sides: an end face looks along the wall, not through it.
+constexpr double facing = -0.8;
 
 /// Outward unit normal at each surface node, the mean of those of the edges that meet there.
 std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>& symmetry) {
@@ -107,7 +110,9 @@ std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& sta
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].thickness = thickness[nodes[i]];
     opposite.push_back(rows[i].position - rows[i].thickness * normals[nodes[i]]);
-    rows[i].is_wall = !any_loaded || loaded[nearest_piece(mesh, symmetry, opposite.back())];
+    const core::BoundaryEdge& far_side = nearest_edge(mesh, symmetry, opposite.back());
+    const Point far_normal = core::map_edge_point(mesh, far_side.nodes, core::Geometry::planar, {0.5, 1}).normal;
+    rows[i].is_wall = !any_loaded || (loaded[far_side.piece] && far_normal.dot(normals[nodes[i]]) < facing);
     rows[i].inner_temperature = rows[i].outer_temperature = std::numeric_limits<double>::quiet_NaN();
   }
   if (!scene.has_heat()) return rows;

@@ -18,7 +18,7 @@ struct ThicknessRow {
   double thickness;  ///< m
   double inner_temperature, outer_temperature;  ///< K; NaN without heat
   double area;       ///< of the outer surface that belongs to the node, m2
-  bool is_wall;      ///< the other side is loaded with a pressure in some stage; everywhere true where no stage loads any
+  bool is_wall;      ///< the other side faces it and some stage loads it with a pressure; true where no stage loads any
 };
 std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& state);
 

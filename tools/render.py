@@ -78,6 +78,9 @@ def limits(bodies):
 def draw_body(axes, body, colours, span, mirrored, lines):
     sub = np.concatenate([body.cells[:, corners] for corners in SUB_TRIANGLES])
     edges, shared = body.edges()
+    outline = edges[shared == 1]
+    if mirrored:
+        outline = outline[body.points[outline, 0].max(axis=1) > 1e-6]
     image = None
     for sign in (1, -1) if mirrored else (1,):
         x, y = sign * body.points[:, 0], body.points[:, 1]
@@ -88,7 +91,7 @@ def draw_body(axes, body, colours, span, mirrored, lines):
                                    vmin=span[0], vmax=span[1])
         if sign > 0 or not mirrored:
             axes.add_collection(LineCollection(body.curves(edges, sign), **lines))
-        axes.add_collection(LineCollection(body.curves(edges[shared == 1], sign), colors="black", linewidths=0.5))
+        axes.add_collection(LineCollection(body.curves(outline, sign), colors="black", linewidths=0.5))
     return image
 
 
@@ -105,7 +108,7 @@ def draw(results, time, title, mirrored, path):
     tools = {name: body for name, body in bodies.items() if name != "glass"}
     (left, right), (bottom, top) = window(bodies, mirrored)
     height = 9.0
-    figure, axes = plt.subplots(figsize=(height * (right - left) / (top - bottom) + 3.4, height), dpi=160)
+    figure, axes = plt.subplots(figsize=(height * (right - left) / (top - bottom) + 2.6, height), dpi=160, layout="constrained")
     glass_span, tool_span = limits([bodies["glass"]]), limits(tools.values())
     tool_image = None
     for body in tools.values():
@@ -118,8 +121,8 @@ def draw(results, time, title, mirrored, path):
     axes.set_facecolor("#f4f4f2")
     for image, label in ((tool_image, "tools, °C"), (glass_image, "glass, °C")):
         if image is not None:
-            figure.colorbar(image, ax=axes, label=label, fraction=0.04, pad=0.03)
-    figure.savefig(path, bbox_inches="tight")
+            figure.colorbar(image, ax=axes, label=label, fraction=0.04, pad=0.02)
+    figure.savefig(path)
     plt.close(figure)
     print(path)
 

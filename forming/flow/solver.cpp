@@ -306,6 +306,9 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
       for (int i = 0; i < cell_unknowns; ++i)
         data.load[where[i]] += data.cells.load[std::size_t(c) * cell_unknowns + i];
     }
+    // Held glass cannot take part in a change of volume.
+    for (const auto& candidate : problem.candidates)
+      if (candidate.held && candidate.node < mesh.vertex_count) data.load[velocities + candidate.node] = 0;
     data.frames = node_frames(problem, result.active);
     data.frame_of.assign(mesh.nodes.size(), -1);
     for (std::size_t i = 0; i < data.frames.size(); ++i) data.frame_of[data.frames[i].node] = Index(i);
