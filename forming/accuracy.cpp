@@ -16,18 +16,19 @@ Accuracy draft() {
   a.glass_growth = 0.5;
   a.tool_contact_size = 1.5e-3;
   a.tool_growth = 0.5;
-  a.strain_per_step = 0.2;
+  a.strain_per_step = 0.3;
   a.temperature_tolerance = 1.0;
   a.temperature_per_step = 40;
-  a.largest_step = 0.05;
+  a.largest_step = 0.1;
   a.first_step = 1e-3;
   a.smallest_step = 1e-6;
   a.quality_floor = 0.15;
+  a.motion_tolerance = 0.1e-3;
   a.passes = 1;
   return a;
 }
 
-/// Half the sizes, a fifth of the tolerance, two flow-heat sweeps.
+/// Half the sizes and steps, a fifth of the heat tolerance, two flow-heat sweeps.
 Accuracy refined(Accuracy a) {
   a.surface_size /= 2;
   a.skin_size /= 2;
@@ -38,6 +39,7 @@ Accuracy refined(Accuracy a) {
   a.temperature_per_step /= 2;
   a.largest_step /= 2;
   a.quality_floor = 0.2;
+  a.motion_tolerance /= 4;
   a.passes = 2;
   return a;
 }

@@ -19,7 +19,8 @@ struct Accuracy {
   double first_step;         ///< of each stage, s
   double smallest_step;      ///< s; a run that needs less stops
   double quality_floor;      ///< remesh below this scaled inverse condition number
-  int passes;                ///< flow-heat sweeps per step
+  double motion_tolerance;   ///< a sweep whose velocity moves the mid-step mesh by more than this is repeated, m
+  int passes;                ///< flow-heat sweeps per step, at least
 };
 
 /// The presets draft, standard and fine.

@@ -40,6 +40,9 @@ thermal::BodyView view_of(const Scene& scene, Index body, const core::Mesh& mesh
   return view;
 }
 
+/// What Newton may leave in the equations of heat, of the error allowed to the step.
+constexpr double newton_share = 1e-3;
+
 bool limits_radiation(const Scene& scene) {
   const auto& radiation = scene.glass.thermal->radiation;
   return radiation && radiation->thin_wall;
@@ -185,7 +188,7 @@ HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<cor
     }
     thermal::StepOptions options;
     options.tolerance = scene.accuracy.temperature_tolerance;
-    options.newton_tolerance = 1e-4 * options.tolerance;
+    options.newton_tolerance = newton_share * options.tolerance;
     options.first_substep = state.heat_substep;
     auto outcome = thermal::advance(problem, temperatures(state), dt, options, workspace.heat);
     if (!outcome.converged) return {false, outcome.reason};

@@ -54,6 +54,7 @@ void read_numerics(const CaseNode& node, Accuracy& accuracy) {
       {"largest_step", &Accuracy::largest_step, dimension::time},
       {"first_step", &Accuracy::first_step, dimension::time},
       {"smallest_step", &Accuracy::smallest_step, dimension::time},
+      {"motion_tolerance", &Accuracy::motion_tolerance, dimension::length},
       {"quality_floor", &Accuracy::quality_floor, dimension::none}};
   std::vector<std::string> keys = {"passes"};
   for (const auto& entry : numbers) keys.push_back(entry.key);

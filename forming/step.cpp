@@ -20,6 +20,9 @@ namespace {
 /// Time over which the flow takes back a drift of the glass volume, at least one step, s.
 constexpr double volume_recovery_time = 0.02;
 
+/// Sweeps over flow and heat in one step, at the most.
+constexpr int most_passes = 4;
+
 /// Adds the seconds until its end to a part's account.
 class Timer {
  public:
@@ -62,7 +65,11 @@ FlowPass solve_flow(const Scene& scene, const State& state, const Eigen::VectorX
                     const Eigen::VectorXd& temperature, double dt, Workspace& workspace) {
   core::Mesh middle = state.bodies[0].mesh;
   move_nodes(middle, guess, 0.5 * dt);
-  flow::Problem problem{&middle, scene.geometry, &*scene.glass.flow, &temperature};
+  flow::Problem problem{};
+  problem.mesh = &middle;
+  problem.geometry = scene.geometry;
+  problem.material = &*scene.glass.flow;
+  problem.temperature = &temperature;
   problem.gravity = scene.stages[state.stage].gravity;
   const double excess = core::volume(state.bodies[0].mesh, scene.geometry) / state.first_volume - 1;
   problem.volume_rate = -excess / std::max(dt, volume_recovery_time);
@@ -171,11 +178,9 @@ bool step_heat(const Scene& scene, const std::vector<double>& dissipation, doubl
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
   StepResult result;
   Eigen::VectorXd guess = state.velocity, temperature = state.bodies[0].temperature;
-  // A first velocity has no predecessor to carry the mesh to the middle of the step.
-  const int passes = scene.has_flow() && state.last_step == 0 ? std::max(2, scene.accuracy.passes)
-                     : scene.has_flow()                       ? scene.accuracy.passes
-                                                              : 1;
-  for (int pass = 0; pass < passes; ++pass) {
+  const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
+  double moved_guess = 0;
+  for (int pass = 0; pass < passes || (pass < most_passes && moved_guess > scene.accuracy.motion_tolerance); ++pass) {
     result.state = state;
     std::vector<double> dissipation;
     if (!scene.has_flow())
@@ -183,6 +188,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
     else if (!step_flow(scene, state, guess, temperature, dt, workspace, result, dissipation))
       return result;
     if (!step_heat(scene, dissipation, dt, workspace, result)) return result;
+    moved_guess = scene.has_flow() ? 0.5 * dt * (result.state.velocity - guess).lpNorm<Eigen::Infinity>() : 0;
     guess = result.state.velocity;
     temperature = 0.5 * (state.bodies[0].temperature + result.state.bodies[0].temperature);
   }

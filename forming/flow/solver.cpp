@@ -17,6 +17,8 @@ using core::dim;
 namespace {
 
 constexpr int most_iterations = 40;
+/// Slower than this into a tool is round-off to a run of seconds, m/s.
+constexpr double standstill = 1e-8;
 /// A contact released this often in one solve stays closed: the set would cycle.
 constexpr int most_releases = 3;
 constexpr int most_thinning_passes = 20;
@@ -228,9 +230,9 @@ Instant combine(const Problem& problem, const std::vector<NodeFrame>& frames, co
 /// Closes the contacts that would be passed through and opens those that pull; true when the set changed.
 bool update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active, std::vector<int>& releases) {
   const Eigen::VectorXd pressed = shared_forces(problem, active, instant.forces.normal);
-  const double force_noise = 1e-9 * instant.forces.normal.lpNorm<Eigen::Infinity>();
+  const double force_noise = 1e-6 * instant.forces.normal.lpNorm<Eigen::Infinity>();
   const double speed_noise =
-      1e-9 * instant.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + 1e-15;
+      1e-9 * instant.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + standstill;
   const Point axis = core::axis_direction();
   bool changed = false;
   for (std::size_t i = 0; i < active.size(); ++i) {

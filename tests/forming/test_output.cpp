@@ -208,6 +208,32 @@ TEST(ThicknessProfile, OnlyTheWallInFrontOfALoadedPieceCounts) {
   EXPECT_NEAR(range.mean, 3.5e-3, 1e-15);
 }
 
+TEST(ThicknessProfile, AnEndFaceLooksAlongTheWallAndDoesNotCount) {
+  std::string text = replaced("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\" },",
+                              "{ name = \"end\", path = \"(27, 0) (31, 0) mm\", condition = \"contact\" },"
+                              "{ name = \"outer\", path = \"(31, 40) mm\", condition = \"contact\" },"
+                              "{ name = \"top\", path = \"(27, 40) mm\", condition = \"contact\" },");
+  text = replaced("{ name = \"axis\", path = \"(0, 0) mm\", condition = \"symmetry\" },",
+                  "{ name = \"inner\", path = \"(27, 0) mm\", condition = \"contact\" },", text);
+  text = replaced("pressure.surface", "pressure.inner", replaced("(0, 5) mm", "(29, 5) mm", text));
+  const Scene scene = scene_of(text);
+  int walls = 0, ends = 0;
+  const auto rows = thickness_profile(scene, initial_state(scene));
+  for (const ThicknessRow& row : rows) {
+    const bool on_side = row.position[0] > 0.031 - 1e-9 && row.position[1] > 1e-3 && row.position[1] < 0.039;
+    const bool on_end = row.position[0] < 0.0309 && row.position[1] < 1e-9;
+    EXPECT_TRUE(!on_side || row.is_wall);
+    EXPECT_FALSE(on_end && row.is_wall);
+    walls += on_side;
+    ends += on_end;
+  }
+  EXPECT_GT(walls, 20);
+  EXPECT_GT(ends, 4);
+  const ThicknessRange range = thickness_range(rows);
+  EXPECT_NEAR(range.mean, 4e-3, 1e-9);
+  EXPECT_NEAR(range.highest, 4e-3, 1e-9);
+}
+
 RunFacts some_facts() {
   RunFacts run;
   run.completed = true;
