@@ -136,6 +136,20 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
   return gaps;
 }
 
+void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {
+  const auto tools = tools_in_place(scene, state);
+  std::vector<double> offset;
+  for (std::size_t b = 1; b < state.bodies.size(); ++b) offset.push_back(state.bodies[b].offset);
+  const auto on_line = symmetry_pieces(scene.glass, mesh);
+  std::vector<bool> held(mesh.nodes.size(), false);
+  for (const auto& edge : mesh.boundary)
+    if (on_line[edge.piece])
+      for (const Index node : edge.nodes) held[node] = true;
+  for (const Index node : surface_nodes(mesh))
+    for (const auto& [tool, constraint] : node_constraints(scene, tools, offset, mesh.nodes[node], near))
+      if (constraint.gap < 0 && !held[node]) mesh.nodes[node] -= constraint.gap * constraint.normal;
+}
+
 double deepest_penetration(const Scene& scene, const State& state) {
   double deepest = 0;
   const core::Mesh& glass = state.bodies[0].mesh;

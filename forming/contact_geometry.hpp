@@ -20,6 +20,9 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
 /// Distance from each glass node to a tool, m; +infinity inside the glass and beyond `reach`.
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach);
 
+/// Moves the surface nodes of `mesh` that lie inside a tool in place out to its surface.
+void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh);
+
 /// Depth of the deepest glass node inside a tool in place, m.
 double deepest_penetration(const Scene& scene, const State& state);
 

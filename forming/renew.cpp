@@ -144,6 +144,11 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state) {
   BodyState& glass = next.bodies[0];
   const core::Mesh& old = state.bodies[0].mesh;
   glass.mesh = made.mesh;
+  lift_out_of_tools(scene, state, glass.mesh);
+  if (remesh::quality(glass.mesh).worst <= 0) {
+    result.reason = "the new mesh folds where it is lifted out of a tool";
+    return result;
+  }
   const auto transfer = remesh::make_transfer(old, glass.mesh);
   if (glass.temperature.size() > 0)
     glass.temperature =

@@ -97,17 +97,14 @@ bool step_once(Progress& run, StepReport& report) {
     auto result = coupled_step(run.scene, state, dt, run.workspace);
     for (const auto& [part, seconds] : result.report.seconds) run.outcome.facts.timing[part] += seconds;
     if (result.converged && !overshot(run.scene, result.report)) {
-      const double wish = wished_step(run.scene, result.report);
-      // A step cut short to land on an output time says little about the next one.
-      const bool cut = dt < 0.7 * state.next_step;
-      result.state.next_step = cut ? std::max(wish, state.next_step) : wish;
+      result.state.next_step = wished_step(run.scene, result.report, state.next_step);
       state = std::move(result.state);
       report = std::move(result.report);
       return true;
     }
     ++state.totals.rejected;
     run.outcome.facts.reason = result.converged ? "the step deforms the glass too much" : result.reason;
-    dt = result.converged ? std::max(shorten * dt, wished_step(run.scene, result.report)) : shorten * dt;
+    dt = result.converged ? std::max(shorten * dt, wished_step(run.scene, result.report, dt)) : shorten * dt;
     if (dt < run.scene.accuracy.smallest_step) return false;
     state.next_step = dt;
   }
@@ -173,6 +170,7 @@ RunOutcome run(const Scene& scene, const std::string& directory) {
     if (stage == 0) write_fields(run, {});
     if (stage > 0 && scene.has_flow()) good = renew(run, false);
     good = good && advance_stage(run);
+    if (!good) write_fields(run, {});
     end_stage(run);
     save(run);
   }

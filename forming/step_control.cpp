@@ -10,6 +10,7 @@ namespace parison::forming {
 namespace {
 
 constexpr double most_growth = 1.5;
+constexpr double aim = 0.9;           ///< of what a step may do
 constexpr double repeat_above = 2.0;  ///< times what a step should do
 constexpr double same_time = 1e-9;    ///< s
 
@@ -30,10 +31,11 @@ double next_output(const Scene& scene, double time) {
 
 }  // namespace
 
-double wished_step(const Scene& scene, const StepReport& report) {
+double wished_step(const Scene& scene, const StepReport& report, double allowed) {
   const double used = load(scene, report);
-  const double factor = used > 0 ? std::min(most_growth, 0.9 / used) : most_growth;
-  return std::clamp(report.dt * factor, scene.accuracy.smallest_step, scene.accuracy.largest_step);
+  double wish = most_growth * std::max(report.dt, allowed);
+  if (used > 0) wish = std::min(wish, report.dt * aim / used);
+  return std::clamp(wish, scene.accuracy.smallest_step, scene.accuracy.largest_step);
 }
 
 bool overshot(const Scene& scene, const StepReport& report) {

@@ -25,7 +25,7 @@ State advance_to(const Scene& scene, State state, double time, Workspace& worksp
     auto result = coupled_step(scene, state, dt, workspace);
     EXPECT_TRUE(result.converged) << result.reason;
     if (!result.converged) break;
-    result.state.next_step = wished_step(scene, result.report);
+    result.state.next_step = wished_step(scene, result.report, state.next_step);
     state = std::move(result.state);
   }
   return state;
