@@ -98,13 +98,16 @@ std::string accuracy_lines(const Scene& scene) {
   add("surface_size", 1e3 * a.surface_size, "mm");
   add("skin_size", 1e3 * a.skin_size, "mm");
   add("elements_across", a.elements_across, "");
+  add("glass_growth", a.glass_growth, "");
   add("tool_contact_size", 1e3 * a.tool_contact_size, "mm");
   add("tool_growth", a.tool_growth, "");
   add("strain_per_step", a.strain_per_step, "");
   add("temperature_tolerance", a.temperature_tolerance, "K");
   add("temperature_per_step", a.temperature_per_step, "K");
   add("largest_step", a.largest_step, "s");
+  add("first_step", a.first_step, "s");
   add("smallest_step", a.smallest_step, "s");
+  add("motion_tolerance", 1e3 * a.motion_tolerance, "mm");
   add("quality_floor", a.quality_floor, "");
   add("passes", a.passes, "");
   return text;

@@ -69,6 +69,7 @@ struct StepReport {
   double dt = 0;
   int contact_iterations = 0, heat_substeps = 0;
   double temperature_change = 0;  ///< largest of the glass surface, K
+  double unsettled_motion = 0;    ///< by which the last sweep still moved the mid-step mesh, m
   double strain = 0;              ///< largest rate of deformation times dt
   std::vector<core::InterfacePoint> interface;  ///< of the step's end
   std::map<std::string, double> seconds;  ///< by part: flow, heat, contact, remesh, output

@@ -200,6 +200,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   if (scene.has_flow())
     after.totals.deepest = std::max(after.totals.deepest, deepest_penetration(scene, after));
   result.report.dt = dt;
+  result.report.unsettled_motion = moved_guess;
   if (scene.has_heat()) result.report.temperature_change = surface_temperature_change(state, after);
   result.converged = true;
   return result;

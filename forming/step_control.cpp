@@ -16,8 +16,9 @@ constexpr double same_time = 1e-9;    ///< s
 
 /// How much of its allowance the last step used.
 double load(const Scene& scene, const StepReport& report) {
-  return std::max(report.strain / scene.accuracy.strain_per_step,
-                  report.temperature_change / scene.accuracy.temperature_per_step);
+  return std::max({report.strain / scene.accuracy.strain_per_step,
+                   report.temperature_change / scene.accuracy.temperature_per_step,
+                   report.unsettled_motion / scene.accuracy.motion_tolerance});
 }
 
 double next_output(const Scene& scene, double time) {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folder that a source file belongs to; forming/flow is a layer of its own.
+std::string layer_of(const std::string& path) {
+  return path.rfind("forming/flow/", 0) == 0 ? "forming/flow" : path.substr(0, path.find('/'));
+}
+
+TEST(Architecture, every_include_points_down_the_layers) {
+  const std::map<std::string, std::set<std::string>> may_see{
+      {"core", {"core"}},
+      {"thermal", {"thermal", "core"}},
+      {"contact", {"contact", "core"}},
+      {"remesh", {"remesh", "core"}},
+      {"forming/flow", {"forming/flow", "core"}},
+      {"forming", {"forming", "forming/flow", "thermal", "contact", "remesh", "core"}}};
+  const fs::path root = PARISON_SOURCE_DIR;
+  const std::regex quoted("^\\s*#include \"([^\"]+)\"");
+  int read = 0;
+  for (const auto* folder : {"core", "thermal", "contact", "remesh", "forming"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const auto extension = entry.path().extension();
+      if (extension != ".cpp" && extension != ".hpp") continue;
+      const std::string layer = layer_of(fs::relative(entry.path(), root).generic_string());
+      std::ifstream file(entry.path());
+      for (std::string line; std::getline(file, line);) {
+        std::smatch match;
+        if (!std::regex_search(line, match, quoted)) continue;
+        ++read;
+        EXPECT_EQ(may_see.at(layer).count(layer_of(match[1])), 1u) << entry.path() << " includes " << match[1];
+      }
+    }
+  EXPECT_GT(read, 200);
+}
+
+TEST(Architecture, heavy_headers_stay_out_of_headers) {
+  const fs::path root = PARISON_SOURCE_DIR;
+  const std::regex heavy("#include <(Eigen/Sparse|CGAL/|gmsh|vtk|CLI/|toml)");
+  for (const auto* folder : {"core", "thermal", "contact", "remesh", "forming"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (entry.path().extension() != ".hpp") continue;
+      std::ifstream file(entry.path());
+      for (std::string line; std::getline(file, line);)
+        EXPECT_FALSE(std::regex_search(line, heavy)) << entry.path() << ": " << line;
+    }
+}
+
+}  // namespace
