@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/crossing.hpp"
+
 namespace parison::core {
 
 namespace {
@@ -14,15 +16,6 @@ Point on_circle(const Segment& arc, double angle) {
 }
 
 double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
-
-/// Whether the chords a-b and c-d cross at inner points of both.
-bool chords_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const double scale = 1e-12 * ((b - a).squaredNorm() + (d - c).squaredNorm());
-  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
-  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
-  const auto opposite = [&](double p, double q) { return (p > scale && q < -scale) || (p < -scale && q > scale); };
-  return opposite(c_side, d_side) && opposite(a_side, b_side);
-}
 
 std::vector<Point> chords_of(const Segment& segment, double chord, double sagitta) {
   double step = chord;
@@ -119,19 +112,20 @@ double distance(const Profile& profile, const Point& x) {
 }
 
 std::pair<Index, Index> find_self_crossing(const Profile& profile) {
-  std::vector<std::pair<Point, Index>> points;
+  std::vector<Point> points;
+  std::vector<Index> segment_of;
   double size = 0;
   for (const auto& segment : profile.segments) size += length(segment);
   for (Index s = 0; s < static_cast<Index>(profile.segments.size()); ++s)
-    for (const auto& x : chords_of(profile.segments[s], size, 1e-4 * size)) points.push_back({x, s});
-  const std::size_t count = points.size();
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = i + 2; j < count; ++j) {
-      if (i == 0 && j == count - 1) continue;
-      if (chords_cross(points[i].first, points[i + 1].first, points[j].first, points[(j + 1) % count].first))
-        return {points[i].second, points[j].second};
+    for (const auto& x : chords_of(profile.segments[s], size, 1e-4 * size)) {
+      points.push_back(x);
+      segment_of.push_back(s);
     }
-  return {-1, -1};
+  std::vector<Chord> chords;
+  const auto count = static_cast<Index>(points.size());
+  for (Index i = 0; i < count; ++i) chords.push_back({points[i], points[(i + 1) % count], i, (i + 1) % count});
+  const auto [first, second] = find_crossing(chords);
+  return first < 0 ? std::pair<Index, Index>{-1, -1} : std::pair{segment_of[first], segment_of[second]};
 }
 
 std::vector<Point> polyline(const Profile& profile, double chord, double sagitta) {

@@ -43,7 +43,7 @@ Profile reversed(const Profile& profile);
 bool contains(const Profile& profile, const Point& x);
 /// Distance from x to the outline, m.
 double distance(const Profile& profile, const Point& x);
-/// Two segments that cross, as indices, or {-1, -1} where the outline is simple.
+/// Two segments that cross or touch, as indices, or {-1, -1} where the outline is simple.
 std::pair<Index, Index> find_self_crossing(const Profile& profile);
 /// Chords of the outline with at most `chord` length and `sagitta` deviation; first point of each segment included.
 std::vector<Point> polyline(const Profile& profile, double chord, double sagitta);

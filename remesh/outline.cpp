@@ -5,6 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "core/crossing.hpp"
 #include "remesh/quality.hpp"
 #include "remesh/triangulate.hpp"
 
@@ -18,28 +19,14 @@ namespace {
 
 constexpr double folded = 0.3;  ///< quality below which a straight edge is tried
 
-struct Chord {
-  Point a, b;
-  Index edge, from, to;  ///< from, to: names of the ends, shared by chords that meet
-};
-
-double cross(const Point& u, const Point& v) { return u[0] * v[1] - u[1] * v[0]; }
-
-bool chords_cross(const Chord& p, const Chord& q) {
-  if (p.from == q.from || p.from == q.to || p.to == q.from || p.to == q.to) return false;
-  const Point u = p.b - p.a, v = q.b - q.a;
-  const double a = cross(u, q.a - p.a), b = cross(u, q.b - p.a);
-  const double c = cross(v, p.a - q.a), d = cross(v, p.b - q.a);
-  return a * b <= 0 && c * d <= 0 && (a != b || c != d);
-}
-
-std::vector<Chord> chords(const Outline& outline) {
+/// Two chords an edge: to the mid-side point and on to the end.
+std::vector<core::Chord> chords(const Outline& outline) {
   const std::vector<Index> ends = edge_ends(outline);
   const Index count = outline.edge_count();
-  std::vector<Chord> result;
+  std::vector<core::Chord> result;
   for (Index i = 0; i < count; ++i) {
-    result.push_back({outline.vertices[i], outline.mids[i], i, i, count + i});
-    result.push_back({outline.mids[i], outline.vertices[ends[i]], i, count + i, ends[i]});
+    result.push_back({outline.vertices[i], outline.mids[i], i, count + i});
+    result.push_back({outline.mids[i], outline.vertices[ends[i]], count + i, ends[i]});
   }
   return result;
 }
@@ -94,18 +81,8 @@ std::vector<Index> edge_ends(const Outline& outline) {
 }
 
 std::pair<Index, Index> find_crossing(const Outline& outline) {
-  std::vector<Chord> all = chords(outline);
-  const auto left = [](const Chord& c) { return std::min(c.a[0], c.b[0]); };
-  std::sort(all.begin(), all.end(), [&](const Chord& p, const Chord& q) { return left(p) < left(q); });
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const double right = std::max(all[i].a[0], all[i].b[0]);
-    const double low = std::min(all[i].a[1], all[i].b[1]), high = std::max(all[i].a[1], all[i].b[1]);
-    for (std::size_t j = i + 1; j < all.size() && left(all[j]) <= right; ++j) {
-      if (std::max(all[j].a[1], all[j].b[1]) < low || std::min(all[j].a[1], all[j].b[1]) > high) continue;
-      if (chords_cross(all[i], all[j])) return std::minmax(all[i].edge, all[j].edge);
-    }
-  }
-  return {-1, -1};
+  const auto [first, second] = core::find_crossing(chords(outline));
+  return {first < 0 ? -1 : first / 2, second < 0 ? -1 : second / 2};
 }
 
 MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& pieces, const SizeField& size) {

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the temperature and the mesh of glass and tools in place from a result folder, one PNG for each time."""
+"""Draws the temperature and the mesh of glass and tools in place from a result folder, one PNG for each time or a strip."""
 import argparse
 import json
 import sys
@@ -14,6 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.tri import Triangulation
+from PIL import Image
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
@@ -107,8 +108,8 @@ def draw(results, time, title, mirrored, path):
     bodies, actual = bodies_at(results, time)
     tools = {name: body for name, body in bodies.items() if name != "glass"}
     (left, right), (bottom, top) = window(bodies, mirrored)
-    height = 9.0
-    figure, axes = plt.subplots(figsize=(height * (right - left) / (top - bottom) + 2.6, height), dpi=160, layout="constrained")
+    height = 7.5
+    figure, axes = plt.subplots(figsize=(height * (right - left) / (top - bottom) + 2.6, height), dpi=110, layout="constrained")
     glass_span, tool_span = limits([bodies["glass"]]), limits(tools.values())
     tool_image = None
     for body in tools.values():
@@ -122,9 +123,59 @@ def draw(results, time, title, mirrored, path):
     for image, label in ((tool_image, "tools, °C"), (glass_image, "glass, °C")):
         if image is not None:
             figure.colorbar(image, ax=axes, label=label, fraction=0.04, pad=0.02)
+    save(figure, path)
+
+
+def save(figure, path):
+    """Few colours make a small file."""
     figure.savefig(path)
     plt.close(figure)
+    with Image.open(path) as image:
+        small = image.convert("RGB").quantize(192)
+    small.save(path, optimize=True)
     print(path)
+
+
+def strip_panel(axes, bodies, spans, turned):
+    """One stage end without axes; turned over, +z points down."""
+    thin = {"colors": (0, 0, 0, 0.3), "linewidths": 0.12}
+    images = [None, None]
+    for name, body in bodies.items():
+        glass = name == "glass"
+        image = draw_body(axes, body, GLASS_MAP if glass else TOOL_MAP, spans[not glass], True,
+                          thin if glass else {"colors": "none", "linewidths": 0})
+        images[not glass] = image or images[not glass]
+    if turned:
+        axes.invert_yaxis()
+    axes.set(aspect="equal", xticks=[], yticks=[])
+    for side in axes.spines.values():
+        side.set_visible(False)
+    return images
+
+
+def draw_strip(results, stages, turn_at, path):
+    """The ends of all stages side by side on one scale, the right half of each with its mesh."""
+    names = [stage["name"] for stage in stages]
+    if turn_at is not None and turn_at not in names:
+        sys.exit(f"--turn: \"{turn_at}\" was found, allowed are {', '.join(names)}")
+    turned = [turn_at is not None and i >= names.index(turn_at) for i in range(len(names))]
+    shown = [bodies_at(results, stage["end_s"])[0] for stage in stages]
+    spans = [limits([b["glass"] for b in shown]), limits([t for b in shown for n, t in b.items() if n != "glass"])]
+    right = 1.02 * max(t.points[:, 0].max() for b in shown for t in b.values())
+    bottoms, tops = (f(b["glass"].points[:, 1].min() if f is min else b["glass"].points[:, 1].max() for b in shown)
+                     for f in (min, max))
+    bottom, top = bottoms - 0.25 * right, tops + 0.45 * right
+    width = 1.75
+    figure, row = plt.subplots(1, len(stages), figsize=(width * len(stages) + 1.6, width * (top - bottom) / (2 * right) + 0.5),
+                               dpi=130, layout="constrained", squeeze=False)
+    for axes, bodies, stage, over in zip(row[0], shown, stages, turned):
+        axes.set(xlim=(-right, right), ylim=(bottom, top))
+        images = strip_panel(axes, bodies, spans, over)
+        axes.set_title(f"{stage['name']}  {stage['end_s']:.2f} s", fontsize=10)
+    for image, label in zip(images[::-1], ("tools, °C", "glass, °C")):
+        if image is not None:
+            figure.colorbar(image, ax=list(row[0]), label=label, fraction=0.012, pad=0.006, aspect=28)
+    save(figure, path)
 
 
 def main():
@@ -132,8 +183,10 @@ def main():
     parser.add_argument("results", type=Path, help="result folder of a run")
     parser.add_argument("--time", type=float, help="seconds; the nearest output is drawn")
     parser.add_argument("--stage-ends", action="store_true", help="one picture for the end of each stage (the default)")
+    parser.add_argument("--strip", action="store_true", help="the ends of all stages side by side in one picture")
+    parser.add_argument("--turn", metavar="STAGE", help="in a strip: from this stage on +z points down")
     parser.add_argument("--planar", action="store_true", help="do not mirror at the axis")
-    parser.add_argument("--out", type=Path, help="PNG file of a single time, else the folder of the pictures")
+    parser.add_argument("--out", type=Path, help="PNG file of a single time or strip, else the folder of the pictures")
     options = parser.parse_args()
     results, mirrored = options.results, not options.planar
     if options.time is not None:
@@ -143,6 +196,9 @@ def main():
         stages = json.loads((results / "summary.json").read_text())["stages"]
     except FileNotFoundError:
         sys.exit(f"{results}/summary.json: was not found; give --time, or wait for the end of the run")
+    if options.strip:
+        draw_strip(results, stages, options.turn, options.out or results / "strip.png")
+        return
     folder = options.out or results
     folder.mkdir(parents=True, exist_ok=True)
     for number, stage in enumerate(stages, 1):

@@ -157,5 +157,12 @@ TEST(Profile, finds_the_segments_that_cross) {
   EXPECT_EQ(find_self_crossing(bow), (std::pair<Index, Index>{0, 2}));
 }
 
+TEST(Profile, finds_an_outline_that_only_touches_itself) {
+  Profile pinched;
+  pinched.pieces = {"all"};
+  pinched.segments = {{{0, 0}, {4, 0}}, {{4, 0}, {4, 2}}, {{4, 2}, {2, 0}}, {{2, 0}, {0, 2}}, {{0, 2}, {0, 0}}};
+  EXPECT_EQ(find_self_crossing(pinched).first, 0);
+}
+
 }  // namespace
 }  // namespace parison::core
