@@ -104,6 +104,7 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("remeshes", totals.remeshes);
   visit("table_holds", totals.table_holds);
   visit("deepest", totals.deepest);
+  visit("largest_drift", totals.largest_drift);
   visit("largest_reynolds", totals.largest_reynolds);
 }
 

@@ -42,6 +42,7 @@ struct Totals {
   Index steps = 0, rejected = 0, remeshes = 0;
   long table_holds = 0;     ///< evaluations of h outside its table
   double deepest = 0;       ///< deepest penetration of a glass node into a tool at any step, m
+  double largest_drift = 0;  ///< of the glass volume at any step, relative to the start, without sign
   double largest_reynolds = 0;
 };
 

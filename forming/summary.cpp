@@ -71,6 +71,7 @@ void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
   json.add("energy_imbalance", summary.glass.energy_imbalance);
   json.add("remesh_heat_J", state.totals.remesh_heat);
   json.add("remesh_volume_m3", state.totals.remesh_volume);
+  json.add("largest_volume_drift", state.totals.largest_drift);
   json.add("largest_penetration_mm", 1e3 * state.totals.deepest);
   json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
   json.add("heat_to_air_J", state.totals.to_air);

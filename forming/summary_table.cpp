@@ -51,7 +51,8 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
   const Totals& totals = state.totals;
   std::string text = line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, totals.rejected,
                                                totals.remeshes));
-  text += line("volume drift", fmt::format("{:.4f} %", 100 * summary.glass.volume_drift));
+  text += line("volume drift", fmt::format("{:.4f} % at the end, {:.4f} % at the most", 100 * summary.glass.volume_drift,
+                                            100 * totals.largest_drift));
   if (scene.has_heat()) {
     text += line("energy imbalance", fmt::format("{:.4f} %", 100 * summary.glass.energy_imbalance));
     text += line("heat lost", fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air", 1e-3 * totals.to_tools,

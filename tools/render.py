@@ -14,7 +14,6 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.tri import Triangulation
-from PIL import Image
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
@@ -109,7 +108,7 @@ def draw(results, time, title, mirrored, path):
     tools = {name: body for name, body in bodies.items() if name != "glass"}
     (left, right), (bottom, top) = window(bodies, mirrored)
     height = 7.5
-    figure, axes = plt.subplots(figsize=(height * (right - left) / (top - bottom) + 2.6, height), dpi=110, layout="constrained")
+    figure, axes = plt.subplots(figsize=(height * (right - left) / (top - bottom) + 2.6, height), dpi=90, layout="constrained")
     glass_span, tool_span = limits([bodies["glass"]]), limits(tools.values())
     tool_image = None
     for body in tools.values():
@@ -127,12 +126,8 @@ def draw(results, time, title, mirrored, path):
 
 
 def save(figure, path):
-    """Few colours make a small file."""
-    figure.savefig(path)
+    figure.savefig(path, pil_kwargs={"optimize": True})
     plt.close(figure)
-    with Image.open(path) as image:
-        small = image.convert("RGB").quantize(192)
-    small.save(path, optimize=True)
     print(path)
 
 

@@ -32,7 +32,7 @@ State busy_state(const Scene& scene) {
     fresh(*value);
   Totals& totals = state.totals;
   for (double* value : {&totals.to_air, &totals.to_tools, &totals.dissipation, &totals.content_change,
-                        &totals.remesh_heat, &totals.remesh_volume, &totals.deepest, &totals.largest_reynolds})
+                        &totals.remesh_heat, &totals.remesh_volume, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds})
     fresh(*value);
   for (BodyState& body : state.bodies) {
     for (double* value : {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.hottest_surface})
@@ -79,6 +79,7 @@ void expect_same_totals(const Totals& a, const Totals& b) {
   EXPECT_TRUE(same(a.remesh_heat, b.remesh_heat));
   EXPECT_TRUE(same(a.remesh_volume, b.remesh_volume));
   EXPECT_TRUE(same(a.deepest, b.deepest));
+  EXPECT_TRUE(same(a.largest_drift, b.largest_drift));
   EXPECT_TRUE(same(a.largest_reynolds, b.largest_reynolds));
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.rejected, b.rejected);
