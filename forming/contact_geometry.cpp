@@ -33,8 +33,7 @@ std::vector<ToolConstraint> node_constraints(const Scene& scene, const std::vect
   std::vector<ToolConstraint> found;
   for (const Index tool : tools) {
     const Body& body = scene.tools[tool];
-    std::vector<bool> contact;
-    for (const auto& piece : body.pieces) contact.push_back(piece.kind == PieceKind::contact);
+    const auto contact = contact_pieces(body);
     const Point local = x - offset[tool] * core::axis_direction();
     for (const auto& constraint : contact::gap_constraints(body.profile, contact, local, reach))
       found.push_back({tool, constraint});
@@ -49,6 +48,14 @@ std::vector<ToolConstraint> node_constraints(const Scene& scene, const std::vect
     if (!known && kept.size() < dim) kept.push_back(wish);
   }
   return kept;
+}
+
+/// Depth of a point inside a tool where that stands now, m; 0 outside.
+double depth_inside(const Scene& scene, const State& state, Index tool, const Point& x) {
+  const Body& body = scene.tools[tool];
+  const auto contact = contact_pieces(body);
+  const Point local = x - state.bodies[1 + tool].offset * core::axis_direction();
+  return std::max(0.0, -contact::signed_gap(body.profile, contact, local));
 }
 
 std::vector<Index> tools_in_place(const Scene& scene, const State& state) {
@@ -109,7 +116,9 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       const bool held = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
       const double approach = constraint.normal.dot(v - speed[tool] * axis);
       const double gap = constraint.gap - dt * approach;  // at the step's start
-      const double rate = held ? 0.0 : -gap / (gap < 0 ? std::max(dt, recovery_time) : dt);
+      // Only what is inside at the start may still be partly inside at the end; round a corner the flat bound may lie ahead.
+      const double kept = gap < 0 ? depth_inside(scene, state, tool, glass.nodes[node]) : 0.0;
+      const double rate = held ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
       candidates.push_back({node, tool, constraint.normal, rate, held});
     }
   }
@@ -119,8 +128,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach) {
   const Body& body = scene.tools[tool];
   const core::Mesh& glass = state.bodies[0].mesh;
-  std::vector<bool> contact;
-  for (const auto& piece : body.pieces) contact.push_back(piece.kind == PieceKind::contact);
+  const auto contact = contact_pieces(body);
   Eigen::VectorXd gaps =
       Eigen::VectorXd::Constant(glass.node_count(), std::numeric_limits<double>::infinity());
   const auto glass_contact = contact_pieces(scene.glass, glass);

@@ -19,7 +19,7 @@ core::Mesh mesh_of(const Body& body, double size, double contact_size, double gr
   sizes.size = body.mesh.size.value_or(size);
   sizes.contact_size = body.mesh.contact_size.value_or(contact_size);
   sizes.growth = body.mesh.growth.value_or(growth);
-  for (const auto& piece : body.pieces) sizes.fine_pieces.push_back(piece.kind == PieceKind::contact);
+  sizes.fine_pieces = contact_pieces(body);
   return remesh::mesh_profile(body.profile, sizes);
 }
 
@@ -47,6 +47,12 @@ std::vector<bool> symmetry_pieces(const Body& body, const core::Mesh& mesh) {
 std::vector<bool> contact_pieces(const Body& body, const core::Mesh& mesh) {
   std::vector<bool> flags;
   for (const auto& name : mesh.pieces) flags.push_back(piece_kind(body, name) == PieceKind::contact);
+  return flags;
+}
+
+std::vector<bool> contact_pieces(const Body& body) {
+  std::vector<bool> flags;
+  for (const auto& piece : body.pieces) flags.push_back(piece.kind == PieceKind::contact);
   return flags;
 }
 

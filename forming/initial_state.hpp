@@ -14,6 +14,9 @@ std::vector<bool> symmetry_pieces(const Body& body, const core::Mesh& mesh);
 /// Flags of the pieces of a body that may touch others.
 std::vector<bool> contact_pieces(const Body& body, const core::Mesh& mesh);
 
+/// The same for the pieces of its profile.
+std::vector<bool> contact_pieces(const Body& body);
+
 /// What a named piece of the body's present mesh is; stretches named by a stage are contact pieces.
 PieceKind piece_kind(const Body& body, const std::string& piece);
 

@@ -82,8 +82,7 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const c
     const Index tool = old.contact.tool[nearest];
     if (tool < 0) continue;
     const Body& body = scene.tools[tool];
-    std::vector<bool> contact;
-    for (const auto& piece : body.pieces) contact.push_back(piece.kind == PieceKind::contact);
+    const auto contact = contact_pieces(body);
     const Point local = x - old.bodies[1 + tool].offset * core::axis_direction();
     if (contact::signed_gap(body.profile, contact, local) < touching) tools[node] = tool;
   }

@@ -6,6 +6,7 @@
 #include <exception>
 #include <string>
 
+#include "core/blas_threads.hpp"
 #include "core/case_error.hpp"
 #include "forming/checkup.hpp"
 #include "forming/run.hpp"
@@ -51,6 +52,7 @@ int main(int argc, char** argv) {
   auto* run_command = with_case("run", "run a case");
   run_command->add_option("--output", output, "new folder for the results [results/NAME]");
   auto* check_command = with_case("check", "read a case and say what it needs");
+  parison::core::use_one_blas_thread();
   try {
     app.parse(argc, argv);
     return check_command->parsed() ? check(path, accuracy) : run(path, accuracy, output);

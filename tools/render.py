@@ -14,6 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.tri import Triangulation
+from PIL import Image
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
@@ -108,7 +109,7 @@ def draw(results, time, title, mirrored, path):
     tools = {name: body for name, body in bodies.items() if name != "glass"}
     (left, right), (bottom, top) = window(bodies, mirrored)
     height = 7.5
-    figure, axes = plt.subplots(figsize=(height * (right - left) / (top - bottom) + 2.6, height), dpi=90, layout="constrained")
+    figure, axes = plt.subplots(figsize=(height * (right - left) / (top - bottom) + 2.6, height), dpi=100, layout="constrained")
     glass_span, tool_span = limits([bodies["glass"]]), limits(tools.values())
     tool_image = None
     for body in tools.values():
@@ -122,12 +123,17 @@ def draw(results, time, title, mirrored, path):
     for image, label in ((tool_image, "tools, °C"), (glass_image, "glass, °C")):
         if image is not None:
             figure.colorbar(image, ax=axes, label=label, fraction=0.04, pad=0.02)
-    save(figure, path)
+    save(figure, path, 256)
 
 
-def save(figure, path):
+def save(figure, path, colours=None):
+    """A PNG; with a number of colours it is a third as large."""
     figure.savefig(path, pil_kwargs={"optimize": True})
     plt.close(figure)
+    if colours:
+        with Image.open(path) as image:
+            small = image.convert("RGB").quantize(colours)
+        small.save(path, optimize=True)
     print(path)
 
 
@@ -162,7 +168,7 @@ def draw_strip(results, stages, turn_at, path):
     bottom, top = bottoms - 0.25 * right, tops + 0.45 * right
     width = 1.75
     figure, row = plt.subplots(1, len(stages), figsize=(width * len(stages) + 1.6, width * (top - bottom) / (2 * right) + 0.5),
-                               dpi=130, layout="constrained", squeeze=False)
+                               dpi=90, layout="constrained", squeeze=False)
     for axes, bodies, stage, over in zip(row[0], shown, stages, turned):
         axes.set(xlim=(-right, right), ylim=(bottom, top))
         images = strip_panel(axes, bodies, spans, over)
