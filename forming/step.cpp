@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/element.hpp"
 #include "forming/contact_geometry.hpp"
 #include "forming/heat_step.hpp"
 #include "forming/initial_state.hpp"
@@ -110,12 +111,18 @@ void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::
       state.probes[p] += dt * sample(mesh, velocity, dim, {state.probes[p]}).row(0).transpose();
 }
 
-/// Inertia against viscous force with the viscosity that the dissipation shows.
-double reynolds(const Scene& scene, const flow::Solution& solution, double volume) {
-  double dissipation = 0;
+/// rho rate L^2 / eta: L twice the volume over the surface (a wall's thickness), the viscosity that which the dissipation
+/// shows at the mean rate of deformation.
+double reynolds(const Scene& scene, const flow::Solution& solution, const core::Mesh& mesh) {
+  double dissipation = 0, surface = 0;
   for (const double w : solution.dissipation) dissipation += w;
-  const double speed = solution.velocity.lpNorm<Eigen::Infinity>(), length = std::cbrt(volume);
-  return dissipation > 0 ? scene.glass.flow->density * speed * speed * speed * length * length / dissipation : 0;
+  const auto symmetry = symmetry_pieces(scene.glass, mesh);
+  for (const auto& edge : mesh.boundary)
+    if (!symmetry[edge.piece])
+      for (const auto& at : core::edge_rule(2)) surface += core::map_edge_point(mesh, edge.nodes, scene.geometry, at).area;
+  const double volume = core::volume(mesh, scene.geometry), length = 2 * volume / surface;
+  const double rate = solution.mean_rate, viscosity = dissipation / (rate * rate * volume);
+  return dissipation > 0 ? scene.glass.flow->density * rate * length * length / viscosity : 0;
 }
 
 /// Tools that move by position where nothing flows.
@@ -153,7 +160,7 @@ bool step_flow(const Scene& scene, const State& state, const Eigen::VectorXd& gu
   }
   result.report.strain = pass.solution.high_rate * dt;
   auto& largest = result.state.totals.largest_reynolds;
-  largest = std::max(largest, reynolds(scene, pass.solution, state.first_volume));
+  largest = std::max(largest, reynolds(scene, pass.solution, state.bodies[0].mesh));
   dissipation = std::move(pass.solution.dissipation);
   return true;
 }

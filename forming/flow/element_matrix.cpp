@@ -154,15 +154,17 @@ void evaluate_dissipation(const Problem& problem, const std::vector<double>& vis
   solution.dissipation.clear();
   solution.dissipation.reserve(viscosity.size());
   std::vector<std::pair<double, double>> squared_and_volume;
-  double total = 0;
+  double total = 0, sum = 0;
   for (Index c = 0; c < problem.mesh->cell_count(); ++c)
     for (const auto& q : rule) {
       const auto at = core::map_cell_point(*problem.mesh, c, problem.geometry, q);
       const double squared = rates_at(problem, c, at, solution.velocity).squared();
       squared_and_volume.push_back({squared, at.volume});
       total += at.volume;
+      sum += 2 * squared * at.volume;
       solution.dissipation.push_back(2 * viscosity[solution.dissipation.size()] * squared * at.volume);
     }
+  solution.mean_rate = std::sqrt(sum / total);
   std::sort(squared_and_volume.rbegin(), squared_and_volume.rend());
   double above = 0;
   for (const auto& [squared, volume] : squared_and_volume) {

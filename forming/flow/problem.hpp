@@ -65,6 +65,7 @@ struct Solution {
   std::vector<double> tool_velocity;  ///< along the axis, m/s
   std::vector<double> tool_force;     ///< of the tool on the glass along the axis, N
   std::vector<double> dissipation;    ///< W at each quadrature point: cells x triangle_rule(4)
+  double mean_rate = 0;               ///< root mean square of the rate of deformation over the volume, 1/s
   double high_rate = 0;               ///< rate of deformation sqrt(2 D:D) exceeded in `high_rate_share` of the volume, 1/s
 };
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "core/element.hpp"
 #include "core/indefinite.hpp"
 #include "forming/flow/contact_forces.hpp"
 #include "forming/flow/element_matrix.hpp"
@@ -29,6 +30,29 @@ std::vector<bool> first_set(const Problem& problem, const std::vector<bool>& war
   for (std::size_t i = 0; i < active.size(); ++i)
     active[i] = problem.candidates[i].held || (warm.empty() ? problem.candidates[i].rate >= 0 : bool(warm[i]));
   return active;
+}
+
+/// Whether anything resists a translation of the glass along coordinate `axis`.
+bool is_held(const std::vector<NodeFrame>& frames, int axis) {
+  constexpr double counts = 1e-3;
+  return std::any_of(frames.begin(), frames.end(), [&](const NodeFrame& frame) {
+    for (int a = 0; a < dim; ++a)
+      if ((frame.fixed[a] || (frame.friction_tool >= 0 && a == dim - 1)) && std::abs(frame.frame(axis, a)) > counts)
+        return true;
+    return false;
+  });
+}
+
+/// Closes the candidate that a glass pushed by `load` along `axis` would meet first; false when there is none.
+bool close_first_met(const Problem& problem, int axis, double load, std::vector<bool>& active) {
+  int best = -1;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const auto& candidate = problem.candidates[i];
+    if (active[i] || candidate.normal[axis] * load >= 0 || std::abs(candidate.normal[axis]) < 0.1) continue;
+    if (best < 0 || candidate.rate > problem.candidates[best].rate) best = static_cast<int>(i);
+  }
+  if (best >= 0) active[best] = true;
+  return best >= 0;
 }
 
 /// Edges not wholly pressed against tools: gas pressure and surface tension act there.
@@ -56,6 +80,8 @@ struct Solver::Data {
   void add_constrained_cell(const std::array<Index, 6>& nodes, Index cell, Eigen::MatrixXd& rhs,
                             const std::array<Index, cell_unknowns>& where);
   void to_global_frame(Eigen::MatrixXd& solution) const;
+  void set_frames(const Problem& problem, const std::vector<bool>& active);
+  bool hold(const Problem& problem, std::vector<bool>& active);
   Eigen::MatrixXd reactions(const Problem& problem, const Eigen::MatrixXd& solution) const;
 };
 
@@ -135,6 +161,26 @@ Eigen::MatrixXd Solver::Data::assemble(const Problem& problem, const Eigen::Vect
       }
   }
   return rhs;
+}
+
+void Solver::Data::set_frames(const Problem& problem, const std::vector<bool>& active) {
+  frames = node_frames(problem, active);
+  frame_of.assign(problem.mesh->nodes.size(), -1);
+  for (std::size_t i = 0; i < frames.size(); ++i) frame_of[frames[i].node] = Index(i);
+}
+
+/// Sees to it that no translation is left free, closing the contact that the glass would fall on; false when it would fall
+/// for ever. Radial motion of a ring is no translation.
+bool Solver::Data::hold(const Problem& problem, std::vector<bool>& active) {
+  const bool rings = core::hoop(problem.geometry, Point::Ones()) != 0;
+  for (int axis = rings ? dim - 1 : 0; axis < dim; ++axis) {
+    if (is_held(frames, axis)) continue;
+    double force = 0;
+    for (Index n = 0; n < problem.mesh->node_count(); ++n) force += load[dim * n + axis];
+    if (!close_first_met(problem, axis, force, active)) return false;
+    set_frames(problem, active);
+  }
+  return true;
 }
 
 void Solver::Data::to_global_frame(Eigen::MatrixXd& solution) const {
@@ -311,9 +357,11 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     // Held glass cannot take part in a change of volume.
     for (const auto& candidate : problem.candidates)
       if (candidate.held && candidate.node < mesh.vertex_count) data.load[velocities + candidate.node] = 0;
-    data.frames = node_frames(problem, result.active);
-    data.frame_of.assign(mesh.nodes.size(), -1);
-    for (std::size_t i = 0; i < data.frames.size(); ++i) data.frame_of[data.frames[i].node] = Index(i);
+    data.set_frames(problem, result.active);
+    if (!data.hold(problem, result.active)) {
+      result.reason = "the glass is not held: no tool, symmetry plane or fixed piece carries it";
+      return result;
+    }
     const Eigen::VectorXd drag = friction_drag(problem, result.active, area, instant ? &*instant : nullptr);
     const Eigen::MatrixXd rhs = data.assemble(problem, drag);
     if (!data.analysed) data.linear.analyse(data.assembly.matrix);

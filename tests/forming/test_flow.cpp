@@ -25,11 +25,14 @@ struct FlowCase {
   Mesh mesh;
   Material material;
   Eigen::VectorXd temperature;
-  Problem problem;
+  Problem problem{};
 
   FlowCase(Mesh m, Material law, Geometry geometry) : mesh(std::move(m)), material(law) {
     temperature = Eigen::VectorXd::Constant(mesh.node_count(), 1400.0);
-    problem = {&mesh, geometry, &material, &temperature};
+    problem.mesh = &mesh;
+    problem.geometry = geometry;
+    problem.material = &material;
+    problem.temperature = &temperature;
     problem.pieces.resize(mesh.pieces.size());
   }
   PieceCondition& piece(const std::string& name) { return problem.pieces[core::find_piece(mesh, name)]; }

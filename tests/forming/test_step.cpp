@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "forming/heat_step.hpp"
+#include "forming/history.hpp"
+#include "forming/initial_state.hpp"
+#include "forming/renew.hpp"
+#include "forming/run.hpp"
+#include "forming/step.hpp"
+#include "remesh/quality.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// A gob of glass, 10 mm radius and 10 mm high, pressed by a plunger into a pot of 12 mm radius: full at 6.944 mm.
+constexpr const char* pot = R"(# A gob pressed in a pot.
+case = "pot"
+geometry = "axisymmetric"
+air = { temperature = "50 degC", h = "20 W/m2/K", ambient = "50 degC" }
+output.interval = "0.2 s"
+[[stage]]
+name = "press"
+duration = "0.4 s"
+gravity = "-9.81 m/s2"
+tools = ["pot", "plunger"]
+motion.plunger = { force = "-3 kN", speed_limit = "50 mm/s" }
+[material.glass]
+density = "2400 kg/m3"
+heat_capacity = "1300 J/kg/K"
+conductivity = "3 W/m/K"
+viscosity = { law = "vft", A = -2.309, B = "3922 K", T0 = "291 degC" }
+emissivity = 0.89
+[material.iron]
+density = "7200 kg/m3"
+heat_capacity = "490 J/kg/K"
+conductivity = "46 W/m/K"
+[[interface]]
+tools = ["pot", "plunger"]
+law = "pressure-viscosity"
+h0 = "500 W/m2/K"
+h1 = "20000 W/m2/K"
+p_ref = "0.2 MPa"
+eta_ref = "1e3 Pa.s"
+a = 1
+b = 0.25
+[glass]
+material = "glass"
+temperature = "1100 degC"
+piece = [
+  { name = "surface", condition = "contact", path = "(0, 0) (10, 0) (10, 10) (0, 10) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
+[[tool]]
+name = "pot"
+material = "iron"
+temperature = "480 degC"
+friction = "stick"
+piece = [
+  { name = "inner", condition = "contact", path = "(12, 20) (12, 0) (0, 0) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, -8) mm" },
+  { name = "outer", condition = "insulated", path = "(20, -8) (20, 20) (12, 20) mm" } ]
+[[tool]]
+name = "plunger"
+material = "iron"
+temperature = "480 degC"
+friction = { law = "navier", coefficient = "1e5 Pa.s/m" }
+piece = [
+  { name = "face", condition = "contact", path = "(0, 10) (12, 10) mm" },
+  { name = "outer", condition = "insulated", path = "(12, 20) (0, 20) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 10) mm" } ]
+[numerics]
+tool_contact_size = "1 mm"
+skin_size = "0.6 mm"
+)";
+
+class Pot : public ::testing::Test {
+ protected:
+  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("parison_pot_" + std::to_string(::getpid()));
+  Scene scene;
+
+  void SetUp() override {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "case.toml") << pot;
+    scene = read_scene(folder.string(), "draft");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+};
+
+TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
+  const auto outcome = run(scene, (folder / "results").string());
+  ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+  const State& state = outcome.state;
+  const double full = 10.0 * 10.0 * 10.0 / (12.0 * 12.0);  // mm
+  const double height = 10 + 1e3 * state.bodies[2].offset;
+  const auto facts = glass_facts(scene, state);
+  std::printf("pot: plunger at %.3f mm (full at %.3f), drift %.1e (largest %.1e), imbalance %.1e, %d steps, %d remeshes\n",
+              height, full, facts.volume_drift, state.totals.largest_drift, facts.energy_imbalance, state.totals.steps,
+              state.totals.remeshes);
+  EXPECT_NEAR(height, full, 0.05);
+  EXPECT_NEAR(state.bodies[2].force, -3000, 1);
+  EXPECT_LT(std::abs(state.bodies[2].velocity), 1e-3);
+  EXPECT_LT(state.totals.largest_drift, 1e-3);
+  EXPECT_LT(std::abs(facts.energy_imbalance), 1e-4);
+  EXPECT_LT(state.totals.deepest, 5e-5);
+  EXPECT_GT(state.totals.to_tools, 100);
+  EXPECT_NEAR(state.bodies[1].heat_received + state.bodies[2].heat_received, state.totals.to_tools,
+              1e-9 * state.totals.to_tools);
+  // The work of the plunger all turns to heat, but for what gravity and the last speeds take.
+  EXPECT_GT(state.totals.dissipation, 0);
+  for (const auto* file : {"summary.json", "thickness.csv"}) EXPECT_FALSE(std::filesystem::exists(folder / "results" / file));
+  for (const auto* file : {"history.csv", "interface.csv", "glass.pvd", "plunger.pvd", "checkpoint.h5"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "results" / file)) << file;
+}
+
+TEST_F(Pot, a_new_mesh_keeps_volume_mass_and_heat) {
+  State state = initial_state(scene);
+  Workspace workspace;
+  for (int i = 0; i < 5; ++i) {
+    auto result = coupled_step(scene, state, 4e-3, workspace);
+    ASSERT_TRUE(result.converged) << result.reason;
+    state = std::move(result.state);
+  }
+  const auto renewed = renew_glass_mesh(scene, state);
+  ASSERT_TRUE(renewed.ok) << renewed.reason;
+  const auto before = glass_facts(scene, state), after = glass_facts(scene, renewed.state);
+  EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
+  EXPECT_NEAR(glass_heat(scene, renewed.state), glass_heat(scene, state), 1e-11 * state.first_heat);
+  EXPECT_NEAR(after.volume, before.volume, 1e-6 * before.volume);
+  EXPECT_GT(remesh::quality(renewed.state.bodies[0].mesh).worst, 0.3);
+  int touching_before = 0, touching_after = 0;
+  for (const Index tool : state.contact.tool) touching_before += tool >= 0;
+  for (const Index tool : renewed.state.contact.tool) touching_after += tool >= 0;
+  EXPECT_GT(touching_before, 10);
+  EXPECT_GT(touching_after, 10);
+}
+
+TEST_F(Pot, a_failed_step_is_a_value_and_leaves_the_state_alone) {
+  // Without any tool in place the gob falls: a flow without inertia has no answer.
+  scene.stages[0].tools.clear();
+  const State state = initial_state(scene);
+  Workspace workspace;
+  const auto result = coupled_step(scene, state, 1e-3, workspace);
+  EXPECT_FALSE(result.converged);
+  EXPECT_NE(result.reason.find("not held"), std::string::npos) << result.reason;
+  EXPECT_EQ(state.totals.steps, 0);
+}
+
+TEST_F(Pot, a_run_that_cannot_go_on_says_where_and_leaves_its_results) {
+  scene.stages[0].tools.clear();
+  const auto outcome = run(scene, (folder / "results").string());
+  EXPECT_FALSE(outcome.facts.completed);
+  EXPECT_EQ(outcome.facts.reason.rfind("stage press at 0.00000 s: ", 0), 0u) << outcome.facts.reason;
+  EXPECT_TRUE(std::filesystem::exists(folder / "results" / "checkpoint.h5"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "results" / "glass.pvd"));
+}
+
+}  // namespace
+}  // namespace parison::forming
