@@ -50,6 +50,16 @@ std::vector<ToolConstraint> node_constraints(const Scene& scene, const std::vect
   return kept;
 }
 
+/// Flags of the nodes on contact pieces of the glass.
+std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass) {
+  const auto contact = contact_pieces(scene.glass, glass);
+  std::vector<bool> flags(glass.nodes.size(), false);
+  for (const auto& edge : glass.boundary)
+    if (contact[edge.piece])
+      for (const Index node : edge.nodes) flags[node] = true;
+  return flags;
+}
+
 /// Depth of a point inside a tool where that stands now, m; 0 outside.
 double depth_inside(const Scene& scene, const State& state, Index tool, const Point& x) {
   const Body& body = scene.tools[tool];
@@ -105,7 +115,9 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   const auto tools = tools_in_place(scene, state);
   const Point axis = core::axis_direction();
   std::vector<flow::ContactCandidate> candidates;
+  const auto may_touch = touching_nodes(scene, glass);
   for (const Index node : surface_nodes(glass)) {
+    if (!may_touch[node]) continue;
     const Point v = flow::node_velocity(velocity, node);
     double fastest = v.norm();
     for (const Index tool : tools)

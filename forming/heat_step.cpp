@@ -123,7 +123,10 @@ HeatOutcome advance_standing(const Scene& scene, State& state, const std::vector
     standing->integrator.emplace(std::move(problem), temperatures(state), options);
   }
   auto outcome = standing->integrator->advance_to(state.time + dt - standing->start);
-  if (!outcome.converged) return {false, outcome.reason};
+  if (!outcome.converged) {
+    standing.reset();
+    return {false, outcome.reason};
+  }
   take_temperatures(state, std::move(outcome.temperature));
   book(outcome.ledger, state);
   return {true, "", static_cast<int>(outcome.steps)};
@@ -176,6 +179,7 @@ HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<cor
   if (stands_still(scene, scene.stages[state.stage])) {
     result = advance_standing(scene, state, interface, dt, workspace);
   } else {
+    workspace.standing.reset();
     const auto meshes = meshes_of(state);
     const core::Mesh mass = mass_mesh(state);
     auto problem = make_problem(scene, state, meshes, interface, workspace.table_holds);

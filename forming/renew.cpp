@@ -101,13 +101,13 @@ void restore_heat(const Scene& scene, double wanted, State& state) {
   }
 }
 
-/// Names the edges from the surface node nearest `from` to the one nearest `to`.
-void name_stretch(const NamedStretch& stretch, const std::vector<bool>& symmetry, core::Mesh& mesh) {
+/// Names the edges that may touch tools from the surface node nearest `from` to the one nearest `to`.
+void name_stretch(const NamedStretch& stretch, const std::vector<bool>& may_touch, core::Mesh& mesh) {
   const auto nearest_start = [&](const Point& x, int end) {
     std::size_t best = 0;
     double distance = std::numeric_limits<double>::infinity();
     for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
-      if (symmetry[mesh.boundary[e].piece]) continue;
+      if (!may_touch[mesh.boundary[e].piece]) continue;
       const double d = (mesh.nodes[mesh.boundary[e].nodes[end]] - x).norm();
       if (d < distance) std::tie(distance, best) = std::pair{d, e};
     }
@@ -120,7 +120,7 @@ void name_stretch(const NamedStretch& stretch, const std::vector<bool>& symmetry
   }
   const std::size_t last = nearest_start(stretch.to, 1);
   for (std::size_t e = nearest_start(stretch.from, 0);; e = (e + 1) % mesh.boundary.size()) {
-    if (!symmetry[mesh.boundary[e].piece]) mesh.boundary[e].piece = piece;
+    if (mesh.boundary[e].piece != piece && may_touch[mesh.boundary[e].piece]) mesh.boundary[e].piece = piece;
     if (e == last) break;
   }
 }
@@ -196,7 +196,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   for (std::size_t b = 1; b < next.bodies.size(); ++b) next.bodies[b].velocity = next.bodies[b].force = 0;
   auto& mesh = next.bodies[0].mesh;
   for (const auto& stretch : scene.stages[stage].name_pieces)
-    name_stretch(stretch, symmetry_pieces(scene.glass, mesh), mesh);
+    name_stretch(stretch, contact_pieces(scene.glass, mesh), mesh);
   return next;
 }
 

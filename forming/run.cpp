@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "forming/checkpoint.hpp"
+#include "forming/contact_geometry.hpp"
 #include "forming/history.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/output.hpp"
@@ -86,7 +87,9 @@ bool renew(Progress& run, bool must) {
     run.workspace.flow.reset();
     return true;
   }
-  run.outcome.facts.reason = fmt::format("no new glass mesh: {}", renewed.reason);
+  const std::string sentence = fmt::format("no new glass mesh: {}", renewed.reason);
+  auto& reason = run.outcome.facts.reason;
+  if (must) reason = reason.empty() ? sentence : reason + "; " + sentence;
   return !must;
 }
 
@@ -103,6 +106,7 @@ bool step_once(Progress& run, StepReport& report) {
       return true;
     }
     ++state.totals.rejected;
+    run.workspace.standing.reset();
     run.outcome.facts.reason = result.converged ? "the step deforms the glass too much" : result.reason;
     dt = result.converged ? std::max(shorten * dt, wished_step(run.scene, result.report, dt)) : shorten * dt;
     if (dt < run.scene.accuracy.smallest_step) return false;
@@ -110,19 +114,40 @@ bool step_once(Progress& run, StepReport& report) {
   }
 }
 
-void begin_stage(Progress& run, Index stage) {
-  State& state = run.outcome.state;
-  state = start_stage(run.scene, state, stage);
-  state.next_step = std::min(run.scene.accuracy.first_step, run.scene.accuracy.largest_step);
-  run.stage_start = state.time;
-  run.has_moved = false;
+/// A tool deeper than this in the glass at a stage's start is an error of the scene, m.
+constexpr double most_overlap = 0.5e-3;
+
+/// What makes the stage impossible from where the tools and the glass stand; empty when nothing does.
+std::string stage_obstacle(const Scene& scene, const State& state) {
+  for (const auto& place : scene.stages[state.stage].tools) {
+    const auto* position = std::get_if<PositionMotion>(&place.motion);
+    const double now = state.bodies[1 + place.tool].offset;
+    if (position && std::abs(position->offset(0) - now) > 1e-6)
+      return fmt::format("tool {} stands at {:.4g} mm, its motion starts at {:.4g} mm", scene.tools[place.tool].name,
+                         1e3 * now, 1e3 * position->offset(0));
+  }
+  const double overlap = deepest_penetration(scene, state);
+  if (overlap > most_overlap) return fmt::format("a tool in place overlaps the glass by {:.3g} mm", 1e3 * overlap);
+  return "";
 }
 
-void end_stage(Progress& run) {
+/// Enters a stage; false when it cannot begin.
+bool begin_stage(Progress& run, Index stage) {
+  State& state = run.outcome.state;
+  state = start_stage(run.scene, state, stage);
+  state.next_step = run.scene.accuracy.first_step;
+  run.stage_start = state.time;
+  run.has_moved = false;
+  run.outcome.facts.reason = stage_obstacle(run.scene, state);
+  return run.outcome.facts.reason.empty();
+}
+
+void end_stage(Progress& run, bool good) {
   const State& state = run.outcome.state;
   const Stage& stage = run.scene.stages[state.stage];
   const bool full = state.stage_time >= stage.duration - 1e-9;
-  run.outcome.facts.stages.push_back({stage.name, run.stage_start, state.time, full ? "duration" : "tools at rest"});
+  run.outcome.facts.stages.push_back(
+      {stage.name, run.stage_start, state.time, !good ? "failure" : full ? "duration" : "tools at rest"});
 }
 
 bool advance_stage(Progress& run) {
@@ -166,12 +191,12 @@ RunOutcome run(const Scene& scene, const std::string& directory) {
   auto& facts = run.outcome.facts;
   bool good = true;
   for (Index stage = 0; good && stage < static_cast<Index>(scene.stages.size()); ++stage) {
-    begin_stage(run, stage);
+    good = begin_stage(run, stage);
     if (stage == 0) write_fields(run, {});
-    if (stage > 0 && scene.has_flow()) good = renew(run, false);
+    if (good && stage > 0 && scene.has_flow()) good = renew(run, false);
     good = good && advance_stage(run);
     if (!good) write_fields(run, {});
-    end_stage(run);
+    end_stage(run, good);
     save(run);
   }
   facts.completed = good;

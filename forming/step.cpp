@@ -204,14 +204,17 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   after.stage_time += dt;
   ++after.totals.steps;
   after.totals.table_holds = workspace.table_holds;
-  if (scene.has_flow()) {
+  if (!workspace.standing)
     after.totals.deepest = std::max(after.totals.deepest, deepest_penetration(scene, after));
+  if (scene.has_flow()) {
     const double drift = core::volume(after.bodies[0].mesh, scene.geometry) / after.first_volume - 1;
     after.totals.largest_drift = std::max(after.totals.largest_drift, std::abs(drift));
   }
   result.report.dt = dt;
   result.report.unsettled_motion = moved_guess;
-  if (scene.has_heat()) result.report.temperature_change = surface_temperature_change(state, after);
+  // Where everything stands still the heat integrator alone decides on its steps.
+  if (scene.has_heat() && !workspace.standing)
+    result.report.temperature_change = surface_temperature_change(state, after);
   result.converged = true;
   return result;
 }

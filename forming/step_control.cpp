@@ -40,7 +40,7 @@ double wished_step(const Scene& scene, const StepReport& report, double allowed)
 }
 
 bool overshot(const Scene& scene, const StepReport& report) {
-  return report.dt > 10 * scene.accuracy.smallest_step && load(scene, report) > repeat_above;
+  return load(scene, report) > repeat_above;
 }
 
 double landing_step(const Scene& scene, const State& state, double wish) {

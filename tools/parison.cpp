@@ -33,7 +33,7 @@ int run(const std::string& path, const std::string& accuracy, std::string output
   fmt::print("\n{}", summary_table(scene, outcome.state, summary));
   if (outcome.facts.completed) return 0;
   std::fflush(stdout);
-  fmt::print(stderr, "parison: the run stopped: {}\n", outcome.facts.reason);
+  fmt::print(stderr, "parison: the run stopped in {}\n", outcome.facts.reason);
   return run_failed;
 }
 

@@ -77,6 +77,7 @@ piece = [
 [numerics]
 tool_contact_size = "1 mm"
 skin_size = "0.6 mm"
+motion_tolerance = "0.02 mm"
 )";
 
 class Pot : public ::testing::Test {
@@ -159,6 +160,50 @@ TEST_F(Pot, a_run_that_cannot_go_on_says_where_and_leaves_its_results) {
   EXPECT_EQ(outcome.facts.reason.rfind("stage press at 0.00000 s: ", 0), 0u) << outcome.facts.reason;
   EXPECT_TRUE(std::filesystem::exists(folder / "results" / "checkpoint.h5"));
   EXPECT_TRUE(std::filesystem::exists(folder / "results" / "glass.pvd"));
+}
+
+TEST_F(Pot, a_motion_that_starts_elsewhere_than_the_tool_stands_stops_the_run) {
+  scene.stages[0].tools[1].motion = PositionMotion{{{0, 0.4}, {-1e-3, -3e-3}}};
+  const auto outcome = run(scene, (folder / "results").string());
+  EXPECT_FALSE(outcome.facts.completed);
+  EXPECT_NE(outcome.facts.reason.find("tool plunger stands at 0 mm, its motion starts at -1 mm"), std::string::npos)
+      << outcome.facts.reason;
+}
+
+TEST_F(Pot, a_tool_that_closes_inside_the_glass_stops_the_run) {
+  scene.tools[1].position = -2e-3;
+  const auto outcome = run(scene, (folder / "results").string());
+  EXPECT_FALSE(outcome.facts.completed);
+  EXPECT_NE(outcome.facts.reason.find("overlaps the glass by 2 mm"), std::string::npos) << outcome.facts.reason;
+}
+
+TEST_F(Pot, naming_a_stretch_leaves_symmetry_and_fixed_pieces_alone) {
+  scene.stages[0].name_pieces.push_back({"inner", {0, 0.01}, {0.01, 0}});
+  const State state = start_stage(scene, initial_state(scene), 0);
+  const auto& mesh = state.bodies[0].mesh;
+  const Index inner = core::find_piece(mesh, "inner"), axis = core::find_piece(mesh, "axis");
+  int named = 0, on_axis = 0;
+  for (const auto& edge : mesh.boundary) {
+    named += edge.piece == inner;
+    on_axis += edge.piece == axis;
+    if (edge.piece == axis) EXPECT_LT(std::abs(mesh.nodes[edge.nodes[2]][0]), 1e-12);
+  }
+  EXPECT_GT(named, 0);
+  EXPECT_GE(on_axis, 5);
+}
+
+TEST(Standing, heat_that_changes_fast_does_not_make_a_standing_stage_step_back) {
+  Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/contact_cylinders", "draft");
+  scene.accuracy.first_step = scene.accuracy.largest_step = 0.5;
+  scene.stages[0].duration = 1;
+  const auto folder = std::filesystem::temp_directory_path() / ("parison_standing_" + std::to_string(::getpid()));
+  std::filesystem::remove_all(folder);
+  const auto outcome = run(scene, folder.string());
+  std::filesystem::remove_all(folder);
+  EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+  EXPECT_EQ(outcome.state.totals.rejected, 0);
+  const double exact = 1236161 * M_PI * 0.02 * 0.02;
+  EXPECT_NEAR(outcome.state.totals.to_tools, exact, 2e-4 * exact);
 }
 
 }  // namespace
