@@ -23,8 +23,10 @@ core::Mesh mesh_of(const Body& body, double size, double contact_size, double gr
   return remesh::mesh_profile(body.profile, sizes);
 }
 
-/// Elements across the largest distance inside a tool, at the coarsest.
+/// Largest edge inside a tool, m.
 constexpr double coarse_tool_size = 8e-3;
+/// Largest edge inside the gob, in edges on its surface.
+constexpr double inner_glass_size = 4;
 
 }  // namespace
 
@@ -69,7 +71,8 @@ State initial_state(const Scene& scene) {
   for (Index b = 0; b < bodies; ++b) {
     const Body& body = body_of(scene, b);
     BodyState start;
-    start.mesh = b == 0 ? mesh_of(body, accuracy.surface_size, accuracy.surface_size, accuracy.tool_growth)
+    start.mesh = b == 0 ? mesh_of(body, inner_glass_size * accuracy.surface_size, accuracy.surface_size,
+                                  accuracy.glass_growth)
                         : mesh_of(body, coarse_tool_size, accuracy.tool_contact_size, accuracy.tool_growth);
     if (body.thermal) start.temperature.setConstant(start.mesh.node_count(), body.initial_temperature);
     if (scene.has_flow() && b == 0 && !body.thermal)
