@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
 #include <cmath>
 #include <numeric>
 
@@ -147,6 +148,20 @@ const std::string& text(const CaseNode& node) {
   require_kind(node, CaseNode::Kind::text, "a text in quotes");
   if (node.text.empty()) refuse(node, "an empty text was found, allowed is a name");
   return node.text;
+}
+
+const std::string& identifier(const CaseNode& node) {
+  const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_' || c == '-'); };
+  if (!std::all_of(text(node).begin(), text(node).end(), allowed))
+    refuse(node, fmt::format("\"{}\" was found, allowed are names of letters, digits, _ and -", node.text));
+  return node.text;
+}
+
+CaseNode key_of(const CaseNode& node) {
+  CaseNode key = node;
+  key.kind = CaseNode::Kind::text;
+  key.text = node.name;
+  return key;
 }
 
 const std::vector<CaseNode>& list(const CaseNode& node) {

@@ -63,6 +63,10 @@ double not_negative(const CaseNode& node, const Dimension& dimension);
 int count(const CaseNode& node);
 bool flag(const CaseNode& node);
 const std::string& text(const CaseNode& node);
+/// A text of letters, digits, '_' and '-' only.
+const std::string& identifier(const CaseNode& node);
+/// A node that stands for the key of another one.
+CaseNode key_of(const CaseNode& node);
 const std::vector<CaseNode>& list(const CaseNode& node);
 const std::vector<CaseNode>& entries(const CaseNode& table);
 /// Index of a text among the allowed ones.

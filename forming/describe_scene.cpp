@@ -38,13 +38,16 @@ std::string flow_parts(const Scene& scene) {
   text += part("surface tension", tension > 0, fmt::format("{:.3g} N/m", tension), on ? "the material names none" : no_flow);
   text += part("contact with tools", on && !scene.tools.empty(),
                fmt::format("unilateral, tools: {}", scene.tools.size()), on ? "the scene has no tools" : no_flow);
-  return text + part("inertia", false, "", "left out: see the Reynolds number");
+  return text + part("inertia", false, "", on ? "left out: see the Reynolds number" : no_flow);
 }
 
 std::string heat_parts(const Scene& scene) {
   const bool on = scene.has_heat();
   const std::string no_heat = "the glass carries no heat";
   const auto air = stages_with(scene, [](const Stage& s) { return s.air.h > 0; });
+  const double emissivity = scene.glass.emissivity;
+  std::string exchange = air.empty() ? "" : "air in " + air;
+  if (emissivity > 0) exchange += fmt::format("{}emissivity {:.3g}", air.empty() ? "" : ", ", emissivity);
   std::size_t hot_tools = 0;
   for (const Tool& tool : scene.tools) hot_tools += tool.thermal.has_value();
   std::string text = part("heat", on, fmt::format("in the glass, in tools: {}", hot_tools),
@@ -53,8 +56,7 @@ std::string heat_parts(const Scene& scene) {
                on ? "the material names none" : no_heat);
   text += part("interfaces", on && !scene.interfaces.empty(), fmt::format("mortar, glass with tools: {}", scene.interfaces.size()),
                on ? "the scene names none" : no_heat);
-  text += part("air and radiation", on && (!air.empty() || scene.glass.emissivity > 0),
-               fmt::format("{}emissivity {:.3g}", air.empty() ? "" : "air in " + air + ", ", scene.glass.emissivity),
+  text += part("air and radiation", on && !exchange.empty(), exchange,
                on ? "no stage names air and the glass has no emissivity" : no_heat);
   return text + part("dissipation", on && scene.has_flow(), "viscous work heats the glass",
                      on ? "the glass does not flow" : no_heat);

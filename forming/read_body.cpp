@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include "core/element.hpp"
 #include "forming/scene_reading.hpp"
 
 namespace parison::forming {
@@ -12,7 +13,7 @@ namespace dimension = core::dimension;
 
 Piece read_piece(const CaseNode& node) {
   const CaseTable table(node, {"name", "path", "csv", "condition"});
-  Piece piece{core::text(table.get("name")), PieceKind::contact, {}};
+  Piece piece{core::identifier(table.get("name")), PieceKind::contact, {}};
   const auto& condition = table.get("condition");
   if (condition.kind != CaseNode::Kind::table) {
     constexpr PieceKind kinds[] = {PieceKind::contact, PieceKind::symmetry, PieceKind::fixed, PieceKind::air,
@@ -66,6 +67,18 @@ MeshSpec read_mesh(const CaseNode& node, const Body& body) {
   return mesh;
 }
 
+/// Refuses a stretch of the axis that is no symmetry piece.
+void check_axis(const Body& body, core::Geometry geometry, const CaseNode& pieces) {
+  constexpr double on_axis = 1e-7;  // m2 per metre
+  for (const auto& segment : body.profile.segments) {
+    const auto off = [&](double t) { return core::depth(geometry, core::point_at(segment, t)) > on_axis; };
+    if (off(0) || off(0.5) || off(1) || body.pieces[segment.piece].kind == PieceKind::symmetry) continue;
+    core::refuse(pieces.items[segment.piece],
+                 fmt::format("\"{}\" runs along the axis, allowed there is a piece with the condition symmetry",
+                             body.pieces[segment.piece].name));
+  }
+}
+
 /// Outline, pieces and mesh; the outline is turned counterclockwise.
 void read_shape(const CaseTable& table, const BodyContext& context, Body& body) {
   const auto& pieces = table.get("piece");
@@ -73,6 +86,7 @@ void read_shape(const CaseTable& table, const BodyContext& context, Body& body) 
   body.profile = read_outline(pieces, context.directory);
   for (const auto& piece : pieces.items) body.pieces.push_back(read_piece(piece));
   check_outline(body.profile, context.geometry, pieces);
+  check_axis(body, context.geometry, pieces);
   if (const auto* mesh = table.find("mesh")) body.mesh = read_mesh(*mesh, body);
   if (core::signed_area(body.profile) < 0) body.profile = core::reversed(body.profile);
 }
@@ -128,7 +142,7 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
 Tool read_tool(const CaseNode& node, const BodyContext& context) {
   const CaseTable table(node, {"name", "material", "temperature", "friction", "position", "mesh", "piece"});
   Tool tool;
-  tool.name = core::text(table.get("name"));
+  tool.name = core::identifier(table.get("name"));
   if (tool.name == "glass")
     core::refuse(table.get("name"), "\"glass\" was found, allowed is any other name for a tool");
   if (context.with_heat) {

@@ -53,7 +53,7 @@ NamedMaterial read_material(const CaseNode& node) {
   const CaseTable table(node, {"density", "heat_capacity", "conductivity", "radiation", "viscosity", "shear_thinning",
                                "surface_tension", "emissivity"});
   NamedMaterial material;
-  material.name = node.name;
+  material.name = core::identifier(core::key_of(node));
   const double density = core::positive(table.get("density"), dimension::density);
   if (table.find("conductivity") || table.find("heat_capacity")) {
     material.thermal.emplace();

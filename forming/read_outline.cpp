@@ -112,6 +112,11 @@ std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory
     if (cells.size() != core::dim)
       core::refuse(row, fmt::format("\"{}\" has {} columns, allowed are {}", line, cells.size(), core::dim));
     if (units.empty()) {
+      for (const auto& cell : cells)
+        if (cell.find('_') == cell.npos)
+          core::refuse(row, fmt::format("the heading is missing (\"{}\" was found), allowed is a heading such as "
+                                        "r_mm,z_mm",
+                                        line));
       for (const auto& cell : cells) units.push_back(cell.substr(cell.find_last_of('_') + 1));
       continue;
     }
@@ -120,7 +125,9 @@ std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory
       parts.back().end[i] = part_quantity(row, cells[i] + " " + units[i], dimension::length);
   }
   if (parts.empty())
-    core::refuse(row, "no points were found, allowed is a heading such as r_mm,z_mm and rows of numbers");
+    core::refuse(node, fmt::format("no points were found in \"{}\", allowed is a heading such as r_mm,z_mm and rows "
+                                   "of numbers",
+                                   path.string()));
   return parts;
 }
 

@@ -13,7 +13,7 @@ Probe read_probe(const CaseNode& node, const Scene& scene) {
   const CaseTable table(node, {"name", "body", "point"});
   auto bodies = tool_names(scene);
   bodies.insert(bodies.begin(), "glass");
-  const Probe probe{core::text(table.get("name")), core::choice(table.get("body"), bodies),
+  const Probe probe{core::identifier(table.get("name")), core::choice(table.get("body"), bodies),
                     read_point(table.get("point"))};
   const Body& body = probe.body == 0 ? static_cast<const Body&>(scene.glass) : scene.tools[probe.body - 1];
   constexpr double on_surface = 1e-6;  // m
@@ -29,11 +29,29 @@ Probe read_probe(const CaseNode& node, const Scene& scene) {
 Output read_output(const CaseNode& node) {
   const CaseTable table(node, {"interval", "times"});
   Output output;
-  if (const auto* item = table.find("interval")) output.interval = core::positive(*item, dimension::time);
+  constexpr double shortest_interval = 1e-6;  // s
+  if (const auto* item = table.find("interval")) {
+    output.interval = core::positive(*item, dimension::time);
+    if (output.interval < shortest_interval)
+      core::refuse(*item, fmt::format("\"{}\" was found, allowed are intervals from 1e-6 s", item->text));
+  }
   if (const auto* times = table.find("times"))
     for (const auto& item : core::list(*times)) output.times.push_back(core::not_negative(item, dimension::time));
   return output;
 }
+
+namespace {
+
+/// Refuses a value above the one that bounds it, at whichever of the two the case gives.
+void require_order(const CaseTable& table, const char* low_key, double low, const char* high_key, double high) {
+  if (low <= high) return;
+  const auto* item = table.find(low_key);
+  core::refuse(item ? *item : table.get(high_key),
+               fmt::format("{} = {:g} and {} = {:g} (SI) were found, allowed is {} up to {}", low_key, low, high_key,
+                           high, low_key, high_key));
+}
+
+}  // namespace
 
 void read_numerics(const CaseNode& node, Accuracy& accuracy) {
   struct Entry {
@@ -62,6 +80,9 @@ void read_numerics(const CaseNode& node, Accuracy& accuracy) {
   for (const auto& entry : numbers)
     if (const auto* item = table.find(entry.key)) accuracy.*entry.member = core::positive(*item, entry.dimension);
   if (const auto* item = table.find("passes")) accuracy.passes = core::count(*item);
+  require_order(table, "smallest_step", accuracy.smallest_step, "first_step", accuracy.first_step);
+  require_order(table, "first_step", accuracy.first_step, "largest_step", accuracy.largest_step);
+  require_order(table, "skin_size", accuracy.skin_size, "surface_size", accuracy.surface_size);
 }
 
 }  // namespace parison::forming

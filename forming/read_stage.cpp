@@ -47,7 +47,10 @@ Motion read_motion(const CaseNode& node, const Scene& scene) {
     return PositionMotion{core::quantity_table(*offset, dimension::time, dimension::length)};
   }
   if (!scene.has_flow()) core::refuse(table.get("force"), "a force on glass that does not flow, allowed is offset");
-  return ForceMotion{core::quantity(table.get("force"), dimension::force),
+  const auto& force = table.get("force");
+  if (core::quantity(force, dimension::force) == 0)
+    core::refuse(force, fmt::format("\"{}\" was found, allowed is a force other than zero", force.text));
+  return ForceMotion{core::quantity(force, dimension::force),
                      core::positive(table.get("speed_limit"), dimension::speed)};
 }
 
@@ -85,13 +88,19 @@ std::vector<std::string> open_pieces(const Scene& scene, const Stage& stage) {
 }
 
 void read_name_pieces(const CaseTable& table, const Scene& scene, Stage& stage) {
+  refuse_repeated_names(table.tables("name_piece"));
   for (const auto* node : table.tables("name_piece")) {
     const CaseTable stretch(*node, {"name", "from", "to"});
-    const auto& name = core::text(stretch.get("name"));
+    const auto& name = core::identifier(stretch.get("name"));
     const auto taken = [&](const Piece& piece) { return piece.name == name; };
     if (std::any_of(scene.glass.pieces.begin(), scene.glass.pieces.end(), taken))
       core::refuse(stretch.get("name"),
                    fmt::format("\"{}\" is a piece of the glass already, allowed is a new name", name));
+    for (const auto& earlier : scene.stages)
+      for (const auto& other : earlier.name_pieces)
+        if (other.name == name)
+          core::refuse(stretch.get("name"),
+                       fmt::format("stage \"{}\" names \"{}\" already, allowed is a new name", earlier.name, name));
     stage.name_pieces.push_back({name, read_point(stretch.get("from")), read_point(stretch.get("to"))});
   }
 }
@@ -106,10 +115,7 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
   read_name_pieces(table, scene, stage);
   if (const auto* pressures = table.find("pressure"))
     for (const auto& item : core::entries(*pressures)) {
-      CaseNode name = item;
-      name.kind = CaseNode::Kind::text;
-      name.text = item.name;
-      core::choice(name, open_pieces(scene, stage));
+      core::choice(core::key_of(item), open_pieces(scene, stage));
       stage.pressure[item.name] = core::quantity(item, dimension::pressure);
     }
   if (const auto* item = table.find("end_speed")) {
@@ -126,7 +132,7 @@ Stage read_stage(const CaseNode& node, const CaseNode* air, const Scene& scene) 
   const CaseTable table(
       node, {"name", "duration", "end_speed", "gravity", "tools", "motion", "pressure", "air", "name_piece"});
   Stage stage;
-  stage.name = core::text(table.get("name"));
+  stage.name = core::identifier(table.get("name"));
   stage.duration = core::positive(table.get("duration"), dimension::time);
   stage.tools = read_stage_tools(table, scene);
   read_loads(table, scene, stage);

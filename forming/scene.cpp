@@ -46,7 +46,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy) {
   const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "stage",
                                    "probe", "output", "numerics"});
   Scene scene;
-  scene.name = core::text(root.get("case"));
+  scene.name = core::identifier(root.get("case"));
   scene.directory = file.directory;
   scene.fingerprint = core::fingerprint(core::read_text(file.path));
   scene.accuracy_name = accuracy;
@@ -57,6 +57,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy) {
   for (const auto* probe : root.tables("probe")) scene.probes.push_back(read_probe(*probe, scene));
   if (const auto* output = root.find("output")) scene.output = read_output(*output);
   if (const auto* numerics = root.find("numerics")) read_numerics(*numerics, scene.accuracy);
+  check_sizes(scene, root);
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));
   return scene;

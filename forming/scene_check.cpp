@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "forming/scene_reading.hpp"
 
@@ -36,7 +37,57 @@ bool can_touch(const Body& body) {
   return std::any_of(body.pieces.begin(), body.pieces.end(), contact);
 }
 
+/// The member of a table, null without one.
+const core::CaseNode* member(const core::CaseNode* table, const char* key) {
+  if (table)
+    for (const auto& item : table->items)
+      if (item.name == key) return &item;
+  return nullptr;
+}
+
+/// Refuses an edge length that would give a body too many cells, taken over its whole area, or too many edges.
+void refuse_too_fine(const core::CaseNode& at, const Body& body, double size, bool whole_area) {
+  constexpr double most_cells = 500000, most_edges = 50000;
+  double outline = 0;
+  for (const auto& segment : body.profile.segments) outline += core::length(segment);
+  const double cells = std::abs(core::signed_area(body.profile)) / (std::sqrt(3.0) / 4 * size * size);
+  if (whole_area && cells > most_cells)
+    core::refuse(at, fmt::format("{:g} mm would give \"{}\" about {:.2g} cells, allowed are sizes that give up to {:g}",
+                                 1e3 * size, body.name, cells, most_cells));
+  if (outline / size > most_edges)
+    core::refuse(at, fmt::format("{:g} mm would give \"{}\" about {:.2g} edges along its outline, allowed are sizes "
+                                 "that give up to {:g}",
+                                 1e3 * size, body.name, outline / size, most_edges));
+}
+
+void check_mesh_sizes(const core::CaseNode& node, const Body& body) {
+  const auto* mesh = member(&node, "mesh");
+  if (const auto& size = body.mesh.size) refuse_too_fine(*member(mesh, "size"), body, *size, true);
+  if (const auto& size = body.mesh.contact_size) refuse_too_fine(*member(mesh, "contact_size"), body, *size, false);
+  constexpr double most_quadrangles = 250000;
+  if (const auto& mapped = body.mesh.mapped; mapped && double(mapped->along_first) * mapped->along_second > most_quadrangles)
+    core::refuse(*member(mesh, "mapped"), fmt::format("{} by {} divisions were found, allowed are up to {:g} in all",
+                                                      mapped->along_first, mapped->along_second, most_quadrangles));
+}
+
 }  // namespace
+
+void check_sizes(const Scene& scene, const core::CaseTable& root) {
+  const auto &glass = root.get("glass"), *numerics = root.find("numerics");
+  const auto tools = root.tables("tool");
+  const auto place = [&](const char* key, const core::CaseNode& body) -> const core::CaseNode& {
+    const auto* item = member(numerics, key);
+    return item ? *item : body;
+  };
+  check_mesh_sizes(glass, scene.glass);
+  if (scene.has_flow() || (!scene.glass.mesh.size && !scene.glass.mesh.mapped))
+    refuse_too_fine(place("surface_size", glass), scene.glass, scene.accuracy.surface_size, true);
+  refuse_too_fine(place("skin_size", glass), scene.glass, scene.accuracy.skin_size, false);
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    check_mesh_sizes(*tools[i], scene.tools[i]);
+    refuse_too_fine(place("tool_contact_size", *tools[i]), scene.tools[i], scene.accuracy.tool_contact_size, false);
+  }
+}
 
 void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables) {
   std::vector<std::string> names;

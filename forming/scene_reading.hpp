@@ -49,6 +49,8 @@ std::vector<std::string> tool_names(const Scene& scene);
 /// Refuses a list of tables two of which have the same name.
 void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables);
 
+/// Refuses edge lengths that would give a body more cells than a run can carry.
+void check_sizes(const Scene& scene, const core::CaseTable& root);
 /// Refuses tools that overlap the glass at the start.
 void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode*>& tools);
 /// Refuses stages in which hot bodies can touch without an interface between them.

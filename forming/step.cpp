@@ -19,7 +19,7 @@ using core::dim;
 namespace {
 
 /// Time over which the flow takes back a drift of the glass volume, at least one step, s.
-constexpr double volume_recovery_time = 0.02;
+constexpr double volume_recovery_time = 5e-3;
 
 /// Sweeps over flow and heat in one step, at the most.
 constexpr int most_passes = 4;

@@ -19,9 +19,10 @@ std::string glass_lines(const Scene& scene, const Summary& summary) {
   if (scene.has_heat())
     text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
                                                   celsius(glass.lowest), celsius(glass.highest)));
-  text += line("wall thickness",
-               fmt::format("min {:.2f} mm, mean {:.2f} mm, max {:.2f} mm", 1e3 * summary.thickness.lowest,
-                           1e3 * summary.thickness.mean, 1e3 * summary.thickness.highest));
+  const auto& [lowest, mean, highest] = summary.thickness;
+  text += line("wall thickness", std::isfinite(mean) ? fmt::format("min {:.2f} mm, mean {:.2f} mm, max {:.2f} mm",
+                                                                   1e3 * lowest, 1e3 * mean, 1e3 * highest)
+                                                     : "n/a");
   if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
     text += line("outer surface", fmt::format("{:.1f} % within 0.2 mm of the tools in place",
                                               100 * summary.outer_within_02mm));

@@ -72,6 +72,31 @@ TEST(CaseFile, AMissingKeyIsNamedAtItsTable) {
             "2: stage.duration: missing, the table that starts here needs the key \"duration\"");
 }
 
+TEST(CaseFile, BrokenTomlIsACaseErrorAtItsLine) {
+  for (const char* broken : {"[[[x", "[[[x]]]", "[", "[[", "[[x", "[]", "[x]]", "= 1", "a", "a =", "a = [", "a = {", "a = '",
+                             "a = \"\"\"", "a = 1 b = 2", ".a = 1", "a. = 1", "a = 1\na = 2", "a = 0x"}) {
+    const auto path = write_case(std::string("case = 'x'\n") + broken);
+    const auto message = complaint(path, [&] { read_case_file(path); });
+    EXPECT_TRUE(message.rfind("2: ", 0) == 0 || message.rfind("3: ", 0) == 0) << broken << ": " << message;
+    EXPECT_NE(message.find(", allowed is TOML"), message.npos) << broken << ": " << message;
+  }
+}
+
+TEST(CaseFile, BytesThatAreNoTextAreACaseError) {
+  const auto path = write_case("case = 'x'\n\xff\xfe");
+  EXPECT_NE(complaint(path, [&] { read_case_file(path); }).find(", allowed is TOML"), std::string::npos);
+}
+
+TEST(CaseFile, AnIdentifierHasOnlyLettersDigitsUnderscoreAndHyphen) {
+  const auto path = write_case("a = 'blow_mould-2'\nb = 'blow mould'\nc = ''\nd = 'm\u00fcller'\ne = '../x'\n");
+  const auto file = read_case_file(path);
+  const CaseTable root(file.root, {"a", "b", "c", "d", "e"});
+  EXPECT_EQ(identifier(root.get("a")), "blow_mould-2");
+  EXPECT_EQ(complaint(path, [&] { identifier(root.get("b")); }),
+            "2: b: \"blow mould\" was found, allowed are names of letters, digits, _ and -");
+  for (const char* key : {"c", "d", "e"}) EXPECT_THROW(identifier(root.get(key)), CaseError) << key;
+}
+
 TEST(CaseFile, AWrongKindOfValueIsNamed) {
   const auto path = write_case("a = 5\nb = [1]\nc = 'x'\nd = 2.5\n");
   const auto file = read_case_file(path);

@@ -38,7 +38,8 @@ temperature = "400 degC"
 friction = "stick"
 piece = [
   { name = "top", path = "(30, 0) (0, 0) mm", condition = "contact" },
-  { name = "rest", path = "(0, -10) (30, -10) mm", condition = "insulated" },
+  { name = "axis", path = "(0, -10) mm", condition = "symmetry" },
+  { name = "rest", path = "(30, -10) mm", condition = "insulated" },
 ]
 [[tool]]
 name = "plunger"
@@ -49,6 +50,7 @@ position = "10 mm"
 piece = [
   { name = "face", path = "(0, 0) (15, 0) mm", condition = "contact" },
   { name = "rest", path = "(15, 20) (0, 20) mm", condition = "insulated" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
 ]
 [[interface]]
 tools = ["plate", "plunger"]

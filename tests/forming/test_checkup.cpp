@@ -51,6 +51,19 @@ TEST(Checkup, PhysicsThatIsOffSaysWhy) {
   EXPECT_EQ(line_with(flow, "air pressure"), "  air pressure        on   in inflation");
 }
 
+TEST(Checkup, GlassThatDoesNotFlowHasNoInertiaAndNoEmissivityIsNotNamed) {
+  const std::string heat = describe_scene(case_of("contact_cylinders"));
+  EXPECT_EQ(line_with(heat, "  inertia"), "  inertia             off  the glass does not flow");
+  const std::string flow = describe_scene(case_of("shell_inflation"));
+  EXPECT_EQ(line_with(flow, "  inertia"), "  inertia             off  left out: see the Reynolds number");
+  const std::string air = "air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n";
+  const auto blown = replaced("[material.soft]", air + "[material.soft]");
+  EXPECT_EQ(line_with(describe_scene(scene_of(blown)), "  air and"), "  air and radiation   on   air in rest, press");
+  const auto radiating = replaced("[material.iron]", "emissivity = 0.9\n[material.iron]", blown);
+  EXPECT_EQ(line_with(describe_scene(scene_of(radiating)), "  air and"),
+            "  air and radiation   on   air in rest, press, emissivity 0.9");
+}
+
 TEST(Checkup, StagesToolsAndAccuracyAreListed) {
   const std::string text = describe_scene(scene_of(small_scene));
   EXPECT_EQ(line_with(text, "  press "), "  press               2 s; plate, plunger (-5 N, at most 10 mm/s)");

@@ -274,6 +274,13 @@ TEST(Summary, TheShareOfTheSurfaceNearToolsIsThatOfTheFaceInContact) {
   EXPECT_LE(summary.outer_within_02mm, 0.2555);
 }
 
+TEST(Summary, AThicknessThatNoRowGivesIsNotANumberInTheTable) {
+  const Scene scene = case_of("contact_cylinders");
+  const State state = initial_state(scene);
+  const std::string table = summary_table(scene, state, summarise(scene, state, some_facts(), {}));
+  EXPECT_NE(table.find("wall thickness        n/a\n"), table.npos) << table;
+}
+
 TEST(Summary, TheTableNamesToolsStagesAndTheReasonOfAStop) {
   const Scene scene = case_of("contact_cylinders");
   const State state = initial_state(scene);

@@ -92,8 +92,11 @@ TEST(Scene, TheBundledExpectationsAreReadable) {
 }
 
 TEST(Scene, AClockwiseOutlineIsTurnedAndItsPiecesStayWithTheirLines) {
-  const auto scene = scene_of(replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm", "(0, 0) (0, 10) mm",
-                                       replaced("path = \"(0, 0) mm\"", "path = \"(20, 10) (20, 0) (0, 0) mm\"")));
+  const std::string axis = "(0, 0) mm\", condition = \"symmetry\"";
+  const std::string surface = "(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\"";
+  const auto scene = scene_of(replaced(
+      surface, "(0, 0) (0, 10) mm\", condition = \"symmetry\"",
+      replaced(axis, "(20, 10) (20, 0) (0, 0) mm\", condition = \"contact\"", replaced("pressure.surface", "pressure.axis"))));
   const auto& profile = scene.glass.profile;
   EXPECT_NEAR(core::signed_area(profile), 2e-4, 1e-15);
   for (const auto& segment : profile.segments) {

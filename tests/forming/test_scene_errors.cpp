@@ -61,7 +61,7 @@ TEST(SceneErrors, ToolOverlappingTheGlassAtTheStart) {
 
 TEST(SceneErrors, ToolInsideTheGlassIsFoundByItsOwnPoints) {
   const auto pin = replaced("(30, 0) (0, 0) mm", "(1, 0) (0.01, 3) (0, 3) mm",
-                            replaced("(0, -10) (30, -10) mm", "(0, -10) (1, -10) mm"));
+                            replaced("(30, -10) mm", "(1, -10) mm"));
   EXPECT_EQ(complaint_about(pin).rfind(std::to_string(line_of("[[tool]]")) + ": tool: \"plate\" overlaps", 0), 0u);
 }
 
@@ -155,6 +155,132 @@ TEST(SceneErrors, TextThatIsNoPath) {
   const auto message = complaint_about(replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm", "0, 0 to 20, 0"));
   EXPECT_NE(message.find("glass.piece.path: \"0, 0 to 20, 0\" was found, allowed are points such as"),
             std::string::npos);
+}
+
+TEST(SceneErrors, AnOutputIntervalIsAtLeastAMicrosecond) {
+  const auto interval = [](const std::string& value) {
+    return complaint_about(small_scene + "[output]\ninterval = \"" + value + "\"\n");
+  };
+  const auto line = std::to_string(line_of("[output]", small_scene + "[output]") + 1);
+  EXPECT_EQ(interval("1e-7 s"), line + ": output.interval: \"1e-7 s\" was found, allowed are intervals from 1e-6 s");
+  EXPECT_NE(interval("0 s"), "");
+  EXPECT_NE(interval("-1 s"), "");
+  EXPECT_EQ(interval("1 us"), "");
+}
+
+TEST(SceneErrors, SizesThatWouldGiveTooManyCells) {
+  const auto glass = [](const std::string& mesh) {
+    return complaint_about(replaced("temperature = \"1000 degC\"", "temperature = \"1000 degC\"\nmesh = " + mesh));
+  };
+  const auto line = std::to_string(line_of("temperature = \"1000 degC\"") + 1);
+  EXPECT_EQ(glass("{ size = \"10 um\" }"), line + ": glass.mesh.size: 0.01 mm would give \"glass\" about 4.6e+06 cells, "
+                                                  "allowed are sizes that give up to 500000");
+  EXPECT_EQ(glass("{ contact_size = \"1 um\" }"),
+            line + ": glass.mesh.contact_size: 0.001 mm would give \"glass\" about 6e+04 edges along its outline, allowed "
+                   "are sizes that give up to 50000");
+  EXPECT_EQ(glass("{ size = \"0.1 mm\", contact_size = \"10 um\" }"), "");
+  const auto numerics = [](const std::string& entry) {
+    const auto message = complaint_about(small_scene + "[numerics]\n" + entry + "\n");
+    return message.substr(message.find(' ') + 1, message.find(" would") - message.find(' ') - 1);
+  };
+  EXPECT_EQ(numerics("surface_size = \"10 um\"\nskin_size = \"10 um\""), "numerics.surface_size: 0.01 mm");
+  EXPECT_EQ(numerics("skin_size = \"1 um\""), "numerics.skin_size: 0.001 mm");
+  EXPECT_EQ(numerics("tool_contact_size = \"1 um\""), "numerics.tool_contact_size: 0.001 mm");
+}
+
+TEST(SceneErrors, AMappedMeshOfTooManyDivisions) {
+  const auto text = replaced(
+      "{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\" }",
+      "{ name = \"a\", path = \"(0, 0) (20, 0) mm\", condition = \"contact\" }, { name = \"b\", path = \"(20, 10) mm\", "
+      "condition = \"contact\" }, { name = \"c\", path = \"(0, 10) mm\", condition = \"contact\" }",
+      replaced("pressure.surface", "pressure.a",
+               replaced("temperature = \"1000 degC\"", "temperature = \"1000 degC\"\nmesh = { mapped = [1000, 1000] }")));
+  EXPECT_EQ(complaint_about(text), std::to_string(line_of("mesh", text)) +
+                                       ": glass.mesh.mapped: 1000 by 1000 divisions were found, allowed are up to "
+                                       "250000 in all");
+}
+
+TEST(SceneErrors, NumericsThatContradictEachOther) {
+  const auto numerics = [](const std::string& entry) {
+    const auto message = complaint_about(small_scene + "[numerics]\n" + entry + "\n");
+    return message.substr(message.find(' ') + 1);
+  };
+  EXPECT_EQ(numerics("first_step = \"0.2 s\""),
+            "numerics.first_step: first_step = 0.2 and largest_step = 0.1 (SI) were found, allowed is first_step up to "
+            "largest_step");
+  EXPECT_EQ(numerics("largest_step = \"0.1 ms\"").rfind("numerics.largest_step: first_step = 0.001 and", 0), 0u);
+  EXPECT_EQ(numerics("smallest_step = \"2 ms\"").rfind("numerics.smallest_step: smallest_step = 0.002 and", 0), 0u);
+  EXPECT_EQ(numerics("surface_size = \"0.3 mm\"").rfind("numerics.surface_size: skin_size = 0.0004 and", 0), 0u);
+  EXPECT_EQ(numerics("first_step = \"10 us\"\nlargest_step = \"0.1 ms\""), "");
+}
+
+TEST(SceneErrors, APieceAlongTheAxisIsASymmetry) {
+  expect_complaint("{ name = \"axis\", path = \"(0, 0) mm\", condition = \"symmetry\" }",
+                   "{ name = \"axis\", path = \"(0, 0) mm\", condition = \"insulated\" }",
+                   "glass.piece: \"axis\" runs along the axis, allowed there is a piece with the condition symmetry");
+  const std::string tool_axis = "{ name = \"axis\", path = \"(0, -10) mm\", condition = \"symmetry\" }";
+  expect_complaint(tool_axis, replaced("symmetry", "contact", tool_axis),
+                   "tool.piece: \"axis\" runs along the axis, allowed there is a piece with the condition symmetry");
+  EXPECT_EQ(complaint_about(replaced("symmetry", "insulated", replaced("axisymmetric", "planar"))), "");
+}
+
+TEST(SceneErrors, NamesThatCouldBeNoFileNames) {
+  const auto refused = [](const std::string& from, const std::string& to) {
+    const auto message = complaint_about(replaced(from, to));
+    const std::string end = " was found, allowed are names of letters, digits, _ and -";
+    EXPECT_GE(message.size(), end.size()) << to;
+    return message.size() >= end.size() && message.substr(message.size() - end.size()) == end &&
+           message.rfind(std::to_string(line_of(from)) + ": ", 0) == 0;
+  };
+  EXPECT_TRUE(refused("case = \"small\"", "case = \"a/b\""));
+  EXPECT_TRUE(refused("[material.soft]", "[material.\"soft glass\"]"));
+  EXPECT_TRUE(refused("name = \"plunger\"", "name = \"../plunger\""));
+  EXPECT_TRUE(refused("name = \"press\"", "name = \"press 1\""));
+  EXPECT_TRUE(refused("name = \"face\"", "name = \"face!\""));
+  EXPECT_TRUE(refused("name = \"centre\"", "name = \"centre,x\""));
+  expect_complaint("name = \"plunger\"", "name = \"glass\"",
+                   "tool.name: \"glass\" was found, allowed is any other name for a tool");
+}
+
+TEST(SceneErrors, AStretchIsNamedOnce) {
+  const std::string stretch = "{ name = \"inner\", from = \"(0, 10) mm\", to = \"(20, 10) mm\" }";
+  const std::string one = "duration = \"1 s\"\n", two = "duration = \"2 s\"\n";
+  const auto twice = replaced(one, one + "name_piece = [" + stretch + ",\n" + stretch + "]\n");
+  EXPECT_NE(complaint_about(twice).find("\"inner\" was found twice"), std::string::npos);
+  const auto later = replaced(one, one + "name_piece = [" + stretch + "]\n",
+                              replaced(two, two + "name_piece = [" + stretch + "]\n"));
+  EXPECT_NE(complaint_about(later).find("stage \"rest\" names \"inner\" already"), std::string::npos);
+}
+
+TEST(SceneErrors, AForceOfZero) {
+  expect_complaint("force = \"-5 N\"", "force = \"0 N\"",
+                   "stage.motion.plunger.force: \"0 N\" was found, allowed is a force other than zero");
+}
+
+TEST(SceneErrors, CsvFilesWithoutHeadingOrRows) {
+  const auto text = replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"points.csv\"");
+  const auto file = write_scene(text) + "/points.csv";
+  const auto complaint = [&](const std::string& rows) {
+    std::ofstream(file) << rows;
+    return complaint_about(text);
+  };
+  EXPECT_EQ(complaint("r_mm,z_mm\n0,0\n20,0\n20,10\n0,10\n"), "");
+  EXPECT_EQ(complaint("0,0\n20,0\n"), file + ":1: glass.piece.csv: the heading is missing (\"0,0\" was found), allowed is a "
+                                               "heading such as r_mm,z_mm");
+  for (const char* empty : {"", "\n\n", "r_mm,z_mm\n"})
+    EXPECT_EQ(complaint(empty), std::to_string(line_of("(0, 0) (20, 0)")) + ": glass.piece.csv: no points were found in \"" +
+                                    file + "\", allowed is a heading such as r_mm,z_mm and rows of numbers");
+}
+
+TEST(SceneErrors, AConductanceThatNeedsAPressureOnGlassThatDoesNotFlow) {
+  auto text = replaced("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }\n", "");
+  for (const char* law : {"pressure-viscosity", "table"}) {
+    const auto changed = replaced("tools = [\"plate\", \"plunger\"]\nlaw = \"constant\"",
+                                  "tools = [\"plate\", \"plunger\"]\nlaw = \"" + std::string(law) + "\"", text);
+    EXPECT_EQ(complaint_about(changed), std::to_string(line_of("law = \"" + std::string(law), changed)) +
+                                            ": interface.law: the glass does not flow and has no contact pressure, "
+                                            "allowed is \"constant\"");
+  }
 }
 
 }  // namespace
