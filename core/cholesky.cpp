@@ -13,12 +13,12 @@ struct Cholesky::Data {
   cholmod_factor* factor = nullptr;
   mutable cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;
 
-  Data() {
+  explicit Data(Form form) {
     cholmod_start(&common);
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_AMD;
-    common.supernodal = CHOLMOD_AUTO;
-    common.final_ll = 1;  // an LDL' would let negative pivots pass
+    common.supernodal = form == Form::positive_definite ? CHOLMOD_AUTO : CHOLMOD_SIMPLICIAL;
+    common.final_ll = form == Form::positive_definite;  // an LDL' lets negative pivots pass
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
   }
@@ -50,7 +50,7 @@ cholmod_sparse view(const SymmetricMatrix& matrix) {
 
 }  // namespace
 
-Cholesky::Cholesky() : data_(std::make_unique<Data>()) {}
+Cholesky::Cholesky(Form form) : data_(std::make_unique<Data>(form)) {}
 Cholesky::~Cholesky() = default;
 Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
@@ -69,16 +69,21 @@ bool Cholesky::factorise(const SymmetricMatrix& matrix) {
   return data_->common.status == CHOLMOD_OK;
 }
 
-Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& rhs) const {
+Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& rhs) const { return solve_columns(rhs); }
+
+Eigen::MatrixXd Cholesky::solve_columns(const Eigen::MatrixXd& rhs) const {
   cholmod_dense b{};
-  b.nrow = b.d = b.nzmax = static_cast<std::size_t>(rhs.size());
-  b.ncol = 1;
+  b.nrow = b.d = static_cast<std::size_t>(rhs.rows());
+  b.ncol = static_cast<std::size_t>(rhs.cols());
+  b.nzmax = b.nrow * b.ncol;
   b.x = const_cast<double*>(rhs.data());
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
   cholmod_solve2(CHOLMOD_A, data_->factor, &b, nullptr, &data_->solution, nullptr, &data_->work_y, &data_->work_e,
                  &data_->common);
-  return Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(data_->solution->x), rhs.size());
+  return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(data_->solution->x), rhs.rows(), rhs.cols());
 }
+
+double Cholesky::operations() const { return data_->common.fl; }
 
 }  // namespace parison::core

@@ -6,19 +6,24 @@
 
 namespace parison::core {
 
-/// CHOLMOD supernodal Cholesky of a symmetric positive definite matrix; the analysis serves until the pattern changes.
+/// CHOLMOD on a symmetric matrix; the analysis serves until the pattern changes. Positive definite: supernodal LL'.
+/// Quasi-definite (a saddle point whose second block is negative definite): simplicial LDL' without pivoting.
 class Cholesky {
  public:
-  Cholesky();
+  enum class Form { positive_definite, quasi_definite };
+  explicit Cholesky(Form form = Form::positive_definite);
   ~Cholesky();
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
 
   /// Symbolic analysis (AMD).
   void analyse(const SymmetricMatrix& matrix);
-  /// Numeric factorisation; false when the matrix is not positive definite.
+  /// Numeric factorisation; false when the matrix is not positive definite, or a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
+  Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& rhs) const;
+  /// Floating-point operations of a factorisation, known after the analysis.
+  double operations() const;
 
  private:
   struct Data;

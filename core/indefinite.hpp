@@ -6,7 +6,8 @@
 
 namespace parison::core {
 
-/// MUMPS LDL' of a symmetric indefinite matrix (saddle points), AMD ordering; the analysis serves until the pattern changes.
+/// LDL' of a symmetric quasi-definite matrix (a regularised saddle point), AMD ordering; the analysis serves until the pattern
+/// changes. CHOLMOD where the fill is small, MUMPS with pivoting where dense blocks pay.
 class IndefiniteSolver {
  public:
   IndefiniteSolver();
@@ -14,7 +15,8 @@ class IndefiniteSolver {
   IndefiniteSolver(IndefiniteSolver&&) noexcept;
   IndefiniteSolver& operator=(IndefiniteSolver&&) noexcept;
 
-  void analyse(const SymmetricMatrix& matrix);
+  enum class Library { automatic, cholmod, mumps };
+  void analyse(const SymmetricMatrix& matrix, Library library = Library::automatic);
   /// Numeric factorisation; false when a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
   /// Solves for each column of rhs.

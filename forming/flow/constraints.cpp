@@ -90,7 +90,7 @@ std::vector<Index> driven_tools(const Problem& problem) {
   return driven;
 }
 
-std::vector<NodeFrame> node_frames(const Problem& problem, const std::vector<bool>& active) {
+Held hold_nodes(const Problem& problem, const std::vector<bool>& active) {
   const auto driven = driven_tools(problem);
   std::vector<std::vector<NodeEquality>> of_node(problem.mesh->nodes.size());
   add_piece_equalities(problem, of_node);
@@ -103,10 +103,54 @@ std::vector<NodeFrame> node_frames(const Problem& problem, const std::vector<boo
     if (!tool.force) equality.value += tool.velocity * candidate.normal.dot(axis);
     add_equality(of_node[candidate.node], equality);
   }
-  std::vector<NodeFrame> frames;
-  for (Index node = 0; node < problem.mesh->node_count(); ++node)
-    if (!of_node[node].empty()) frames.push_back(make_frame(problem, node, of_node[node], driven));
-  return frames;
+  Held held;
+  held.frame_of.assign(of_node.size(), -1);
+  held.drag = Eigen::VectorXd::Zero(problem.mesh->node_count());
+  for (Index node = 0; node < problem.mesh->node_count(); ++node) {
+    if (of_node[node].empty()) continue;
+    held.frame_of[node] = static_cast<Index>(held.frames.size());
+    held.frames.push_back(make_frame(problem, node, of_node[node], driven));
+  }
+  return held;
+}
+
+namespace {
+
+/// Whether anything resists a translation of the glass along coordinate `axis`.
+bool resists(const std::vector<NodeFrame>& frames, int axis) {
+  constexpr double counts = 1e-3;
+  return std::any_of(frames.begin(), frames.end(), [&](const NodeFrame& frame) {
+    for (int a = 0; a < dim; ++a)
+      if ((frame.fixed[a] || (frame.friction_tool >= 0 && a == dim - 1)) && std::abs(frame.frame(axis, a)) > counts)
+        return true;
+    return false;
+  });
+}
+
+/// Closes the candidate that a glass pushed by `load` along `axis` would meet first; false when there is none.
+bool close_first_met(const Problem& problem, int axis, double load, std::vector<bool>& active) {
+  int best = -1;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const auto& candidate = problem.candidates[i];
+    if (active[i] || candidate.normal[axis] * load >= 0 || std::abs(candidate.normal[axis]) < 0.1) continue;
+    if (best < 0 || candidate.rate > problem.candidates[best].rate) best = static_cast<int>(i);
+  }
+  if (best >= 0) active[best] = true;
+  return best >= 0;
+}
+
+}  // namespace
+
+bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Held& held) {
+  const bool rings = core::hoop(problem.geometry, Point::Ones()) != 0;
+  for (int axis = rings ? dim - 1 : 0; axis < dim; ++axis) {
+    if (resists(held.frames, axis)) continue;
+    double force = 0;
+    for (Index n = 0; n < problem.mesh->node_count(); ++n) force += load[dim * n + axis];
+    if (!close_first_met(problem, axis, force, active)) return false;
+    held = hold_nodes(problem, active);
+  }
+  return true;
 }
 
 }  // namespace parison::flow

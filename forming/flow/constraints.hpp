@@ -24,10 +24,23 @@ struct NodeFrame {
   Index friction_tool = -1;                                 ///< Navier friction acts along the last column of the frame
 };
 
+/// How the nodes are held with one set of closed contacts.
+struct Held {
+  std::vector<NodeFrame> frames;
+  std::vector<Index> frame_of;  ///< per node, -1 where free
+  Eigen::VectorXd drag;         ///< per node, N.s/m, along the last column of the frame where friction acts
+
+  const NodeFrame* find(Index node) const { return frame_of[node] < 0 ? nullptr : &frames[frame_of[node]]; }
+};
+
 /// Tools whose velocity is an unknown, as indices into Problem::tools.
 std::vector<Index> driven_tools(const Problem& problem);
 
-/// Frames of all nodes held by symmetry, fixed pieces and the active candidates.
-std::vector<NodeFrame> node_frames(const Problem& problem, const std::vector<bool>& active);
+/// The nodes held by symmetry, fixed pieces and the active candidates; no drag yet.
+Held hold_nodes(const Problem& problem, const std::vector<bool>& active);
+
+/// Sees to it that no translation is left free, closing the contact that the glass would fall on under `load`; false when it
+/// would fall for ever. Radial motion of a ring is no translation.
+bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Held& held);
 
 }  // namespace parison::flow

@@ -15,7 +15,7 @@ using core::Tensor;
 
 namespace {
 
-/// Bulk viscosity in units of the smallest shear viscosity.
+/// Bulk viscosity in units of the shear viscosity at the same place.
 constexpr double bulk_ratio = 1e10;
 
 /// Velocity gradient and hoop rate at a quadrature point.
@@ -88,10 +88,8 @@ CellMatrices cell_matrices(const Problem& problem, const std::vector<double>& vi
   const auto& mesh = *problem.mesh;
   const auto& rule = core::triangle_rule(4);
   CellMatrices cells;
-  cells.smallest_viscosity = *std::min_element(viscosity.begin(), viscosity.end());
   cells.matrix.assign(mesh.cells.size() * cell_unknowns * cell_unknowns, 0.0);
   cells.load.assign(mesh.cells.size() * cell_unknowns, 0.0);
-  const double compliance = 1 / (bulk_ratio * cells.smallest_viscosity);
   const Point weight = problem.material->density * problem.gravity * problem.body_force_direction;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     double* matrix = cells.matrix.data() + std::size_t(c) * cell_unknowns * cell_unknowns;
@@ -99,6 +97,7 @@ CellMatrices cell_matrices(const Problem& problem, const std::vector<double>& vi
     for (std::size_t q = 0; q < rule.size(); ++q) {
       const auto at = core::map_cell_point(mesh, c, problem.geometry, rule[q]);
       add_point(matrix, load, at, core::hoop(problem.geometry, at.position), viscosity[c * rule.size() + q], weight);
+      const double compliance = 1 / (bulk_ratio * viscosity[c * rule.size() + q]);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j)
           matrix[(cell_velocities + i) * cell_unknowns + cell_velocities + j] -=

@@ -15,7 +15,8 @@ inline constexpr int cell_unknowns = cell_velocities + 3;
 struct CellMatrices {
   std::vector<double> matrix;  ///< cells x cell_unknowns x cell_unknowns
   std::vector<double> load;    ///< cells x cell_unknowns
-  double smallest_viscosity = 0;
+
+  const double* of(Index cell) const { return matrix.data() + std::size_t(cell) * cell_unknowns * cell_unknowns; }
 };
 
 /// Viscosity at each quadrature point (cells x triangle_rule(4)), Pa.s; `velocity` feeds the Carreau factor and may be empty.

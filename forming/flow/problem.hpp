@@ -57,7 +57,8 @@ inline constexpr double high_rate_share = 0.02;
 struct Solution {
   bool converged = false;
   std::string reason;
-  int iterations = 0;                 ///< active-set iterations: factorisations
+  int iterations = 0;                 ///< of the contact set, refinements included
+  int factorisations = 0;
   Eigen::VectorXd velocity;           ///< m/s, two per node
   Eigen::VectorXd pressure;           ///< Pa, per vertex
   Eigen::VectorXd contact_pressure;   ///< Pa, per node, 0 where nothing presses

@@ -6,33 +6,38 @@
 
 namespace parison::flow {
 
-/// The saddle-point system of one mesh topology with its kept pattern and analysis, the cells' matrices, the load and the
-/// nodes held by contact, symmetry and fixed pieces. Unknowns: two velocities per node, in its frame, then the pressures.
-struct SaddleSystem {
-  core::Assembly assembly;
-  core::IndefiniteSolver linear;
-  bool analysed = false;
-  CellMatrices cells;
-  Eigen::VectorXd load;
-  std::vector<NodeFrame> frames;
-  std::vector<Index> frame_of;  // per node, -1 where free
-
+/// The saddle-point system of one mesh topology: the cells' matrices, and a factorisation for one way of holding the nodes in
+/// a pattern that is kept, with its analysis. Unknowns: two velocities per node, then the pressures at the vertices.
+class SaddleSystem {
+ public:
   explicit SaddleSystem(const core::Mesh& mesh);
-  /// Unknowns of a cell.
-  std::array<Index, cell_unknowns> unknowns(const core::Mesh& mesh, Index cell) const;
-  /// Fills the matrix; the right-hand side has a further column for each driven tool, per m/s. `friction` is the drag per node, N.s/m.
-  Eigen::MatrixXd assemble(const Problem& problem, const Eigen::VectorXd& friction);
-  void add_constrained_cell(const std::array<Index, 6>& nodes, Index cell, Eigen::MatrixXd& rhs,
-                            const std::array<Index, cell_unknowns>& where);
-  /// Turns the velocities of held nodes from their frames into coordinates.
-  void to_global_frame(Eigen::MatrixXd& solution) const;
-  /// Frames of the nodes that the active candidates, symmetry and fixed pieces hold.
-  void set_frames(const Problem& problem, const std::vector<bool>& active);
-  /// Sees to it that no translation is left free, closing the contact that the glass would fall on; false when it would fall
-  /// for ever. Radial motion of a ring is no translation.
-  bool hold(const Problem& problem, std::vector<bool>& active);
-  /// Force of the tools and planes on each node, N, two rows a node, a column for each of `solution`.
-  Eigen::MatrixXd reactions(const Problem& problem, const Eigen::MatrixXd& solution) const;
+
+  Index size() const { return assembly_.matrix.size; }
+  Index velocities() const { return size() - vertices_; }
+
+  /// Factorises for nodes held as `base` with the cells' matrices; false when a pivot vanishes.
+  [[nodiscard]] bool factorise(const core::Mesh& mesh, const CellMatrices& cells, const Held& base);
+  bool factorised() const { return factorised_; }
+  void forget() { factorised_ = false; }
+  const Held& base() const { return base_; }
+  /// Solves in coordinates for forces in coordinates; velocities that the base holds come out zero.
+  Eigen::MatrixXd solve(Eigen::MatrixXd rhs) const;
+
+ private:
+  void add_held_cell(const std::array<Index, 6>& nodes, Index cell, const double* matrix);
+
+  core::Assembly assembly_;
+  core::IndefiniteSolver linear_;
+  Index vertices_;
+  bool analysed_ = false, factorised_ = false;
+  Held base_;
 };
+
+/// The cells' forces on the unknowns, K x, a column for each of x; over the listed cells, or over all.
+Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
+                        const std::vector<Index>* listed = nullptr);
+
+/// Unknowns of a cell.
+std::array<Index, cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell);
 
 }  // namespace parison::flow

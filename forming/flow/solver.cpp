@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 
 #include "forming/flow/contact_forces.hpp"
-#include "forming/flow/saddle_system.hpp"
+#include "forming/flow/correction.hpp"
 
 namespace parison::flow {
 
@@ -15,7 +15,9 @@ using core::dim;
 
 namespace {
 
-constexpr int most_iterations = 40;
+constexpr int most_iterations = 200;
+/// A correction below this share of the largest velocity leaves an error far smaller still: each one gains many digits.
+constexpr double small_correction = 1e-5;
 /// Slower than this into a tool is round-off to a run of seconds, m/s.
 constexpr double standstill = 1e-8;
 /// A contact released this often in one solve stays closed: the set would cycle.
@@ -40,8 +42,8 @@ std::vector<bool> exposed_edges(const core::Mesh& mesh, const std::vector<bool>&
 
 }  // namespace
 
-struct Solver::Data : SaddleSystem {
-  using SaddleSystem::SaddleSystem;
+struct Solver::Data : Corrector {
+  using Corrector::Corrector;
 };
 
 namespace {
@@ -80,7 +82,7 @@ Eigen::VectorXd drive(const Problem& problem, const std::vector<Index>& driven, 
   return velocity;
 }
 
-/// One factorisation's outcome, all tools' velocities known.
+/// One iteration's outcome, all tools' velocities known.
 struct Instant {
   Eigen::VectorXd unknowns;
   ContactForces forces;
@@ -141,6 +143,22 @@ bool update_set(const Problem& problem, const Instant& instant, std::vector<bool
   return changed;
 }
 
+/// Gravity, gas pressure, surface tension and the wanted change of volume, on every unknown.
+Eigen::VectorXd whole_load(const Problem& problem, const CellMatrices& cells, const std::vector<bool>& exposed) {
+  const auto& mesh = *problem.mesh;
+  const Index velocities = dim * mesh.node_count();
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(velocities + mesh.vertex_count);
+  load.head(velocities) = surface_load(problem, exposed);
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const auto where = unknowns_of(mesh, c);
+    for (int i = 0; i < cell_unknowns; ++i) load[where[i]] += cells.load[std::size_t(c) * cell_unknowns + i];
+  }
+  // Held glass cannot take part in a change of volume.
+  for (const auto& candidate : problem.candidates)
+    if (candidate.held && candidate.node < mesh.vertex_count) load[velocities + candidate.node] = 0;
+  return load;
+}
+
 /// Navier drag per node, N.s/m, capped by Coulomb's limit at the last iterate.
 Eigen::VectorXd friction_drag(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area,
                               const Instant* last) {
@@ -167,63 +185,56 @@ Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
 Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
-  auto& data = *data_;
+  auto& corrector = *data_;
   const auto& mesh = *problem.mesh;
-  const Index velocities = dim * mesh.node_count();
+  const Index velocities = dim * mesh.node_count(), size = velocities + mesh.vertex_count;
+  const auto driven = driven_tools(problem);
   Solution result;
   result.active = first_set(problem, warm);
   std::vector<int> releases(result.active.size(), 0);
   auto viscosity = viscosity_field(problem, {});
-  data.cells = cell_matrices(problem, viscosity);
+  auto cells = cell_matrices(problem, viscosity);
+  corrector.forget();
+  corrector.factorisations = 0;
+  Iterate iterate{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(Index(driven.size()))};
   std::optional<Instant> instant;
   Eigen::VectorXd area;
-  int thinning = 0;
   for (bool settled = false; !settled;) {
-    if (result.iterations == most_iterations + thinning) {
+    if (result.iterations++ == most_iterations) {
       result.reason = "the contact set did not settle";
       return result;
     }
-    data.load = Eigen::VectorXd::Zero(data.assembly.matrix.size);
     const auto pressed = pressed_nodes(problem, result.active);
     area = contact_areas(mesh, problem.geometry, pressed);
-    data.load.head(velocities) = surface_load(problem, exposed_edges(mesh, pressed));
-    for (Index c = 0; c < mesh.cell_count(); ++c) {
-      const auto where = data.unknowns(mesh, c);
-      for (int i = 0; i < cell_unknowns; ++i)
-        data.load[where[i]] += data.cells.load[std::size_t(c) * cell_unknowns + i];
-    }
-    // Held glass cannot take part in a change of volume.
-    for (const auto& candidate : problem.candidates)
-      if (candidate.held && candidate.node < mesh.vertex_count) data.load[velocities + candidate.node] = 0;
-    data.set_frames(problem, result.active);
-    if (!data.hold(problem, result.active)) {
+    const Eigen::VectorXd load = whole_load(problem, cells, exposed_edges(mesh, pressed));
+    Held held = hold_nodes(problem, result.active);
+    if (!support(problem, load, result.active, held)) {
       result.reason = "the glass is not held: no tool, symmetry plane or fixed piece carries it";
       return result;
     }
-    const Eigen::VectorXd drag = friction_drag(problem, result.active, area, instant ? &*instant : nullptr);
-    const Eigen::MatrixXd rhs = data.assemble(problem, drag);
-    if (!data.analysed) data.linear.analyse(data.assembly.matrix);
-    data.analysed = true;
-    ++result.iterations;
-    if (!data.linear.factorise(data.assembly.matrix)) {
+    held.drag = friction_drag(problem, result.active, area, instant ? &*instant : nullptr);
+    const auto columns = corrector.correct(problem, cells, held, load, iterate);
+    result.factorisations = corrector.factorisations;
+    if (!columns || !columns->allFinite()) {
       result.reason = "the flow matrix is singular: the glass is not held";
       return result;
     }
-    Eigen::MatrixXd solution = data.linear.solve(rhs);
-    data.to_global_frame(solution);
-    const Eigen::VectorXd before = instant ? instant->unknowns : Eigen::VectorXd();
-    instant = combine(problem, data.frames, solution, data.reactions(problem, solution));
-    if (!instant->unknowns.allFinite()) {
-      result.reason = "the flow solution is not finite: the glass is not held";
-      return result;
-    }
-    settled = !update_set(problem, *instant, result.active, releases);
-    if (settled && problem.material->shear_thinning && thinning < most_thinning_passes) {
-      const Eigen::VectorXd v = instant->unknowns.head(velocities);
-      settled = before.size() > 0 && (v - before.head(velocities)).norm() <= 1e-6 * v.norm();
-      ++thinning;
-      viscosity = viscosity_field(problem, v);
-      data.cells = cell_matrices(problem, viscosity);
+    Eigen::MatrixXd solution = *columns, force = product(mesh, cells, solution);
+    solution.col(0) += iterate.x - solution.rightCols(iterate.driven.size()) * iterate.driven;
+    force.col(0) += iterate.force - force.rightCols(iterate.driven.size()) * iterate.driven;
+    Eigen::MatrixXd reaction = force.topRows(velocities);
+    reaction.col(0) -= load.head(velocities);
+    instant = combine(problem, held.frames, solution, reaction);
+    for (std::size_t k = 0; k < driven.size(); ++k) iterate.driven[Index(k)] = instant->tool_velocity[driven[k]];
+    const double correction = (instant->unknowns - iterate.x).head(velocities).lpNorm<Eigen::Infinity>();
+    iterate.x = instant->unknowns;
+    iterate.force = force.col(0) + force.rightCols(iterate.driven.size()) * iterate.driven;
+    settled = !update_set(problem, *instant, result.active, releases) &&
+              correction <= small_correction * iterate.x.head(velocities).lpNorm<Eigen::Infinity>();
+    if (problem.material->shear_thinning) {
+      viscosity = viscosity_field(problem, iterate.x.head(velocities));
+      cells = cell_matrices(problem, viscosity);
+      iterate.force = product(mesh, cells, iterate.x);
     }
   }
   result.velocity = instant->unknowns.head(velocities);
