@@ -123,6 +123,9 @@ void visit_state(Visitor& visit, Whole& state) {
   visit("velocity", state.velocity);
   visit("contact_tool", state.contact.tool);
   visit("contact_pressure", state.contact.pressure);
+  visit("contact_closed_node", state.contact.closed.node);
+  visit("contact_closed_tool", state.contact.closed.tool);
+  visit("contact_closed_normal", state.contact.closed.normal);
   visit("probes", state.probes);
   visit_totals(visit.part("totals"), state.totals);
   for (std::size_t i = 0; i < state.bodies.size(); ++i) visit_body(visit.part(fmt::format("body_{}", i)), state.bodies[i]);

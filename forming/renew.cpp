@@ -160,6 +160,7 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state) {
         remesh::interpolate(old, transfer, component);
   }
   next.contact.tool = carried_contact(scene, state, glass.mesh);
+  next.contact.closed = {};
   next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
   for (Index n = 0; n < glass.mesh.node_count(); ++n)
     if (next.contact.tool[n] < 0) next.contact.pressure[n] = 0;
@@ -184,6 +185,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.stage_time = 0;
   next.last_step = 0;
   next.velocity.setZero();
+  next.contact.closed = {};
   const auto& tools = scene.stages[stage].tools;
   const auto in_place = [&](Index tool) {
     return std::any_of(tools.begin(), tools.end(), [&](const StageTool& t) { return t.tool == tool; });

@@ -29,6 +29,11 @@ struct BodyState {
 struct ContactState {
   std::vector<Index> tool;   ///< index into Scene::tools of the tool that presses on the node, -1 where none
   Eigen::VectorXd pressure;  ///< Pa
+  /// Every contact that the last flow solve left closed (a node in a corner has two); empty where there was none yet.
+  struct Closed {
+    std::vector<Index> node, tool;
+    std::vector<Point> normal;  ///< unit, from the tool into the glass
+  } closed;
 };
 
 /// Sums since the start.

@@ -61,8 +61,33 @@ struct FlowPass {
   flow::Solution solution;
 };
 
+/// The candidates that were closed in the last solve, or, where a new mesh or stage knows only the tool of each node, its
+/// nearest one; and those that `guess` would carry through.
+std::vector<bool> likely_contacts(const State& state, const ContactState::Closed& closed, const flow::Problem& problem,
+                                  const Eigen::VectorXd& guess) {
+  constexpr double same_direction = 0.94;
+  std::vector<std::vector<std::size_t>> of_node(problem.mesh->nodes.size());
+  for (std::size_t i = 0; i < closed.node.size(); ++i) of_node[closed.node[i]].push_back(i);
+  std::vector<bool> likely;
+  Index last_node = -1;
+  for (const auto& candidate : problem.candidates) {
+    const auto& known = of_node[candidate.node];
+    bool was = std::any_of(known.begin(), known.end(), [&](std::size_t i) {
+      return closed.tool[i] == candidate.tool && closed.normal[i].dot(candidate.normal) > same_direction;
+    });
+    if (closed.node.empty())
+      was = (state.contact.tool[candidate.node] == candidate.tool && candidate.node != last_node) ||
+            (state.last_step == 0 && candidate.rate >= 0);
+    const double tool_speed = state.bodies[1 + candidate.tool].velocity;
+    const Point relative = flow::node_velocity(guess, candidate.node) - tool_speed * core::axis_direction();
+    likely.push_back(was || (state.last_step > 0 && candidate.normal.dot(relative) < candidate.rate));
+    last_node = candidate.node;
+  }
+  return likely;
+}
+
 /// Flow of the step seen from its middle, where `guess` has carried the mesh.
-FlowPass solve_flow(const Scene& scene, const State& state, const Eigen::VectorXd& guess,
+FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::Closed& closed, const Eigen::VectorXd& guess,
                     const Eigen::VectorXd& temperature, double dt, Workspace& workspace) {
   core::Mesh middle = state.bodies[0].mesh;
   move_nodes(middle, guess, 0.5 * dt);
@@ -77,10 +102,7 @@ FlowPass solve_flow(const Scene& scene, const State& state, const Eigen::VectorX
   problem.pieces = piece_conditions(scene, state);
   problem.tools = tool_motions(scene, state, dt);
   problem.candidates = contact_candidates(scene, state, guess, dt);
-  std::vector<bool> warm;
-  for (const auto& candidate : problem.candidates)
-    warm.push_back(state.contact.tool[candidate.node] == candidate.tool ||
-                   (state.last_step == 0 && candidate.rate >= 0));
+  const auto warm = likely_contacts(state, closed, problem, guess);
   if (!workspace.flow) workspace.flow.emplace(middle);
   auto solution = workspace.flow->solve(problem, warm);
   return {std::move(problem.candidates), std::move(solution)};
@@ -95,6 +117,13 @@ void take_flow(const Scene& scene, const FlowPass& pass, double dt, State& state
   std::fill(state.contact.tool.begin(), state.contact.tool.end(), -1);
   for (std::size_t i = candidates.size(); i-- > 0;)
     if (solution.active[i]) state.contact.tool[candidates[i].node] = candidates[i].tool;
+  state.contact.closed = {};
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (solution.active[i]) {
+      state.contact.closed.node.push_back(candidates[i].node);
+      state.contact.closed.tool.push_back(candidates[i].tool);
+      state.contact.closed.normal.push_back(candidates[i].normal);
+    }
   state.contact.pressure = solution.contact_pressure;
   for (const auto& tool : scene.stages[state.stage].tools) {
     auto& body = state.bodies[1 + tool.tool];
@@ -146,7 +175,7 @@ double surface_temperature_change(const State& before, const State& after) {
 bool step_flow(const Scene& scene, const State& state, const Eigen::VectorXd& guess, const Eigen::VectorXd& temperature,
                double dt, Workspace& workspace, StepResult& result, std::vector<double>& dissipation) {
   const Timer timer(result.report, "flow");
-  auto pass = solve_flow(scene, state, guess, temperature, dt, workspace);
+  auto pass = solve_flow(scene, state, result.state.contact.closed, guess, temperature, dt, workspace);
   result.report.contact_iterations += pass.solution.iterations;
   if (!pass.solution.converged) {
     result.reason = pass.solution.reason;
@@ -188,7 +217,9 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
   double moved_guess = 0;
   for (int pass = 0; pass < passes || (pass < most_passes && moved_guess > scene.accuracy.motion_tolerance); ++pass) {
+    const auto closed = pass > 0 ? std::move(result.state.contact.closed) : state.contact.closed;
     result.state = state;
+    result.state.contact.closed = closed;
     std::vector<double> dissipation;
     if (!scene.has_flow())
       move_tools(scene, dt, result.state);

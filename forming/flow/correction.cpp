@@ -51,6 +51,47 @@ std::vector<Index> cells_with(const core::Mesh& mesh, const Wanted& wanted) {
 
 }  // namespace
 
+Eigen::VectorXd unbalanced(const Problem& problem, const Held& held, const Eigen::VectorXd& load, const Iterate& iterate) {
+  Eigen::VectorXd residual = load - iterate.force;
+  const auto tools = driven_tools(problem);
+  for (const auto& frame : held.frames) {
+    if (frame.friction_tool < 0) continue;
+    const Point along = frame.frame.col(dim - 1);
+    const auto k = std::find(tools.begin(), tools.end(), frame.friction_tool);
+    const double wall =
+        k == tools.end() ? problem.tools[frame.friction_tool].velocity : iterate.driven[k - tools.begin()];
+    const double slip = along.dot(at(iterate.x, frame.node) - wall * core::axis_direction());
+    residual.segment<dim>(dim * frame.node) -= held.drag[frame.node] * slip * along;
+  }
+  return residual;
+}
+
+double imbalance(const Problem& problem, const CellMatrices& cells, const Held& held, const Eigen::VectorXd& load,
+                 Iterate& iterate) {
+  const auto& mesh = *problem.mesh;
+  Eigen::VectorXd size = load.cwiseAbs();
+  iterate.force.setZero();
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const auto where = unknowns_of(mesh, c);
+    const auto part = cell_product(cells.of(c), where, iterate.x);
+    for (int i = 0; i < cell_unknowns; ++i) {
+      iterate.force[where[i]] += part[i];
+      size[where[i]] += std::abs(part[i]);
+    }
+  }
+  Eigen::VectorXd residual = unbalanced(problem, held, load, iterate);
+  for (const auto& frame : held.frames)
+    for (int a = 0; a < dim; ++a)
+      if (frame.fixed[a]) {
+        auto there = residual.segment<dim>(dim * frame.node);
+        there -= (frame.frame.col(a).dot(there) * frame.frame.col(a)).eval();
+      }
+  double worst = 0;
+  for (Index i = 0; i < residual.size(); ++i)
+    if (residual[i] != 0) worst = std::max(worst, std::abs(residual[i]) / size[i]);
+  return worst;
+}
+
 void Corrector::forget() {
   system_.forget();
   handles_.clear();
@@ -194,16 +235,7 @@ bool Corrector::add_changes(const Problem& problem, const Held& held, const Eige
 std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const CellMatrices& cells, const Held& held,
                                                   const Eigen::VectorXd& load, const Iterate& from) {
   const auto& mesh = *problem.mesh;
-  Eigen::VectorXd residual = load - from.force;
-  const auto tools = driven_tools(problem);
-  for (const auto& frame : held.frames) {
-    if (frame.friction_tool < 0) continue;
-    const Point along = frame.frame.col(dim - 1);
-    const auto k = std::find(tools.begin(), tools.end(), frame.friction_tool);
-    const double wall = k == tools.end() ? problem.tools[frame.friction_tool].velocity : from.driven[k - tools.begin()];
-    const double slip = along.dot(at(from.x, frame.node) - wall * core::axis_direction());
-    residual.segment<dim>(dim * frame.node) -= held.drag[frame.node] * slip * along;
-  }
+  const Eigen::VectorXd residual = unbalanced(problem, held, load, from);
   std::vector<Change> changed;
   std::vector<std::pair<Index, int>> wanted;
   std::size_t needed = 0;

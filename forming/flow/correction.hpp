@@ -13,6 +13,13 @@ struct Iterate {
   Eigen::VectorXd driven;  ///< m/s, in the order of driven_tools
 };
 
+/// Load minus K x minus friction, N and m3/s; at held coordinates it contains the reaction.
+Eigen::VectorXd unbalanced(const Problem& problem, const Held& held, const Eigen::VectorXd& load, const Iterate& iterate);
+
+/// Computes K x anew and returns the largest unbalanced force against the cells' parts that make it up.
+double imbalance(const Problem& problem, const CellMatrices& cells, const Held& held, const Eigen::VectorXd& load,
+                 Iterate& iterate);
+
 /// Solves with a kept factorisation for nodes that are held otherwise than there. Each such node costs one back-substitution per
 /// coordinate, once, and a small dense system per solve (the Schur complement of the changed nodes).
 class Corrector {

@@ -76,18 +76,22 @@ Eigen::MatrixXd SaddleSystem::solve(Eigen::MatrixXd rhs) const {
   return solution;
 }
 
+Eigen::Matrix<double, cell_unknowns, 1> cell_product(const double* matrix, const std::array<Index, cell_unknowns>& where,
+                                                     Eigen::Ref<const Eigen::VectorXd> x) {
+  Eigen::Matrix<double, cell_unknowns, 1> in;
+  for (int k = 0; k < cell_unknowns; ++k) in[k] = x[where[k]];
+  return Eigen::Map<const Local>(matrix) * in;
+}
+
 Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
                         const std::vector<Index>* listed) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.rows(), x.cols());
   const Index count = listed ? static_cast<Index>(listed->size()) : mesh.cell_count();
   for (Index i = 0; i < count; ++i) {
     const Index c = listed ? (*listed)[i] : i;
-    const Eigen::Map<const Local> local(cells.of(c));
     const auto where = unknowns_of(mesh, c);
     for (Index column = 0; column < x.cols(); ++column) {
-      Eigen::Matrix<double, cell_unknowns, 1> in;
-      for (int k = 0; k < cell_unknowns; ++k) in[k] = x(where[k], column);
-      const Eigen::Matrix<double, cell_unknowns, 1> out = local * in;
+      const auto out = cell_product(cells.of(c), where, x.col(column));
       for (int k = 0; k < cell_unknowns; ++k) result(where[k], column) += out[k];
     }
   }

@@ -40,4 +40,8 @@ Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const
 /// Unknowns of a cell.
 std::array<Index, cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell);
 
+/// One cell's forces on its unknowns.
+Eigen::Matrix<double, cell_unknowns, 1> cell_product(const double* matrix, const std::array<Index, cell_unknowns>& where,
+                                                     Eigen::Ref<const Eigen::VectorXd> x);
+
 }  // namespace parison::flow

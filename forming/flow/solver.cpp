@@ -16,8 +16,8 @@ using core::dim;
 namespace {
 
 constexpr int most_iterations = 200;
-/// A correction below this share of the largest velocity leaves an error far smaller still: each one gains many digits.
-constexpr double small_correction = 1e-5;
+/// Of a force, or a volume flow, against the cells' parts that make it up.
+constexpr double balanced = 1e-10;
 /// Slower than this into a tool is round-off to a run of seconds, m/s.
 constexpr double standstill = 1e-8;
 /// A contact released this often in one solve stays closed: the set would cycle.
@@ -199,7 +199,7 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   Iterate iterate{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(Index(driven.size()))};
   std::optional<Instant> instant;
   Eigen::VectorXd area;
-  for (bool settled = false; !settled;) {
+  for (bool settled = false, refined = false; !settled;) {
     if (result.iterations++ == most_iterations) {
       result.reason = "the contact set did not settle";
       return result;
@@ -226,11 +226,14 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     reaction.col(0) -= load.head(velocities);
     instant = combine(problem, held.frames, solution, reaction);
     for (std::size_t k = 0; k < driven.size(); ++k) iterate.driven[Index(k)] = instant->tool_velocity[driven[k]];
-    const double correction = (instant->unknowns - iterate.x).head(velocities).lpNorm<Eigen::Infinity>();
     iterate.x = instant->unknowns;
     iterate.force = force.col(0) + force.rightCols(iterate.driven.size()) * iterate.driven;
-    settled = !update_set(problem, *instant, result.active, releases) &&
-              correction <= small_correction * iterate.x.head(velocities).lpNorm<Eigen::Infinity>();
+    if (update_set(problem, *instant, result.active, releases))
+      refined = false;
+    else if (!refined && imbalance(problem, cells, held, load, iterate) > balanced)
+      refined = true;
+    else
+      settled = true;
     if (problem.material->shear_thinning) {
       viscosity = viscosity_field(problem, iterate.x.head(velocities));
       cells = cell_matrices(problem, viscosity);

@@ -45,6 +45,7 @@ State busy_state(const Scene& scene) {
   for (double& value : state.velocity) fresh(value);
   for (double& value : state.contact.pressure) fresh(value);
   state.contact.tool[3] = 1;
+  state.contact.closed = {{3, 5}, {1, 0}, {Point(0.6, 0.8), Point(-1, 0)}};
   state.stage = 1;
   totals.steps = 7, totals.rejected = 8, totals.remeshes = 9, totals.table_holds = 1L << 40;
   state.bodies[0].mesh.pieces.push_back("inner, by name");
@@ -115,6 +116,9 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_TRUE(same(read.first_heat, state.first_heat));
   EXPECT_TRUE(same(read.velocity, state.velocity));
   EXPECT_EQ(read.contact.tool, state.contact.tool);
+  EXPECT_EQ(read.contact.closed.node, state.contact.closed.node);
+  EXPECT_EQ(read.contact.closed.tool, state.contact.closed.tool);
+  EXPECT_TRUE(same(read.contact.closed.normal, state.contact.closed.normal));
   EXPECT_TRUE(same(read.contact.pressure, state.contact.pressure));
   EXPECT_TRUE(same(read.probes, state.probes));
   expect_same_totals(read.totals, state.totals);
