@@ -65,6 +65,26 @@ Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<s
   return mesh;
 }
 
+Eigen::VectorXd from_vertices(const Mesh& mesh, const Eigen::VectorXd& vertex_values) {
+  Eigen::VectorXd nodal(mesh.node_count());
+  nodal.head(mesh.vertex_count) = vertex_values;
+  for (const auto& cell : mesh.cells)
+    for (int k = 0; k < 3; ++k) nodal[cell[3 + k]] = 0.5 * (nodal[cell[k]] + nodal[cell[(k + 1) % 3]]);
+  return nodal;
+}
+
+Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load) {
+  Eigen::VectorXd left = nodal_load;
+  for (const auto& cell : mesh.cells)
+    for (int k = 0; k < 3; ++k) {
+      double& middle = left[cell[3 + k]];
+      left[cell[k]] += 0.5 * middle;
+      left[cell[(k + 1) % 3]] += 0.5 * middle;
+      middle = 0;
+    }
+  return left.head(mesh.vertex_count);
+}
+
 double volume(const Mesh& mesh, Geometry geometry) {
   double sum = 0;
   for (Index c = 0; c < mesh.cell_count(); ++c)

@@ -37,6 +37,11 @@ Index find_piece(const Mesh& mesh, const std::string& name);
 /// Triangles must be counterclockwise.
 Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<std::array<Index, 3>>& triangles);
 
+/// Nodal field from values at the vertices: the value of a mid-side node is the mean of its ends.
+Eigen::VectorXd from_vertices(const Mesh& mesh, const Eigen::VectorXd& vertex_values);
+/// The transposed map: what acts on the nodes, collected on the vertices.
+Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load);
+
 /// Volume of the body, m3 (of the full revolution, or per metre of depth times 1 m).
 double volume(const Mesh& mesh, Geometry geometry);
 

@@ -6,73 +6,62 @@ namespace parison::thermal {
 
 namespace {
 
-/// Conduction and source of one cell, and its content (or, with `rate`, the rate of its content).
+/// Conduction of one cell, and its content (or, with `rate`, the rate of its content).
+template <int N>
 void add_cell(const BodyLaws& laws, const HeatCell& cell, const Eigen::VectorXd& temperature,
               const Eigen::VectorXd* rate, Response& response) {
-  const CellShapes& shapes = cell_shapes();
-  std::array<double, 6> T, dT{}, content{}, power{};
-  for (int i = 0; i < 6; ++i) T[i] = temperature[cell.unknowns[i]];
+  const CellShapes<N>& shapes = cell_shapes<N>();
+  const auto T = gather<N>(temperature, cell.unknowns);
+  const PointArray at = shapes.value * T, along_a = shapes.slope_a * T, along_b = shapes.slope_b * T;
+  const PointArray k = laws.conductivity(at, cell.thin_wall);
+  const PointArray flow_a = -k * (cell.aa * along_a + cell.ab * along_b);
+  const PointArray flow_b = -k * (cell.ab * along_a + cell.bb * along_b);
+  PointArray stored;
   if (rate)
-    for (int i = 0; i < 6; ++i) dT[i] = (*rate)[cell.unknowns[i]];
-  for (int q = 0; q < 6; ++q) {
-    const HeatPoint& point = cell.points[q];
-    double at = 0, change = 0;
-    core::Point slope = core::Point::Zero();
-    for (int i = 0; i < 6; ++i) {
-      at += shapes[q][i] * T[i];
-      change += shapes[q][i] * dT[i];
-      slope += point.gradient[i] * T[i];
-    }
-    const EnthalpyValue enthalpy = laws.enthalpy(at);
-    const double stored = point.mass * (rate ? enthalpy.c * change : enthalpy.h);
-    const core::Point flow = -conductivity(*laws.material, at, point.thin_wall) * point.volume * slope;
-    for (int i = 0; i < 6; ++i) {
-      content[i] += shapes[q][i] * stored;
-      power[i] += flow.dot(point.gradient[i]) + shapes[q][i] * point.source;
-    }
-  }
-  for (int i = 0; i < 6; ++i) {
-    response.content[cell.unknowns[i]] += content[i];
-    response.power[cell.unknowns[i]] += power[i];
-  }
+    stored = laws.enthalpy.capacity(at) * (shapes.value * gather<N>(*rate, cell.unknowns)).array();
+  else
+    stored = laws.enthalpy.enthalpy(at);
+  stored *= cell.mass;
+  scatter<N>(shapes.value.transpose() * stored.matrix(), cell.unknowns, response.content);
+  scatter<N>(shapes.slope_a.transpose() * flow_a.matrix() + shapes.slope_b.transpose() * flow_b.matrix(),
+             cell.unknowns, response.power);
 }
 
 void add_cells(const HeatSystem& system, const Eigen::VectorXd& temperature, const Eigen::VectorXd* rate,
                Response& response) {
+  const auto add = system.problem->order == 2 ? add_cell<6> : add_cell<3>;
   for (const BodyLaws& laws : system.bodies)
-    for (Index c = laws.first_cell; c < laws.last_cell; ++c)
-      add_cell(laws, system.cells[c], temperature, rate, response);
+    for (Index c = laws.first_cell; c < laws.last_cell; ++c) add(laws, system.cells[c], temperature, rate, response);
 }
 
 /// Air exchange and interface; `power` may be null.
 void add_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, Flows& flows, Eigen::VectorXd* power) {
-  const EdgeShapes& shapes = edge_shapes();
   const auto take = [&](const Index* unknowns, const auto& shape, double heat) {
     if (power)
       for (int i = 0; i < 3; ++i) (*power)[unknowns[i]] -= shape[i] * heat;
   };
   for (const HeatEdge& edge : system.edges)
     for (int q = 0; q < 3; ++q) {
-      const double T = interpolate(temperature, edge.unknowns.data(), shapes[q]);
+      const double T = interpolate(temperature, edge.unknowns.data(), edge.shape[q]);
       const double heat = edge.area[q] * surface_flux(edge.exchange, T).q;
       flows.to_air[edge.body] += heat;
-      take(edge.unknowns.data(), shapes[q], heat);
+      take(edge.unknowns.data(), edge.shape[q], heat);
     }
   for (const HeatContact& contact : system.contacts) {
     const core::InterfacePoint& point = *contact.point;
     const double closed = point.closure * point.area;
     if (closed == 0) continue;
     const Index *slave = contact.unknowns.data(), *master = slave + 3;
-    const double T1 = interpolate(temperature, slave, point.slave_shape);
-    const double T2 = interpolate(temperature, master, point.master_shape);
+    const double T1 = interpolate(temperature, slave, contact.slave_shape);
+    const double T2 = interpolate(temperature, master, contact.master_shape);
     const double across = closed * system.problem->law(point, T1).h * (T1 - T2);
     const double slave_air = contact.slave_air ? closed * surface_flux(*contact.slave_air, T1).q : 0;
     const double master_air = contact.master_air ? closed * surface_flux(*contact.master_air, T2).q : 0;
     flows.across[contact.pair] += across;
     flows.to_air[point.slave_body] -= slave_air;
     flows.to_air[point.master_body] -= master_air;
-    take(slave, point.slave_shape, across - slave_air);
-    take(master, point.master_shape, -across - master_air);
+    take(slave, contact.slave_shape, across - slave_air);
+    take(master, contact.master_shape, -across - master_air);
   }
 }
 
@@ -87,7 +76,7 @@ Flows zero_flows(const HeatSystem& system) {
 }
 
 Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature, const Eigen::VectorXd* rate) {
-  Response response{Eigen::VectorXd::Zero(system.size()), Eigen::VectorXd::Zero(system.size()), zero_flows(system)};
+  Response response{Eigen::VectorXd::Zero(system.size()), system.source, zero_flows(system)};
   add_cells(system, temperature, rate, response);
   add_exchange(system, temperature, response.flows, &response.power);
   return response;

@@ -31,6 +31,7 @@ struct Problem {
   std::vector<BodyView> bodies;
   std::vector<core::InterfacePoint> interface;  ///< slave_body and master_body index `bodies`
   std::function<core::Conductance(const core::InterfacePoint&, double slave_temperature)> law;
+  int order = 2;  ///< of the temperature in a cell: 2, or 1: the temperature of a mid-side node is the mean of its ends
 };
 
 /// Heat content of a body relative to `content_reference`, J; temperature in K at the nodes.

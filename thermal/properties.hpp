@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "thermal/material.hpp"
+#include "thermal/shapes.hpp"
 
 namespace parison::thermal {
 
@@ -15,6 +16,19 @@ double thin_wall_factor(const Radiation& radiation, double wall_thickness);
 /// Conductivity with internal radiation, W/m/K; `thin_wall` multiplies the radiative part (physics.md, section 3).
 double conductivity(const Material& material, double temperature, double thin_wall = 1);
 
+/// The same, prepared for many evaluations.
+class Conductivity {
+ public:
+  explicit Conductivity(const Material& material);
+  PointArray operator()(const PointArray& temperature, const PointArray& thin_wall) const;
+  /// Derivative with respect to temperature, W/m/K2.
+  PointArray slope(const PointArray& temperature, const PointArray& thin_wall) const;
+
+ private:
+  core::Table phonon_;
+  double radiant_ = 0;  ///< W/m/K4
+};
+
 /// Specific enthalpy and its slope, the heat capacity.
 struct EnthalpyValue {
   double h;  ///< J/kg
@@ -26,6 +40,8 @@ class Enthalpy {
  public:
   explicit Enthalpy(const core::Table& heat_capacity);
   EnthalpyValue operator()(double temperature) const;
+  PointArray enthalpy(const PointArray& temperature) const;  ///< J/kg
+  PointArray capacity(const PointArray& temperature) const;  ///< J/kg/K
 
  private:
   core::Table capacity_;

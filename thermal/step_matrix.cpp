@@ -3,20 +3,26 @@
 
 #include <algorithm>
 
+#include "thermal/linearise.hpp"
 #include "thermal/shapes.hpp"
 
 namespace parison::thermal {
 
 namespace {
 
-std::pair<Index, Index> clique_key(const HeatContact& contact) { return {contact.unknowns[2], contact.unknowns[5]}; }
+ContactKey clique_key(const HeatContact& contact) {
+  return {contact.unknowns[0], contact.unknowns[1], contact.unknowns[3], contact.unknowns[4]};
+}
+
+Index cell_unknowns(const HeatSystem& system) { return system.problem->order == 2 ? 6 : 3; }
 
 std::vector<Index> list_topology(const HeatSystem& system) {
   std::vector<Index> topology;
-  for (const HeatCell& cell : system.cells) topology.insert(topology.end(), cell.unknowns.begin(), cell.unknowns.end());
+  for (const HeatCell& cell : system.cells)
+    topology.insert(topology.end(), cell.unknowns.begin(), cell.unknowns.begin() + cell_unknowns(system));
   for (std::size_t b = 0; b < system.problem->bodies.size(); ++b)
     for (const core::BoundaryEdge& edge : system.problem->bodies[b].mesh->boundary)
-      for (const Index node : edge.nodes) topology.push_back(system.first_unknown[b] + node);
+      for (const Index unknown : edge_unknowns(system, static_cast<Index>(b), edge.nodes)) topology.push_back(unknown);
   return topology;
 }
 
@@ -31,58 +37,49 @@ void add(StepMatrix& matrix, const HeatSystem& system, Index clique, const std::
   core::add_clique(matrix.assembly.matrix, matrix.assembly.scatter, clique, static_cast<Index>(N), local.data());
 }
 
-void add_cells(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
-  const CellShapes& shapes = cell_shapes();
-  for (const BodyLaws& laws : system.bodies)
-    for (Index c = laws.first_cell; c < laws.last_cell; ++c) {
-      const HeatCell& cell = system.cells[c];
-      std::array<double, 36> local{};
-      for (int q = 0; q < 6; ++q) {
-        const HeatPoint& point = cell.points[q];
-        double at = 0;
-        for (int i = 0; i < 6; ++i) at += shapes[q][i] * temperature[cell.unknowns[i]];
-        const double capacity = point.mass * laws.enthalpy(at).c;
-        const double conduction = step * point.volume * conductivity(*laws.material, at, point.thin_wall);
-        for (int i = 0; i < 6; ++i)
-          for (int j = 0; j <= i; ++j)
-            local[i * 6 + j] +=
-                capacity * shapes[q][i] * shapes[q][j] + conduction * point.gradient[i].dot(point.gradient[j]);
-      }
-      add(matrix, system, c, cell.unknowns, local);
-    }
+template <int N>
+void add_cells(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
+  const auto& [value, slope_a, slope_b] = cell_shapes<N>();
+  for (Index c = 0; c < static_cast<Index>(system.cells.size()); ++c) {
+    const HeatCell& cell = system.cells[c];
+    const PointArray conduction = step * slopes.cells[c].conductivity;
+    const PointArray aa = conduction * cell.aa, ab = conduction * cell.ab, bb = conduction * cell.bb;
+    const Eigen::Matrix<double, 6, N> stored = slopes.cells[c].capacity.matrix().asDiagonal() * value;
+    const Eigen::Matrix<double, 6, N> flow_a = aa.matrix().asDiagonal() * slope_a + ab.matrix().asDiagonal() * slope_b;
+    const Eigen::Matrix<double, 6, N> flow_b = ab.matrix().asDiagonal() * slope_a + bb.matrix().asDiagonal() * slope_b;
+    std::array<double, N * N> local;
+    Eigen::Map<Eigen::Matrix<double, N, N>>(local.data()) =
+        value.transpose() * stored + slope_a.transpose() * flow_a + slope_b.transpose() * flow_b;
+    std::array<Index, N> unknowns;
+    std::copy_n(cell.unknowns.begin(), N, unknowns.begin());
+    add(matrix, system, c, unknowns, local);
+  }
 }
 
-void add_edges(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
-  const EdgeShapes& shapes = edge_shapes();
-  for (const HeatEdge& edge : system.edges) {
+void add_edges(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
+  for (std::size_t e = 0; e < system.edges.size(); ++e) {
+    const HeatEdge& edge = system.edges[e];
     std::array<double, 9> local{};
-    for (int q = 0; q < 3; ++q) {
-      const double T = interpolate(temperature, edge.unknowns.data(), shapes[q]);
-      const double slope = step * edge.area[q] * surface_flux(edge.exchange, T).dq_dT;
+    for (int q = 0; q < 3; ++q)
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j <= i; ++j) local[i * 3 + j] += slope * shapes[q][i] * shapes[q][j];
-    }
+        for (int j = 0; j <= i; ++j)
+          local[i * 3 + j] += step * slopes.edges[e][q] * edge.shape[q][i] * edge.shape[q][j];
     add(matrix, system, static_cast<Index>(system.cells.size()) + edge.boundary_edge, edge.unknowns, local);
   }
 }
 
-void add_contacts(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
-  for (const HeatContact& contact : system.contacts) {
-    const core::InterfacePoint& point = *contact.point;
-    const double closed = step * point.closure * point.area;
-    if (closed == 0) continue;
-    const double T1 = interpolate(temperature, contact.unknowns.data(), point.slave_shape);
-    const double T2 = interpolate(temperature, contact.unknowns.data() + 3, point.master_shape);
-    const double across = closed * system.problem->law(point, T1).h;
-    const double slave_air = contact.slave_air ? closed * surface_flux(*contact.slave_air, T1).dq_dT : 0;
-    const double master_air = contact.master_air ? closed * surface_flux(*contact.master_air, T2).dq_dT : 0;
-    const auto &s = point.slave_shape, &m = point.master_shape;
+void add_contacts(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const HeatContact& contact = system.contacts[c];
+    const auto& [across, conductance, slave_air, master_air] = slopes.contacts[c];
+    if (across == 0) continue;
+    const auto &s = contact.slave_shape, &m = contact.master_shape;
     std::array<double, 36> local{};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        local[i * 6 + j] = (across - slave_air) * s[i] * s[j];
-        local[(i + 3) * 6 + j] = -across * m[i] * s[j];
-        local[(i + 3) * 6 + j + 3] = (across - master_air) * m[i] * m[j];
+        local[i * 6 + j] = step * (across - slave_air) * s[i] * s[j];
+        local[(i + 3) * 6 + j] = -step * across * m[i] * s[j];
+        local[(i + 3) * 6 + j + 3] = step * (across - master_air) * m[i] * m[j];
       }
     add(matrix, system, matrix.contact_clique.at(clique_key(contact)), contact.unknowns, local);
   }
@@ -100,9 +97,10 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
                      });
   if (known) return;
   core::Cliques cliques;
-  const std::size_t cell_unknowns = 6 * system.cells.size();
-  for (std::size_t k = 0; k < topology.size(); k += k < cell_unknowns ? 6 : 3)
-    cliques.add(topology.data() + k, k < cell_unknowns ? 6 : 3);
+  const Index per_cell = cell_unknowns(system);
+  const std::size_t in_cells = per_cell * system.cells.size();
+  for (std::size_t k = 0; k < topology.size(); k += k < in_cells ? per_cell : 3)
+    cliques.add(topology.data() + k, k < in_cells ? per_cell : 3);
   matrix.contact_clique.clear();
   for (const HeatContact& contact : system.contacts)
     if (matrix.contact_clique.emplace(clique_key(contact), cliques.count()).second)
@@ -116,9 +114,10 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
 bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
   core::SymmetricMatrix& values = matrix.assembly.matrix;
   std::fill(values.value.begin(), values.value.end(), 0.0);
-  add_cells(matrix, system, temperature, step);
-  add_edges(matrix, system, temperature, step);
-  add_contacts(matrix, system, temperature, step);
+  const Linearisation slopes = linearise(system, temperature);
+  (system.problem->order == 2 ? add_cells<6> : add_cells<3>)(matrix, system, slopes, step);
+  add_edges(matrix, system, slopes, step);
+  add_contacts(matrix, system, slopes, step);
   for (const auto& [unknown, value] : system.prescribed) values.value[values.column_start[unknown]] = 1;
   matrix.diagonal.resize(values.size);
   for (Index i = 0; i < values.size; ++i) matrix.diagonal[i] = values.value[values.column_start[i]];

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <map>
 #include <vector>
 
@@ -8,12 +9,15 @@
 
 namespace parison::thermal {
 
+/// Unknowns of the vertices of a slave edge and of the master edge that it faces.
+using ContactKey = std::array<Index, 4>;
+
 /// Factor of C + step K, kept from step to step: C the heat capacity, K the conduction, exchange and interface at the
 /// temperature of the factorisation. K leaves out the slopes of conductivity and conductance with temperature, so it is
 /// symmetric and positive definite; Newton with it is a modified Newton.
 struct StepMatrix {
-  std::vector<Index> topology;                              ///< unknowns of all cells and boundary edges
-  std::map<std::pair<Index, Index>, Index> contact_clique;  ///< by slave and master mid-side unknown
+  std::vector<Index> topology;  ///< unknowns of all cells and boundary edges
+  std::map<ContactKey, Index> contact_clique;
   std::vector<char> is_prescribed;
   core::Assembly assembly;
   core::Cholesky cholesky;

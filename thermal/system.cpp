@@ -13,30 +13,58 @@ const SurfaceExchange* exchange_of(const BodyView& body, Index piece) {
   return &*body.exchange[piece];
 }
 
+/// Jacobian of a cell's map at a point of triangle_rule(4).
+struct Map {
+  core::Point along_a, along_b;  ///< derivatives of the position
+  double determinant, depth;
+};
+Map map_at(const core::Mesh& mesh, Index cell, core::Geometry geometry, std::size_t q) {
+  const CellShapes<6>& shapes = cell_shapes<6>();
+  core::Point x = core::Point::Zero(), u = x, v = x;
+  for (int i = 0; i < 6; ++i) {
+    const core::Point& node = mesh.nodes[mesh.cells[cell][i]];
+    x += shapes.value(q, i) * node;
+    u += shapes.slope_a(q, i) * node;
+    v += shapes.slope_b(q, i) * node;
+  }
+  return {u, v, u[0] * v[1] - u[1] * v[0], core::depth(geometry, x)};
+}
+
+/// Linear in the cell: a quadratic through thicknesses that jump would turn negative.
+double thickness_at(const BodyView& body, Index cell, std::size_t q) {
+  double w = 0;
+  for (int i = 0; i < 3; ++i) w += cell_shapes<3>().value(q, i) * (*body.wall_thickness)[body.mesh->cells[cell][i]];
+  return w;
+}
+
 void add_cells(HeatSystem& system, const BodyView& body, Index first_unknown) {
   const auto& rule = core::triangle_rule(4);
   const core::Geometry geometry = system.problem->geometry;
   const bool same = body.mesh == body.mass_mesh;
   const bool thin = body.wall_thickness && body.material->radiation;
+  const int used = system.problem->order == 2 ? 6 : 3;
   for (Index c = 0; c < body.mesh->cell_count(); ++c) {
-    HeatCell cell;
-    for (int i = 0; i < 6; ++i) cell.unknowns[i] = first_unknown + body.mesh->cells[c][i];
+    HeatCell& cell = system.cells.emplace_back();
+    for (int i = 0; i < used; ++i) cell.unknowns[i] = first_unknown + body.mesh->cells[c][i];
     for (std::size_t q = 0; q < rule.size(); ++q) {
-      const core::CellPoint at = core::map_cell_point(*body.mesh, c, geometry, rule[q]);
-      HeatPoint& point = cell.points[q];
-      point.gradient = at.gradient;
-      point.volume = at.volume;
-      point.mass =
-          body.density * (same ? at.volume : core::map_cell_point(*body.mass_mesh, c, geometry, rule[q]).volume);
-      point.thin_wall = 1;
-      if (thin) {
-        double w = 0;  // linear: a quadratic through thicknesses that jump would turn negative
-        for (int i = 0; i < 3; ++i) w += at.linear[i] * (*body.wall_thickness)[body.mesh->cells[c][i]];
-        point.thin_wall = thin_wall_factor(*body.material->radiation, w);
-      }
-      point.source = body.source ? (*body.source)[c * rule.size() + q] : 0;
+      const Map map = map_at(*body.mesh, c, geometry, q);
+      const double scale = rule[q].weight * map.depth / map.determinant;
+      cell.aa[q] = scale * map.along_b.squaredNorm();
+      cell.ab[q] = -scale * map.along_a.dot(map.along_b);
+      cell.bb[q] = scale * map.along_a.squaredNorm();
+      const Map then = same ? map : map_at(*body.mass_mesh, c, geometry, q);
+      cell.mass[q] = body.density * rule[q].weight * then.determinant * then.depth;
+      cell.thin_wall[q] = thin ? thin_wall_factor(*body.material->radiation, thickness_at(body, c, q)) : 1;
     }
-    system.cells.push_back(cell);
+  }
+}
+
+template <int N>
+void add_source(HeatSystem& system, const BodyLaws& laws, const std::vector<double>& source) {
+  for (Index c = laws.first_cell; c < laws.last_cell; ++c) {
+    const Eigen::Map<const Eigen::Matrix<double, 6, 1>> at(source.data() + 6 * (c - laws.first_cell));
+    const Eigen::Matrix<double, N, 1> own = cell_shapes<N>().value.transpose() * at;
+    for (int i = 0; i < N; ++i) system.source[system.cells[c].unknowns[i]] += own[i];
   }
 }
 
@@ -47,23 +75,24 @@ void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) 
     const core::BoundaryEdge& boundary = body.mesh->boundary[e];
     const SurfaceExchange* exchange = exchange_of(body, boundary.piece);
     if (!exchange) continue;
-    HeatEdge edge{{}, first_boundary_edge + static_cast<Index>(e), body_index, *exchange, {}};
-    for (int i = 0; i < 3; ++i) {
-      edge.unknowns[i] = system.first_unknown[body_index] + boundary.nodes[i];
-      edge.area[i] = core::map_edge_point(*body.mesh, boundary.nodes, system.problem->geometry, rule[i]).area;
+    HeatEdge edge{edge_unknowns(system, body_index, boundary.nodes), first_boundary_edge + static_cast<Index>(e),
+                  body_index, *exchange, {}, {}};
+    for (int q = 0; q < 3; ++q) {
+      edge.area[q] = core::map_edge_point(*body.mesh, boundary.nodes, system.problem->geometry, rule[q]).area;
+      edge.shape[q] = unknown_weights(edge_shapes()[q], system.problem->order);
     }
     system.edges.push_back(edge);
   }
 }
 
-void add_prescribed(HeatSystem& system, const BodyView& body, Index first_unknown) {
+void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) {
   if (body.prescribed.empty()) return;
   for (const core::BoundaryEdge& edge : body.mesh->boundary) {
     if (!body.prescribed[edge.piece]) continue;
-    for (const Index node : edge.nodes) {
-      if (system.is_prescribed[first_unknown + node]) continue;
-      system.is_prescribed[first_unknown + node] = 1;
-      system.prescribed.emplace_back(first_unknown + node, *body.prescribed[edge.piece]);
+    for (const Index unknown : edge_unknowns(system, body_index, edge.nodes)) {
+      if (system.is_prescribed[unknown]) continue;
+      system.is_prescribed[unknown] = 1;
+      system.prescribed.emplace_back(unknown, *body.prescribed[edge.piece]);
     }
   }
 }
@@ -82,11 +111,13 @@ std::vector<std::vector<const SurfaceExchange*>> exchange_by_mid_node(const Prob
 void add_contacts(HeatSystem& system) {
   const auto air = exchange_by_mid_node(*system.problem);
   for (const core::InterfacePoint& point : system.problem->interface) {
-    HeatContact contact{{}, &point, 0, {}, {}};
-    for (int i = 0; i < 3; ++i) {
-      contact.unknowns[i] = system.first_unknown[point.slave_body] + point.slave_nodes[i];
-      contact.unknowns[i + 3] = system.first_unknown[point.master_body] + point.master_nodes[i];
-    }
+    const int order = system.problem->order;
+    HeatContact contact{{}, unknown_weights(point.slave_shape, order), unknown_weights(point.master_shape, order),
+                        &point, 0, {}, {}};
+    const auto slave = edge_unknowns(system, point.slave_body, point.slave_nodes);
+    const auto master = edge_unknowns(system, point.master_body, point.master_nodes);
+    std::copy(slave.begin(), slave.end(), contact.unknowns.begin());
+    std::copy(master.begin(), master.end(), contact.unknowns.begin() + 3);
     if (const auto* exchange = air[point.slave_body][point.slave_nodes[2]]) contact.slave_air = *exchange;
     if (const auto* exchange = air[point.master_body][point.master_nodes[2]]) contact.master_air = *exchange;
     const std::pair pair{point.slave_body, point.master_body};
@@ -100,6 +131,7 @@ void add_contacts(HeatSystem& system) {
 }  // namespace
 
 HeatSystem make_heat_system(const Problem& problem) {
+  assert(problem.order == 1 || problem.order == 2);
   HeatSystem system;
   system.problem = &problem;
   system.first_unknown.push_back(0);
@@ -107,19 +139,25 @@ HeatSystem make_heat_system(const Problem& problem) {
     assert(body.mesh->cell_count() == body.mass_mesh->cell_count());
     assert(body.exchange.empty() || body.exchange.size() == body.mesh->pieces.size());
     assert(body.prescribed.empty() || body.prescribed.size() == body.mesh->pieces.size());
-    system.first_unknown.push_back(system.first_unknown.back() + body.mesh->node_count());
+    const Index count = problem.order == 2 ? body.mesh->node_count() : body.mesh->vertex_count;
+    system.first_unknown.push_back(system.first_unknown.back() + count);
   }
   system.is_prescribed.assign(system.size(), 0);
+  system.source.setZero(system.size());
+  std::size_t cells = 0;
+  for (const BodyView& body : problem.bodies) cells += body.mesh->cells.size();
+  system.cells.reserve(cells);
   Index boundary_edges = 0;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     const BodyView& body = problem.bodies[b];
     const Index first_cell = static_cast<Index>(system.cells.size());
     add_cells(system, body, system.first_unknown[b]);
-    system.bodies.push_back({body.material, Enthalpy(body.material->heat_capacity), first_cell,
+    system.bodies.push_back({Enthalpy(body.material->heat_capacity), Conductivity(*body.material), first_cell,
                              static_cast<Index>(system.cells.size())});
+    if (body.source) (problem.order == 2 ? add_source<6> : add_source<3>)(system, system.bodies.back(), *body.source);
     add_edges(system, static_cast<Index>(b), boundary_edges);
     boundary_edges += static_cast<Index>(body.mesh->boundary.size());
-    add_prescribed(system, body, system.first_unknown[b]);
+    add_prescribed(system, body, static_cast<Index>(b));
   }
   add_contacts(system);
   return system;
@@ -128,8 +166,9 @@ HeatSystem make_heat_system(const Problem& problem) {
 Eigen::VectorXd join(const HeatSystem& system, const std::vector<Eigen::VectorXd>& temperature) {
   Eigen::VectorXd joined(system.size());
   for (std::size_t b = 0; b < temperature.size(); ++b) {
-    assert(temperature[b].size() == system.first_unknown[b + 1] - system.first_unknown[b]);
-    joined.segment(system.first_unknown[b], temperature[b].size()) = temperature[b];
+    const Index count = system.first_unknown[b + 1] - system.first_unknown[b];
+    assert(temperature[b].size() == system.problem->bodies[b].mesh->node_count());
+    joined.segment(system.first_unknown[b], count) = temperature[b].head(count);
   }
   return joined;
 }
@@ -137,9 +176,16 @@ Eigen::VectorXd join(const HeatSystem& system, const std::vector<Eigen::VectorXd
 std::vector<Eigen::VectorXd> split(const HeatSystem& system, const Eigen::VectorXd& joined) {
   std::vector<Eigen::VectorXd> temperature;
   const auto& first = system.first_unknown;
-  for (std::size_t b = 0; b + 1 < first.size(); ++b)
-    temperature.push_back(joined.segment(first[b], first[b + 1] - first[b]));
+  for (std::size_t b = 0; b + 1 < first.size(); ++b) {
+    const Eigen::VectorXd own = joined.segment(first[b], first[b + 1] - first[b]);
+    temperature.push_back(system.problem->order == 2 ? own : core::from_vertices(*system.problem->bodies[b].mesh, own));
+  }
   return temperature;
+}
+
+std::array<Index, 3> edge_unknowns(const HeatSystem& system, Index body, const std::array<Index, 3>& nodes) {
+  const Index first = system.first_unknown[body];
+  return {first + nodes[0], first + nodes[1], first + (system.problem->order == 2 ? nodes[2] : nodes[0])};
 }
 
 Index body_of(const HeatSystem& system, Index unknown) {

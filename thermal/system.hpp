@@ -9,49 +9,48 @@
 #include "thermal/ledger.hpp"
 #include "thermal/problem.hpp"
 #include "thermal/properties.hpp"
+#include "thermal/shapes.hpp"
 
 namespace parison::thermal {
 
-/// Quadrature point of a cell: what does not depend on temperature.
-struct HeatPoint {
-  std::array<core::Point, 6> gradient;  ///< 1/m
-  double volume;                        ///< present, m3
-  double mass;                          ///< kg
-  double thin_wall;                     ///< factor on the Rosseland conductivity
-  double source;                        ///< W
-};
+/// What does not depend on temperature in a cell, at its quadrature points.
 struct HeatCell {
-  std::array<Index, 6> unknowns;
-  std::array<HeatPoint, 6> points;
+  std::array<Index, 6> unknowns;  ///< the first three alone in a problem of order 1
+  PointArray aa, ab, bb;  ///< present volume times the products of the gradients of the reference coordinates a, b, m
+  PointArray mass;        ///< kg
+  PointArray thin_wall;   ///< factor on the Rosseland conductivity
 };
 /// Boundary edge that exchanges heat with its surroundings.
 struct HeatEdge {
-  std::array<Index, 3> unknowns;
+  std::array<Index, 3> unknowns;  ///< first, last, mid; in a problem of order 1 the first again, of weight nothing
   Index boundary_edge;  ///< counted through all bodies
   Index body;
   SurfaceExchange exchange;
   std::array<double, 3> area;  ///< at the points of edge_rule(3), m2
+  std::array<std::array<double, 3>, 3> shape;  ///< weights of the unknowns there
 };
 /// Interface point with both sides' unknowns; the exchanges are those that the closed interface replaces.
 struct HeatContact {
-  std::array<Index, 6> unknowns;  ///< slave first, last, mid, then master
+  std::array<Index, 6> unknowns;  ///< slave first, last, mid, then master; mids as in HeatEdge
+  std::array<double, 3> slave_shape, master_shape;  ///< weights of the unknowns
   const core::InterfacePoint* point;
   Index pair;  ///< index into HeatSystem::pairs
   std::optional<SurfaceExchange> slave_air, master_air;
 };
 struct BodyLaws {
-  const Material* material;
   Enthalpy enthalpy;
+  Conductivity conductivity;
   Index first_cell, last_cell;  ///< range of HeatSystem::cells
 };
 
-/// A heat problem with the meshes where they are: everything but the temperature. The unknowns are the nodal
-/// temperatures of body after body.
+/// A heat problem with the meshes where they are: everything but the temperature. The unknowns are the
+/// temperatures of the nodes, or of the vertices in a problem of order 1, of body after body.
 struct HeatSystem {
   const Problem* problem;
   std::vector<Index> first_unknown;  ///< of each body; the last entry is the number of unknowns
   std::vector<BodyLaws> bodies;
   std::vector<HeatCell> cells;
+  Eigen::VectorXd source;  ///< of volume into each unknown, W
   std::vector<HeatEdge> edges;
   std::vector<HeatContact> contacts;
   std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body
@@ -88,9 +87,11 @@ void book(Ledger& ledger, const Flows& flows, double duration);
 void book_content(Ledger& ledger, const HeatSystem& system, const Eigen::VectorXd& before,
                   const Eigen::VectorXd& after);
 
+/// Unknowns of the nodes of a boundary edge, as HeatEdge names them.
+std::array<Index, 3> edge_unknowns(const HeatSystem& system, Index body, const std::array<Index, 3>& nodes);
 /// Body that an unknown belongs to.
 Index body_of(const HeatSystem& system, Index unknown);
-/// One vector of all bodies' temperatures, and back.
+/// One vector of the unknowns of all bodies from their nodal temperatures, and back.
 Eigen::VectorXd join(const HeatSystem& system, const std::vector<Eigen::VectorXd>& temperature);
 std::vector<Eigen::VectorXd> split(const HeatSystem& system, const Eigen::VectorXd& joined);
 

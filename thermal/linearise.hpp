@@ -1,0 +1,35 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <vector>
+
+#include "thermal/system.hpp"
+
+namespace parison::thermal {
+
+/// Slopes of content and power with temperature at the points of a cell.
+struct CellSlopes {
+  PointArray capacity;        ///< J/K
+  PointArray conductivity;    ///< W/m/K
+  PointArray flow_a, flow_b;  ///< of the heat flow along the reference coordinates, by dk/dT alone, W/K
+};
+/// The same at an interface point, W/K.
+struct ContactSlopes {
+  double across;        ///< by the temperature difference: conductance times closed area
+  double conductance;   ///< by the slave's temperature through the conductance alone
+  double slave_air, master_air;  ///< of the exchanges that the closed interface replaces
+};
+
+/// Derivative of the heat equations at a temperature, with the slopes of conductivity and conductance.
+struct Linearisation {
+  std::vector<CellSlopes> cells;
+  std::vector<std::array<double, 3>> edges;  ///< of surface exchange at the points of edge_rule(3), W/K
+  std::vector<ContactSlopes> contacts;
+};
+Linearisation linearise(const HeatSystem& system, const Eigen::VectorXd& temperature);
+
+/// What a change of the temperatures, K, does to content - step power, J.
+Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisation, double step,
+                      const Eigen::VectorXd& change);
+
+}  // namespace parison::thermal
