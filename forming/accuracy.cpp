@@ -24,6 +24,7 @@ Accuracy draft() {
   a.smallest_step = 1e-6;
   a.quality_floor = 0.15;
   a.motion_tolerance = 0.1e-3;
+  a.temperature_order = 2;
   a.passes = 1;
   return a;
 }

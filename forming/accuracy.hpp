@@ -20,6 +20,7 @@ struct Accuracy {
   double smallest_step;      ///< s; a run that needs less stops
   double quality_floor;      ///< remesh below this scaled inverse condition number
   double motion_tolerance;   ///< a sweep whose velocity moves the mid-step mesh by more than this is repeated, m
+  int temperature_order;     ///< of the temperature in a cell: 2, or 1: linear between the vertices
   int passes;                ///< flow-heat sweeps per step, at least
 };
 

@@ -111,6 +111,7 @@ std::string accuracy_lines(const Scene& scene) {
   add("smallest_step", a.smallest_step, "s");
   add("motion_tolerance", 1e3 * a.motion_tolerance, "mm");
   add("quality_floor", a.quality_floor, "");
+  add("temperature_order", a.temperature_order, "");
   add("passes", a.passes, "");
   return text;
 }

@@ -51,7 +51,7 @@ bool limits_radiation(const Scene& scene) {
 thermal::Problem make_problem(const Scene& scene, const State& state, const std::vector<core::Mesh>& meshes,
                               const std::vector<core::InterfacePoint>& interface, long& table_holds) {
   const Stage& stage = scene.stages[state.stage];
-  thermal::Problem problem{scene.geometry, {}, interface, {}};
+  thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
     problem.bodies.push_back(view_of(scene, b, meshes[b], stage));
   problem.bodies[0].density = state.density;

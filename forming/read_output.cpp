@@ -74,12 +74,17 @@ void read_numerics(const CaseNode& node, Accuracy& accuracy) {
       {"smallest_step", &Accuracy::smallest_step, dimension::time},
       {"motion_tolerance", &Accuracy::motion_tolerance, dimension::length},
       {"quality_floor", &Accuracy::quality_floor, dimension::none}};
-  std::vector<std::string> keys = {"passes"};
+  std::vector<std::string> keys = {"passes", "temperature_order"};
   for (const auto& entry : numbers) keys.push_back(entry.key);
   const CaseTable table(node, keys);
   for (const auto& entry : numbers)
     if (const auto* item = table.find(entry.key)) accuracy.*entry.member = core::positive(*item, entry.dimension);
   if (const auto* item = table.find("passes")) accuracy.passes = core::count(*item);
+  if (const auto* item = table.find("temperature_order")) {
+    accuracy.temperature_order = core::count(*item);
+    if (accuracy.temperature_order > 2)
+      core::refuse(*item, fmt::format("{} was found, allowed are 1 and 2", accuracy.temperature_order));
+  }
   require_order(table, "smallest_step", accuracy.smallest_step, "first_step", accuracy.first_step);
   require_order(table, "first_step", accuracy.first_step, "largest_step", accuracy.largest_step);
   require_order(table, "skin_size", accuracy.skin_size, "surface_size", accuracy.surface_size);

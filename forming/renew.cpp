@@ -150,8 +150,8 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state) {
   }
   const auto transfer = remesh::make_transfer(old, glass.mesh);
   if (glass.temperature.size() > 0)
-    glass.temperature =
-        remesh::transfer_conserving(old, glass.mesh, scene.geometry, transfer, state.bodies[0].temperature);
+    glass.temperature = remesh::transfer_conserving(old, glass.mesh, scene.geometry, transfer,
+                                                    state.bodies[0].temperature, scene.accuracy.temperature_order);
   next.velocity.resize(dim * glass.mesh.node_count());
   for (int a = 0; a < dim; ++a) {
     const Eigen::VectorXd component = Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<dim>>(

@@ -16,18 +16,21 @@ using core::Point;
 
 namespace {
 
-core::Assembly mass_matrix(const Mesh& mesh, core::Geometry geometry) {
+/// Of the quadratic functions of the nodes, or of the linear ones of the vertices.
+core::Assembly mass_matrix(const Mesh& mesh, core::Geometry geometry, int order) {
+  const Index n = order == 2 ? 6 : 3;
   core::Cliques cliques;
-  for (const auto& cell : mesh.cells) cliques.add(cell.data(), 6);
-  core::Assembly mass = core::make_assembly(mesh.node_count(), cliques);
+  for (const auto& cell : mesh.cells) cliques.add(cell.data(), n);
+  core::Assembly mass = core::make_assembly(order == 2 ? mesh.node_count() : mesh.vertex_count, cliques);
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     std::array<double, 36> local{};
     for (const core::TriangleRulePoint& at : core::triangle_rule(6)) {
       const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, at);
-      for (int i = 0; i < 6; ++i)
-        for (int j = 0; j <= i; ++j) local[6 * i + j] += point.shape[i] * point.shape[j] * point.volume;
+      const double* shape = order == 2 ? point.shape.data() : point.linear.data();
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) local[n * i + j] += shape[i] * shape[j] * point.volume;
     }
-    core::add_clique(mass.matrix, mass.scatter, cell, 6, local.data());
+    core::add_clique(mass.matrix, mass.scatter, cell, n, local.data());
   }
   return mass;
 }
@@ -99,16 +102,21 @@ double mean(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& no
 }
 
 Eigen::VectorXd transfer_conserving(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
-                                    const Eigen::VectorXd& nodal) {
-  const core::Assembly mass = mass_matrix(to, geometry);
+                                    const Eigen::VectorXd& nodal, int order) {
+  const core::Assembly mass = mass_matrix(to, geometry, order);
   core::Cholesky factor;
   factor.analyse(mass.matrix);
-  Eigen::VectorXd result = factor.factorise(mass.matrix) ? factor.solve(overlay_load(from, to, geometry, nodal))
-                                                         : interpolate(from, transfer, nodal);
+  Eigen::VectorXd result;
+  if (factor.factorise(mass.matrix)) {
+    const Eigen::VectorXd load = overlay_load(from, to, geometry, nodal);
+    result = factor.solve(order == 2 ? load : core::to_vertices(to, load));
+  } else {
+    result = interpolate(from, transfer, nodal).head(mass.matrix.size);
+  }
   bound(from, transfer, nodal, result);
-  const Eigen::VectorXd weight = core::multiply(mass.matrix, Eigen::VectorXd::Ones(to.node_count()));
+  const Eigen::VectorXd weight = core::multiply(mass.matrix, Eigen::VectorXd::Ones(mass.matrix.size));
   restore_mean(weight, mean(from, geometry, nodal), nodal.minCoeff(), nodal.maxCoeff(), result);
-  return result;
+  return order == 2 ? result : core::from_vertices(to, result);
 }
 
 }  // namespace parison::remesh

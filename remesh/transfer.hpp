@@ -17,9 +17,10 @@ Transfer make_transfer(const core::Mesh& from, const core::Mesh& to);
 /// Value of an old nodal field at the new nodes.
 Eigen::VectorXd interpolate(const core::Mesh& from, const Transfer& transfer, const Eigen::VectorXd& nodal);
 
-/// The same with the volume mean kept to round-off and no value beyond the old nodal extremes.
+/// The same with the volume mean kept to round-off and no value beyond the old nodal extremes; of order 2, or 1: linear
+/// between the vertices of the new mesh.
 Eigen::VectorXd transfer_conserving(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry,
-                                    const Transfer& transfer, const Eigen::VectorXd& nodal);
+                                    const Transfer& transfer, const Eigen::VectorXd& nodal, int order = 2);
 
 /// Volume mean of a nodal field.
 double mean(const core::Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& nodal);

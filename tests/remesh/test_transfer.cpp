@@ -107,6 +107,34 @@ TEST(Transfer, a_uniform_field_stays_uniform) {
   EXPECT_LE(carried.maxCoeff(), 1423.15);
 }
 
+TEST(Transfer, linear_temperatures_stay_linear_and_keep_their_heat) {
+  const Mesh from = gob_mesh(2.5e-3), to = again(from, 2e-3);
+  const Transfer transfer = make_transfer(from, to);
+  for (const Field& field : {Field(smooth), Field(skin)}) {
+    const Eigen::VectorXd old = core::from_vertices(from, sample(from, field).head(from.vertex_count));
+    const Eigen::VectorXd carried = transfer_conserving(from, to, Geometry::axisymmetric, transfer, old, 1);
+    const double before = mean(from, Geometry::axisymmetric, old), after = mean(to, Geometry::axisymmetric, carried);
+    std::printf("linear: heat kept to %.1e, L2 error %.2f K, of linear interpolation %.2f K\n", after / before - 1,
+                error_l2(to, carried, field),
+                error_l2(to, core::from_vertices(to, sample(to, field).head(to.vertex_count)), field));
+    EXPECT_NEAR(after / before, 1, 1e-12);
+    EXPECT_LT((carried - core::from_vertices(to, carried.head(to.vertex_count))).lpNorm<Eigen::Infinity>(), 1e-10);
+    EXPECT_LE(carried.maxCoeff(), old.maxCoeff());
+    EXPECT_GE(carried.minCoeff(), old.minCoeff());
+  }
+}
+
+TEST(Transfer, a_linear_temperature_is_carried_over_exactly_where_cells_are_straight) {
+  const Mesh from = gob_mesh(3e-3), to = again(from, 2.3e-3);
+  const Field linear = [](const Point& x) { return 1000 + 3e3 * x[0] - 2e3 * x[1]; };
+  const Eigen::VectorXd carried =
+      transfer_conserving(from, to, Geometry::axisymmetric, make_transfer(from, to), sample(from, linear), 1);
+  double inner = 0;
+  for (Index i = 0; i < to.node_count(); ++i)
+    if (core::distance(gob(), to.nodes[i]) > 8e-3) inner = std::max(inner, std::abs(carried[i] - linear(to.nodes[i])));
+  EXPECT_LT(inner, 0.02);
+}
+
 void carry_hundred_times(const Field& field, const char* name) {
   Mesh mesh = again(gob_mesh(1.3e-3), 1.3e-3);
   Eigen::VectorXd carried = sample(mesh, field);

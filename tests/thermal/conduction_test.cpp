@@ -8,6 +8,7 @@
 #include "thermal/ida.hpp"
 #include "thermal/properties.hpp"
 #include "thermal/tr_bdf2.hpp"
+#include "thermal/varying.hpp"
 
 namespace parison::thermal::test {
 namespace {
@@ -97,26 +98,6 @@ TEST(Conduction, a_cylinder_cooled_on_its_mantle_follows_the_Bessel_series) {
       ASSERT_NEAR(outcome.temperature[0][i], exact(mesh.nodes[i][0], time), 0.03) << mesh.nodes[i].transpose();
   }
 }
-
-/// With k and c both proportional to 1 + slope (T - base), the integral of that factor obeys the linear heat equation:
-/// an exact solution with both properties varying by a factor of four.
-struct Varying {
-  static constexpr double base = 1000, slope = 1e-3, amplitude = 900, side = 0.01, k0 = 30, c0 = 600, density = 7800;
-  Material material{density, {{200, 3000}, {c0 * factor(200), c0 * factor(3000)}},
-                    {{200, 3000}, {k0 * factor(200), k0 * factor(3000)}}, {}};
-
-  static double factor(double T) { return 1 + slope * (T - base); }
-  static double exact(const Point& x, double t) {
-    const double decay = std::exp(-2 * std::pow(M_PI / side, 2) * k0 / (density * c0) * t);
-    const double theta = amplitude * std::sin(M_PI * x[0] / side) * std::sin(M_PI * x[1] / side) * decay;
-    return base + (std::sqrt(1 + 2 * slope * theta) - 1) / slope;
-  }
-  Problem problem(const core::Mesh& mesh) const {
-    Problem made{Geometry::planar, {body(mesh, material)}, {}, {}};
-    for (auto& given : made.bodies[0].prescribed) given = base;
-    return made;
-  }
-};
 
 TEST(Conduction, the_error_falls_with_the_third_power_of_the_element_size_for_varying_properties) {
   const Varying v;

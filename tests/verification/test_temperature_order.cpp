@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "forming/heat_step.hpp"
+#include "forming/initial_state.hpp"
+#include "forming/renew.hpp"
+#include "forming/step.hpp"
+
+namespace parison::forming {
+namespace {
+
+Scene bundled(const std::string& name) { return read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/" + name, "draft"); }
+
+/// verification.md, section 1: time, glass side, steel side.
+constexpr std::array<std::array<double, 3>, 4> exact{
+    {{1, 742.0877, 575.8608}, {2, 706.4829, 583.7917}, {5, 671.5318, 591.5769}, {10, 652.8883, 595.7298}}};
+
+/// Largest deviation of both sides of the contact from the exact temperatures with linear ones on `along` divisions of
+/// each cylinder's height, K.
+double deviation(Index across, Index along) {
+  Scene scene = bundled("contact_cylinders");
+  scene.accuracy.temperature_order = 1;
+  for (Body* body : {static_cast<Body*>(&scene.glass), static_cast<Body*>(&scene.tools[0])}) {
+    body->mesh.mapped->along_first = across;
+    body->mesh.mapped->along_second = along;
+  }
+  State state = initial_state(scene);
+  Workspace workspace;
+  double worst = 0;
+  for (const auto& [time, glass_side, steel_side] : exact) {
+    while (state.time < time - 1e-12) {
+      auto result = coupled_step(scene, state, time - state.time, workspace);
+      EXPECT_TRUE(result.converged) << result.reason;
+      if (!result.converged) return 1e9;
+      state = std::move(result.state);
+    }
+    for (const Index b : {0, 1}) {
+      const core::Mesh& mesh = state.bodies[b].mesh;
+      const double side = 273.15 + (b ? steel_side : glass_side);
+      for (const auto& edge : mesh.boundary)
+        for (const Index node : edge.nodes)
+          if (mesh.pieces[edge.piece] == "contact") worst = std::max(worst, std::abs(state.bodies[b].temperature[node] - side));
+    }
+  }
+  return worst;
+}
+
+/// On flat cells linear triangles disturb a one-dimensional field across the cells: both directions are refined.
+TEST(TemperatureOrder, linear_temperatures_of_the_contact_cylinders_converge_to_within_a_tenth_of_a_kelvin) {
+  const double coarse = deviation(40, 48), finer = deviation(80, 96), finest = deviation(160, 96);
+  std::printf("linear temperatures: worst deviation %.4f, %.4f, %.4f K\n", coarse, finer, finest);
+  EXPECT_GT(std::log2(coarse / finer), 1.7);
+  EXPECT_LT(finest, 0.1);
+}
+
+TEST(TemperatureOrder, a_new_glass_mesh_keeps_linear_temperatures_and_their_heat) {
+  Scene scene = bundled("jar");
+  scene.accuracy.temperature_order = 1;
+  State state = initial_state(scene);
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  for (Index n = 0; n < mesh.node_count(); ++n) state.bodies[0].temperature[n] += 3e4 * mesh.nodes[n][0];
+  state.bodies[0].temperature = core::from_vertices(mesh, state.bodies[0].temperature.head(mesh.vertex_count));
+  const Renewed renewed = renew_glass_mesh(scene, state);
+  ASSERT_TRUE(renewed.ok) << renewed.reason;
+  const auto& glass = renewed.state.bodies[0];
+  ASSERT_NE(glass.mesh.node_count(), mesh.node_count());
+  EXPECT_NEAR(glass_heat(scene, renewed.state) / glass_heat(scene, state), 1, 1e-12);
+  const auto linear = core::from_vertices(glass.mesh, glass.temperature.head(glass.mesh.vertex_count));
+  EXPECT_LT((glass.temperature - linear).lpNorm<Eigen::Infinity>(), 1e-9);
+}
+
+}  // namespace
+}  // namespace parison::forming
