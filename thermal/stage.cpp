@@ -3,15 +3,23 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/QR>
+
+#include "thermal/krylov.hpp"
+#include "thermal/linearise.hpp"
 
 namespace parison::thermal {
 
 namespace {
 
 constexpr int anderson_depth = 4;
-constexpr Index most_solves = 20;
+constexpr int most_updates = 20;
+constexpr int first_judged = 3;       ///< a later update larger than one before it is a stall
+constexpr double inner_share = 1e-2;  ///< of its right hand side that the inner solution of the full Newton may leave
+constexpr int most_products = 12;     ///< of the full derivative in an inner solution
+constexpr double shortest = 1.0 / 64;  ///< part of an update of the full Newton that must lower the residual
 
 /// The last few differences of iterates and of their updates.
 struct History {
@@ -39,38 +47,100 @@ Eigen::VectorXd residual(const HeatSystem& system, const StageEquation& equation
   return r;
 }
 
+/// Newton's update with the full derivative, slopes of conductivity and conductance included: GMRES, with the factor as
+/// preconditioner and its update `plain` as the right hand side.
+Eigen::VectorXd full_update(const HeatSystem& system, const StepMatrix& matrix, double step,
+                            const Eigen::VectorXd& temperature, const Eigen::VectorXd& plain, Index& solves) {
+  const Linearisation slopes = linearise(system, temperature);
+  const auto product = [&](const Eigen::VectorXd& change) -> Eigen::VectorXd {
+    Eigen::VectorXd moved = apply(system, slopes, step, change);
+    for (const auto& [unknown, value] : system.prescribed) moved[unknown] = change[unknown];
+    return matrix.cholesky.solve(moved);
+  };
+  KrylovSolution solution = solve_by_gmres(product, plain, inner_share, most_products);
+  solves += solution.products;
+  return std::move(solution.x);
+}
+
+/// A stage at the iterate reached.
+struct Iterate {
+  StageSolution stage;
+  Eigen::VectorXd residual;  ///< J
+  double scaled = 0;         ///< residual over the matrix's diagonal, largest, K
+};
+
+void move_to(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
+             Eigen::VectorXd temperature, Iterate& at) {
+  at.stage.temperature = std::move(temperature);
+  at.stage.response = evaluate(system, at.stage.temperature);
+  at.residual = residual(system, equation, at.stage.response);
+  at.scaled = at.residual.cwiseQuotient(matrix.diagonal).lpNorm<Eigen::Infinity>();
+  if (!at.residual.allFinite()) at.scaled = std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Whether the residual fell so far since an update of `size` K that the error stands below the tolerance: it falls as
+/// the error does, give or take its distribution, and a factor 10 spares the proving solve.
+bool is_solved(const Iterate& at, double size, double last_scaled, double tolerance) {
+  return at.scaled == 0 || 10 * size * at.scaled <= tolerance * last_scaled;
+}
+
+/// Modified Newton; false where it stalls, with the iterate to go on from.
+bool solve_by_factor(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
+                     double tolerance, Iterate& at) {
+  History history(system.size());
+  Eigen::VectorXd last_update, last_move;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int updates = 0; updates < most_updates; ++updates) {
+    const Eigen::VectorXd update = -matrix.cholesky.solve(at.residual);
+    ++at.stage.solves;
+    const double size = update.lpNorm<Eigen::Infinity>(), last_scaled = at.scaled;
+    // The first update is always made: dropped again and again in tiny steps it would add up.
+    at.stage.converged = updates > 0 && size <= tolerance;
+    if (at.stage.converged) return true;
+    if (!std::isfinite(size) || (updates >= first_judged && size > smallest)) return false;
+    if (last_update.size()) history.add(last_move, update - last_update);
+    last_move = history.move(update);
+    last_update = update;
+    smallest = std::min(smallest, size);
+    move_to(system, matrix, equation, at.stage.temperature + last_move, at);
+    at.stage.converged = is_solved(at, size, last_scaled, tolerance);
+    if (at.stage.converged || !std::isfinite(at.scaled)) return at.stage.converged;
+  }
+  return false;
+}
+
+/// Newton's method with the full derivative, shortened where the residual would not fall.
+void solve_by_full_derivative(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
+                              double tolerance, Iterate& at) {
+  for (int updates = 0; updates < most_updates; ++updates) {
+    const Eigen::VectorXd plain = -matrix.cholesky.solve(at.residual), before = at.stage.temperature;
+    ++at.stage.solves;
+    const Eigen::VectorXd update = full_update(system, matrix, equation.step, before, plain, at.stage.solves);
+    const double size = update.lpNorm<Eigen::Infinity>(), last_scaled = at.scaled;
+    const double norm = at.residual.cwiseQuotient(matrix.diagonal).norm();
+    ++at.stage.full_updates;
+    if (!std::isfinite(size)) return;
+    for (double part = 1; part >= shortest; part /= 2) {
+      move_to(system, matrix, equation, before + part * update, at);
+      if (at.residual.cwiseQuotient(matrix.diagonal).norm() < norm) break;
+    }
+    at.stage.converged = is_solved(at, size, last_scaled, tolerance) || size <= tolerance;
+    if (at.stage.converged || !std::isfinite(at.scaled)) return;
+  }
+}
+
 }  // namespace
 
 StageSolution solve_stage(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
                           const Eigen::VectorXd& guess, double tolerance) {
-  StageSolution stage;
-  stage.temperature = guess;
-  History history(system.size());
-  Eigen::VectorXd last_update, last_move;
-  double last_size = std::numeric_limits<double>::infinity(), last_scaled = 0, smallest = last_size;
-  while (stage.solves < most_solves) {
-    stage.response = evaluate(system, stage.temperature);
-    const Eigen::VectorXd r = residual(system, equation, stage.response);
-    if (!r.allFinite()) return stage;
-    const double scaled = r.cwiseQuotient(matrix.diagonal).lpNorm<Eigen::Infinity>();
-    // The residual fell as far as the error in K, give or take its distribution: a factor 10 spares the proving solve.
-    stage.converged = scaled == 0 || 10 * last_size * scaled <= tolerance * last_scaled;
-    if (stage.converged) return stage;
-    const Eigen::VectorXd update = -matrix.cholesky.solve(r);
-    ++stage.solves;
-    const double size = update.lpNorm<Eigen::Infinity>();
-    // The first update is always made: dropped again and again in tiny steps it would add up.
-    stage.converged = stage.solves > 1 && size <= tolerance;
-    if (stage.converged || !std::isfinite(size) || size > 1e3 * smallest) return stage;
-    if (last_update.size()) history.add(last_move, update - last_update);
-    last_move = history.move(update);
-    last_update = update;
-    last_size = size;
-    last_scaled = scaled;
-    smallest = std::min(smallest, size);
-    stage.temperature += last_move;
-  }
-  return stage;
+  Iterate at;
+  move_to(system, matrix, equation, guess, at);
+  at.stage.converged = at.scaled == 0;
+  if (at.stage.converged || !std::isfinite(at.scaled)) return std::move(at.stage);
+  if (solve_by_factor(system, matrix, equation, tolerance, at)) return std::move(at.stage);
+  if (!std::isfinite(at.scaled)) move_to(system, matrix, equation, guess, at);
+  solve_by_full_derivative(system, matrix, equation, tolerance, at);
+  return std::move(at.stage);
 }
 
 }  // namespace parison::thermal

@@ -14,11 +14,12 @@ struct StageSolution {
   bool converged = false;
   Eigen::VectorXd temperature;
   Response response;  ///< at the temperature
-  Index solves = 0;
+  Index solves = 0;        ///< with the factor
+  Index full_updates = 0;  ///< Newton updates with the full derivative
 };
 
-/// Modified Newton with the matrix's present factor, accelerated by Anderson's method; ends when the residual stands
-/// for less than `tolerance` K at every node.
+/// Modified Newton with the matrix's present factor, accelerated by Anderson's method; where that contracts slowly,
+/// Newton's method with the full derivative. Ends when the residual stands for less than `tolerance` K at every node.
 StageSolution solve_stage(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
                           const Eigen::VectorXd& guess, double tolerance);
 

@@ -12,7 +12,7 @@ namespace parison::thermal {
 
 struct StepOptions {
   double tolerance = 0.1;            ///< largest estimated local error of a substep at any node, K
-  double newton_tolerance = 1e-9;    ///< largest error left in the equations of a stage at any node, K
+  double newton_tolerance = 1e-10;   ///< largest error left in the equations of a stage at any node, K
   double first_substep = 0;          ///< s; 0: the whole step
   double largest_substep = std::numeric_limits<double>::infinity();  ///< s
   double smallest_substep = 1e-12;   ///< s; needing less is a failure
