@@ -77,7 +77,7 @@ void add_contacts(StepMatrix& matrix, const HeatSystem& system, const Linearisat
     std::array<double, 36> local{};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        local[i * 6 + j] = step * (across - slave_air) * s[i] * s[j];
+        local[i * 6 + j] = step * (across + std::max(conductance, 0.0) - slave_air) * s[i] * s[j];
         local[(i + 3) * 6 + j] = -step * across * m[i] * s[j];
         local[(i + 3) * 6 + j + 3] = step * (across - master_air) * m[i] * m[j];
       }

@@ -13,8 +13,9 @@ namespace parison::thermal {
 using ContactKey = std::array<Index, 4>;
 
 /// Factor of C + step K, kept from step to step: C the heat capacity, K the conduction, exchange and interface at the
-/// temperature of the factorisation. K leaves out the slopes of conductivity and conductance with temperature, so it is
-/// symmetric and positive definite; Newton with it is a modified Newton.
+/// temperature of the factorisation. Of the slopes of conductivity and conductance K has only what is symmetric and
+/// positive: a conductance that rises with the slave's temperature, in the slave's own block. Newton with it is a
+/// modified Newton; solve_stage has the full derivative.
 struct StepMatrix {
   std::vector<Index> topology;  ///< unknowns of all cells and boundary edges
   std::map<ContactKey, Index> contact_clique;
