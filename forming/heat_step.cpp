@@ -166,7 +166,7 @@ core::Conductance point_conductance(const Scene& scene, const core::InterfacePoi
   double viscosity = 1, slope = 0;
   if (scene.has_flow()) {
     viscosity = scene.glass.flow->viscosity(temperature);
-    slope = scene.glass.flow->viscosity.derivative(temperature);
+    slope = viscosity * scene.glass.flow->viscosity.log_derivative(temperature);
   }
   const auto value = contact::conductance(scene.interfaces[point.law].law, point.pressure, viscosity);
   table_holds += value.outside;

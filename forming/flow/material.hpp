@@ -12,6 +12,8 @@ struct Viscosity {
   double operator()(double temperature) const;
   /// d eta / dT, Pa.s/K.
   double derivative(double temperature) const;
+  /// d ln eta / dT, 1/K.
+  double log_derivative(double temperature) const;
 };
 
 /// Carreau factor on the viscosity: (1 + (lambda rate)^2)^((n-1)/2).

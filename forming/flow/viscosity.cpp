@@ -21,10 +21,14 @@ double Viscosity::operator()(double temperature) const {
 }
 
 double Viscosity::derivative(double temperature) const {
+  return (*this)(temperature)*log_derivative(temperature);
+}
+
+double Viscosity::log_derivative(double temperature) const {
   if (constant) return 0;
   const double above = temperature - T0;
   if (above <= 0 || A + B / above >= highest_exponent) return 0;
-  return -(*this)(temperature)*std::log(10) * B / (above * above);
+  return -std::log(10) * B / (above * above);
 }
 
 }  // namespace parison::flow
