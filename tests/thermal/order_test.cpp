@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Temperature linear between the vertices: Problem::order 1.
-#include <set>
 
 #include <gtest/gtest.h>
 
@@ -34,7 +33,8 @@ TEST(LinearTemperature, the_error_falls_with_the_second_power_of_the_element_siz
     const StepOutcome outcome = advance(problem, {start}, time, options, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     EXPECT_LT(off_the_line(mesh, outcome.temperature[0]), 1e-10);
-    errors.push_back(distance(mesh, Geometry::planar, outcome.temperature[0], [&](const Point& x) { return v.exact(x, time); }));
+    const auto exact = [&](const Point& x) { return v.exact(x, time); };
+    errors.push_back(distance(mesh, Geometry::planar, outcome.temperature[0], exact));
   }
   std::printf("errors %.3e %.3e %.3e K: orders %.2f %.2f\n", errors[0], errors[1], errors[2],
               std::log2(errors[0] / errors[1]), std::log2(errors[1] / errors[2]));

@@ -43,7 +43,8 @@ double deviation(Index across, Index along) {
       const double side = 273.15 + (b ? steel_side : glass_side);
       for (const auto& edge : mesh.boundary)
         for (const Index node : edge.nodes)
-          if (mesh.pieces[edge.piece] == "contact") worst = std::max(worst, std::abs(state.bodies[b].temperature[node] - side));
+          if (mesh.pieces[edge.piece] == "contact")
+            worst = std::max(worst, std::abs(state.bodies[b].temperature[node] - side));
     }
   }
   return worst;
