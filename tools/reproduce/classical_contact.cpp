@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// classical_contact CASE OUTPUT: runs a case of standing bodies as `parison run --accuracy standard` does, the interface
+// element replaced by the classical coupling. For comparison only.
+#include <fmt/core.h>
+
+#include <exception>
+
+#include "classical/classical_interface.hpp"
+#include "core/blas_threads.hpp"
+#include "core/case_error.hpp"
+#include "forming/heat_step.hpp"
+#include "forming/history.hpp"
+#include "forming/initial_state.hpp"
+#include "forming/output.hpp"
+#include "forming/step_control.hpp"
+
+namespace {
+
+using namespace parison;
+using namespace parison::forming;
+
+std::vector<core::InterfacePoint> couple(const Scene& scene, const State& state) {
+  const auto surface = [&](Index body) {
+    const auto& mesh = state.bodies[body].mesh;
+    return contact::make_surface(body, mesh, contact_pieces(body_of(scene, body), mesh), core::Point::Zero());
+  };
+  return classical::classical_interface(surface(0), surface(1), scene.geometry);
+}
+
+/// Steps through the first stage; false where the heat solver gave up.
+bool run_stage(const Scene& scene, const std::string& directory) {
+  ResultFiles files(scene, directory);
+  State state = initial_state(scene);
+  Workspace workspace;
+  StepReport report;
+  report.interface = couple(scene, state);
+  state.next_step = scene.accuracy.first_step;
+  files.fields(state, report);
+  while (!stage_over(scene, state, false)) {
+    report.dt = landing_step(scene, state, state.next_step);
+    const auto heat = advance_heat(scene, state, report.interface, {}, report.dt, workspace);
+    if (!heat.converged) return false;
+    state.time += report.dt;
+    state.stage_time += report.dt;
+    state.next_step = wished_step(scene, report, state.next_step);
+    files.row(history_row(scene, state, report));
+    if (output_due(scene, state)) files.fields(state, report);
+  }
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    fmt::print(stderr, "usage: classical_contact CASE OUTPUT\n");
+    return 2;
+  }
+  core::use_one_blas_thread();
+  try {
+    const Scene scene = read_scene(argv[1], "standard");
+    if (scene.has_flow() || scene.tools.size() != 1 || scene.stages.size() != 1 || !scene.has_heat())
+      throw core::CaseError(fmt::format("{}: allowed is a case of two standing bodies and one stage", argv[1]));
+    return run_stage(scene, argv[2]) ? 0 : 1;
+  } catch (const core::CaseError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "classical_contact: {}\n", error.what());
+    return 1;
+  }
+}
