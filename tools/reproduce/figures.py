@@ -19,6 +19,17 @@ MAPPED = (7, 20)  # the pair of figures 9 and 12, the glass its slave
 SIDE_LIMITS = ((600, 960), (552, 612))  # degC, the same in figures 10 and 11
 
 
+CAPTIONS = {
+    "fig09_map": "Temperature of both bodies at 10 s, 7/20 with the glass as slave, without and with the interface element; below, the "
+                 "isotherms within 1 mm of the contact, which have to be straight.",
+    "fig10_classical": "Temperature along both sides of the contact with the classical coupling, all mesh pairs and both roles.",
+    "fig11_interface_element": "The same with the interface element, on the same scales.",
+    "fig12_history": "Both sides of the contact over time, 7/20, at the axis and at the rim, and how far they are from the exact solution.",
+    "fig13_self_weight": "The glass flows for 1 s under its own weight and slides on the steel; h follows contact pressure and viscosity. "
+                         "Temperatures and contact pressure along the contact, all mesh pairs. The viscosity is assumed.",
+}
+
+
 def write_csv(path, header, rows):
     with open(path, "w", newline="") as file:
         writer = csv.writer(file)
@@ -80,10 +91,10 @@ def along_contact(runs, method, folder, name):
     for axis, side, limits in zip(axes[:, 0], ("glass", "steel"), SIDE_LIMITS):
         axis.set(ylabel=f"{side} side, °C", ylim=limits)
     lines = [plt.Line2D([], [], color=f"C{k}", label=f"{time} s") for k, time in enumerate(SHOWN_TIMES)]
-    axes[0, -1].legend(handles=lines + [plt.Line2D([], [], color="grey", linestyle=style, label=label) for style, label in (
+    axes[0, 0].legend(loc="upper left", handles=lines + [plt.Line2D([], [], color="grey", linestyle=style, label=label) for style, label in (
         ("-", "slave glass"), ("--", "slave steel"), (":", "exact"))], fontsize=8)
     figure.suptitle(f"{method}: temperature along the contact, divisions glass/steel")
-    save(figure, folder / f"{name}.png", 64)
+    save(figure, folder / f"{name}.png", 256)
     write_csv(folder / f"{name}.csv", ("divisions", "slave", "side", "time_s", "r_mm", "T_C", "less_exact_K"), rows)
 
 
@@ -111,7 +122,7 @@ def histories(runs, folder):
     axes[0].legend(fontsize=8)
     for axis in axes:
         axis.grid(alpha=0.3)
-    save(figure, folder / "fig12_history.png", 64)
+    save(figure, folder / "fig12_history.png", 256)
     write_csv(folder / "fig12_history.csv", ("coupling", "place", "side", "time_s", "T_C", "less_exact_K"), rows)
 
 
@@ -121,17 +132,20 @@ def self_weight(weight, folder):
     figure, axes = plt.subplots(1, 3, figsize=(11, 4), dpi=90, layout="constrained")
     rows = []
     for time in (0.2, 0.5, 1.0):
+        for axis, (name, _) in zip(axes, names):
+            data = next(iter(weight.values()))[0]
+            axis.text(0.5, measure.along_contact(data, time, name, 0.5), f"{time:g} s", va="bottom", fontsize=8)
         for i, (mesh, (data, _)) in enumerate(weight.items()):
             at = np.abs(data["time_s"] - time) < 1e-9
             for axis, (name, title) in zip(axes, names):
-                axis.plot(data["r_mm"][at], data[name][at], f"C{i}", linewidth=0.9, label=mesh if time == 0.2 else None)
+                axis.plot(data["r_mm"][at], data[name][at], f"C{i}", linewidth=3.5 - 0.55 * i, label=mesh if time == 0.2 else None)
                 axis.set(xlabel="r, mm", title=title)
                 axis.grid(alpha=0.3)
             rows += [(mesh, time, *map(float, row)) for row in zip(*(data[n][at] for n in (
                 "r_mm", "T_glass_C", "T_tool_C", "pressure_Pa", "h_W_m2K", "flux_W_m2")))]
-    axes[1].legend(fontsize=8, title="glass/steel")
+    axes[1].legend(fontsize=8, title="glass/steel", loc="lower left")
     figure.suptitle("self-weight: along the contact at 0.2, 0.5 and 1 s")
-    save(figure, folder / "fig13_self_weight.png", 64)
+    save(figure, folder / "fig13_self_weight.png", 256)
     write_csv(folder / "fig13_self_weight.csv",
               ("divisions", "time_s", "r_mm", "T_glass_C", "T_tool_C", "pressure_Pa", "h_W_m2K", "flux_W_m2"), rows)
 
@@ -142,3 +156,6 @@ def draw(runs, weight, folder):
     along_contact(runs, runs_module.METHODS[0], folder, "fig11_interface_element")
     histories(runs, folder)
     self_weight(weight, folder)
+    with open(folder / "figures.md", "w") as file:
+        for name, caption in CAPTIONS.items():
+            file.write(f"![{name}]({name}.png)\n\n{caption} Numbers: {name}.csv.\n\n")
