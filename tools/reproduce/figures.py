@@ -20,13 +20,14 @@ SIDE_LIMITS = ((600, 960), (552, 612))  # degC, the same in figures 10 and 11
 
 
 CAPTIONS = {
-    "fig09_map": "Temperature of both bodies at 10 s, 7/20 with the glass as slave, without and with the interface element; below, the "
-                 "isotherms within 1 mm of the contact, which have to be straight.",
+    "fig09_map": "Temperature of both bodies at 10 s, 7/20 with the glass as slave, without and with the interface element; "
+                 "below, the isotherms within 1 mm of the contact, which have to be straight.",
     "fig10_classical": "Temperature along both sides of the contact with the classical coupling, all mesh pairs and both roles.",
     "fig11_interface_element": "The same with the interface element, on the same scales.",
-    "fig12_history": "Both sides of the contact over time, 7/20, at the axis and at the rim, and how far they are from the exact solution.",
-    "fig13_self_weight": "The glass flows for 1 s under its own weight and slides on the steel; h follows contact pressure and viscosity. "
-                         "Temperatures and contact pressure along the contact, all mesh pairs. The viscosity is assumed.",
+    "fig12_history": "Both sides of the contact over time, 7/20 with the glass as slave, at the axis and at the rim, and how far "
+                     "they are from the exact solution.",
+    "fig13_self_weight": "The glass flows for 1 s under its own weight and slides on the steel; h follows contact pressure and "
+                         "viscosity (assumed). Temperatures and contact pressure along the contact, all mesh pairs.",
 }
 
 
@@ -91,8 +92,9 @@ def along_contact(runs, method, folder, name):
     for axis, side, limits in zip(axes[:, 0], ("glass", "steel"), SIDE_LIMITS):
         axis.set(ylabel=f"{side} side, °C", ylim=limits)
     lines = [plt.Line2D([], [], color=f"C{k}", label=f"{time} s") for k, time in enumerate(SHOWN_TIMES)]
-    axes[0, 0].legend(loc="upper left", handles=lines + [plt.Line2D([], [], color="grey", linestyle=style, label=label) for style, label in (
-        ("-", "slave glass"), ("--", "slave steel"), (":", "exact"))], fontsize=8)
+    lines += [plt.Line2D([], [], color="grey", linestyle=style, label=label)
+              for style, label in (("-", "slave glass"), ("--", "slave steel"), (":", "exact"))]
+    axes[0, 0].legend(loc="upper left", handles=lines, fontsize=8)
     figure.suptitle(f"{method}: temperature along the contact, divisions glass/steel")
     save(figure, folder / f"{name}.png", 256)
     write_csv(folder / f"{name}.csv", ("divisions", "slave", "side", "time_s", "r_mm", "T_C", "less_exact_K"), rows)
@@ -138,12 +140,13 @@ def self_weight(weight, folder):
         for i, (mesh, (data, _)) in enumerate(weight.items()):
             at = np.abs(data["time_s"] - time) < 1e-9
             for axis, (name, title) in zip(axes, names):
-                axis.plot(data["r_mm"][at], data[name][at], f"C{i}", linewidth=3.5 - 0.55 * i, label=mesh if time == 0.2 else None)
+                axis.plot(data["r_mm"][at], data[name][at], f"C{i}", linewidth=3.5 - 0.55 * i,
+                          label=mesh if time == 0.2 else None)
                 axis.set(xlabel="r, mm", title=title)
                 axis.grid(alpha=0.3)
             rows += [(mesh, time, *map(float, row)) for row in zip(*(data[n][at] for n in (
                 "r_mm", "T_glass_C", "T_tool_C", "pressure_Pa", "h_W_m2K", "flux_W_m2")))]
-    axes[1].legend(fontsize=8, title="glass/steel", loc="lower left")
+    axes[0].legend(fontsize=8, title="glass/steel", ncol=3, loc="center", bbox_to_anchor=(0.5, 0.72))
     figure.suptitle("self-weight: along the contact at 0.2, 0.5 and 1 s")
     save(figure, folder / "fig13_self_weight.png", 256)
     write_csv(folder / "fig13_self_weight.csv",
