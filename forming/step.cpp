@@ -10,6 +10,7 @@
 #include "forming/heat_step.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/sample.hpp"
+#include "forming/surface_change.hpp"
 #include "remesh/quality.hpp"
 
 namespace parison::forming {
@@ -164,13 +165,6 @@ void move_tools(const Scene& scene, double dt, State& state) {
   }
 }
 
-double surface_temperature_change(const State& before, const State& after) {
-  double change = 0;
-  for (const Index node : surface_nodes(before.bodies[0].mesh))
-    change = std::max(change, std::abs(after.bodies[0].temperature[node] - before.bodies[0].temperature[node]));
-  return change;
-}
-
 /// Moves the glass and the tools by the flow; an unsuccessful solve is told in `result.reason`.
 bool step_flow(const Scene& scene, const State& state, const Eigen::VectorXd& guess, const Eigen::VectorXd& temperature,
                double dt, Workspace& workspace, StepResult& result, std::vector<double>& dissipation) {
@@ -245,7 +239,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   result.report.unsettled_motion = moved_guess;
   // Where everything stands still the heat integrator alone decides on its steps.
   if (scene.has_heat() && !workspace.standing)
-    result.report.temperature_change = surface_temperature_change(state, after);
+    result.report.temperature_change = surface_temperature_change(scene, state, after, result.report.interface);
   result.converged = true;
   return result;
 }
