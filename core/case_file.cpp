@@ -51,11 +51,6 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-  const auto near = nearest(word, candidates);
-  return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
-}
-
 }  // namespace
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
@@ -69,9 +64,15 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
   return best;
 }
 
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const auto near = nearest(word, candidates);
+  return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
+}
+
 void refuse(const CaseNode& at, const std::string& message) {
-  throw CaseError(at.key.empty() ? fmt::format("{}:{}: {}", at.file, at.line, message)
-                                 : fmt::format("{}:{}: {}: {}", at.file, at.line, at.key, message));
+  const std::string place = at.line > 0 ? fmt::format("{}:{}", at.file, at.line) : at.file;
+  throw CaseError(at.key.empty() ? fmt::format("{}: {}", place, message)
+                                 : fmt::format("{}: {}: {}", place, at.key, message));
 }
 
 CaseTable::CaseTable(const CaseNode& node, std::vector<std::string> keys) : node_(&node), keys_(std::move(keys)) {

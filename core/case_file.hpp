@@ -14,7 +14,7 @@ struct CaseNode {
   enum class Kind { text, number, flag, list, table };
   Kind kind = Kind::table;
   std::string file;
-  int line = 0;
+  int line = 0;      ///< 0 for a value that comes from the command line
   std::string key;   ///< with the keys that lead to it, "glass.mesh.size"
   std::string name;  ///< the last of them
   std::string text;
@@ -27,10 +27,17 @@ struct CaseNode {
 struct CaseFile {
   std::string path, directory;
   CaseNode root;
+  std::vector<std::string> overrides;  ///< assignments that were applied, as given
 };
 
 /// Parses a case file, or the case.toml of a folder.
 CaseFile read_case_file(const std::string& path);
+
+/// Puts a value in place of the file's: `path=value`, the path keys joined by dots, the entry of a list by its number from
+/// 0 or its name (an interface's by a tool it is for, which then gets one of its own), the value TOML or plain text.
+void override_value(CaseFile& file, const std::string& assignment);
+/// A TOML value as it may stand in a case file, or a text without quotes; `place` is where it is meant for.
+CaseNode parse_value(const std::string& text, const CaseNode& place);
 
 /// Throws a CaseError about a node: `file:line: key: message`.
 [[noreturn]] void refuse(const CaseNode& at, const std::string& message);
@@ -76,5 +83,7 @@ Table quantity_table(const CaseNode& node, const Dimension& x, const Dimension& 
 
 /// The candidate with the smallest edit distance from a word, empty when none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
+/// The same as part of a sentence: ` (did you mean "tools"?)`.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace parison::core

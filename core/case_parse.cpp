@@ -55,7 +55,29 @@ CaseNode convert(const toml::node& node, CaseNode place) {
   return place;
 }
 
+/// Gives a value and all in it to the command line, which has no lines.
+void take_off_lines(CaseNode& node) {
+  node.line = 0;
+  for (auto& item : node.items) take_off_lines(item);
+}
+
 }  // namespace
+
+CaseNode parse_value(const std::string& text, const CaseNode& place) {
+  const auto parsed = toml::parse("value = " + text);
+  const bool is_text = !text.empty() && text.find_first_of("[{\"'") != 0 && text.find('\n') == text.npos;
+  CaseNode value = place;
+  if (parsed && parsed.table().size() == 1) {
+    value = convert(*parsed.table().get("value"), place);
+    take_off_lines(value);
+  } else if (is_text) {
+    value.kind = CaseNode::Kind::text;
+    value.text = text;
+  } else {
+    refuse(place, fmt::format("\"{}\" was found, allowed is a TOML value or a text", text));
+  }
+  return value;
+}
 
 CaseFile read_case_file(const std::string& path) {
   namespace fs = std::filesystem;
@@ -74,7 +96,7 @@ CaseFile read_case_file(const std::string& path) {
     refuse(place, fmt::format("{}, allowed is TOML", parsed.error().description()));
   }
   const auto directory = file.parent_path();
-  return {place.file, directory.empty() ? "." : directory.string(), convert(parsed.table(), place)};
+  return {place.file, directory.empty() ? "." : directory.string(), convert(parsed.table(), place), {}};
 }
 
 }  // namespace parison::core

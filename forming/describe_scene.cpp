@@ -120,7 +120,9 @@ std::string accuracy_lines(const Scene& scene) {
 
 std::string describe_scene(const Scene& scene) {
   const char* geometry = scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar";
-  return fmt::format("{}, {}\n", scene.name, geometry) + flow_parts(scene) + heat_parts(scene) +
+  std::string head = fmt::format("{}, {}\n", scene.name, geometry);
+  for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
+  return head + flow_parts(scene) + heat_parts(scene) +
          number_lines(scene_numbers(scene)) + stage_lines(scene) + accuracy_lines(scene);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/scene.hpp"
 
+#include <fmt/format.h>
+
 #include "core/files.hpp"
 #include "forming/scene_reading.hpp"
 
@@ -41,14 +43,16 @@ std::vector<std::string> tool_names(const Scene& scene) {
   return names;
 }
 
-Scene read_scene(const std::string& path, const std::string& accuracy) {
-  const auto file = core::read_case_file(path);
+Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides) {
+  auto file = core::read_case_file(path);
+  for (const auto& assignment : overrides) core::override_value(file, assignment);
   const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "stage",
                                    "probe", "output", "numerics"});
   Scene scene;
   scene.name = core::identifier(root.get("case"));
   scene.directory = file.directory;
-  scene.fingerprint = core::fingerprint(core::read_text(file.path));
+  scene.overrides = file.overrides;
+  scene.fingerprint = core::fingerprint(fmt::format("{}{}", core::read_text(file.path), fmt::join(overrides, "\n")));
   scene.accuracy_name = accuracy;
   scene.accuracy = accuracy_preset(accuracy);
   read_bodies(root, read_context(root, file.directory), scene);

@@ -126,7 +126,8 @@ struct Output {
 struct Scene {
   std::string name;
   std::string directory;  ///< folder of the case file
-  std::uint64_t fingerprint = 0;  ///< of the case file's text
+  std::uint64_t fingerprint = 0;  ///< of the case file's text and the overrides
+  std::vector<std::string> overrides;  ///< values of the case file that others replace, "path=value"
   core::Geometry geometry;
   Glass glass;
   std::vector<Tool> tools;
@@ -141,8 +142,8 @@ struct Scene {
   bool has_heat() const { return glass.thermal.has_value(); }
 };
 
-/// Reads and validates a case file; `accuracy` is draft, standard or fine.
+/// Reads and validates a case file; `accuracy` is draft, standard or fine; `overrides` as core::override_value takes them.
 /// Throws core::CaseError with `file:line: key: what was found, what is allowed`.
-Scene read_scene(const std::string& path, const std::string& accuracy);
+Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides = {});
 
 }  // namespace parison::forming

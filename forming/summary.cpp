@@ -51,6 +51,9 @@ double share_near_tools(const Scene& scene, const State& state) {
 void add_run(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
   json.add("case", scene.name);
   json.add("accuracy", scene.accuracy_name);
+  json.open_list("overrides");
+  for (const std::string& assignment : scene.overrides) json.add("", assignment);
+  json.close();
   json.add("completed", summary.run.completed);
   json.add("reason", summary.run.reason);
   json.add("time_s", state.time);

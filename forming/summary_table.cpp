@@ -72,6 +72,7 @@ std::string summary_table(const Scene& scene, const State& state, const Summary&
   std::string text = fmt::format("\n{} at {} accuracy: ", scene.name, scene.accuracy_name);
   text += summary.run.completed ? fmt::format("completed, {:.4g} s simulated\n", state.time)
                                 : fmt::format("stopped at {:.4g} s: {}\n", state.time, summary.run.reason);
+  for (const std::string& assignment : scene.overrides) text += line("override", assignment);
   return text + glass_lines(scene, summary) + tool_lines(summary) + stage_lines(summary.run) +
          run_lines(scene, state, summary);
 }
