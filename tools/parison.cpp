@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "core/blas_threads.hpp"
 #include "core/case_error.hpp"
@@ -12,19 +13,22 @@
 #include "forming/run.hpp"
 #include "forming/scene.hpp"
 #include "forming/summary.hpp"
+#include "tools/fit_law.hpp"
 
 namespace {
 
 constexpr int run_failed = 1, case_wrong = 2;
 
-int check(const std::string& path, const std::string& accuracy) {
-  fmt::print("{}", parison::forming::describe_scene(parison::forming::read_scene(path, accuracy)));
+using Overrides = std::vector<std::string>;
+
+int check(const std::string& path, const std::string& accuracy, const Overrides& overrides) {
+  fmt::print("{}", parison::forming::describe_scene(parison::forming::read_scene(path, accuracy, overrides)));
   return 0;
 }
 
-int run(const std::string& path, const std::string& accuracy, std::string output) {
+int run(const std::string& path, const std::string& accuracy, const Overrides& overrides, std::string output) {
   using namespace parison::forming;
-  const Scene scene = read_scene(path, accuracy);
+  const Scene scene = read_scene(path, accuracy, overrides);
   if (output.empty()) output = "results/" + scene.name;
   fmt::print("{}\n", describe_scene(scene));
   std::fflush(stdout);
@@ -43,19 +47,32 @@ int main(int argc, char** argv) {
   CLI::App app("Parison: forming of glass containers, from the gob to the take-out.");
   app.require_subcommand(1);
   std::string path, accuracy = "standard", output;
+  Overrides overrides;
   const auto with_case = [&](const char* name, const char* what) {
     auto* command = app.add_subcommand(name, what);
     command->add_option("case", path, "folder that holds a case.toml, or a case file")->required();
     command->add_option("--accuracy", accuracy, "draft, standard or fine")->capture_default_str();
+    command->add_option("--set", overrides, "KEY=VALUE in place of the case file's value; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
     return command;
   };
   auto* run_command = with_case("run", "run a case");
   run_command->add_option("--output", output, "new folder for the results [results/NAME]");
   auto* check_command = with_case("check", "read a case and say what it needs");
+  parison::tools::FitLawRequest fit;
+  auto* fit_command = app.add_subcommand("fit-law", "fit the pressure-viscosity law to measurements");
+  fit_command->add_option("data", fit.data, "CSV file: p and h, or q, T_glass and T_tool; eta or T_glass")->required();
+  fit_command->add_option("--hold", fit.held, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
+      ->take_all()
+      ->allow_extra_args(false);
+  fit_command->add_option("--case", fit.case_path, "case whose glass gives the viscosity at T_glass");
+  fit_command->add_flag("--relative", fit.relative, "weigh residuals as shares: for scatter that grows with the value");
   parison::core::use_one_blas_thread();
   try {
     app.parse(argc, argv);
-    return check_command->parsed() ? check(path, accuracy) : run(path, accuracy, output);
+    if (fit_command->parsed()) return parison::tools::fit_law(fit);
+    return check_command->parsed() ? check(path, accuracy, overrides) : run(path, accuracy, overrides, output);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : case_wrong;
   } catch (const parison::core::CaseError& error) {
