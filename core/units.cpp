@@ -79,6 +79,7 @@ constexpr NamedDimension named_dimensions[] = {
     {{2, 1, -3}, "a power", "5 kW"},
     {dimension::heat_capacity, "a heat capacity", "1300 J/kg/K"},
     {dimension::conductivity, "a conductivity", "1.3 W/m/K"},
+    {{0, 1, -3}, "a heat flux", "50 kW/m2"},
     {dimension::conductance, "a heat transfer coefficient", "5000 W/m2/K"},
 };
 
@@ -176,6 +177,7 @@ ParsedQuantity parse_quantity(const std::string& text, const Dimension& expected
   if (unit.factor == 0) return {0, fmt::format("\"{}\" has the unknown unit \"{}\", {}", text, symbol, allowed)};
   if (!same_exponents(unit.dimension, expected))
     return {0, fmt::format("\"{}\" is {}, {}", text, name_of(unit.dimension), allowed)};
+  if (!std::isfinite(number * unit.factor)) return {0, fmt::format("\"{}\" is not finite, {}", text, allowed)};
   return {number * unit.factor, {}};
 }
 

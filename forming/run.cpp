@@ -174,6 +174,20 @@ bool advance_stage(Progress& run) {
   return true;
 }
 
+/// Interfaces over which no heat went in the whole run; bodies that start at one temperature say nothing.
+void warn_of_unused_interfaces(Progress& run) {
+  const Scene& scene = run.scene;
+  for (const Interface& interface : scene.interfaces) {
+    const Tool& tool = scene.tools[interface.tool];
+    if (run.outcome.state.bodies[1 + interface.tool].heat_received == 0 &&
+        tool.initial_temperature != scene.glass.initial_temperature)
+      run.outcome.facts.warnings.push_back(fmt::format(
+          "the interface of the glass with {} was never used: in the whole run they did not come within {:.4g} mm of each "
+          "other",
+          tool.name, 1e3 * interface.handover_width));
+  }
+}
+
 void warn(Progress& run) {
   const Totals& totals = run.outcome.state.totals;
   auto& warnings = run.outcome.facts.warnings;
@@ -205,6 +219,7 @@ RunOutcome run(const Scene& scene, const std::string& directory) {
     facts.reason = fmt::format("stage {} at {:.5f} s: {}", scene.stages[run.outcome.state.stage].name,
                                run.outcome.state.time, facts.reason);
   warn(run);
+  if (good) warn_of_unused_interfaces(run);
   facts.wall_seconds = seconds_since(run.start);
   return std::move(run.outcome);
 }

@@ -120,8 +120,11 @@ void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode
 }
 
 void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode*>& stages) {
-  if (!scene.has_heat() || !can_touch(scene.glass)) return;
-  for (std::size_t i = 0; i < scene.stages.size(); ++i)
+  if (!scene.has_heat()) return;
+  bool glass_can_touch = can_touch(scene.glass);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    glass_can_touch = glass_can_touch || !scene.stages[i].name_pieces.empty();  // a named stretch is open to contact
+    if (!glass_can_touch) continue;
     for (const auto& entry : scene.stages[i].tools) {
       const auto& tool = scene.tools[entry.tool];
       const auto joins = [&](const Interface& interface) { return interface.tool == entry.tool; };
@@ -134,6 +137,7 @@ void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode
                                "[[interface]] that names the tool",
                                tool.name, scene.stages[i].name));
     }
+  }
 }
 
 }  // namespace parison::forming
