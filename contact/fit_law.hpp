@@ -19,7 +19,8 @@ double& constant_of(PressureViscosityConductance& law, int constant);
 double constant_of(const PressureViscosityConductance& law, int constant);
 
 /// Slopes of h with ln h0, ln h1, ln p_ref, ln eta_ref, a and b, W/m2/K, at a pressure above zero or not.
-std::array<double, law_constants> law_slopes(const PressureViscosityConductance& law, double pressure, double viscosity);
+std::array<double, law_constants> law_slopes(const PressureViscosityConductance& law, double pressure,
+                                             double viscosity);
 
 /// One measurement: h itself (drive 1), or a heat flux with the difference of temperature that drives it.
 struct LawMeasurement {
@@ -29,7 +30,7 @@ struct LawMeasurement {
 };
 
 struct LawFitOptions {
-  PressureViscosityConductance held;         ///< values of the constants that are held; the others are not looked at
+  PressureViscosityConductance held;  ///< values of the constants that are held; the others are not looked at
   std::array<bool, law_constants> is_held{};
   bool relative = false;  ///< residuals as a share of the fitted value: for scatter that grows with the value
 };
@@ -49,9 +50,10 @@ struct LawFit {
   std::vector<std::string> warnings;
 };
 
-/// Least squares by Levenberg and Marquardt (Eigen) from several starts. p_ref and eta_ref stand for one constant, so one of
-/// them is to be held. Intervals by Student's t with the slopes at the optimum, for h0, h1, p_ref and eta_ref on a
-/// logarithmic scale. An exponent that comes out below zero is held at zero. Throws CaseError where there are too few data.
+/// Least squares by Levenberg and Marquardt (Eigen) from several starts. p_ref and eta_ref stand for one constant, so
+/// one of them is to be held. Intervals by Student's t with the slopes at the optimum, for h0, h1, p_ref and eta_ref on
+/// a logarithmic scale. An exponent that comes out below zero is held at zero. Throws CaseError where there are too few
+/// data.
 LawFit fit_law(const std::vector<LawMeasurement>& data, const LawFitOptions& options);
 
 }  // namespace parison::contact

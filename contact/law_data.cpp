@@ -19,11 +19,13 @@ namespace dimension = core::dimension;
 
 constexpr core::Dimension heat_flux{0, 1, -3};
 
-const std::map<std::string, core::Dimension> known_columns{
-    {"h", dimension::conductance},       {"q", heat_flux},
-    {"p", dimension::pressure},          {"eta", dimension::viscosity},
-    {"T_glass", dimension::temperature}, {"T_tool", dimension::temperature},
-    {"t", dimension::time}};
+const std::map<std::string, core::Dimension> known_columns{{"h", dimension::conductance},
+                                                           {"q", heat_flux},
+                                                           {"p", dimension::pressure},
+                                                           {"eta", dimension::viscosity},
+                                                           {"T_glass", dimension::temperature},
+                                                           {"T_tool", dimension::temperature},
+                                                           {"t", dimension::time}};
 
 std::vector<std::string> column_names() {
   std::vector<std::string> names;
@@ -59,8 +61,9 @@ std::vector<Column> read_heading(const CaseNode& at, const std::string& line) {
     const Column column{cell.substr(0, mark), mark == cell.npos ? "" : cell.substr(mark + 1)};
     const auto known = known_columns.find(column.name);
     if (known == known_columns.end())
-      refuse_column(at, cell, fmt::format("an unknown heading{}, allowed are {}, each with a unit as in p_kPa",
-                                          core::did_you_mean(column.name, column_names()), fmt::join(column_names(), ", ")));
+      refuse_column(at, cell,
+                    fmt::format("an unknown heading{}, allowed are {}, each with a unit as in p_kPa",
+                                core::did_you_mean(column.name, column_names()), fmt::join(column_names(), ", ")));
     if (std::any_of(columns.begin(), columns.end(), [&](const auto& other) { return other.name == column.name; }))
       refuse_column(at, cell, fmt::format("\"{}\" was found twice, allowed is once", column.name));
     const auto probe = core::parse_quantity("1 " + column.unit, known->second);
@@ -80,7 +83,8 @@ void require_columns(const CaseNode& at, const std::vector<Column>& columns, boo
   if (!has("p")) core::refuse(at, "the column p is missing");
   if (has("q") && !(has("T_glass") && has("T_tool")))
     core::refuse(at, "a heat flux q needs the columns T_glass and T_tool beside it");
-  if (!has("eta") && !has("T_glass")) core::refuse(at, "the column eta is missing, or T_glass with a case that names a viscosity");
+  if (!has("eta") && !has("T_glass"))
+    core::refuse(at, "the column eta is missing, or T_glass with a case that names a viscosity");
   if (!has("eta") && !with_viscosity)
     core::refuse(at, "the column eta is missing; T_glass serves with a case whose glass has a viscosity: --case CASE");
 }
@@ -88,7 +92,8 @@ void require_columns(const CaseNode& at, const std::vector<Column>& columns, boo
 Row read_row(const CaseNode& at, const std::string& line, const std::vector<Column>& columns) {
   const auto cells = cells_of(line);
   if (cells.size() != columns.size())
-    core::refuse(at, fmt::format("{} cells were found, allowed are {} as in the heading", cells.size(), columns.size()));
+    core::refuse(at,
+                 fmt::format("{} cells were found, allowed are {} as in the heading", cells.size(), columns.size()));
   Row row;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto& [name, unit] = columns[i];
@@ -96,8 +101,9 @@ Row read_row(const CaseNode& at, const std::string& line, const std::vector<Colu
     if (!parsed.problem.empty()) refuse_column(at, name, parsed.problem);
     const bool above_zero = name == "eta" || name == "T_glass" || name == "T_tool";
     if ((above_zero && !(parsed.value > 0)) || (name == "p" && parsed.value < 0))
-      refuse_column(at, name, fmt::format("\"{} {}\" was found, allowed are values {}", cells[i], unit,
-                                          above_zero ? "above zero" : "from zero"));
+      refuse_column(at, name,
+                    fmt::format("\"{} {}\" was found, allowed are values {}", cells[i], unit,
+                                above_zero ? "above zero" : "from zero"));
     row[name] = parsed.value;
   }
   return row;
@@ -135,7 +141,8 @@ std::vector<LawMeasurement> read_law_data(const std::string& path, const std::fu
       data.push_back(measurement(read_row(at, line, columns), viscosity));
     }
   }
-  if (data.empty()) core::refuse(at, "no rows were found, allowed are a heading such as p_kPa,eta_Pa.s,h_W/m2/K and rows of numbers");
+  if (data.empty())
+    core::refuse(at, "no rows were found, allowed are a heading such as p_kPa,eta_Pa.s,h_W/m2/K and rows of numbers");
   return data;
 }
 

@@ -47,8 +47,8 @@ contact::LawFitOptions read_options(const FitLawRequest& request) {
     const auto value = core::parse_value(text.substr(equals + 1), node);
     const int constant = static_cast<int>(at);
     const bool exponent = constant == a || constant == b;
-    contact::constant_of(options.held, constant) =
-        exponent ? core::not_negative(value, units[constant].dimension) : core::positive(value, units[constant].dimension);
+    contact::constant_of(options.held, constant) = exponent ? core::not_negative(value, units[constant].dimension)
+                                                            : core::positive(value, units[constant].dimension);
     options.is_held[constant] = true;
   }
   if (!options.is_held[p_ref] && !options.is_held[eta_ref]) {
@@ -62,11 +62,14 @@ std::function<double(double)> viscosity_of(const std::string& case_path) {
   if (case_path.empty()) return {};
   const auto scene = forming::read_scene(case_path, "draft");
   if (!scene.has_flow())
-    throw core::CaseError(fmt::format("--case: the glass of \"{}\" has no viscosity, allowed is a case whose glass flows", case_path));
+    throw core::CaseError(
+        fmt::format("--case: the glass of \"{}\" has no viscosity, allowed is a case whose glass flows", case_path));
   return [viscosity = scene.glass.flow->viscosity](double temperature) { return viscosity(temperature); };
 }
 
-std::string shown(double value, const char* unit) { return fmt::format("{:.6g}{}{}", value, *unit ? " " : "", unit); }
+std::string shown(double value, const char* unit) {
+  return fmt::format("{:.6g}{}{}", value, *unit ? " " : "", unit);
+}
 
 std::string constant_lines(const contact::LawFit& fit) {
   std::string text = fmt::format("  {:<10}{:<22}{}\n", "constant", "value", "95 % interval");
@@ -75,7 +78,8 @@ std::string constant_lines(const contact::LawFit& fit) {
     const std::string interval = constant.held     ? "held"
                                  : !constant.known ? "not identifiable"
                                                    : fmt::format("{:.4g} to {:.4g}", constant.low, constant.high);
-    text += fmt::format("  {:<10}{:<22}{}\n", contact::law_constant_names[i], shown(constant.value, units[i].unit), interval);
+    text += fmt::format("  {:<10}{:<22}{}\n", contact::law_constant_names[i], shown(constant.value, units[i].unit),
+                        interval);
   }
   return text;
 }
@@ -84,9 +88,13 @@ std::string residual_line(const contact::LawFit& fit, bool is_flux, bool relativ
   const auto larger = [](double x, double y) { return std::abs(x) < std::abs(y); };
   const auto worst = std::max_element(fit.residual.begin(), fit.residual.end(), larger);
   const double unit = relative ? 100 : 1;
-  return fmt::format("  residual: standard deviation {:.4g} {}, {} degrees of freedom; largest {:.4g} in measurement {} of {}\n",
-                     unit * fit.scatter, relative ? "%" : is_flux ? "W/m2" : "W/m2/K", fit.freedom, unit * *worst,
-                     worst - fit.residual.begin() + 1, fit.residual.size());
+  return fmt::format(
+      "  residual: standard deviation {:.4g} {}, {} degrees of freedom; largest {:.4g} in measurement {} of {}\n",
+      unit * fit.scatter,
+      relative  ? "%"
+      : is_flux ? "W/m2"
+                : "W/m2/K",
+      fit.freedom, unit * *worst, worst - fit.residual.begin() + 1, fit.residual.size());
 }
 
 std::string interface_lines(const contact::LawFit& fit) {

@@ -22,7 +22,8 @@ std::vector<LawMeasurement> measured(const PressureViscosityConductance& law, in
   std::vector<LawMeasurement> data;
   for (int i = 0; i < pressures; ++i)
     for (int j = 0; j < viscosities; ++j) {
-      const double p = 1e2 * std::pow(1e6, double(i) / (pressures - 1)), eta = 1e2 * std::pow(1e4, double(j) / (viscosities - 1));
+      const double p = 1e2 * std::pow(1e6, double(i) / (pressures - 1)),
+                   eta = 1e2 * std::pow(1e4, double(j) / (viscosities - 1));
       data.push_back({p, eta, conductance(law, p, eta).h, 1});
     }
   return data;
@@ -123,7 +124,8 @@ TEST(FitLaw, p_ref_and_eta_ref_are_one_constant_and_cannot_both_be_free) {
   const auto both = fit_law(data, {});
   EXPECT_FALSE(both.constants[p_ref].known);
   EXPECT_FALSE(both.constants[eta_ref].known);
-  EXPECT_TRUE(both.constants[a].known && both.constants[b].known && both.constants[h0].known && both.constants[h1].known);
+  EXPECT_TRUE(both.constants[a].known && both.constants[b].known && both.constants[h0].known &&
+              both.constants[h1].known);
   EXPECT_TRUE(mentions(both, "p_ref is not identifiable"));
 
   // Held at any value, the other one moves along and the law stays the same.
@@ -132,8 +134,9 @@ TEST(FitLaw, p_ref_and_eta_ref_are_one_constant_and_cannot_both_be_free) {
   const auto here = fit_law(data, p_ref_held()), there = fit_law(data, other);
   EXPECT_GT(std::abs(there.law.eta_ref / here.law.eta_ref - 1), 0.5);
   for (const auto& row : data)
-    EXPECT_NEAR(conductance(here.law, row.pressure, row.viscosity).h / conductance(there.law, row.pressure, row.viscosity).h, 1,
-                1e-5);
+    EXPECT_NEAR(
+        conductance(here.law, row.pressure, row.viscosity).h / conductance(there.law, row.pressure, row.viscosity).h, 1,
+        1e-5);
 }
 
 TEST(FitLaw, constants_that_the_data_do_not_reach_are_named) {
@@ -167,8 +170,9 @@ TEST(FitLaw, too_few_rows_are_refused_with_their_number) {
     fit_law(data, p_ref_held());
     FAIL();
   } catch (const core::CaseError& error) {
-    EXPECT_STREQ(error.what(),
-                 "fit-law: 5 rows were found, allowed are at least 6 for 5 free constants (fewer with --hold NAME=VALUE)");
+    EXPECT_STREQ(
+        error.what(),
+        "fit-law: 5 rows were found, allowed are at least 6 for 5 free constants (fewer with --hold NAME=VALUE)");
   }
 }
 
@@ -211,22 +215,30 @@ TEST(LawData, a_heat_flux_comes_with_both_temperatures_and_the_glass_gives_the_v
 
 TEST(LawData, mistakes_are_refused_with_row_and_column) {
   const std::string heading = "p_kPa,eta_Pa.s,h_W/m2/K\n";
-  EXPECT_EQ(complaint_about(heading + "200,1e3,3500\n100,abc,2000\n"),
-            "3: column \"eta\": \"abc Pa.s\" does not start with a number, allowed is a viscosity such as \"1e4 Pa.s\"");
+  EXPECT_EQ(
+      complaint_about(heading + "200,1e3,3500\n100,abc,2000\n"),
+      "3: column \"eta\": \"abc Pa.s\" does not start with a number, allowed is a viscosity such as \"1e4 Pa.s\"");
   EXPECT_EQ(complaint_about(heading + "200,1e3\n"), "2: 2 cells were found, allowed are 3 as in the heading");
   EXPECT_EQ(complaint_about(heading + "200,,3500\n").rfind("2: column \"eta\":", 0), 0u);
   EXPECT_EQ(complaint_about(heading + "nan,1e3,3500\n").rfind("2: column \"p\":", 0), 0u);
-  EXPECT_EQ(complaint_about(heading + "200,-1e3,3500\n"), "2: column \"eta\": \"-1e3 Pa.s\" was found, allowed are values above zero");
-  EXPECT_EQ(complaint_about(heading + "-2,1e3,3500\n"), "2: column \"p\": \"-2 kPa\" was found, allowed are values from zero");
+  EXPECT_EQ(complaint_about(heading + "200,-1e3,3500\n"),
+            "2: column \"eta\": \"-1e3 Pa.s\" was found, allowed are values above zero");
+  EXPECT_EQ(complaint_about(heading + "-2,1e3,3500\n"),
+            "2: column \"p\": \"-2 kPa\" was found, allowed are values from zero");
   EXPECT_EQ(complaint_about("p_kPa,eta_mm,h_W/m2/K\n1,1,1\n"),
             "1: column \"eta_mm\": \"1 mm\" is a length, allowed is a viscosity such as \"1e4 Pa.s\"");
-  EXPECT_EQ(complaint_about("p_kPa,etaa_Pa.s,h_W/m2/K\n1,1,1\n").rfind("1: column \"etaa_Pa.s\": an unknown heading (did you mean \"eta\"?)", 0), 0u);
-  EXPECT_EQ(complaint_about("p_kPa,p_Pa,h_W/m2/K\n1,1,1\n"), "1: column \"p_Pa\": \"p\" was found twice, allowed is once");
+  EXPECT_EQ(complaint_about("p_kPa,etaa_Pa.s,h_W/m2/K\n1,1,1\n")
+                .rfind("1: column \"etaa_Pa.s\": an unknown heading (did you mean \"eta\"?)", 0),
+            0u);
+  EXPECT_EQ(complaint_about("p_kPa,p_Pa,h_W/m2/K\n1,1,1\n"),
+            "1: column \"p_Pa\": \"p\" was found twice, allowed is once");
   EXPECT_EQ(complaint_about("p_kPa,h_W/m2/K\n1,1\n").rfind("1: the column eta is missing", 0), 0u);
   EXPECT_EQ(complaint_about("eta_Pa.s,h_W/m2/K\n1,1\n"), "1: the column p is missing");
-  EXPECT_EQ(complaint_about("p_kPa,eta_Pa.s,q_W/m2\n1,1,1\n", true), "1: a heat flux q needs the columns T_glass and T_tool beside it");
+  EXPECT_EQ(complaint_about("p_kPa,eta_Pa.s,q_W/m2\n1,1,1\n", true),
+            "1: a heat flux q needs the columns T_glass and T_tool beside it");
   EXPECT_EQ(complaint_about(heading).rfind("1: no rows were found", 0), 0u);
-  EXPECT_NE(complaint_about("p_bar,q_kW/m2,T_glass_degC,T_tool_degC\n1,1,900,500\n").find("--case CASE"), std::string::npos);
+  EXPECT_NE(complaint_about("p_bar,q_kW/m2,T_glass_degC,T_tool_degC\n1,1,900,500\n").find("--case CASE"),
+            std::string::npos);
   EXPECT_EQ(complaint_about("p_bar,q_kW/m2,T_glass_degC,T_tool_degC\n1,1,900,500\n", true), "");
   EXPECT_THROW(read_law_data("no/such/file.csv", {}), core::CaseError);
 }

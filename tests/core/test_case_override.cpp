@@ -47,7 +47,9 @@ const CaseNode& item(const CaseNode& table, const std::string& name) {
   throw std::runtime_error(name);
 }
 
-const CaseNode& entry(const CaseFile& file, const char* list, std::size_t at) { return item(file.root, list).items.at(at); }
+const CaseNode& entry(const CaseFile& file, const char* list, std::size_t at) {
+  return item(file.root, list).items.at(at);
+}
 
 TEST(CaseOverride, an_entry_of_a_list_is_picked_by_its_name_or_its_number) {
   for (const char* path : {"tool.blank.temperature", "tool.1.temperature"}) {
@@ -92,14 +94,18 @@ TEST(CaseOverride, assignments_are_kept_as_given) {
 }
 
 TEST(CaseOverride, what_leads_nowhere_is_refused_with_the_nearest_name) {
-  EXPECT_EQ(complaint("tool.blnk.temperature=1"),
-            "--set: tool.blnk.temperature: no entry \"blnk\" was found (did you mean \"blank\"?), allowed are numbers from 0 "
-            "to 1, and the names ring, blank");
-  EXPECT_EQ(complaint("interface.2.h=1"),
-            "--set: interface.2.h: no entry \"2\" was found, allowed are numbers from 0 to 0, and the names ring, blank");
+  EXPECT_EQ(
+      complaint("tool.blnk.temperature=1"),
+      "--set: tool.blnk.temperature: no entry \"blnk\" was found (did you mean \"blank\"?), allowed are numbers from 0 "
+      "to 1, and the names ring, blank");
+  EXPECT_EQ(
+      complaint("interface.2.h=1"),
+      "--set: interface.2.h: no entry \"2\" was found, allowed are numbers from 0 to 0, and the names ring, blank");
   EXPECT_EQ(complaint("tool.blank.mseh.mapped=1"),
-            "--set: tool.blank.mseh.mapped: no \"mseh\" was found (did you mean \"mesh\"?), allowed are mesh, name, temperature");
-  EXPECT_EQ(complaint("air.h.x=1"), "--set: air.h.x: nothing below \"air.h\" was found, allowed is to set the value itself");
+            "--set: tool.blank.mseh.mapped: no \"mseh\" was found (did you mean \"mesh\"?), allowed are mesh, name, "
+            "temperature");
+  EXPECT_EQ(complaint("air.h.x=1"),
+            "--set: air.h.x: nothing below \"air.h\" was found, allowed is to set the value itself");
   for (const char* broken : {"air.h", "=1", "air..h=1", ""})
     EXPECT_NE(complaint(broken).find("allowed is KEY=VALUE such as"), std::string::npos) << broken;
   for (const char* broken : {"air.h=[1", "air.h={", "air.h=\"x", "air.h=", "air.h=[1]\nx = 2"})

@@ -30,7 +30,9 @@ std::string absent_folder() {
 
 TEST(Interfaces, a_conductance_that_is_negative_or_not_finite_is_refused) {
   const std::string allowed = "allowed is a heat transfer coefficient such as \"5000 W/m2/K\"";
-  const auto of = [](const char* h) { return complaint_about_law(std::string("law = \"constant\"\nh = \"") + h + " W/m2/K\"\n"); };
+  const auto of = [](const char* h) {
+    return complaint_about_law(std::string("law = \"constant\"\nh = \"") + h + " W/m2/K\"\n");
+  };
   EXPECT_EQ(of("-5"), "interface.h: \"-5 W/m2/K\" was found, " + allowed + ", above zero");
   EXPECT_EQ(of("0"), "interface.h: \"0 W/m2/K\" was found, " + allowed + ", above zero");
   for (const char* bad : {"nan", "inf", "-inf", "1e999"})
@@ -43,24 +45,33 @@ TEST(Interfaces, a_conductance_that_is_negative_or_not_finite_is_refused) {
             "interface.h0: \"-500 W/m2/K\" was found, " + allowed + ", above zero");
   EXPECT_EQ(complaint_about_law(law + "h0 = \"500 W/m2/K\"\nh1 = \"nan W/m2/K\"\n" + rest),
             "interface.h1: \"nan W/m2/K\" does not start with a number, " + allowed);
-  EXPECT_EQ(complaint_about_law(law + "h0 = \"500 W/m2/K\"\nh1 = \"2e4 W/m2/K\"\n" + replaced("a = 1", "a = nan", rest)).rfind("interface.a: ", 0), 0u);
+  EXPECT_EQ(complaint_about_law(law + "h0 = \"500 W/m2/K\"\nh1 = \"2e4 W/m2/K\"\n" + replaced("a = 1", "a = nan", rest))
+                .rfind("interface.a: ", 0),
+            0u);
 }
 
 TEST(Interfaces, a_table_of_wrong_order_or_size_is_refused) {
   const auto table = [](const std::string& pressure, const std::string& viscosity, const std::string& h) {
-    return complaint_about_law("law = \"table\"\npressure = " + pressure + "\nviscosity = " + viscosity + "\nh = " + h + "\n");
+    return complaint_about_law("law = \"table\"\npressure = " + pressure + "\nviscosity = " + viscosity + "\nh = " + h +
+                               "\n");
   };
-  const std::string p = "[\"1 kPa\", \"1 MPa\"]", eta = "[\"1e3 Pa.s\", \"1e6 Pa.s\"]", row = "[\"500 W/m2/K\", \"400 W/m2/K\"]";
+  const std::string p = "[\"1 kPa\", \"1 MPa\"]", eta = "[\"1e3 Pa.s\", \"1e6 Pa.s\"]",
+                    row = "[\"500 W/m2/K\", \"400 W/m2/K\"]";
   EXPECT_EQ(table(p, eta, "[" + row + ", " + row + "]"), "");
   EXPECT_EQ(table("[\"1 MPa\", \"1 kPa\"]", eta, "[" + row + ", " + row + "]"),
             "interface.pressure: \"1 kPa\" does not lie above the entry before, allowed are rising entries");
   EXPECT_EQ(table(p, "[\"1e6 Pa.s\", \"1e6 Pa.s\"]", "[" + row + ", " + row + "]"),
             "interface.viscosity: \"1e6 Pa.s\" does not lie above the entry before, allowed are rising entries");
-  EXPECT_EQ(table("[\"0 Pa\", \"1 kPa\"]", eta, "[" + row + ", " + row + "]").rfind("interface.pressure: \"0 Pa\" was found", 0), 0u);
-  EXPECT_EQ(table(p, eta, "[" + row + "]"), "interface.h: 1 members were found, allowed is one for each of the 2 pressures");
+  EXPECT_EQ(table("[\"0 Pa\", \"1 kPa\"]", eta, "[" + row + ", " + row + "]")
+                .rfind("interface.pressure: \"0 Pa\" was found", 0),
+            0u);
+  EXPECT_EQ(table(p, eta, "[" + row + "]"),
+            "interface.h: 1 members were found, allowed is one for each of the 2 pressures");
   EXPECT_EQ(table(p, eta, "[" + row + ", [\"500 W/m2/K\"]]"),
             "interface.h: 1 members were found, allowed is one for each of the 2 viscosities");
-  EXPECT_EQ(table(p, eta, "[" + row + ", [\"500 W/m2/K\", \"-4 W/m2/K\"]]").rfind("interface.h: \"-4 W/m2/K\" was found", 0), 0u);
+  EXPECT_EQ(
+      table(p, eta, "[" + row + ", [\"500 W/m2/K\", \"-4 W/m2/K\"]]").rfind("interface.h: \"-4 W/m2/K\" was found", 0),
+      0u);
   EXPECT_EQ(table("[]", eta, "[]"), "interface.pressure: an empty list was found, allowed is at least one entry");
 }
 
@@ -68,10 +79,14 @@ TEST(Interfaces, a_named_stretch_is_open_to_contact_and_needs_an_interface_too) 
   const std::string contact = "(20, 10) (0, 10) mm\", condition = \"contact\"";
   auto closed = replaced(contact, replaced("contact", "air", contact));
   closed = replaced("tools = [\"plate\", \"plunger\"]\nlaw", "tools = [\"plate\"]\nlaw", closed);
-  closed = replaced("geometry", "air = { temperature = \"50 degC\", h = \"9 W/m2/K\", ambient = \"50 degC\" }\ngeometry", closed);
+  closed = replaced("geometry",
+                    "air = { temperature = \"50 degC\", h = \"9 W/m2/K\", ambient = \"50 degC\" }\ngeometry", closed);
   EXPECT_EQ(complaint_about(closed), "");
-  const auto open = replaced("gravity = ", "name_piece = [{ name = \"top\", from = \"(20, 10) mm\", to = \"(0, 10) mm\" }]\ngravity = ", closed);
-  EXPECT_NE(complaint_about(open).find("stage.tools: the glass and \"plunger\" can touch in stage \"press\" but have no interface"),
+  const auto open =
+      replaced("gravity = ",
+               "name_piece = [{ name = \"top\", from = \"(20, 10) mm\", to = \"(0, 10) mm\" }]\ngravity = ", closed);
+  EXPECT_NE(complaint_about(open).find(
+                "stage.tools: the glass and \"plunger\" can touch in stage \"press\" but have no interface"),
             std::string::npos)
       << complaint_about(open);
 }
@@ -81,16 +96,18 @@ std::string standing_scene(const std::string& height) {
   auto text = replaced("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }\n", "");
   text = text.substr(0, text.find("[[stage]]\nname = \"press\"")) + text.substr(text.find("[[probe]]"));
   text = replaced("tools = [\"plate\"]\n[[probe]]", "tools = [\"plate\", \"plunger\"]\n[[probe]]", text);
-  return replaced("duration = \"1 s\"", "duration = \"0.05 s\"", replaced("10 mm\"\npiece", height + " mm\"\npiece", text));
+  return replaced("duration = \"1 s\"", "duration = \"0.05 s\"",
+                  replaced("10 mm\"\npiece", height + " mm\"\npiece", text));
 }
 
 TEST(Interfaces, one_on_bodies_that_never_meet_is_warned_of) {
   const auto apart = run(scene_of(standing_scene("30")), absent_folder());
   EXPECT_TRUE(apart.facts.completed) << apart.facts.reason;
   ASSERT_EQ(apart.facts.warnings.size(), 1u);
-  EXPECT_EQ(apart.facts.warnings[0],
-            "the interface of the glass with plunger was never used: in the whole run they did not come within 0.1 mm of "
-            "each other");
+  EXPECT_EQ(
+      apart.facts.warnings[0],
+      "the interface of the glass with plunger was never used: in the whole run they did not come within 0.1 mm of "
+      "each other");
   const auto together = run(scene_of(standing_scene("10")), absent_folder());
   EXPECT_TRUE(together.facts.warnings.empty());
 }
@@ -99,7 +116,8 @@ TEST(Interfaces, contact_without_resistance_neither_shortens_the_steps_nor_chang
   // Two half-spaces brought together: heat = area 2 dT/(1/e1 + 1/e2) sqrt(t/pi), e the effusivities.
   const double e1 = std::sqrt(1.3 * 2400 * 1300), e2 = std::sqrt(46.0 * 7200 * 490), time = 0.2;
   const double exact = M_PI * 0.02 * 0.02 * 2 * 600 / (1 / e1 + 1 / e2) * std::sqrt(time / M_PI);
-  auto text = replaced("duration = \"1 s\"", "duration = \"0.2 s\"", with_law("law = \"constant\"\nh = \"1e9 W/m2/K\"\n"));
+  auto text =
+      replaced("duration = \"1 s\"", "duration = \"0.2 s\"", with_law("law = \"constant\"\nh = \"1e9 W/m2/K\"\n"));
   text = text.substr(0, text.find("[[stage]]\nname = \"press\"")) + text.substr(text.find("[[probe]]"));
   const auto outcome = run(scene_of(text), absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
