@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/benchmarks/bare_flow.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <stdexcept>
+
+#include "core/indefinite.hpp"
+#include "forming/flow/element_matrix.hpp"
+#include "forming/initial_state.hpp"
+
+namespace parison::bench {
+
+using core::dim;
+using core::Index;
+
+namespace {
+
+/// Stiffness that holds a velocity, in diagonal entries of its node.
+constexpr double hold = 1e6;
+constexpr double most_residual = 1e-6;
+
+std::array<Index, flow::cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell) {
+  std::array<Index, flow::cell_unknowns> result;
+  for (int i = 0; i < 6; ++i)
+    for (int a = 0; a < dim; ++a) result[dim * i + a] = dim * mesh.cells[cell][i] + a;
+  for (int q = 0; q < 3; ++q) result[flow::cell_velocities + q] = dim * mesh.node_count() + mesh.cells[cell][q];
+  return result;
+}
+
+/// Holds velocities of a node in the directions that `directions` spans (its columns).
+void hold_node(core::SymmetricMatrix& matrix, Index node, const core::Tensor& directions) {
+  const Index first = matrix.column_start[dim * node], second = matrix.column_start[dim * node + 1];
+  const double size = hold * std::max(matrix.value[first], matrix.value[second]);
+  const core::Tensor added = size * directions * directions.transpose();
+  matrix.value[first] += added(0, 0);
+  matrix.value[first + 1] += added(1, 0);
+  matrix.value[second] += added(1, 1);
+}
+
+/// Holds the normal velocity on symmetry and contact, the whole velocity where the tool sticks or the piece is fixed.
+void hold_boundary(const forming::Scene& scene, const forming::State& state, core::SymmetricMatrix& matrix) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  std::vector<bool> done(mesh.nodes.size(), false);
+  for (const auto& edge : mesh.boundary) {
+    const auto kind = forming::piece_kind(scene.glass, mesh.pieces[edge.piece]);
+    const core::Point along = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).normalized();
+    core::Tensor normal = core::Tensor::Zero();
+    normal.col(0) = core::Point(along[1], -along[0]);
+    for (const Index node : edge.nodes) {
+      const Index tool = state.contact.tool[node];
+      if (done[node] || (tool < 0 && kind != forming::PieceKind::symmetry && kind != forming::PieceKind::fixed)) continue;
+      done[node] = true;
+      using Law = flow::Friction::Law;
+      const Law law = tool >= 0 ? scene.tools[tool].friction.law : Law::slip;
+      const bool sticks = kind == forming::PieceKind::fixed || law == Law::stick || law == Law::grip;
+      hold_node(matrix, node, sticks ? core::Tensor(core::Tensor::Identity()) : normal);
+    }
+  }
+}
+
+}  // namespace
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return now.tv_sec + 1e-9 * now.tv_nsec;
+}
+
+struct BareFlow::Data {
+  std::vector<std::array<Index, 6>> cells;
+  core::Assembly assembly;
+  std::unique_ptr<core::IndefiniteSolver> solver;
+
+  void assemble(const forming::Scene& scene, const forming::State& state);
+};
+
+BareFlow::BareFlow() : data_(std::make_unique<Data>()) {}
+BareFlow::~BareFlow() = default;
+
+void BareFlow::Data::assemble(const forming::Scene& scene, const forming::State& state) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  const bool known = cells == mesh.cells;
+  if (!known) {
+    core::Cliques cliques;
+    for (Index c = 0; c < mesh.cell_count(); ++c) cliques.add(unknowns_of(mesh, c).data(), flow::cell_unknowns);
+    assembly = core::make_assembly(dim * mesh.node_count() + mesh.vertex_count, cliques);
+    cells = mesh.cells;
+  }
+  flow::Problem problem{};
+  problem.mesh = &mesh;
+  problem.geometry = scene.geometry;
+  problem.material = &*scene.glass.flow;
+  problem.temperature = &state.bodies[0].temperature;
+  problem.pieces.resize(mesh.pieces.size());
+  const auto local = flow::cell_matrices(problem, flow::viscosity_field(problem, {}));
+  auto& matrix = assembly.matrix;
+  std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
+  constexpr std::size_t entries = flow::cell_unknowns * flow::cell_unknowns;
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    core::add_clique(matrix, assembly.scatter, c, flow::cell_unknowns, local.matrix.data() + c * entries);
+  hold_boundary(scene, state, matrix);
+  if (known) return;
+  solver = std::make_unique<core::IndefiniteSolver>();
+  solver->analyse(matrix);
+}
+
+double BareFlow::seconds(const forming::Scene& scene, const forming::State& state) {
+  data_->assemble(scene, state);
+  const auto& matrix = data_->assembly.matrix;
+  Eigen::VectorXd expected(matrix.size);
+  for (Index i = 0; i < matrix.size; ++i) expected[i] = 1 + i % 7;
+  expected.tail(state.bodies[0].mesh.vertex_count) *= matrix.value[0];  // pressures weigh as the viscous forces do
+  const Eigen::VectorXd rhs = core::multiply(matrix, expected);
+  std::array<double, 3> taken;
+  Eigen::VectorXd solution;
+  for (double& seconds : taken) {
+    const double start = cpu_seconds();
+    if (!data_->solver->factorise(matrix)) throw std::runtime_error("the bare flow matrix is singular");
+    solution = data_->solver->solve(rhs);
+    seconds = cpu_seconds() - start;
+  }
+  const double residual = (core::multiply(matrix, solution) - rhs).norm() / rhs.norm();
+  if (!(residual < most_residual)) throw std::runtime_error("the bare flow matrix was not solved");
+  std::sort(taken.begin(), taken.end());
+  return taken[1];
+}
+
+}  // namespace parison::bench

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// step_bench CASE ACCURACY FOLDER EVERY: runs a case and writes FOLDER.steps.csv, CPU seconds of each step and its parts. At
+// every EVERY-th step also a bare factorisation, and the heat of the step with its interface and with one of more points.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+#include "core/blas_threads.hpp"
+#include "forming/heat_step.hpp"
+#include "forming/run.hpp"
+#include "forming/step.hpp"
+#include "tools/benchmarks/bare_flow.hpp"
+
+namespace parison::forming {
+
+#define COUPLED_STEP "_ZN7parison7forming12coupled_stepERKNS0_5SceneERKNS0_5StateEdRNS0_9WorkspaceE"
+StepResult real_step(const Scene&, const State&, double, Workspace&) __asm__("__real_" COUPLED_STEP);
+StepResult timed_step(const Scene&, const State&, double, Workspace&) __asm__("__wrap_" COUPLED_STEP);
+
+}  // namespace parison::forming
+
+namespace {
+
+using namespace parison;
+
+/// Interface points into which each one is split to see what they cost.
+constexpr int copies = 5;
+
+struct Bench {
+  std::ofstream table;
+  int every = 1, seen = 0;
+  bench::BareFlow bare;
+  forming::Workspace once, split;
+} ledger;
+
+std::vector<core::InterfacePoint> split_points(const std::vector<core::InterfacePoint>& points) {
+  std::vector<core::InterfacePoint> result;
+  for (core::InterfacePoint point : points) {
+    point.area /= copies;
+    result.insert(result.end(), copies, point);
+  }
+  return result;
+}
+
+/// CPU time of the step's heat once more, from the temperatures before it, s.
+double heat_seconds(const forming::Scene& scene, const forming::State& before, const forming::StepResult& result,
+                    const std::vector<core::InterfacePoint>& interface, forming::Workspace& workspace) {
+  forming::State state = result.state;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) state.bodies[b].temperature = before.bodies[b].temperature;
+  state.heat_substep = before.heat_substep;
+  const double start = bench::cpu_seconds();
+  forming::advance_heat(scene, state, interface, {}, result.report.dt, workspace);
+  return bench::cpu_seconds() - start;
+}
+
+void measure(const forming::Scene& scene, const forming::State& before, const forming::StepResult& result) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  double bare = none, once = none, split = none;
+  if (scene.has_flow()) bare = ledger.bare.seconds(scene, result.state);
+  if (scene.has_flow() && scene.has_heat()) {
+    once = heat_seconds(scene, before, result, result.report.interface, ledger.once);
+    split = heat_seconds(scene, before, result, split_points(result.report.interface), ledger.split);
+  }
+  ledger.table << ',' << bare << ',' << once << ',' << (split - once) / (copies - 1);
+}
+
+}  // namespace
+
+forming::StepResult forming::timed_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
+  using Clock = std::chrono::steady_clock;
+  const auto wall_start = Clock::now();
+  const double start = bench::cpu_seconds();
+  StepResult result = real_step(scene, state, dt, workspace);
+  const double cpu = bench::cpu_seconds() - start;
+  const double wall = std::chrono::duration<double>(Clock::now() - wall_start).count();
+  ledger.table << state.time << ',' << result.converged << ',' << state.bodies[0].mesh.cell_count() << ','
+            << result.report.contact_iterations << ',' << cpu;
+  // The report's seconds are those of the wall clock: each part has its share of the CPU time.
+  for (const char* part : {"flow", "heat", "contact"}) ledger.table << ',' << result.report.seconds[part] * cpu / wall;
+  if (result.converged && ledger.seen++ % ledger.every == 0)
+    measure(scene, state, result);
+  else
+    ledger.table << ",nan,nan,nan";
+  ledger.table << std::endl;
+  return result;
+}
+
+int main(int argc, char** argv) {
+  if (argc != 5) {
+    std::fprintf(stderr, "step_bench: CASE ACCURACY FOLDER EVERY\n");
+    return 2;
+  }
+  core::use_one_blas_thread();
+  ledger.every = std::atoi(argv[4]);
+  ledger.table.open(std::string(argv[3]) + ".steps.csv");
+  ledger.table << "time,converged,triangles,iterations,step,flow,heat,contact,bare,heat_again,interface_in_heat\n";
+  const auto scene = forming::read_scene(argv[1], argv[2]);
+  const auto outcome = forming::run(scene, argv[3]);
+  if (!outcome.facts.completed) std::fprintf(stderr, "step_bench: %s\n", outcome.facts.reason.c_str());
+  return outcome.facts.completed ? 0 : 1;
+}
