@@ -49,7 +49,8 @@ void hold_boundary(const forming::Scene& scene, const forming::State& state, cor
     normal.col(0) = core::Point(along[1], -along[0]);
     for (const Index node : edge.nodes) {
       const Index tool = state.contact.tool[node];
-      if (done[node] || (tool < 0 && kind != forming::PieceKind::symmetry && kind != forming::PieceKind::fixed)) continue;
+      if (done[node] || (tool < 0 && kind != forming::PieceKind::symmetry && kind != forming::PieceKind::fixed))
+        continue;
       done[node] = true;
       using Law = flow::Friction::Law;
       const Law law = tool >= 0 ? scene.tools[tool].friction.law : Law::slip;

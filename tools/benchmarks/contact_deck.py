@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""CalculiX deck of cases/contact_cylinders: the same graded z-mesh, a ring with a 2 mm bore, surface to surface contact."""
+"""CalculiX deck of cases/contact_cylinders: z-mesh graded alike, a ring with a 2 mm bore, surface to surface contact."""
 import re
 
 BORE, RADIUS, GLASS_HEIGHT, STEEL_HEIGHT = 2e-3, 20e-3, 20e-3, 30e-3
@@ -45,19 +45,28 @@ def body(name, first, levels, quadratic):
     return lines + [f"{first + i}, {'S1' if upward else 'S3'}" for i in range(COLUMNS)]
 
 
-def deck(step, duration, rows, quadratic):
-    """Text of the input file: backward Euler with fixed steps, the contact temperatures printed each second."""
+def deck(control, duration, rows, quadratic):
+    """Text of the input file, backward Euler: fixed steps of `control` seconds, or its own step control where that is a text
+    such as "DELTMX=0.5". The contact temperatures are printed each second."""
     glass, steel = 1, 10001
-    lines = body("GLASS", glass, heights(GLASS_HEIGHT, rows), quadratic) + body("STEEL", steel, [-z for z in heights(STEEL_HEIGHT, rows)], quadratic)
+    lines = body("GLASS", glass, heights(GLASS_HEIGHT, rows), quadratic)
+    lines += body("STEEL", steel, [-z for z in heights(STEEL_HEIGHT, rows)], quadratic)
     lines += ["*NSET, NSET=WATCH", ", ".join(str(first + i) for first in (glass, steel) for i in WATCHED)]
     for name, (conductivity, capacity, density) in {"GLASS": (2.77, 1282, 2500), "STEEL": (37, 620, 7800)}.items():
         lines += [f"*MATERIAL, NAME=M{name}", "*CONDUCTIVITY", f"{conductivity}", "*SPECIFIC HEAT", f"{capacity}",
                   "*DENSITY", f"{density}", "*ELASTIC", "1e9, 0.3", f"*SOLID SECTION, ELSET=E{name}, MATERIAL=M{name}"]
-    lines += ["*SURFACE INTERACTION, NAME=TOUCH", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR", "1e9, 1.", "*GAP CONDUCTANCE",
-              "5000., 0., 300.", "5000., 1e9, 300.", "*CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE", "SGLASS, SSTEEL"]
-    lines += ["*INITIAL CONDITIONS, TYPE=TEMPERATURE", "NGLASS, 1150.", "NSTEEL, 485.", f"*STEP, INC={round(2 * duration / step)}",
-              "*HEAT TRANSFER, DIRECT", f"{step!r}, {duration!r}",
-              f"*NODE PRINT, NSET=WATCH, FREQUENCY={round(1 / step)}", "NT", "*END STEP"]
+    lines += ["*SURFACE INTERACTION, NAME=TOUCH", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR", "1e9, 1.",
+              "*GAP CONDUCTANCE", "5000., 0., 300.", "5000., 1e9, 300.",
+              "*CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE", "SGLASS, SSTEEL"]
+    seconds = ", ".join(f"{t}." for t in range(1, round(duration) + 1))
+    own = isinstance(control, str)
+    lines += ["*INITIAL CONDITIONS, TYPE=TEMPERATURE", "NGLASS, 1150.", "NSTEEL, 485.",
+              "*TIME POINTS, NAME=SECONDS", seconds,
+              f"*STEP, INC={1000000 if own else round(2 * duration / control)}",
+              f"*HEAT TRANSFER, {control if own else 'DIRECT'}",
+              f"1e-6, {duration!r}, 1e-10, 1." if own else f"{control!r}, {duration!r}",
+              "*NODE PRINT, NSET=WATCH, " + ("TIME POINTS=SECONDS" if own else f"FREQUENCY={round(1 / control)}"),
+              "NT", "*END STEP"]
     return "\n".join(lines) + "\n"
 
 

@@ -99,8 +99,8 @@ def section(options):
         for kind in ("flow", "step"):
             costs[size][kind] = [row[kind] for row in rows[1:]]  # the first one also analyses the pattern
     for size in sizes:
-        print(f"    {size:6} triangles: " + ", ".join(f"{kind} {1e3 * statistics.median(costs[size][kind]):.0f} ms" for kind in kinds)
-              + f", {statistics.median(costs[size]['iterations']):.0f} contact iterations", flush=True)
+        times = ", ".join(f"{kind} {1e3 * statistics.median(costs[size][kind]):.0f} ms" for kind in kinds)
+        print(f"    {size:6} triangles: {times}, {statistics.median(costs[size]['iterations']):.0f} contact iterations", flush=True)
     for kind, what in kinds.items():
         value = exponent(sizes, [statistics.median(costs[size][kind]) for size in sizes])
         yield Figure(f"growth.{kind}", f"{what}: exponent of its CPU time, {sizes[0]} to {sizes[-1]} triangles", value,

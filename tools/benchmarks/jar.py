@@ -27,7 +27,8 @@ def jar(options):
     process, key = summary["time_s"], f"jar.{options.accuracy}"
     target = {"draft": 1.0, "standard": 8.0}.get(options.accuracy)
     yield Figure(f"{key}.cpu", f"jar at {options.accuracy}: CPU time over process time", measured.cpu / process, target)
-    yield Figure(f"{key}.wall", f"jar at {options.accuracy}: wall time over process time, this machine now", measured.wall / process)
+    yield Figure(f"{key}.wall", f"jar at {options.accuracy}: wall time over process time, this machine now",
+                 measured.wall / process)
     for part, seconds in summary["timing"].items():
         if part != "remesh":
             yield Figure(f"{key}.{part}", f"  share of {part}", 100 * seconds / summary["wall_seconds"], unit="%")
@@ -36,7 +37,8 @@ def jar(options):
 def remesh(options):
     _, summary = whole_run(options.accuracy)
     share = 100 * summary["timing"]["remesh"] / summary["wall_seconds"]
-    yield Figure(f"remesh.{options.accuracy}.share", f"remesh and transfer, share of the jar's run at {options.accuracy}", share, 10, unit="%")
+    yield Figure(f"remesh.{options.accuracy}.share", f"remesh and transfer, share of the jar's run at {options.accuracy}",
+                 share, 10, unit="%")
 
 
 def flow(options):
@@ -49,7 +51,8 @@ def flow(options):
     key = f"flow.{options.accuracy}"
     yield Figure(f"{key}.step", "flow of a step over one factorisation and solve of its matrix, mean of the jar",
                  sum(row["flow"] for row in rows) / floor, 1.6)
-    yield Figure(f"{key}.iterations", "  contact iterations of a step, mean", sum(row["iterations"] for row in rows) / len(rows))
+    yield Figure(f"{key}.iterations", "  contact iterations of a step, mean",
+                 sum(row["iterations"] for row in rows) / len(rows))
 
 
 def interface(options):
@@ -60,6 +63,7 @@ def interface(options):
     in_heat = sum(row["interface_in_heat"] for row in again) / sum(row["heat_again"] for row in again)
     assembled = in_heat * sum(row["heat"] for row in rows)
     key = f"interface.{options.accuracy}"
-    yield Figure(f"{key}.share", "interface built and assembled, share of the jar's steps", 100 * (built + assembled) / whole, 3, unit="%")
+    yield Figure(f"{key}.share", "interface built and assembled, share of the jar's steps",
+                 100 * (built + assembled) / whole, 3, unit="%")
     yield Figure(f"{key}.built", "  of which building", 100 * built / whole, unit="%")
     yield Figure(f"{key}.assembled", "  of which assembly in the heat solver", 100 * assembled / whole, unit="%")

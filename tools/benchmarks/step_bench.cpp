@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// step_bench CASE ACCURACY FOLDER EVERY: runs a case and writes FOLDER.steps.csv, CPU seconds of each step and its parts. At
-// every EVERY-th step also a bare factorisation, and the heat of the step with its interface and with one of more points.
+// step_bench CASE ACCURACY FOLDER EVERY: runs a case and writes FOLDER.steps.csv, CPU seconds of each step and its
+// parts. At every EVERY-th step also a bare factorisation, and the heat of the step with its interface and with one of
+// more points.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -76,7 +77,7 @@ forming::StepResult forming::timed_step(const Scene& scene, const State& state, 
   const double cpu = bench::cpu_seconds() - start;
   const double wall = std::chrono::duration<double>(Clock::now() - wall_start).count();
   ledger.table << state.time << ',' << result.converged << ',' << state.bodies[0].mesh.cell_count() << ','
-            << result.report.contact_iterations << ',' << cpu;
+               << result.report.contact_iterations << ',' << cpu;
   // The report's seconds are those of the wall clock: each part has its share of the CPU time.
   for (const char* part : {"flow", "heat", "contact"}) ledger.table << ',' << result.report.seconds[part] * cpu / wall;
   if (result.converged && ledger.seen++ % ledger.every == 0)
