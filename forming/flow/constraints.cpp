@@ -31,12 +31,14 @@ Point perpendicular(const Point& n) { return {-n[1], n[0]}; }
 void add_piece_equalities(const Problem& problem, std::vector<std::vector<NodeEquality>>& of_node) {
   const auto& mesh = *problem.mesh;
   for (const auto& edge : mesh.boundary) {
-    const auto kind = problem.pieces[edge.piece].kind;
-    if (kind == PieceCondition::Kind::free) continue;
+    const auto& condition = problem.pieces[edge.piece];
+    if (condition.kind == PieceCondition::Kind::free) continue;
     const auto at = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1.0});
     for (const Index node : edge.nodes) {
-      add_equality(of_node[node], {at.normal});
-      if (kind == PieceCondition::Kind::fixed) add_equality(of_node[node], {at.tangent});
+      const bool fixed = condition.kind == PieceCondition::Kind::fixed;
+      const Point velocity = fixed && condition.velocity ? condition.velocity(mesh.nodes[node]) : Point(Point::Zero());
+      add_equality(of_node[node], {at.normal, velocity.dot(at.normal)});
+      if (fixed) add_equality(of_node[node], {at.tangent, velocity.dot(at.tangent)});
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ using core::Point;
 struct PieceCondition {
   enum class Kind { free, symmetry, fixed } kind = Kind::free;
   double pressure = 0;         ///< over-pressure on free pieces, Pa
+  std::function<Point(const Point&)> velocity;  ///< at which a fixed piece moves, m/s; none: it stands still
 };
 
 /// How a tool moves during the step.
@@ -43,6 +45,8 @@ struct Problem {
   core::Geometry geometry;
   const Material* material;
   const Eigen::VectorXd* temperature;  ///< per node, K
+  std::function<double(const Point&)> viscosity;  ///< Pa.s, in place of the material's where given
+  std::function<Point(const Point&)> force;       ///< on the glass beside its weight, N/m3, where given
   double gravity = 0;                  ///< along the axis, m/s2
   double volume_rate = 0;              ///< div v everywhere, 1/s: takes back what the finite steps did to the volume
   Point body_force_direction = core::axis_direction();
