@@ -69,6 +69,10 @@ std::vector<double> viscosity_field(const Problem& problem, const Eigen::VectorX
   viscosity.reserve(mesh.cells.size() * rule.size());
   for (Index c = 0; c < mesh.cell_count(); ++c)
     for (const auto& at : rule) {
+      if (problem.viscosity) {
+        viscosity.push_back(problem.viscosity(core::map_cell_point(mesh, c, problem.geometry, at).position));
+        continue;
+      }
       const auto shape = core::triangle_shape(at.a, at.b);
       double temperature = 0;
       for (int i = 0; i < 6; ++i) temperature += shape[i] * (*problem.temperature)[mesh.cells[c][i]];
@@ -96,7 +100,8 @@ CellMatrices cell_matrices(const Problem& problem, const std::vector<double>& vi
     double* load = cells.load.data() + std::size_t(c) * cell_unknowns;
     for (std::size_t q = 0; q < rule.size(); ++q) {
       const auto at = core::map_cell_point(mesh, c, problem.geometry, rule[q]);
-      add_point(matrix, load, at, core::hoop(problem.geometry, at.position), viscosity[c * rule.size() + q], weight);
+      const Point force = problem.force ? Point(weight + problem.force(at.position)) : weight;
+      add_point(matrix, load, at, core::hoop(problem.geometry, at.position), viscosity[c * rule.size() + q], force);
       const double compliance = 1 / (bulk_ratio * viscosity[c * rule.size() + q]);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j)

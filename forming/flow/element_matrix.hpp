@@ -22,7 +22,7 @@ struct CellMatrices {
 /// Viscosity at each quadrature point (cells x triangle_rule(4)), Pa.s; `velocity` feeds the Carreau factor and may be empty.
 std::vector<double> viscosity_field(const Problem& problem, const Eigen::VectorXd& velocity);
 
-/// Taylor-Hood P2-P1 cells. The pressure block -1/bulk keeps a full cavity regular; it is far below any volume drift that counts.
+/// Taylor-Hood P2-P1 cells. The pressure block -1/bulk, local, keeps a full cavity regular; it is far below any volume drift that counts.
 CellMatrices cell_matrices(const Problem& problem, const std::vector<double>& viscosity);
 
 /// Load of surface tension and gas pressure on the boundary edges that are `exposed` (not pressed against a tool), N, two per node.
