@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flow_case.hpp"
+
+namespace parison::flow {
+namespace {
+
+using core::Geometry;
+
+/// Two layers on a fixed floor, pulled sideways by a unit force and free of shear at the top y = 1: dv/dy = (1 - y)/eta,
+/// which quadratic velocities hold exactly, so that all that is left is round-off.
+struct Layers {
+  double lower, upper;
+
+  double viscosity(double y) const { return y < 0.5 ? lower : upper; }
+  double speed(double y) const {
+    const auto in = [](double z) { return z - 0.5 * z * z; };
+    return y < 0.5 ? in(y) / lower : in(0.5) / lower + (in(y) - in(0.5)) / upper;
+  }
+};
+
+/// Largest error of the velocity in each layer, relative to the layer's own fastest point.
+std::array<double, 2> layer_errors(const Layers& layers) {
+  const auto bent = [](double s, double t) {
+    const double wave = std::sin(2 * M_PI * t) * std::sin(2 * M_PI * s);
+    return Point(s + 0.03 * wave, t);
+  };
+  FlowProblem flow(tests::structured(12, 12, bent), Geometry::planar);
+  flow.hold_all(PieceCondition::Kind::fixed);
+  for (auto& piece : flow.problem.pieces) piece.velocity = [=](const Point& x) { return Point(layers.speed(x[1]), 0); };
+  flow.piece("top").kind = PieceCondition::Kind::symmetry;
+  flow.problem.viscosity = [=](const Point& x) { return layers.viscosity(x[1]); };
+  flow.problem.force = [](const Point&) { return Point(1, 0); };
+  for (auto& cell : flow.mesh.cells)  // straight sides
+    for (int i = 0; i < 3; ++i)
+      flow.mesh.nodes[cell[3 + i]] = 0.5 * (flow.mesh.nodes[cell[i]] + flow.mesh.nodes[cell[(i + 1) % 3]]);
+  const auto solution = flow.solve();
+  EXPECT_TRUE(solution.converged) << solution.reason;
+  std::array<double, 2> error{};
+  for (Index n = 0; n < flow.mesh.node_count(); ++n) {
+    const double y = flow.mesh.nodes[n][1];
+    const int upper = y > 0.5;
+    const double off = (node_velocity(solution.velocity, n) - Point(layers.speed(y), 0)).norm();
+    error[upper] = std::max(error[upper], off / layers.speed(upper ? 1.0 : 0.5));
+  }
+  return error;
+}
+
+TEST(StiffSkin, layers_of_ten_and_twelve_decades_flow_exactly) {
+  for (const double jump : {1e6, 1e10, 1e12}) {
+    const auto under = layer_errors({1e2, 1e2 * jump}), over = layer_errors({1e2 * jump, 1e2});
+    std::printf("jump %.0e: error soft below %.1e, stiff on it %.1e; stiff below %.1e, soft on it %.1e\n", jump, under[0],
+                under[1], over[0], over[1]);
+    for (const double error : {under[0], under[1], over[0], over[1]}) EXPECT_LT(error, 1e-12);
+  }
+}
+
+double free_area(const FlowProblem& flow, const core::Mesh& mesh) {
+  double area = 0;
+  for (const auto& edge : mesh.boundary)
+    if (mesh.pieces[edge.piece] == "right")
+      for (const auto& rule : core::edge_rule(5)) area += core::map_edge_point(mesh, edge.nodes, flow.problem.geometry, rule).area;
+  return area;
+}
+
+/// Power of gravity, air and surface tension on the moving glass, W; that of the tension from how fast the free surface grows.
+double loads_power(const FlowProblem& flow, const Solution& solution) {
+  double power = 0;
+  for (Index c = 0; c < flow.mesh.cell_count(); ++c)
+    for (const auto& rule : core::triangle_rule(6)) {
+      const auto at = core::map_cell_point(flow.mesh, c, flow.problem.geometry, rule);
+      for (int i = 0; i < 6; ++i)
+        power += flow.material.density * flow.problem.gravity * at.volume * at.shape[i] *
+                 node_velocity(solution.velocity, flow.mesh.cells[c][i])[1];
+    }
+  for (const auto& edge : flow.mesh.boundary)
+    if (flow.mesh.pieces[edge.piece] == "right")
+      for (const auto& rule : core::edge_rule(5)) {
+        const auto at = core::map_edge_point(flow.mesh, edge.nodes, flow.problem.geometry, rule);
+        for (int i = 0; i < 3; ++i)
+          power -= flow.problem.pieces[edge.piece].pressure * at.area * at.shape[i] *
+                   at.normal.dot(node_velocity(solution.velocity, edge.nodes[i]));
+      }
+  core::Mesh before = flow.mesh, after = flow.mesh;
+  const double dt = 1e-4 * 0.01 / solution.velocity.lpNorm<Eigen::Infinity>();
+  for (Index n = 0; n < flow.mesh.node_count(); ++n) {
+    before.nodes[n] -= dt * node_velocity(solution.velocity, n);
+    after.nodes[n] += dt * node_velocity(solution.velocity, n);
+  }
+  return power - flow.material.surface_tension * (free_area(flow, after) - free_area(flow, before)) / (2 * dt);
+}
+
+/// A disc pressed between sticking plates, in air over-pressure, its skin by the plates stiffer by `jump`.
+FlowProblem skinned_disc(double jump) {
+  FlowProblem flow(tests::structured(24, 16, [](double s, double t) { return Point(0.02 * s, 0.01 * t); }),
+                   Geometry::axisymmetric);
+  flow.material.density = 2400;
+  flow.material.surface_tension = 30;
+  flow.problem.gravity = -9.81;
+  flow.problem.viscosity = [=](const Point& x) {
+    const double depth = std::min(x[1], 0.01 - x[1]);
+    return 100 * std::pow(jump, std::max(0.0, 1 - depth / 0.002));
+  };
+  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.piece("right").pressure = 2e3;
+  flow.problem.tools.resize(2);
+  flow.problem.tools[1].force = -200;
+  flow.problem.tools[1].speed_limit = 10;
+  flow.touch("bottom", 0, Point(0, 1));
+  flow.touch("top", 1, Point(0, -1));
+  return flow;
+}
+
+TEST(StiffSkin, work_done_on_the_glass_is_dissipated_at_any_range_of_viscosity) {
+  for (const double jump : {1.0, 1e6, 1e10}) {
+    FlowProblem flow = skinned_disc(jump);
+    const auto solution = flow.solve();
+    ASSERT_TRUE(solution.converged) << solution.reason;
+    EXPECT_NEAR(solution.tool_force[1], -200, 1e-6);
+    double dissipated = 0;
+    for (const double w : solution.dissipation) dissipated += w;
+    const double tools = solution.tool_force[0] * solution.tool_velocity[0] + solution.tool_force[1] * solution.tool_velocity[1];
+    const double loads = loads_power(flow, solution);
+    std::printf("viscosity 1e2 to %.0e: plunger %.4e m/s, tools %.4e W, loads %.4e W, dissipated %.4e W, off by %.1e\n", 100 * jump,
+                solution.tool_velocity[1], tools, loads, dissipated, (tools + loads) / dissipated - 1);
+    EXPECT_LT(std::abs((tools + loads) / dissipated - 1), 1e-6);
+    EXPECT_GT(std::abs(loads), 1e-3 * dissipated);
+  }
+}
+
+}  // namespace
+}  // namespace parison::flow
