@@ -64,6 +64,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   check_sizes(scene, root);
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));
+  check_support(scene, root);
   return scene;
 }
 

@@ -37,6 +37,16 @@ bool can_touch(const Body& body) {
   return std::any_of(body.pieces.begin(), body.pieces.end(), contact);
 }
 
+/// Whether symmetry planes or fixed pieces keep the glass from moving along the axis.
+bool held_along_axis(const Glass& glass) {
+  constexpr double across = 1e-3;
+  return std::any_of(glass.profile.segments.begin(), glass.profile.segments.end(), [&](const core::Segment& segment) {
+    const PieceKind kind = glass.pieces[segment.piece].kind;
+    return kind == PieceKind::fixed ||
+           (kind == PieceKind::symmetry && std::abs(core::normal_at(segment, 0.5).dot(core::axis_direction())) > across);
+  });
+}
+
 /// The member of a table, null without one.
 const core::CaseNode* member(const core::CaseNode* table, const char* key) {
   if (table)
@@ -137,6 +147,27 @@ void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode
                                "[[interface]] that names the tool",
                                tool.name, scene.stages[i].name));
     }
+  }
+}
+
+void check_support(const Scene& scene, const core::CaseTable& root) {
+  if (!scene.has_flow()) return;
+  const auto& pieces = scene.glass.pieces;
+  if (std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+        return piece.kind == PieceKind::fixed || piece.kind == PieceKind::symmetry;
+      }))
+    core::refuse(core::CaseTable(root.get("glass"), {"material", "temperature", "mesh", "piece"}).get("piece"),
+                 "every piece is fixed or a symmetry plane and the pressure of the glass has no level; allowed is at "
+                 "least one piece that is neither");
+  if (held_along_axis(scene.glass)) return;
+  const auto stages = root.tables("stage");
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    if (!scene.stages[i].tools.empty() && can_touch(scene.glass)) continue;
+    core::CaseNode place = *stages[i];
+    place.key += ".tools";
+    core::refuse(place, fmt::format("nothing holds the glass along the axis in stage \"{}\"; allowed is a tool that it can "
+                                    "touch, a fixed piece or a symmetry plane across the axis",
+                                    scene.stages[i].name));
   }
 }
 

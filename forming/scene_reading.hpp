@@ -53,6 +53,8 @@ void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables);
 void check_sizes(const Scene& scene, const core::CaseTable& root);
 /// Refuses tools that overlap the glass at the start.
 void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode*>& tools);
+/// Refuses flows without a unique answer: glass that nothing holds along the axis, and glass enclosed on all sides.
+void check_support(const Scene& scene, const core::CaseTable& root);
 /// Refuses stages in which hot bodies can touch without an interface between them.
 void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode*>& stages);
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../scene_text.hpp"
+#include "flow_case.hpp"
+#include "forming/flow/support.hpp"
+
+namespace parison::flow {
+namespace {
+
+using core::Geometry;
+
+FlowProblem block(Geometry geometry) {
+  FlowProblem flow(tests::structured(6, 6, [](double s, double t) { return Point(0.01 * (1 + s), 0.01 * t); }), geometry, 1e3);
+  flow.material.density = 2400;
+  flow.problem.gravity = -9.81;
+  flow.problem.tools.resize(1);
+  flow.problem.tools[0].friction.law = Friction::Law::slip;
+  return flow;
+}
+
+void expect_named(FlowProblem& flow, const std::string& motion) {
+  const std::string sentence = "the glass is not held: it is free to " + motion + ", which no tool, symmetry plane or fixed piece prevents";
+  EXPECT_EQ(free_motion(flow.bound()), sentence);
+}
+
+void expect_solved(FlowProblem& flow) {
+  EXPECT_EQ(free_motion(flow.bound()), "");
+  const auto solution = flow.solve();
+  EXPECT_TRUE(solution.converged) << solution.reason;
+}
+
+TEST(Support, a_ring_in_the_air_falls) {
+  auto flow = block(Geometry::axisymmetric);
+  expect_named(flow, "move along the axis");
+  flow.touch("bottom", 0, Point(0, 1));
+  expect_solved(flow);
+}
+
+TEST(Support, a_plane_block_on_a_slipping_plate_glides) {
+  auto flow = block(Geometry::planar);
+  flow.touch("bottom", 0, Point(0, 1));
+  expect_named(flow, "move sideways");
+  flow.problem.tools[0].friction.law = Friction::Law::stick;
+  expect_solved(flow);
+}
+
+TEST(Support, a_plane_body_hung_on_one_node_turns) {
+  auto flow = block(Geometry::planar);
+  flow.problem.tools[0].friction.law = Friction::Law::grip;
+  flow.problem.candidates.push_back({*flow.nodes_of("top").begin(), 0, Point(0, -1), 0.0, true});
+  expect_named(flow, "turn");
+}
+
+TEST(Support, a_half_ring_in_a_slipping_round_mould_turns) {
+  const auto ring = [](double s, double t) {
+    return Point(0.01 * (1 + s) * std::cos(M_PI * t), 0.01 * (1 + s) * std::sin(M_PI * t));
+  };
+  FlowProblem flow(tests::structured(3, 24, ring), Geometry::planar, 1e3);
+  flow.problem.tools.resize(1);
+  flow.problem.tools[0].friction.law = Friction::Law::slip;
+  for (const Index node : flow.nodes_of("right"))
+    flow.problem.candidates.push_back({node, 0, -flow.mesh.nodes[node].normalized(), 0.0});
+  expect_named(flow, "turn");
+  flow.piece("bottom").kind = PieceCondition::Kind::symmetry;
+  expect_solved(flow);
+}
+
+/// Tools all around: the pressure takes its lowest level at which nothing pulls.
+TEST(Support, glass_shut_in_by_tools_presses_with_its_weight_alone) {
+  auto flow = block(Geometry::axisymmetric);
+  flow.touch("bottom", 0, Point(0, 1));
+  flow.touch("right", 0, Point(-1, 0));
+  flow.touch("left", 0, Point(1, 0));
+  flow.touch("top", 0, Point(0, -1));
+  const auto solution = flow.solve();
+  ASSERT_TRUE(solution.converged) << solution.reason;
+  const double weight = 2400 * 9.81 * M_PI * 3e-6;
+  EXPECT_NEAR(solution.tool_force[0], weight, 1e-7 * weight);
+  for (Index n = 0; n < flow.mesh.vertex_count; ++n)
+    EXPECT_NEAR(solution.pressure[n], 2400 * 9.81 * (0.01 - flow.mesh.nodes[n][1]), 1e-3);
+}
+
+}  // namespace
+}  // namespace parison::flow
+
+namespace parison::forming {
+namespace {
+
+TEST(Support, a_stage_in_which_nothing_holds_the_glass_is_refused) {
+  const std::string stage = "name = \"rest\"\nduration = \"1 s\"\ntools = [\"plate\"]";
+  const auto text = replaced(stage, "name = \"rest\"\nduration = \"1 s\"");
+  EXPECT_EQ(complaint_about(text), std::to_string(line_of("[[stage]]", text)) +
+                                       ": stage.tools: nothing holds the glass along the axis in stage \"rest\"; allowed is a tool "
+                                       "that it can touch, a fixed piece or a symmetry plane across the axis");
+}
+
+TEST(Support, glass_enclosed_by_fixed_pieces_is_refused) {
+  const auto unpressed = replaced("pressure.surface = \"0.1 bar\"\n", "");
+  const auto text = replaced("condition = \"contact\" },\n  { name = \"axis\", path = \"(0, 0) mm\"",
+                             "condition = \"fixed\" },\n  { name = \"axis\", path = \"(0, 0) mm\"", unpressed);
+  EXPECT_EQ(complaint_about(text), std::to_string(line_of("piece = [", text)) +
+                                       ": glass.piece: every piece is fixed or a symmetry plane and the pressure of the glass has no "
+                                       "level; allowed is at least one piece that is neither");
+}
+
+}  // namespace
+}  // namespace parison::forming
