@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "forming/initial_state.hpp"
-#include "forming/step.hpp"
-#include "forming/step_control.hpp"
+#include "stepping.hpp"
 
 namespace parison::forming {
 namespace {
@@ -31,23 +29,6 @@ double doubling_time(double tension) {
   return time;
 }
 
-/// Steps as `run` does, without its files, to a time of the first stage.
-State steps_to(const Scene& scene, double time) {
-  State state = initial_state(scene);
-  Workspace workspace;
-  state.next_step = scene.accuracy.first_step;
-  while (state.time < time - 1e-12) {
-    const double dt = std::min(landing_step(scene, state, state.next_step), time - state.time);
-    auto result = coupled_step(scene, state, dt, workspace);
-    EXPECT_TRUE(result.converged) << result.reason;
-    if (!result.converged) break;
-    const double wish = wished_step(scene, result.report, state.next_step);
-    if (!overshot(scene, result.report)) state = std::move(result.state);
-    state.next_step = wish;
-  }
-  return state;
-}
-
 TEST(ShellInflation, doubles_its_inner_radius_in_the_exact_time_with_and_without_surface_tension) {
   EXPECT_NEAR(doubling_time(0), 0.127525, 5e-7);
   for (const double tension : {0.0, 0.3, 100.0}) {
@@ -55,7 +36,7 @@ TEST(ShellInflation, doubles_its_inner_radius_in_the_exact_time_with_and_without
     scene.glass.flow->surface_tension = tension;
     const double time = doubling_time(tension);
     scene.stages[0].duration = time;
-    const State state = steps_to(scene, time);
+    const State state = steps_to(scene, initial_state(scene), time);
     const auto& mesh = state.bodies[0].mesh;
     const Index inner = core::find_piece(mesh, "inner");
     double worst = 0;

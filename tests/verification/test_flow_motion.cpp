@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/element.hpp"
+#include "stepping.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// A disc, 20 mm radius and 10 mm high, squeezed to 1.5 mm between slipping plates.
+constexpr const char* squeeze = R"(case = "squeeze"
+geometry = "axisymmetric"
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e3 Pa.s" }
+[glass]
+material = "liquid"
+mesh = { mapped = [8, 4] }
+piece = [
+  { name = "bottom", condition = "contact", path = "(0, 0) (20, 0) mm" },
+  { name = "rim", condition = "air", path = "(20, 10) mm" },
+  { name = "top", condition = "contact", path = "(0, 10) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
+[[tool]]
+name = "plate"
+friction = "slip"
+piece = [
+  { name = "face", condition = "contact", path = "(60, 0) (0, 0) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, -5) mm" },
+  { name = "rest", condition = "insulated", path = "(60, -5) mm" } ]
+[[tool]]
+name = "plunger"
+friction = "slip"
+piece = [
+  { name = "face", condition = "contact", path = "(0, 10) (60, 10) mm" },
+  { name = "rest", condition = "insulated", path = "(60, 20) (0, 20) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 10) mm" } ]
+[[stage]]
+name = "squeeze"
+duration = "0.85 s"
+tools = ["plate", "plunger"]
+motion.plunger = { offset = [["0 s", "0 mm"], ["0.85 s", "-8.5 mm"]] }
+)";
+
+struct SqueezeErrors {
+  double force = 0, radius, drift;
+};
+
+SqueezeErrors squeeze_errors(double strain_per_step) {
+  Scene scene = scene_from(squeeze, "standard");
+  scene.accuracy.strain_per_step = strain_per_step;
+  const double volume = M_PI * 0.02 * 0.02 * 0.01;
+  SqueezeErrors errors;
+  int heights = 0;
+  const State start = initial_state(scene);
+  const State end = steps_to(scene, start, 0.85, [&](const State& before, const State& after) {
+    // The force of a step is that of its middle.
+    const double height = 0.01 + 0.5 * (before.bodies[2].offset + after.bodies[2].offset);
+    const double exact = 3 * 1e3 * 0.01 * volume / (height * height);
+    for (const int tool : {1, 2})
+      errors.force = std::max(errors.force, std::abs(std::abs(after.bodies[tool].force) / exact - 1));
+    ++heights;
+  });
+  const auto& mesh = end.bodies[0].mesh;
+  double radius = 0;
+  for (const auto& x : mesh.nodes) radius = std::max(radius, x[0]);
+  errors.radius = radius / (0.02 * std::sqrt(10 / 1.5)) - 1;
+  errors.drift = core::volume(mesh, scene.geometry) / start.first_volume - 1;
+  std::printf("slipping squeeze to 1.5 mm, strain %.4f a step: force off by %.1e at the worst of %d heights, radius by %.1e, volume by %.1e\n",
+              strain_per_step, errors.force, heights, errors.radius, errors.drift);
+  return errors;
+}
+
+TEST(SlippingSqueeze, needs_the_exact_force_at_every_height_on_the_way_down) {
+  const auto standard = squeeze_errors(0.15), halved = squeeze_errors(0.075), quartered = squeeze_errors(0.0375);
+  EXPECT_LT(standard.force, 2e-3);
+  EXPECT_GT(std::log2(standard.force / halved.force), 1.8);
+  EXPECT_LT(quartered.force, 1e-4);
+  EXPECT_LT(std::abs(standard.radius), 1e-4);
+  EXPECT_LT(std::abs(standard.drift), 5e-5);
+}
+
+/// A quarter of a drop, 10 mm radius, under its surface tension alone.
+constexpr const char* drop = R"(case = "drop"
+geometry = "axisymmetric"
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "100 Pa.s" }
+surface_tension = "0.3 N/m"
+[glass]
+material = "liquid"
+piece = [
+  { name = "equator", condition = "symmetry", path = "(0, 0) (10, 0) mm" },
+  { name = "surface", condition = "air", path = "arc centre (0, 0) mm radius 10 mm from 0 deg to 90 deg" },
+  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
+[[stage]]
+name = "relax"
+duration = "4 s"
+)";
+
+double second_mode(const Point& x) {
+  const double axial = x[1] / std::max(x.norm(), 1e-12);
+  return 0.5 * (3 * axial * axial - 1);
+}
+
+/// Amplitude of the second mode of the surface, relative to the radius.
+double amplitude(const Scene& scene, const core::Mesh& mesh) {
+  const Index surface = core::find_piece(mesh, "surface");
+  double projected = 0, square = 0;
+  for (const auto& edge : mesh.boundary)
+    if (edge.piece == surface)
+      for (const auto& rule : core::edge_rule(4)) {
+        const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
+        const double mode = second_mode(at.position);
+        projected += at.area * mode * (at.position.norm() / 0.01 - 1);
+        square += at.area * mode * mode;
+      }
+  return projected / square;
+}
+
+/// What is left after `time` of a drop stretched by `first`.
+std::pair<double, double> relax(const Scene& scene, double first, double time) {
+  State state = initial_state(scene);
+  auto& mesh = state.bodies[0].mesh;
+  for (auto& x : mesh.nodes) x *= 1 + first * second_mode(x);
+  state.first_volume = core::volume(mesh, scene.geometry);
+  const double before = amplitude(scene, mesh);
+  return {before, amplitude(scene, steps_to(scene, state, time).bodies[0].mesh)};
+}
+
+TEST(RelaxingDrop, loses_its_second_mode_at_the_exact_rate) {
+  Scene scene = scene_from(drop, "standard");
+  const double exact = 20.0 / 19 * 0.3 / (100 * 0.01), time = 3;
+  const auto [long_before, long_after] = relax(scene, 0.01, time);
+  const auto [flat_before, flat_after] = relax(scene, -0.01, time);
+  const double rate = std::log((long_before - flat_before) / (long_after - flat_after)) / time;
+  std::printf("drop, %.0f s: decays at %.5f 1/s, exact %.5f, off by %.1e\n", time, rate, exact, rate / exact - 1);
+  EXPECT_NEAR(rate, exact, 5e-3 * exact);
+}
+
+}  // namespace
+}  // namespace parison::forming
