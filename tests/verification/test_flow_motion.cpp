@@ -83,6 +83,43 @@ TEST(SlippingSqueeze, needs_the_exact_force_at_every_height_on_the_way_down) {
   EXPECT_LT(std::abs(standard.drift), 5e-5);
 }
 
+/// The squeezed disc under a narrow sticking plunger with a sharp corner, which sinks by a tenth of the height.
+std::string punch() {
+  std::string text = squeeze;
+  const auto put = [&](const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    ASSERT_NE(at, text.npos) << from;
+    text.replace(at, from.size(), to);
+  };
+  put("friction = \"slip\"", "friction = \"stick\"");
+  put("friction = \"slip\"", "friction = \"stick\"");
+  put("mesh = { mapped = [8, 4] }\n", "");
+  put("name = \"rim\", condition = \"air\"", "name = \"rim\", condition = \"contact\"");
+  put("(0, 10) (60, 10) mm\" }", "(0, 10) (7, 10) (7, 20) mm\" }");
+  put("\"insulated\", path = \"(60, 20) (0, 20) mm\"", "\"insulated\", path = \"(0, 20) mm\"");
+  put("duration = \"0.85 s\"", "duration = \"0.1 s\"");
+  put("[\"0.85 s\", \"-8.5 mm\"]", "[\"0.1 s\", \"-1 mm\"]");
+  return text;
+}
+
+TEST(Punch, whose_corner_sinks_into_smooth_glass_keeps_the_glass_out_and_its_volume) {
+  const Scene scene = scene_from(punch(), "standard");
+  const State start = initial_state(scene);
+  double weakest = 1e9;
+  const State end = steps_to(scene, start, 0.1, [&](const State&, const State& after) {
+    weakest = std::min({weakest, after.bodies[1].force, -after.bodies[2].force});
+    EXPECT_NEAR(after.bodies[1].force, -after.bodies[2].force, 1e-6 * after.bodies[1].force);
+  });
+  double rise = 0;
+  for (const auto& x : end.bodies[0].mesh.nodes) rise = std::max(rise, x[1] - 0.01);
+  std::printf("punch: %d steps, force %.2f N, glass in the tools at most %.2f um, volume off by %.1e, glass beside it rises %.2f mm\n",
+              end.totals.steps, end.bodies[1].force, 1e6 * end.totals.deepest, end.totals.largest_drift, 1e3 * rise);
+  EXPECT_NEAR(end.time, 0.1, 1e-9);
+  EXPECT_GT(weakest, 0);
+  EXPECT_LT(end.totals.deepest, 5e-6);
+  EXPECT_LT(end.totals.largest_drift, 1e-4);
+}
+
 /// A quarter of a drop, 10 mm radius, under its surface tension alone.
 constexpr const char* drop = R"(case = "drop"
 geometry = "axisymmetric"
