@@ -3,14 +3,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace parison::core {
 namespace {
@@ -18,6 +20,12 @@ namespace {
 [[noreturn]] void fail(const std::string& path, const char* what) {
   throw std::runtime_error(fmt::format("{}: {}: {}", path, what, std::strerror(errno)));
 }
+
+/// A temporary file, removed unless it was given its name.
+struct Temporary {
+  std::string path;
+  ~Temporary() { ::unlink(path.c_str()); }
+};
 
 }  // namespace
 
@@ -45,13 +53,38 @@ void sync_to_disk(const std::string& path) {
 }
 
 void replace_file(const std::string& path, const std::function<void(const std::string& temporary)>& write) {
-  const std::string temporary = path + ".part";
-  write(temporary);
-  std::filesystem::rename(temporary, path);
+  const Temporary temporary{path + ".part"};
+  write(temporary.path);
+  if (std::rename(temporary.path.c_str(), path.c_str()) != 0) fail(path, "cannot be replaced");
 }
 
 void replace_file(const std::string& path, const std::string& text) {
   replace_file(path, [&](const std::string& temporary) { write_text(temporary, text); });
+}
+
+GrowingFile::GrowingFile(std::string path, std::int64_t size)
+    : path_(std::move(path)), file_(::open(path_.c_str(), O_WRONLY | O_CLOEXEC | (size == 0 ? O_CREAT : 0), 0666)), size_(size) {
+  if (file_ < 0) fail(path_, "cannot be opened");
+  const auto refuse = [&](const std::string& what) {
+    ::close(file_);
+    throw std::runtime_error(fmt::format("{}: {}", path_, what));
+  };
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse("another process is writing to it");
+  const std::int64_t found = ::lseek(file_, 0, SEEK_END);
+  if (found < size) refuse(fmt::format("{} bytes were found, it once had {}", found, size));
+  if (::ftruncate(file_, size) != 0 || ::lseek(file_, size, SEEK_SET) != size) refuse(std::strerror(errno));
+}
+
+GrowingFile::~GrowingFile() { ::close(file_); }
+
+void GrowingFile::append(const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const auto written = ::write(file_, text.data() + done, text.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(path_, "cannot be written");
+    done += static_cast<std::size_t>(written);
+    size_ += written;
+  }
 }
 
 std::string csv_text(const std::string& text) {

@@ -14,8 +14,27 @@ void write_text(const std::string& path, const std::string& text);
 void replace_file(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 void replace_file(const std::string& path, const std::string& text);
 
-/// Returns when the file is on the disk (fsync).
+/// Returns when the file, or what a folder lists, is on the disk (fsync).
 void sync_to_disk(const std::string& path);
+
+/// A text file that grows at its end; one process at a time holds it.
+class GrowingFile {
+ public:
+  /// Opens it with its first `size` bytes, cutting off what follows; 0 makes it where there is none.
+  GrowingFile(std::string path, std::int64_t size);
+  GrowingFile(const GrowingFile&) = delete;
+  ~GrowingFile();
+
+  /// Returns when the system has the text.
+  void append(const std::string& text);
+  std::int64_t size() const { return size_; }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  int file_;
+  std::int64_t size_;
+};
 
 /// A text as one field of a CSV line, in quotes where it needs them.
 std::string csv_text(const std::string& text);

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
+
+#include "core/files.hpp"
 
 namespace parison::core {
 namespace {
@@ -35,7 +38,9 @@ struct Place {
 void write_array(const Place& place, hid_t type, const void* data, std::size_t count, int columns = 1) {
   const hsize_t size[2] = {count / columns, static_cast<hsize_t>(columns)};
   const Handle space{H5Screate_simple(columns > 1 ? 2 : 1, size, nullptr), H5Sclose};
-  const Handle set{H5Dcreate2(place.group, place.name.c_str(), type, space.id, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  const Handle kind{H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
+  H5Pset_obj_track_times(kind.id, false);  // the same content makes the same file
+  const Handle set{H5Dcreate2(place.group, place.name.c_str(), type, space.id, H5P_DEFAULT, kind.id, H5P_DEFAULT),
                    H5Dclose};
   if (set.id < 0 || (count > 0 && H5Dwrite(set.id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0))
     fail(place.file, fmt::format("\"{}\" cannot be written", place.name));
@@ -56,6 +61,11 @@ template <typename Value>
 Value only(const Place& place, const std::vector<Value>& values) {
   if (values.size() != 1) fail(place.file, fmt::format("\"{}\" is not a single value", place.name));
   return values[0];
+}
+
+std::string folder_of(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
 }
 
 /// The library prints nothing by itself: errors come as exceptions.
@@ -126,11 +136,23 @@ std::string Hdf5Group::read_string(const std::string& name) const {
   return {text.begin(), text.end()};
 }
 
-Hdf5Group create_hdf5(const std::string& path) {
+void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& root)>& fill) {
   silence();
-  const Id id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const Handle access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
+  constexpr std::size_t growth = 1 << 20;
+  H5Pset_fapl_core(access.id, growth, 0);  // in memory: a full disk meets plain writes alone
+  const Id id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
   if (id < 0) fail(path, "cannot be made");
-  return {path, id, H5Fclose};
+  Hdf5Group root(path, id, H5Fclose);
+  fill(root);
+  if (H5Fflush(id, H5F_SCOPE_GLOBAL) < 0) fail(path, "cannot be made");
+  std::string image(H5Fget_file_image(id, nullptr, 0), 0);
+  if (H5Fget_file_image(id, image.data(), image.size()) < 0) fail(path, "cannot be made");
+  replace_file(path, [&](const std::string& temporary) {
+    write_text(temporary, image);
+    sync_to_disk(temporary);
+  });
+  sync_to_disk(folder_of(path));
 }
 
 Hdf5Group open_hdf5(const std::string& path) {
@@ -138,6 +160,12 @@ Hdf5Group open_hdf5(const std::string& path) {
   const Id id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) fail(path, "is not an HDF5 file that can be read");
   return {path, id, H5Fclose};
+}
+
+bool is_hdf5(const std::string& path) {
+  silence();
+  const Handle file{H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+  return file.id >= 0;
 }
 
 }  // namespace parison::core

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ class Hdf5Group {
   std::string read_string(const std::string& name) const;
 
  private:
-  friend Hdf5Group create_hdf5(const std::string& path);
+  friend void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& root)>& fill);
   friend Hdf5Group open_hdf5(const std::string& path);
   using Close = int (*)(std::int64_t);
   Hdf5Group(std::string file, std::int64_t id, Close close) : file_(std::move(file)), id_(id), close_(close) {}
@@ -44,8 +45,14 @@ class Hdf5Group {
   Close close_;
 };
 
-/// The root group of a new or an existing file; the file closes with it.
-Hdf5Group create_hdf5(const std::string& path);
+/// Makes a file of what `fill` writes into its root group. It is on the disk when this returns; until then its place holds
+/// what it held before.
+void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& root)>& fill);
+
+/// The root group of an existing file; the file closes with it.
 Hdf5Group open_hdf5(const std::string& path);
+
+/// Whether a file is there and is a complete HDF5 file.
+bool is_hdf5(const std::string& path);
 
 }  // namespace parison::core

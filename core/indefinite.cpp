@@ -31,8 +31,10 @@ struct Mumps {
     dmumps_c(&instance);
     for (const int stream : {1, 2, 3}) control(stream) = -1;
     control(4) = 0;
+    control(6) = 0;    // no permutation for large diagonal entries: the analysis sees the pattern alone
     control(7) = 0;    // ordering: AMD (this package would take Scotch without saying so)
     control(8) = 0;    // scaled here, at less cost
+    control(12) = 1;   // ordering of the pattern as it is
     control(14) = 60;  // more room than estimated, %
     control(28) = 1;
   }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/files.hpp"
 
 namespace parison::core {
@@ -23,6 +25,15 @@ std::string xml_text(const std::string& text) {
 
 void PvdCollection::add(double time, const std::string& file) {
   entries_.push_back({time, file});
+  write();
+}
+
+void PvdCollection::set(std::vector<Entry> entries) {
+  entries_ = std::move(entries);
+  write();
+}
+
+void PvdCollection::write() const {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
   for (const Entry& entry : entries_)
     text += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", entry.time, xml_text(entry.file));

@@ -15,6 +15,8 @@
 #include <cassert>
 #include <stdexcept>
 
+#include "core/files.hpp"
+
 namespace parison::core {
 namespace {
 
@@ -78,13 +80,14 @@ void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& field
   grid->GetFieldData()->AddArray(filled("TimeValue", 1, fields.time));
 
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(path.c_str());
+  writer->WriteToOutputStringOn();
   writer->SetInputData(grid);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
   writer->SetCompressionLevel(1);
-  if (writer->Write() != 1) throw std::runtime_error(path + ": cannot be written");
+  if (writer->Write() != 1) throw std::runtime_error(path + ": cannot be made");
+  write_text(path, writer->GetOutputString());
 }
 
 }  // namespace parison::core

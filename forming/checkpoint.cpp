@@ -3,16 +3,22 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <type_traits>
+
 #include "core/case_error.hpp"
 #include "core/files.hpp"
 #include "core/hdf5.hpp"
+#include "forming/visit_state.hpp"
 
 namespace parison::forming {
 namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 
 void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
   std::vector<double> values;
@@ -55,12 +61,14 @@ core::Mesh read_mesh(const Hdf5Group& group) {
   return mesh;
 }
 
-/// One list of the plain numbers of a structure serves writing and reading.
 struct Writer {
   Hdf5Group group;
   void operator()(const char* name, double value) { group.write(name, value); }
   void operator()(const char* name, int value) { group.write(name, std::int64_t{value}); }
   void operator()(const char* name, long value) { group.write(name, std::int64_t{value}); }
+  void operator()(const char* name, bool value) { group.write(name, std::int64_t{value}); }
+  void operator()(const char* name, const std::string& value) { group.write(name, value); }
+  void operator()(const char* name, const std::vector<double>& value) { group.write(name, value); }
   void operator()(const char* name, const Eigen::VectorXd& value) { group.write(name, value); }
   void operator()(const char* name, const std::vector<int>& value) { group.write(name, value); }
   void operator()(const char* name, const std::vector<Point>& value) { write_points(group, name, value); }
@@ -73,6 +81,9 @@ struct Reader {
   void operator()(const char* name, double& value) { value = group.read_double(name); }
   void operator()(const char* name, int& value) { value = static_cast<int>(group.read_integer(name)); }
   void operator()(const char* name, long& value) { value = static_cast<long>(group.read_integer(name)); }
+  void operator()(const char* name, bool& value) { value = group.read_integer(name) != 0; }
+  void operator()(const char* name, std::string& value) { value = group.read_string(name); }
+  void operator()(const char* name, std::vector<double>& value) { value = group.read_doubles(name); }
   void operator()(const char* name, Eigen::VectorXd& value) { value = group.read_vector(name); }
   void operator()(const char* name, std::vector<int>& value) { value = group.read_integers(name); }
   void operator()(const char* name, std::vector<Point>& value) { value = read_points(group, name); }
@@ -80,90 +91,131 @@ struct Reader {
   Reader part(const std::string& name) { return {group.open(name)}; }
 };
 
-template <typename Visitor, typename Body>
-void visit_body(Visitor visit, Body& body) {
-  visit("mesh", body.mesh);
-  visit("temperature", body.temperature);
-  visit("offset", body.offset);
-  visit("velocity", body.velocity);
-  visit("force", body.force);
-  visit("heat_received", body.heat_received);
-  visit("hottest_surface", body.hottest_surface);
+/// Every bit of what it visits, in order.
+struct Bits {
+  std::string& bits;
+  void add(const void* data, std::size_t size) { bits.append(static_cast<const char*>(data), size); }
+  template <typename Value>
+  std::enable_if_t<std::is_arithmetic_v<Value>> operator()(const char*, const Value& value) {
+    add(&value, sizeof value);
+  }
+  template <typename Value>
+  std::enable_if_t<!std::is_arithmetic_v<Value>> operator()(const char*, const Value& values) {
+    add(values.data(), static_cast<std::size_t>(values.size()) * sizeof *values.data());
+  }
+  void operator()(const char*, const core::Mesh& mesh) {
+    (*this)("nodes", mesh.nodes);
+    (*this)("cells", mesh.cells);
+    (*this)("boundary", mesh.boundary);
+    for (const std::string& piece : mesh.pieces) (*this)("piece", piece);
+  }
+  Bits part(const std::string&) { return *this; }
+};
+
+template <typename Visitor, typename Facts>
+void visit_facts(Visitor visit, Facts& facts) {
+  visit("wall_seconds", facts.wall_seconds);
+  for (const char* part : timed_parts) visit(part, facts.timing[part]);
+  for (std::size_t i = 0; i < facts.stages.size(); ++i) {
+    auto& record = facts.stages[i];
+    Visitor stage = visit.part(fmt::format("stage_{}", i));
+    stage("name", record.name);
+    stage("start", record.start);
+    stage("end", record.end);
+    stage("end_reason", record.end_reason);
+  }
 }
 
-template <typename Visitor, typename Sums>
-void visit_totals(Visitor visit, Sums& totals) {
-  visit("to_air", totals.to_air);
-  visit("to_tools", totals.to_tools);
-  visit("dissipation", totals.dissipation);
-  visit("content_change", totals.content_change);
-  visit("remesh_heat", totals.remesh_heat);
-  visit("remesh_volume", totals.remesh_volume);
-  visit("steps", totals.steps);
-  visit("rejected", totals.rejected);
-  visit("remeshes", totals.remeshes);
-  visit("table_holds", totals.table_holds);
-  visit("deepest", totals.deepest);
-  visit("largest_drift", totals.largest_drift);
-  visit("largest_reynolds", totals.largest_reynolds);
+template <typename Visitor, typename Files>
+void visit_files(Visitor visit, Files& files) {
+  visit("history_size", files.history_size);
+  visit("interface_size", files.interface_size);
+  visit("output_times", files.output_times);
 }
 
-template <typename Visitor, typename Whole>
-void visit_state(Visitor& visit, Whole& state) {
-  visit("time", state.time);
-  visit("stage", state.stage);
-  visit("stage_time", state.stage_time);
-  visit("next_step", state.next_step);
-  visit("heat_substep", state.heat_substep);
-  visit("last_step", state.last_step);
-  visit("mass_nodes", state.mass_nodes);
-  visit("density", state.density);
-  visit("first_volume", state.first_volume);
-  visit("first_heat", state.first_heat);
-  visit("velocity", state.velocity);
-  visit("contact_tool", state.contact.tool);
-  visit("contact_pressure", state.contact.pressure);
-  visit("contact_closed_node", state.contact.closed.node);
-  visit("contact_closed_tool", state.contact.closed.tool);
-  visit("contact_closed_normal", state.contact.closed.normal);
-  visit("probes", state.probes);
-  visit_totals(visit.part("totals"), state.totals);
-  for (std::size_t i = 0; i < state.bodies.size(); ++i) visit_body(visit.part(fmt::format("body_{}", i)), state.bodies[i]);
-}
+std::string last_path(const std::string& directory) { return directory + "/checkpoint.h5"; }
+std::string path_before(const std::string& directory) { return directory + "/checkpoint_before.h5"; }
 
-void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
+void require_version(const std::string& path, const Hdf5Group& file) {
   const std::int64_t version = file.has("version") ? file.read_integer("version") : 0;
   if (version != format_version)
     throw core::CaseError(fmt::format("{}: a checkpoint of version {} was found, allowed is version {}", path, version,
                                       format_version));
+}
+
+void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
+  require_version(path, file);
   if (static_cast<std::uint64_t>(file.read_integer("fingerprint")) != scene.fingerprint)
     throw core::CaseError(fmt::format(
         "{}: a checkpoint of the case \"{}\" with another case file was found, allowed is one of \"{}\" as it is now",
         path, file.read_string("case"), scene.name));
+  const std::string accuracy = file.read_string("accuracy");
+  if (accuracy != scene.accuracy_name)
+    throw core::CaseError(fmt::format("{}: a checkpoint at {} accuracy was found, allowed is one at {} accuracy", path,
+                                      accuracy, scene.accuracy_name));
+}
+
+void rename_file(const std::string& from, const std::string& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  if (error) throw std::runtime_error(fmt::format("{}: cannot be renamed: {}", from, error.message()));
 }
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const Scene& scene, const State& state) {
-  core::replace_file(path, [&](const std::string& temporary) {
-    {
-      Writer writer{core::create_hdf5(temporary)};
-      writer.group.write("version", format_version);
-      writer.group.write("case", scene.name);
-      writer.group.write("fingerprint", static_cast<std::int64_t>(scene.fingerprint));
-      visit_state(writer, state);
-    }
-    core::sync_to_disk(temporary);
+void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint) {
+  const std::string made = directory + "/checkpoint_new.h5", last = last_path(directory);
+  core::write_hdf5(made, [&](core::Hdf5Group& file) {
+    file.write("version", format_version);
+    file.write("case", scene.name);
+    file.write("case_file", std::filesystem::absolute(scene.file).string());
+    file.write("accuracy", scene.accuracy_name);
+    file.write("overrides", fmt::format("{}", fmt::join(scene.overrides, "\n")));
+    file.write("fingerprint", static_cast<std::int64_t>(scene.fingerprint));
+    file.write("stages_done", static_cast<std::int64_t>(checkpoint.outcome.facts.stages.size()));
+    RunFacts facts = checkpoint.outcome.facts;
+    visit_facts(Writer{file.create("facts")}, facts);
+    visit_files(Writer{file.create("files")}, checkpoint.files);
+    visit_state(Writer{file.create("state")}, checkpoint.outcome.state);
   });
+  if (std::filesystem::exists(last)) rename_file(last, path_before(directory));
+  rename_file(made, last);
+  core::sync_to_disk(directory);
 }
 
-State read_checkpoint(const std::string& path, const Scene& scene) {
-  Reader reader{core::open_hdf5(path)};
-  require_match(path, scene, reader.group);
-  State state;
+std::string find_checkpoint(const std::string& directory) {
+  for (const std::string& path : {last_path(directory), path_before(directory)})
+    if (core::is_hdf5(path)) return path;
+  throw core::CaseError(
+      fmt::format("{}: no checkpoint was found, allowed is the result folder of a run that has begun", directory));
+}
+
+Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
+  const Hdf5Group file = core::open_hdf5(path);
+  require_match(path, scene, file);
+  Checkpoint checkpoint;
+  auto& [state, facts] = checkpoint.outcome;
+  facts.stages.resize(static_cast<std::size_t>(file.read_integer("stages_done")));
+  visit_facts(Reader{file.open("facts")}, facts);
+  visit_files(Reader{file.open("files")}, checkpoint.files);
   state.bodies.resize(scene.tools.size() + 1);
-  visit_state(reader, state);
-  return state;
+  visit_state(Reader{file.open("state")}, state);
+  return checkpoint;
+}
+
+CaseOrigin read_origin(const std::string& path) {
+  const Hdf5Group file = core::open_hdf5(path);
+  require_version(path, file);
+  CaseOrigin origin{file.read_string("case_file"), file.read_string("accuracy"), {}};
+  std::istringstream overrides(file.read_string("overrides"));
+  for (std::string line; std::getline(overrides, line);) origin.overrides.push_back(line);
+  return origin;
+}
+
+std::uint64_t fingerprint(const State& state) {
+  std::string bits;
+  visit_state(Bits{bits}, state);
+  return core::fingerprint(bits);
 }
 
 }  // namespace parison::forming

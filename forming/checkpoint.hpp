@@ -1,16 +1,37 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
 #include <string>
 
+#include "forming/output.hpp"
 #include "forming/scene.hpp"
-#include "forming/state.hpp"
+#include "forming/summary.hpp"
 
 namespace parison::forming {
 
-/// Writes the whole state to an HDF5 file that appears complete or not at all.
-void write_checkpoint(const std::string& path, const Scene& scene, const State& state);
+/// A moment from which a run can go on: the state decides all that follows, the rest is what was told of the past.
+struct Checkpoint {
+  RunOutcome outcome;
+  WrittenFiles files;
+};
 
-/// Reads it back bit for bit; throws core::CaseError where it belongs to another case or version.
-State read_checkpoint(const std::string& path, const Scene& scene);
+/// Writes the checkpoint of a result folder, where the one before is kept beside it. Each appears complete or not at all.
+void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint);
+
+/// The last complete checkpoint of a result folder; throws core::CaseError where there is none.
+std::string find_checkpoint(const std::string& directory);
+
+/// Reads a checkpoint bit for bit; throws core::CaseError where it belongs to another case or version.
+Checkpoint read_checkpoint(const std::string& path, const Scene& scene);
+
+/// The case that a checkpoint was made of.
+struct CaseOrigin {
+  std::string file, accuracy;
+  std::vector<std::string> overrides;
+};
+CaseOrigin read_origin(const std::string& path);
+
+/// Hash of a state's every bit.
+std::uint64_t fingerprint(const State& state);
 
 }  // namespace parison::forming

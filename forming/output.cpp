@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "core/case_error.hpp"
 #include "core/vtu.hpp"
@@ -17,8 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A body's name as part of a file name.
-std::string file_name(std::string name) {
+/// A body's name as part of a file name: glass, then the tools.
+std::string body_file(const Scene& scene, std::size_t body) {
+  std::string name = body == 0 ? "glass" : scene.tools[body - 1].name;
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
 }
@@ -72,34 +74,59 @@ core::VtuFields tool_fields(const Scene& scene, const State& state, Index tool) 
 
 }  // namespace
 
-ResultFiles::ResultFiles(const Scene& scene, const std::string& directory) : scene_(scene), directory_(directory) {
-  make_folder(directory);
-  const fs::path folder(directory);
-  history_.exceptions(std::ios::badbit | std::ios::failbit);
-  interface_.exceptions(std::ios::badbit | std::ios::failbit);
-  history_.open(folder / "history.csv");
-  history_ << history_header(scene) << std::flush;
-  interface_.open(folder / "interface.csv");
-  interface_ << interface_header() << std::flush;
-  collections_.emplace_back(folder / "glass.pvd");
-  for (const Tool& tool : scene.tools) collections_.emplace_back(folder / (file_name(tool.name) + ".pvd"));
+ResultFiles::ResultFiles(const Scene& scene, const std::string& directory)
+    : ResultFiles(scene, (make_folder(directory), directory), WrittenFiles{}) {
+  history_.append(history_header(scene));
+  interface_.append(interface_header());
 }
 
-void ResultFiles::row(const HistoryRow& row) { history_ << history_line(row) << std::flush; }
+ResultFiles::ResultFiles(const Scene& scene, const std::string& directory, const WrittenFiles& written)
+    : scene_(scene),
+      directory_(directory),
+      history_(directory + "/history.csv", written.history_size),
+      interface_(directory + "/interface.csv", written.interface_size),
+      output_times_(written.output_times),
+      synced_(written.output_times.size()) {
+  remove_pieces_from(synced_);
+  for (std::size_t body = 0; body <= scene.tools.size(); ++body) {
+    std::vector<core::PvdCollection::Entry> entries;
+    for (std::size_t i = 0; i < synced_; ++i) entries.push_back({output_times_[i], piece(body, i)});
+    collections_.emplace_back(directory + '/' + body_file(scene, body) + ".pvd");
+    collections_.back().set(std::move(entries));
+  }
+}
+
+std::string ResultFiles::piece(std::size_t body, std::size_t output) const {
+  return fmt::format("vtu/{}_{:04}.vtu", body_file(scene_, body), output);
+}
+
+void ResultFiles::remove_pieces_from(std::size_t output) const {
+  for (bool found = true; found; ++output) {
+    found = false;
+    for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
+      found = fs::remove(directory_ + '/' + piece(body, output)) || found;
+  }
+}
+
+void ResultFiles::row(const HistoryRow& row) { history_.append(history_line(row)); }
 
 void ResultFiles::fields(const State& state, const StepReport& report) {
-  if (written_ > 0 && state.time == last_time_) return;
-  for (std::size_t body = 0; body < state.bodies.size(); ++body) {
-    const std::string name = body == 0 ? "glass" : file_name(scene_.tools[body - 1].name);
-    const std::string piece = fmt::format("vtu/{}_{:04}.vtu", name, written_);
-    const Index tool = static_cast<Index>(body) - 1;
-    core::write_vtu(directory_ + '/' + piece, state.bodies[body].mesh,
-                    body == 0 ? glass_fields(scene_, state) : tool_fields(scene_, state, tool));
-    collections_[body].add(state.time, piece);
-  }
-  interface_ << interface_lines(scene_, state, report.interface) << std::flush;
-  last_time_ = state.time;
-  ++written_;
+  if (!output_times_.empty() && state.time == output_times_.back()) return;
+  for (std::size_t body = 0; body < state.bodies.size(); ++body)
+    core::write_vtu(directory_ + '/' + piece(body, output_times_.size()), state.bodies[body].mesh,
+                    body == 0 ? glass_fields(scene_, state) : tool_fields(scene_, state, static_cast<Index>(body) - 1));
+  for (std::size_t body = 0; body < state.bodies.size(); ++body)
+    collections_[body].add(state.time, piece(body, output_times_.size()));
+  interface_.append(interface_lines(scene_, state, report.interface));
+  output_times_.push_back(state.time);
+}
+
+WrittenFiles ResultFiles::sync() {
+  for (; synced_ < output_times_.size(); ++synced_)
+    for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
+      core::sync_to_disk(directory_ + '/' + piece(body, synced_));
+  for (const auto* file : {&history_, &interface_}) core::sync_to_disk(file->path());
+  return {history_.size(), interface_.size(), output_times_};
 }
 
 }  // namespace parison::forming

@@ -27,7 +27,7 @@ Probe read_probe(const CaseNode& node, const Scene& scene) {
 }
 
 Output read_output(const CaseNode& node) {
-  const CaseTable table(node, {"interval", "times"});
+  const CaseTable table(node, {"interval", "times", "checkpoint_interval", "checkpoint_steps"});
   Output output;
   constexpr double shortest_interval = 1e-6;  // s
   if (const auto* item = table.find("interval")) {
@@ -35,6 +35,9 @@ Output read_output(const CaseNode& node) {
     if (output.interval < shortest_interval)
       core::refuse(*item, fmt::format("\"{}\" was found, allowed are intervals from 1e-6 s", item->text));
   }
+  if (const auto* item = table.find("checkpoint_interval"))
+    output.checkpoint_interval = core::positive(*item, dimension::time);
+  if (const auto* item = table.find("checkpoint_steps")) output.checkpoint_steps = core::count(*item);
   if (const auto* times = table.find("times"))
     for (const auto& item : core::list(*times)) output.times.push_back(core::not_negative(item, dimension::time));
   return output;

@@ -2,7 +2,9 @@
 #include "forming/renew.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -101,6 +103,11 @@ void restore_heat(const Scene& scene, double wanted, State& state) {
   }
 }
 
+void book_change(double change, double& sum, double& largest) {
+  sum += change;
+  largest = std::max(largest, std::abs(change));
+}
+
 /// Names the edges that may touch tools from the surface node nearest `from` to the one nearest `to`.
 void name_stretch(const NamedStretch& stretch, const std::vector<bool>& may_touch, core::Mesh& mesh) {
   const auto nearest_start = [&](const Point& x, int end) {
@@ -131,7 +138,12 @@ bool needs_new_mesh(const Scene& scene, const State& state) {
   return remesh::quality(state.bodies[0].mesh).worst < scene.accuracy.quality_floor;
 }
 
-Renewed renew_glass_mesh(const Scene& scene, const State& state) {
+Index remeshes(const State& state) {
+  const auto& count = state.totals.remeshing.count;
+  return std::accumulate(count.begin(), count.end(), Index{0});
+}
+
+Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason why) {
   Renewed result;
   const auto made = remesh::remesh_glass(state.bodies[0].mesh, criteria(scene, state));
   if (!made.ok) {
@@ -144,7 +156,8 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state) {
   const core::Mesh& old = state.bodies[0].mesh;
   glass.mesh = made.mesh;
   lift_out_of_tools(scene, state, glass.mesh);
-  if (remesh::quality(glass.mesh).worst <= 0) {
+  const auto quality = remesh::quality(glass.mesh);
+  if (quality.worst <= 0) {
     result.reason = "the new mesh folds where it is lifted out of a tool";
     return result;
   }
@@ -168,13 +181,14 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state) {
   core::Mesh mass = mass_mesh(state);
   const double volume = core::volume(glass.mesh, scene.geometry);
   next.density = state.density * core::volume(mass, scene.geometry) / volume;
-  next.totals.remesh_volume += volume - core::volume(old, scene.geometry);
-  if (scene.has_heat()) {
-    const double heat = glass_heat(scene, state);
-    restore_heat(scene, heat, next);
-    next.totals.remesh_heat += glass_heat(scene, next) - heat;
-  }
-  ++next.totals.remeshes;
+  const double heat = scene.has_heat() ? glass_heat(scene, state) : 0;
+  if (scene.has_heat()) restore_heat(scene, heat, next);
+  RemeshLedger& ledger = next.totals.remeshing;
+  ++ledger.count[static_cast<std::size_t>(why)];
+  book_change(volume - core::volume(old, scene.geometry), ledger.volume, ledger.largest_volume);
+  if (scene.has_heat()) book_change(glass_heat(scene, next) - heat, ledger.heat, ledger.largest_heat);
+  ledger.worst_quality = std::min(ledger.worst_quality, quality.worst);
+  ledger.lowest_median = std::min(ledger.lowest_median, quality.median);
   result.ok = true;
   return result;
 }
@@ -183,6 +197,8 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   State next = state;
   next.stage = stage;
   next.stage_time = 0;
+  next.stage_start = state.time;
+  next.has_moved = false;
   next.last_step = 0;
   next.velocity.setZero();
   next.contact.closed = {};

@@ -4,14 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <exception>
 
-#include "forming/checkpoint.hpp"
 #include "forming/contact_geometry.hpp"
 #include "forming/history.hpp"
 #include "forming/initial_state.hpp"
-#include "forming/output.hpp"
+#include "forming/progress.hpp"
 #include "forming/renew.hpp"
 #include "forming/step.hpp"
 #include "forming/step_control.hpp"
@@ -20,67 +19,14 @@ namespace parison::forming {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// Shortest step after a rejected one, of the rejected one.
 constexpr double shorten = 0.4;
 
-/// A run in progress: what the loop below works on.
-struct Progress {
-  const Scene& scene;
-  ResultFiles files;
-  Workspace workspace;
-  RunOutcome outcome;
-  Clock::time_point start = Clock::now(), last_line = start;
-  double stage_start = 0;
-  bool has_moved = false;
-
-  Progress(const Scene& s, const std::string& directory) : scene(s), files(s, directory) {}
-};
-
-void account(Progress& run, const char* part, Clock::time_point start) {
-  run.outcome.facts.timing[part] += seconds_since(start);
-}
-
-/// Time that all stages up to the present moment can take, and in all, s.
-double share_done(const Progress& run) {
-  double total = 0, done = run.outcome.state.stage_time;
-  for (std::size_t i = 0; i < run.scene.stages.size(); ++i) {
-    total += run.scene.stages[i].duration;
-    if (static_cast<Index>(i) < run.outcome.state.stage) done += run.scene.stages[i].duration;
-  }
-  return done / total;
-}
-
-void print_progress(Progress& run, const StepReport& report) {
-  if (seconds_since(run.last_line) < 1) return;
-  run.last_line = Clock::now();
-  const State& state = run.outcome.state;
-  const double share = share_done(run), wall = seconds_since(run.start);
-  fmt::print("  {:<10} t {:8.4f} s  step {:5}  dt {:.2e} s  {:3.0f} %  about {:.0f} s left\n",
-             run.scene.stages[state.stage].name, state.time, state.totals.steps, report.dt, 100 * share,
-             wall * (1 - share) / std::max(share, 1e-3));
-  std::fflush(stdout);
-}
-
-void write_fields(Progress& run, const StepReport& report) {
-  const auto start = Clock::now();
-  run.files.fields(run.outcome.state, report);
-  account(run, "output", start);
-}
-
-void save(Progress& run) {
-  const auto start = Clock::now();
-  write_checkpoint(run.files.directory() + "/checkpoint.h5", run.scene, run.outcome.state);
-  account(run, "output", start);
-}
-
 /// A new glass mesh for the present state; false when none could be made and the old one cannot go on.
-bool renew(Progress& run, bool must) {
+bool renew(Progress& run, RemeshReason why) {
+  const bool must = why == RemeshReason::failed_step;
   const auto start = Clock::now();
-  auto renewed = renew_glass_mesh(run.scene, run.outcome.state);
+  auto renewed = renew_glass_mesh(run.scene, run.outcome.state, why);
   account(run, "remesh", start);
   if (renewed.ok) {
     run.outcome.state = std::move(renewed.state);
@@ -103,6 +49,7 @@ bool step_once(Progress& run, StepReport& report) {
       result.state.next_step = wished_step(run.scene, result.report, state.next_step);
       state = std::move(result.state);
       report = std::move(result.report);
+      run.outcome.facts.reason.clear();
       return true;
     }
     ++state.totals.rejected;
@@ -131,46 +78,71 @@ std::string stage_obstacle(const Scene& scene, const State& state) {
   return "";
 }
 
+/// Whether the stage can begin; the reason why not goes into the facts.
+bool can_begin(Progress& run) {
+  run.outcome.facts.reason = stage_obstacle(run.scene, run.outcome.state);
+  return run.outcome.facts.reason.empty();
+}
+
 /// Enters a stage; false when it cannot begin.
 bool begin_stage(Progress& run, Index stage) {
   State& state = run.outcome.state;
   state = start_stage(run.scene, state, stage);
   state.next_step = run.scene.accuracy.first_step;
-  run.stage_start = state.time;
-  run.has_moved = false;
-  run.outcome.facts.reason = stage_obstacle(run.scene, state);
-  return run.outcome.facts.reason.empty();
+  run.workspace.standing.reset();
+  const bool good = can_begin(run);
+  if (stage == 0) write_fields(run, {});
+  return good && (stage == 0 || !run.scene.has_flow() || renew(run, RemeshReason::stage_start));
 }
 
 void end_stage(Progress& run, bool good) {
   const State& state = run.outcome.state;
   const Stage& stage = run.scene.stages[state.stage];
+  RunFacts& facts = run.outcome.facts;
   const bool full = state.stage_time >= stage.duration - 1e-9;
-  run.outcome.facts.stages.push_back(
-      {stage.name, run.stage_start, state.time, !good ? "failure" : full ? "duration" : "tools at rest"});
+  const char* reason = facts.stopped ? "stop" : !good ? "failure" : full ? "duration" : "tools at rest";
+  facts.stages.push_back({stage.name, state.stage_start, state.time, reason});
 }
 
+/// One step of the stage, after a new mesh where that is needed; false when none can be made.
+bool advance(Progress& run, StepReport& report) {
+  const Scene& scene = run.scene;
+  if (scene.has_flow() && needs_new_mesh(scene, run.outcome.state) && !renew(run, RemeshReason::quality)) return false;
+  if (step_once(run, report)) return true;
+  // A mesh that is still sound may be what holds the step back.
+  return scene.has_flow() && renew(run, RemeshReason::failed_step) && step_once(run, report);
+}
+
+void note_motion(const Scene& scene, State& state) {
+  const Stage& stage = scene.stages[state.stage];
+  for (const auto& tool : stage.tools)
+    if (stage.end_speed && std::abs(state.bodies[1 + tool.tool].velocity) > *stage.end_speed) state.has_moved = true;
+}
+
+void write_step(Progress& run, const StepReport& report) {
+  const State& state = run.outcome.state;
+  const auto start = Clock::now();
+  run.files.row(history_row(run.scene, state, report));
+  account(run, "output", start);
+  if (output_due(run.scene, state) || stage_over(run.scene, state, state.has_moved)) write_fields(run, report);
+  print_progress(run, report);
+}
+
+/// Steps until the stage is over. Wherever a checkpoint is written the run can enter here again.
 bool advance_stage(Progress& run) {
   State& state = run.outcome.state;
-  const Scene& scene = run.scene;
   StepReport report;
-  while (!stage_over(scene, state, run.has_moved)) {
-    if (scene.has_flow() && needs_new_mesh(scene, state) && !renew(run, false)) return false;
-    if (!step_once(run, report)) {
-      // A mesh that is still sound may be what holds the step back.
-      if (!scene.has_flow() || !renew(run, true) || !step_once(run, report)) return false;
+  while (!stage_over(run.scene, state, state.has_moved)) {
+    if (!advance(run, report)) return false;
+    note_motion(run.scene, state);
+    write_step(run, report);
+    save_when_due(run);
+    if (run.stop && run.stop()) {
+      run.outcome.facts.stopped = true;
+      run.outcome.facts.reason = "the run was told to stop";
+      return false;
     }
-    for (const auto& tool : scene.stages[state.stage].tools)
-      if (scene.stages[state.stage].end_speed &&
-          std::abs(state.bodies[1 + tool.tool].velocity) > *scene.stages[state.stage].end_speed)
-        run.has_moved = true;
-    const auto start = Clock::now();
-    run.files.row(history_row(scene, state, report));
-    account(run, "output", start);
-    if (output_due(scene, state)) write_fields(run, report);
-    print_progress(run, report);
   }
-  write_fields(run, report);
   return true;
 }
 
@@ -197,31 +169,60 @@ void warn(Progress& run) {
     warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.table_holds));
 }
 
-}  // namespace
-
-RunOutcome run(const Scene& scene, const std::string& directory) {
-  Progress run(scene, directory);
-  run.outcome.state = initial_state(scene);
-  auto& facts = run.outcome.facts;
-  bool good = true;
-  for (Index stage = 0; good && stage < static_cast<Index>(scene.stages.size()); ++stage) {
-    good = begin_stage(run, stage);
-    if (stage == 0) write_fields(run, {});
-    if (good && stage > 0 && scene.has_flow()) good = renew(run, false);
+/// The stages from the present one on, which has begun if `good`; false when one cannot end.
+bool go_through_stages(Progress& run, bool good) {
+  const auto stages = static_cast<Index>(run.scene.stages.size());
+  for (;;) {
     good = good && advance_stage(run);
+    save(run);
     if (!good) write_fields(run, {});
     end_stage(run, good);
-    save(run);
+    const Index next = run.outcome.state.stage + 1;
+    if (!good || next == stages) return good;
+    good = begin_stage(run, next);
   }
-  facts.completed = good;
-  if (good) facts.reason.clear();
-  else
-    facts.reason = fmt::format("stage {} at {:.5f} s: {}", scene.stages[run.outcome.state.stage].name,
-                               run.outcome.state.time, facts.reason);
+}
+
+/// Runs `from_here` to the end of the run; what the system refuses ends it as well.
+RunOutcome finish(Progress& run, const std::function<bool()>& from_here) {
+  auto& [state, facts] = run.outcome;
+  try {
+    facts.completed = from_here();
+  } catch (const std::exception& error) {
+    facts.completed = false;
+    facts.reason = error.what();
+    end_stage(run, false);
+  }
+  if (facts.completed) facts.reason.clear();
+  else facts.reason = fmt::format("stage {} at {:.5f} s: {}", run.scene.stages[state.stage].name, state.time, facts.reason);
   warn(run);
-  if (good) warn_of_unused_interfaces(run);
-  facts.wall_seconds = seconds_since(run.start);
+  if (facts.completed) warn_of_unused_interfaces(run);
+  facts.wall_seconds = wall_seconds(run);
   return std::move(run.outcome);
+}
+
+}  // namespace
+
+RunOutcome run(const Scene& scene, const std::string& directory, const StopRequest& stop) {
+  Progress run{scene, stop, ResultFiles(scene, directory), {}};
+  run.outcome.state = initial_state(scene);
+  return finish(run, [&] {
+    const bool good = begin_stage(run, 0);
+    save(run);
+    return go_through_stages(run, good);
+  });
+}
+
+RunOutcome resume(const Scene& scene, const std::string& directory, const StopRequest& stop) {
+  Checkpoint from = read_checkpoint(find_checkpoint(directory), scene);
+  Progress run{scene, stop, ResultFiles(scene, directory, from.files), std::move(from.outcome)};
+  const State& state = run.outcome.state;
+  run.wall_before = run.outcome.facts.wall_seconds;
+  run.share_before = share_done(run);
+  run.checkpoint_steps = state.totals.steps;
+  fmt::print("  {:<10} t {:8.4f} s  step {:5}  {} remeshes so far\n", scene.stages[state.stage].name, state.time,
+             state.totals.steps, remeshes(state));
+  return finish(run, [&] { return go_through_stages(run, state.stage_time > 0 || can_begin(run)); });
 }
 
 }  // namespace parison::forming

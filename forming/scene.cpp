@@ -35,6 +35,17 @@ void read_stages(const CaseTable& root, Scene& scene) {
   if (scene.stages.empty()) core::refuse(stages, "no stage was found, allowed is at least one");
 }
 
+/// Outlines may stand in files of their own.
+std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
+  const auto add = [&](const Body& body) {
+    for (const core::Segment& s : body.profile.segments)
+      text += fmt::format("{} {} {} {} {} {}\n", s.end[0], s.end[1], s.centre[0], s.centre[1], s.from, s.to);
+  };
+  add(scene.glass);
+  for (const Tool& tool : scene.tools) add(tool);
+  return core::fingerprint(text);
+}
+
 }  // namespace
 
 std::vector<std::string> tool_names(const Scene& scene) {
@@ -51,8 +62,8 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   Scene scene;
   scene.name = core::identifier(root.get("case"));
   scene.directory = file.directory;
+  scene.file = file.path;
   scene.overrides = file.overrides;
-  scene.fingerprint = core::fingerprint(fmt::format("{}{}", core::read_text(file.path), fmt::join(overrides, "\n")));
   scene.accuracy_name = accuracy;
   scene.accuracy = accuracy_preset(accuracy);
   read_bodies(root, read_context(root, file.directory), scene);
@@ -65,6 +76,8 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));
   check_support(scene, root);
+  scene.fingerprint =
+      fingerprint_of(fmt::format("{}{}", core::read_text(file.path), fmt::join(scene.overrides, "\n")), scene);
   return scene;
 }
 

@@ -120,13 +120,15 @@ struct Probe {
 struct Output {
   double interval = 0.1;  ///< between field outputs, s
   std::vector<double> times;  ///< further output times, s
+  double checkpoint_interval = 300;  ///< between checkpoints, s of wall time
+  std::optional<Index> checkpoint_steps;  ///< between checkpoints as well, steps
 };
 
 /// A whole case in SI units, validated; nothing changes it during a run.
 struct Scene {
   std::string name;
-  std::string directory;  ///< folder of the case file
-  std::uint64_t fingerprint = 0;  ///< of the case file's text and the overrides
+  std::string file, directory;  ///< the case file and its folder
+  std::uint64_t fingerprint = 0;  ///< of the case file's text, the overrides and all outlines
   std::vector<std::string> overrides;  ///< values of the case file that others replace, "path=value"
   core::Geometry geometry;
   Glass glass;

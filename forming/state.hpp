@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,19 +37,31 @@ struct ContactState {
   } closed;
 };
 
+/// Why the glass was given a new mesh, and the names of these reasons.
+enum class RemeshReason { stage_start, quality, failed_step };
+inline constexpr std::array remesh_reasons{"stage_start", "quality", "failed_step"};
+
+/// What remeshing did by itself since the start.
+struct RemeshLedger {
+  std::array<Index, remesh_reasons.size()> count{};  ///< by RemeshReason
+  double heat = 0, largest_heat = 0;      ///< heat content changed: in all, and by one remesh without sign, J
+  double volume = 0, largest_volume = 0;  ///< volume likewise, m3
+  double worst_quality = 1;               ///< of a cell after any remesh
+  double lowest_median = 1;               ///< quality of the median cell after any remesh
+};
+
 /// Sums since the start.
 struct Totals {
   double to_air = 0;        ///< heat lost by the glass to air, J
   double to_tools = 0;      ///< heat that crossed from glass to tools, J
   double dissipation = 0;   ///< viscous, into the glass, J
   double content_change = 0;  ///< of the glass, J, by the heat solver
-  double remesh_heat = 0;   ///< heat content changed by remeshing, J
-  double remesh_volume = 0;  ///< volume changed by remeshing, m3
-  Index steps = 0, rejected = 0, remeshes = 0;
+  Index steps = 0, rejected = 0;
   long table_holds = 0;     ///< evaluations of h outside its table
   double deepest = 0;       ///< deepest penetration of a glass node into a tool at any step, m
   double largest_drift = 0;  ///< of the glass volume at any step, relative to the start, without sign
   double largest_reynolds = 0;
+  RemeshLedger remeshing;
 };
 
 /// Everything that changes during a run.
@@ -56,6 +69,8 @@ struct State {
   double time = 0;        ///< s
   Index stage = 0;
   double stage_time = 0;  ///< since the stage's start, s
+  double stage_start = 0;  ///< time of the stage's start, s
+  bool has_moved = false;  ///< a tool was faster in this stage than the speed that ends it
   double next_step = 0;   ///< what the step control wishes, s
   double heat_substep = 0;  ///< what the heat solver wishes, s
   double last_step = 0;   ///< s, 0 when there is no velocity to extrapolate from

@@ -206,6 +206,8 @@ bool step_heat(const Scene& scene, const std::vector<double>& dissipation, doubl
 }  // namespace
 
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
+  workspace.heat = {};  // its factor and its pattern come from earlier steps
+  workspace.table_holds = state.totals.table_holds;
   StepResult result;
   Eigen::VectorXd guess = state.velocity, temperature = state.bodies[0].temperature;
   const int passes = scene.has_flow() ? scene.accuracy.passes : 1;

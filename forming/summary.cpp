@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/summary.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -9,7 +11,9 @@
 #include "core/element.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
+#include "forming/checkpoint.hpp"
 #include "forming/initial_state.hpp"
+#include "forming/renew.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -60,9 +64,10 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
   json.add("wall_seconds", summary.run.wall_seconds);
   json.add("steps", static_cast<long>(state.totals.steps));
   json.add("rejected_steps", static_cast<long>(state.totals.rejected));
-  json.add("remeshes", static_cast<long>(state.totals.remeshes));
+  json.add("state_fingerprint", fmt::format("{:016x}", fingerprint(state)));
+  json.add("remeshes", static_cast<long>(remeshes(state)));
   json.open_object("timing");
-  for (const char* part : {"flow", "heat", "contact", "remesh", "output"}) {
+  for (const char* part : timed_parts) {
     const auto found = summary.run.timing.find(part);
     json.add(part, found == summary.run.timing.end() ? 0.0 : found->second);
   }
@@ -72,8 +77,6 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
 void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
   json.add("volume_drift", summary.glass.volume_drift);
   json.add("energy_imbalance", summary.glass.energy_imbalance);
-  json.add("remesh_heat_J", state.totals.remesh_heat);
-  json.add("remesh_volume_m3", state.totals.remesh_volume);
   json.add("largest_volume_drift", state.totals.largest_drift);
   json.add("largest_penetration_mm", 1e3 * state.totals.deepest);
   json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
@@ -81,6 +84,24 @@ void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
   json.add("dissipation_J", state.totals.dissipation);
   json.add("largest_reynolds", state.totals.largest_reynolds);
   json.add("conductance_outside_table", static_cast<long>(state.totals.table_holds));
+}
+
+void add_remeshing(JsonWriter& json, const State& state, const Summary& summary) {
+  const RemeshLedger& ledger = state.totals.remeshing;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double heat = state.first_heat != 0 ? state.first_heat : none;
+  json.open_object("remeshing");
+  for (std::size_t i = 0; i < ledger.count.size(); ++i)
+    json.add(fmt::format("for_{}", remesh_reasons[i]), static_cast<long>(ledger.count[i]));
+  json.add("heat_drift", ledger.heat / heat);
+  json.add("largest_heat_change", ledger.largest_heat / heat);
+  json.add("volume_drift", ledger.volume / state.first_volume);
+  json.add("largest_volume_change", ledger.largest_volume / state.first_volume);
+  json.add("worst_quality", remeshes(state) > 0 ? ledger.worst_quality : none);
+  json.add("lowest_median_quality", remeshes(state) > 0 ? ledger.lowest_median : none);
+  const auto seconds = summary.run.timing.find("remesh");
+  json.add("seconds", seconds == summary.run.timing.end() ? 0.0 : seconds->second);
+  json.close();
 }
 
 void add_bodies(JsonWriter& json, const Summary& summary) {
@@ -118,6 +139,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   JsonWriter json;
   add_run(json, scene, state, summary);
   add_balance(json, state, summary);
+  add_remeshing(json, state, summary);
   add_bodies(json, summary);
   add_stages(json, summary.run);
   json.open_object("thickness");
@@ -149,8 +171,8 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
 Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run) {
   const std::vector<ThicknessRow> rows = thickness_profile(scene, state);
   const Summary summary = summarise(scene, state, run, rows);
-  write_thickness(directory + "/thickness.csv", rows);
   core::replace_file(directory + "/summary.json", summary_json(scene, state, summary));
+  write_thickness(directory + "/thickness.csv", rows);
   return summary;
 }
 

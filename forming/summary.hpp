@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,14 +19,23 @@ struct StageRecord {
   std::string end_reason;  ///< such as "duration" or "plunger below 0.5 mm/s"
 };
 
+/// What the time of a run is booked under.
+inline constexpr std::array timed_parts{"flow", "heat", "contact", "remesh", "output"};
+
 /// What only the run itself knows.
 struct RunFacts {
   bool completed = false;
+  bool stopped = false;  ///< on request
   std::string reason;  ///< why not, a sentence; empty when completed
   double wall_seconds = 0;
-  std::map<std::string, double> timing;  ///< s by part: flow, heat, contact, remesh, output
+  std::map<std::string, double> timing;  ///< s by part
   std::vector<std::string> warnings;
   std::vector<StageRecord> stages;
+};
+
+struct RunOutcome {
+  State state;
+  RunFacts facts;
 };
 
 struct ToolSummary {

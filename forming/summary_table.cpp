@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "forming/renew.hpp"
 #include "forming/summary.hpp"
 #include "thermal/properties.hpp"
 
@@ -51,7 +52,7 @@ std::string stage_lines(const RunFacts& run) {
 std::string run_lines(const Scene& scene, const State& state, const Summary& summary) {
   const Totals& totals = state.totals;
   std::string text = line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, totals.rejected,
-                                               totals.remeshes));
+                                               remeshes(state)));
   text += line("volume drift", fmt::format("{:.4f} % at the end, {:.4f} % at the most", 100 * summary.glass.volume_drift,
                                             100 * totals.largest_drift));
   if (scene.has_heat()) {

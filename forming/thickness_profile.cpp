@@ -143,7 +143,7 @@ void write_thickness(const std::string& path, const std::vector<ThicknessRow>& r
                         1e3 * row.position[1], 1e3 * row.thickness,
                         row.inner_temperature - thermal::content_reference,
                         row.outer_temperature - thermal::content_reference);
-  core::write_text(path, text);
+  core::replace_file(path, text);
 }
 
 }  // namespace parison::forming

@@ -9,10 +9,11 @@
 
 namespace parison::forming {
 
-/// What the solvers keep between steps to be fast: it never changes a result beyond round-off and may be dropped at any time.
+/// What the solvers keep to be fast. A step's result is that of the state and its length to the last bit, whatever is in
+/// here, but for `standing`: no checkpoint is written while that is in use.
 struct Workspace {
-  std::optional<flow::Solver> flow;  ///< until the glass mesh is renewed
-  thermal::StepMatrix heat;
+  std::optional<flow::Solver> flow;  ///< pattern and its analysis, until the glass mesh is renewed
+  thermal::StepMatrix heat;          ///< within one step
   /// Heat of a stage in which nothing moves: the integrator with what it looks at, and its start.
   struct Standing {
     std::vector<core::Mesh> meshes;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <signal.h>
+
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -9,6 +12,7 @@
 
 #include "core/blas_threads.hpp"
 #include "core/case_error.hpp"
+#include "forming/checkpoint.hpp"
 #include "forming/checkup.hpp"
 #include "forming/run.hpp"
 #include "forming/scene.hpp"
@@ -26,19 +30,49 @@ int check(const std::string& path, const std::string& accuracy, const Overrides&
   return 0;
 }
 
+volatile std::sig_atomic_t stop_asked = 0;
+
+bool stop() { return stop_asked != 0; }
+
+/// The first Ctrl-C or SIGTERM lets the step end, the second ends the program. A file too large for its limit is an error
+/// like a full disk.
+void catch_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { stop_asked = 1; };
+  action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+/// Writes the summary of a run and tells how it ended.
+int report(const parison::forming::Scene& scene, const parison::forming::RunOutcome& outcome, const std::string& output) {
+  const auto& facts = outcome.facts;
+  if (!facts.completed) fmt::print(stderr, "parison: the run stopped in {}\n", facts.reason);
+  const auto summary = parison::forming::write_summary(output, scene, outcome.state, facts);
+  fmt::print("\n{}", summary_table(scene, outcome.state, summary));
+  std::fflush(stdout);
+  if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
+  return facts.completed ? 0 : run_failed;
+}
+
 int run(const std::string& path, const std::string& accuracy, const Overrides& overrides, std::string output) {
   using namespace parison::forming;
   const Scene scene = read_scene(path, accuracy, overrides);
   if (output.empty()) output = "results/" + scene.name;
   fmt::print("{}\n", describe_scene(scene));
   std::fflush(stdout);
-  const RunOutcome outcome = parison::forming::run(scene, output);
-  const Summary summary = write_summary(output, scene, outcome.state, outcome.facts);
-  fmt::print("\n{}", summary_table(scene, outcome.state, summary));
-  if (outcome.facts.completed) return 0;
+  catch_signals();
+  return report(scene, parison::forming::run(scene, output, stop), output);
+}
+
+int resume(const std::string& output, const std::string& path) {
+  using namespace parison::forming;
+  const CaseOrigin origin = read_origin(find_checkpoint(output));
+  const Scene scene = read_scene(path.empty() ? origin.file : path, origin.accuracy, origin.overrides);
+  fmt::print("{} at {} accuracy, from the last checkpoint in {}\n", scene.name, scene.accuracy_name, output);
   std::fflush(stdout);
-  fmt::print(stderr, "parison: the run stopped in {}\n", outcome.facts.reason);
-  return run_failed;
+  catch_signals();
+  return report(scene, parison::forming::resume(scene, output, stop), output);
 }
 
 }  // namespace
@@ -59,6 +93,9 @@ int main(int argc, char** argv) {
   };
   auto* run_command = with_case("run", "run a case");
   run_command->add_option("--output", output, "new folder for the results [results/NAME]");
+  auto* resume_command = app.add_subcommand("resume", "continue a run from its last checkpoint");
+  resume_command->add_option("results", output, "folder with the results of the run")->required();
+  resume_command->add_option("--case", path, "the case, where it has moved");
   auto* check_command = with_case("check", "read a case and say what it needs");
   parison::tools::FitLawRequest fit;
   auto* fit_command = app.add_subcommand("fit-law", "fit the pressure-viscosity law to measurements");
@@ -72,6 +109,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (fit_command->parsed()) return parison::tools::fit_law(fit);
+    if (resume_command->parsed()) return resume(output, path);
     return check_command->parsed() ? check(path, accuracy, overrides) : run(path, accuracy, overrides, output);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : case_wrong;
