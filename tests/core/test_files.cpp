@@ -112,8 +112,7 @@ TEST(Hdf5, ValuesComeBackToTheBit) {
   const std::vector<int> integers{-1, 0, std::numeric_limits<int>::max()};
   const Eigen::VectorXd vector = Eigen::VectorXd::LinSpaced(7, 0, 1 / 7.0);
   const std::int64_t large = std::numeric_limits<std::int64_t>::min() + 3;
-  {
-    Hdf5Group file = create_hdf5(path);
+  write_hdf5(path, [&](Hdf5Group& file) {
     file.write("doubles", doubles, 2);
     file.write("none", std::vector<double>{});
     Hdf5Group group = file.create("inner").create("most");
@@ -123,7 +122,7 @@ TEST(Hdf5, ValuesComeBackToTheBit) {
     group.write("small", 5e-324);
     group.write("text", std::string("Glas, 1150 \xc2\xb0""C"));
     group.write("no_text", std::string());
-  }
+  });
   const Hdf5Group file = open_hdf5(path);
   const std::vector<double> read = file.read_doubles("doubles");
   ASSERT_EQ(read.size(), doubles.size());
@@ -142,7 +141,7 @@ TEST(Hdf5, ValuesComeBackToTheBit) {
 
 TEST(Hdf5, WhatIsMissingIsNamed) {
   const std::string path = new_folder() + "/values.h5";
-  { create_hdf5(path).write("a", 1.0); }
+  write_hdf5(path, [](Hdf5Group& file) { file.write("a", 1.0); });
   const Hdf5Group file = open_hdf5(path);
   try {
     file.read_double("b");
@@ -153,6 +152,63 @@ TEST(Hdf5, WhatIsMissingIsNamed) {
   write_text(path + ".txt", "not HDF5");
   EXPECT_THROW(open_hdf5(path + ".txt"), std::runtime_error);
   EXPECT_THROW(open_hdf5(path + ".absent"), std::runtime_error);
+}
+
+TEST(Hdf5, AnIncompleteFileIsNoHdf5FileAndTheSameContentMakesTheSameFile) {
+  const std::string path = new_folder() + "/values.h5";
+  const auto fill = [](Hdf5Group& file) { file.create("inner").write("a", std::vector<double>(1000, 0.1)); };
+  write_hdf5(path, fill);
+  const std::string bytes = read_text(path);
+  EXPECT_TRUE(is_hdf5(path));
+  write_hdf5(path, fill);
+  EXPECT_EQ(read_text(path), bytes);
+  write_text(path, bytes.substr(0, bytes.size() / 2));
+  EXPECT_FALSE(is_hdf5(path));
+  EXPECT_FALSE(is_hdf5(path + ".absent"));
+}
+
+TEST(GrowingFile, ItGoesOnWhereItWasAndCutsOffTheRest) {
+  const std::string path = new_folder() + "/rows.csv";
+  {
+    GrowingFile file(path, 0);
+    file.append("one\n");
+    EXPECT_EQ(file.size(), 4);
+    file.append("two\nthr");
+    EXPECT_EQ(read_text(path), "one\ntwo\nthr");
+  }
+  GrowingFile(path, 4).append("2\n");
+  EXPECT_EQ(read_text(path), "one\n2\n");
+}
+
+std::string complaint_of_opening(const std::string& path, std::int64_t size) {
+  try {
+    const GrowingFile file(path, size);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(GrowingFile, AShorterFileAndASecondWriterAreRefused) {
+  const std::string path = new_folder() + "/rows.csv";
+  write_text(path, "one\n");
+  EXPECT_EQ(complaint_of_opening(path, 5), path + ": 4 bytes were found, it once had 5");
+  EXPECT_EQ(complaint_of_opening(path + ".absent", 5), path + ".absent: cannot be opened: No such file or directory");
+  const GrowingFile file(path, 4);
+  EXPECT_EQ(complaint_of_opening(path, 0), path + ": another process is writing to it");
+  EXPECT_EQ(read_text(path), "one\n");
+}
+
+TEST(ReplaceFile, AFailedWriteLeavesTheOldFileAndNothingBeside) {
+  const std::string folder = new_folder(), path = folder + "/text";
+  write_text(path, "old");
+  const auto write = [](const std::string& temporary) {
+    write_text(temporary, "half");
+    throw std::runtime_error("full");
+  };
+  EXPECT_THROW(replace_file(path, write), std::runtime_error);
+  EXPECT_EQ(read_text(path), "old");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
 }
 
 TEST(Json, TextIsEscapedNumbersKeepTheirDigitsAndNanIsNull) {

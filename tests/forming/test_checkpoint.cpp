@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -14,12 +15,12 @@
 namespace parison::forming {
 namespace {
 
-std::string checkpoint_path() {
+std::string checkpoint_folder() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("parison_checkpoint_") + test->name());
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  return (folder / "checkpoint.h5").string();
+  return folder.string();
 }
 
 /// A state in which no two numbers are alike.
@@ -27,12 +28,14 @@ State busy_state(const Scene& scene) {
   State state = initial_state(scene);
   double next = 1 / 3.0;
   const auto fresh = [&](double& value) { value = next *= -1.0000001; };
-  for (double* value : {&state.time, &state.stage_time, &state.next_step, &state.heat_substep, &state.last_step,
+  for (double* value : {&state.time, &state.stage_time, &state.stage_start, &state.next_step, &state.heat_substep, &state.last_step,
                         &state.density, &state.first_volume, &state.first_heat})
     fresh(*value);
   Totals& totals = state.totals;
   for (double* value : {&totals.to_air, &totals.to_tools, &totals.dissipation, &totals.content_change,
-                        &totals.remesh_heat, &totals.remesh_volume, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds})
+                        &totals.remeshing.heat, &totals.remeshing.largest_heat, &totals.remeshing.volume,
+                        &totals.remeshing.largest_volume, &totals.remeshing.worst_quality,
+                        &totals.remeshing.lowest_median, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds})
     fresh(*value);
   for (BodyState& body : state.bodies) {
     for (double* value : {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.hottest_surface})
@@ -47,7 +50,8 @@ State busy_state(const Scene& scene) {
   state.contact.tool[3] = 1;
   state.contact.closed = {{3, 5}, {1, 0}, {Point(0.6, 0.8), Point(-1, 0)}};
   state.stage = 1;
-  totals.steps = 7, totals.rejected = 8, totals.remeshes = 9, totals.table_holds = 1L << 40;
+  state.has_moved = true;
+  totals.steps = 7, totals.rejected = 8, totals.remeshing.count = {9, 10, 11}, totals.table_holds = 1L << 40;
   state.bodies[0].mesh.pieces.push_back("inner, by name");
   state.bodies[0].mesh.boundary[0].piece = 2;
   state.velocity[0] = std::numeric_limits<double>::infinity();
@@ -77,14 +81,18 @@ void expect_same_totals(const Totals& a, const Totals& b) {
   EXPECT_TRUE(same(a.to_tools, b.to_tools));
   EXPECT_TRUE(same(a.dissipation, b.dissipation));
   EXPECT_TRUE(same(a.content_change, b.content_change));
-  EXPECT_TRUE(same(a.remesh_heat, b.remesh_heat));
-  EXPECT_TRUE(same(a.remesh_volume, b.remesh_volume));
+  EXPECT_EQ(a.remeshing.count, b.remeshing.count);
+  EXPECT_TRUE(same(a.remeshing.heat, b.remeshing.heat));
+  EXPECT_TRUE(same(a.remeshing.largest_heat, b.remeshing.largest_heat));
+  EXPECT_TRUE(same(a.remeshing.volume, b.remeshing.volume));
+  EXPECT_TRUE(same(a.remeshing.largest_volume, b.remeshing.largest_volume));
+  EXPECT_TRUE(same(a.remeshing.worst_quality, b.remeshing.worst_quality));
+  EXPECT_TRUE(same(a.remeshing.lowest_median, b.remeshing.lowest_median));
   EXPECT_TRUE(same(a.deepest, b.deepest));
   EXPECT_TRUE(same(a.largest_drift, b.largest_drift));
   EXPECT_TRUE(same(a.largest_reynolds, b.largest_reynolds));
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.rejected, b.rejected);
-  EXPECT_EQ(a.remeshes, b.remeshes);
   EXPECT_EQ(a.table_holds, b.table_holds);
 }
 
@@ -98,15 +106,26 @@ void expect_same_body(const BodyState& a, const BodyState& b) {
   EXPECT_TRUE(same(a.hottest_surface, b.hottest_surface));
 }
 
+RunFacts some_facts() {
+  RunFacts facts;
+  facts.wall_seconds = 1.5;
+  facts.timing["heat"] = 0.75;
+  facts.stages = {{"rest", 0, 1 / 3.0, "duration"}};
+  return facts;
+}
+
 TEST(Checkpoint, AStateComesBackToTheBit) {
   const Scene scene = scene_of(small_scene);
   const State state = busy_state(scene);
-  const std::string path = checkpoint_path();
-  write_checkpoint(path, scene, state);
-  const State read = read_checkpoint(path, scene);
+  const std::string folder = checkpoint_folder();
+  write_checkpoint(folder, scene, {{state, some_facts()}, {1L << 33, 7, {0, 1 / 3.0}}});
+  const Checkpoint checkpoint = read_checkpoint(find_checkpoint(folder), scene);
+  const State& read = checkpoint.outcome.state;
   EXPECT_TRUE(same(read.time, state.time));
   EXPECT_EQ(read.stage, state.stage);
   EXPECT_TRUE(same(read.stage_time, state.stage_time));
+  EXPECT_TRUE(same(read.stage_start, state.stage_start));
+  EXPECT_EQ(read.has_moved, state.has_moved);
   EXPECT_TRUE(same(read.next_step, state.next_step));
   EXPECT_TRUE(same(read.heat_substep, state.heat_substep));
   EXPECT_TRUE(same(read.last_step, state.last_step));
@@ -124,40 +143,82 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   expect_same_totals(read.totals, state.totals);
   ASSERT_EQ(read.bodies.size(), state.bodies.size());
   for (std::size_t i = 0; i < read.bodies.size(); ++i) expect_same_body(read.bodies[i], state.bodies[i]);
+  EXPECT_EQ(fingerprint(read), fingerprint(state));
+  EXPECT_EQ(checkpoint.files.history_size, 1L << 33);
+  EXPECT_EQ(checkpoint.files.interface_size, 7);
+  EXPECT_EQ(checkpoint.files.output_times, (std::vector<double>{0, 1 / 3.0}));
+  const RunFacts& facts = checkpoint.outcome.facts;
+  EXPECT_EQ(facts.wall_seconds, 1.5);
+  EXPECT_EQ(facts.timing.at("heat"), 0.75);
+  ASSERT_EQ(facts.stages.size(), 1u);
+  EXPECT_EQ(facts.stages[0].name, "rest");
+  EXPECT_EQ(facts.stages[0].end, 1 / 3.0);
+  EXPECT_EQ(facts.stages[0].end_reason, "duration");
 }
 
-TEST(Checkpoint, ALaterOneTakesThePlaceOfTheFirstAndLeavesNothingBeside) {
-  const Scene scene = scene_of(small_scene);
-  State state = initial_state(scene);
-  const std::string path = checkpoint_path();
-  write_checkpoint(path, scene, state);
-  state.time = 0.75;
-  write_checkpoint(path, scene, state);
-  EXPECT_EQ(read_checkpoint(path, scene).time, 0.75);
-  const auto folder = std::filesystem::directory_iterator(std::filesystem::path(path).parent_path());
-  EXPECT_EQ(std::distance(begin(folder), end(folder)), 1);
+TEST(Checkpoint, AFingerprintTellsStatesApartThatDifferInOneBit) {
+  const State state = busy_state(scene_of(small_scene));
+  State other = state;
+  other.bodies[1].temperature[5] = std::nextafter(other.bodies[1].temperature[5], 0);
+  EXPECT_NE(fingerprint(other), fingerprint(state));
+  other = state;
+  other.totals.remeshing.count[2] += 1;
+  EXPECT_NE(fingerprint(other), fingerprint(state));
 }
 
-TEST(Checkpoint, OneOfAnotherCaseFileOrVersionIsRefusedWithASentence) {
+TEST(Checkpoint, TheLastTwoAreKeptAndTheEarlierOneServesWhereTheLastIsBroken) {
   const Scene scene = scene_of(small_scene);
-  const std::string path = checkpoint_path();
-  write_checkpoint(path, scene, initial_state(scene));
-  const Scene other = scene_of(replaced("1000 degC", "1001 degC"));
-  try {
-    read_checkpoint(path, other);
-    FAIL() << "nothing was thrown";
-  } catch (const core::CaseError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              path + ": a checkpoint of the case \"small\" with another case file was found, allowed is one of \"small\" as "
-                     "it is now");
+  const std::string folder = checkpoint_folder();
+  for (const double time : {0.25, 0.5, 0.75}) {
+    State state = initial_state(scene);
+    state.time = time;
+    write_checkpoint(folder, scene, {{state, {}}, {}});
   }
-  core::create_hdf5(path).write("version", std::int64_t{99});
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
+  const std::string last = find_checkpoint(folder);
+  EXPECT_EQ(read_checkpoint(last, scene).outcome.state.time, 0.75);
+  core::write_text(last, core::read_text(last).substr(0, 1000));
+  EXPECT_EQ(read_checkpoint(find_checkpoint(folder), scene).outcome.state.time, 0.5);
+}
+
+std::string complaint_of_reading(const std::string& path, const Scene& scene) {
   try {
     read_checkpoint(path, scene);
-    FAIL() << "nothing was thrown";
   } catch (const core::CaseError& error) {
-    EXPECT_EQ(std::string(error.what()), path + ": a checkpoint of version 99 was found, allowed is version 1");
+    return error.what();
   }
+  return "";
+}
+
+TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
+  const Scene scene = scene_of(small_scene);
+  const std::string folder = checkpoint_folder();
+  write_checkpoint(folder, scene, {{initial_state(scene), {}}, {}});
+  const std::string path = find_checkpoint(folder);
+  EXPECT_EQ(complaint_of_reading(path, scene), "");
+  EXPECT_EQ(read_origin(path).file, scene.file);
+  EXPECT_EQ(read_origin(path).accuracy, "draft");
+  EXPECT_EQ(complaint_of_reading(path, scene_of(replaced("1000 degC", "1001 degC"))),
+            path + ": a checkpoint of the case \"small\" with another case file was found, allowed is one of \"small\" as "
+                   "it is now");
+  Scene fine = scene;
+  fine.accuracy_name = "fine";
+  EXPECT_EQ(complaint_of_reading(path, fine),
+            path + ": a checkpoint at draft accuracy was found, allowed is one at fine accuracy");
+  core::write_hdf5(path, [](core::Hdf5Group& file) { file.write("version", std::int64_t{99}); });
+  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 2");
+}
+
+TEST(Checkpoint, AnOutlineInAFileOfItsOwnBelongsToTheCase) {
+  const std::string text = replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"outline.csv\"");
+  const auto outline = [&](const char* radius) {
+    core::write_text(write_scene(text) + "/outline.csv",
+                     std::string("r_mm,z_mm\n0,0\n") + radius + ",0\n20,10\n0,10\n");
+    return scene_of(text).fingerprint;
+  };
+  const auto first = outline("20");
+  EXPECT_NE(outline("19.5"), first);
+  EXPECT_EQ(outline("20"), first);
 }
 
 }  // namespace

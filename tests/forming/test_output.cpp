@@ -91,7 +91,7 @@ TEST(History, TheImbalanceIsTheHeatThatNoEntryExplains) {
   EXPECT_NEAR(glass_facts(scene, state).energy_imbalance, 0, 1e-10);
   state.totals.to_tools -= 0.05 * lost;
   EXPECT_NEAR(glass_facts(scene, state).energy_imbalance, 0.05 / 1.2, 1e-9);
-  state.totals.remesh_heat = -0.05 * lost;
+  state.totals.remeshing.heat = -0.05 * lost;
   EXPECT_NEAR(glass_facts(scene, state).energy_imbalance, 0.05 / 1.2, 1e-9);
 }
 
@@ -252,7 +252,9 @@ TEST(Summary, TheFileIsValidJsonWithTheNamesOfTheReadme) {
   const std::string text = core::read_text(folder + "/summary.json");
   for (const char* key :
        {"case", "accuracy", "completed", "wall_seconds", "steps", "rejected_steps", "remeshes", "timing", "flow", "heat",
-        "contact", "remesh", "output", "volume_drift", "energy_imbalance", "glass", "mass_kg", "temperature_mean_C",
+        "contact", "remesh", "output", "state_fingerprint", "remeshing", "for_stage_start",
+        "for_quality", "for_failed_step", "heat_drift", "largest_heat_change", "largest_volume_change", "worst_quality",
+        "lowest_median_quality", "seconds", "volume_drift", "energy_imbalance", "glass", "mass_kg", "temperature_mean_C",
         "temperature_min_C", "temperature_max_C", "tools", "heat_received_J", "surface_temperature_max_C", "stages",
         "thickness", "min_mm", "mean_mm", "max_mm", "warnings"})
     EXPECT_NE(text.find('"' + std::string(key) + "\": "), text.npos) << key;

@@ -14,71 +14,11 @@
 #include "forming/renew.hpp"
 #include "forming/run.hpp"
 #include "forming/step.hpp"
+#include "pot_scene.hpp"
 #include "remesh/quality.hpp"
 
 namespace parison::forming {
 namespace {
-
-/// A gob of glass, 10 mm radius and 10 mm high, pressed by a plunger into a pot of 12 mm radius: full at 6.944 mm.
-constexpr const char* pot = R"(# A gob pressed in a pot.
-case = "pot"
-geometry = "axisymmetric"
-air = { temperature = "50 degC", h = "20 W/m2/K", ambient = "50 degC" }
-output.interval = "0.2 s"
-[[stage]]
-name = "press"
-duration = "0.4 s"
-gravity = "-9.81 m/s2"
-tools = ["pot", "plunger"]
-motion.plunger = { force = "-3 kN", speed_limit = "50 mm/s" }
-[material.glass]
-density = "2400 kg/m3"
-heat_capacity = "1300 J/kg/K"
-conductivity = "3 W/m/K"
-viscosity = { law = "vft", A = -2.309, B = "3922 K", T0 = "291 degC" }
-emissivity = 0.89
-[material.iron]
-density = "7200 kg/m3"
-heat_capacity = "490 J/kg/K"
-conductivity = "46 W/m/K"
-[[interface]]
-tools = ["pot", "plunger"]
-law = "pressure-viscosity"
-h0 = "500 W/m2/K"
-h1 = "20000 W/m2/K"
-p_ref = "0.2 MPa"
-eta_ref = "1e3 Pa.s"
-a = 1
-b = 0.25
-[glass]
-material = "glass"
-temperature = "1100 degC"
-piece = [
-  { name = "surface", condition = "contact", path = "(0, 0) (10, 0) (10, 10) (0, 10) mm" },
-  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
-[[tool]]
-name = "pot"
-material = "iron"
-temperature = "480 degC"
-friction = "stick"
-piece = [
-  { name = "inner", condition = "contact", path = "(12, 20) (12, 0) (0, 0) mm" },
-  { name = "axis", condition = "symmetry", path = "(0, -8) mm" },
-  { name = "outer", condition = "insulated", path = "(20, -8) (20, 20) (12, 20) mm" } ]
-[[tool]]
-name = "plunger"
-material = "iron"
-temperature = "480 degC"
-friction = { law = "navier", coefficient = "1e5 Pa.s/m" }
-piece = [
-  { name = "face", condition = "contact", path = "(0, 10) (12, 10) mm" },
-  { name = "outer", condition = "insulated", path = "(12, 20) (0, 20) mm" },
-  { name = "axis", condition = "symmetry", path = "(0, 10) mm" } ]
-[numerics]
-tool_contact_size = "1 mm"
-skin_size = "0.6 mm"
-motion_tolerance = "0.02 mm"
-)";
 
 class Pot : public ::testing::Test {
  protected:
@@ -103,7 +43,7 @@ TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
   const auto facts = glass_facts(scene, state);
   std::printf("pot: plunger at %.3f mm (full at %.3f), drift %.1e (largest %.1e), imbalance %.1e, %d steps, %d remeshes\n",
               height, full, facts.volume_drift, state.totals.largest_drift, facts.energy_imbalance, state.totals.steps,
-              state.totals.remeshes);
+              remeshes(state));
   EXPECT_NEAR(height, full, 0.05);
   EXPECT_NEAR(state.bodies[2].force, -3000, 1);
   EXPECT_LT(std::abs(state.bodies[2].velocity), 1e-3);
@@ -128,7 +68,7 @@ TEST_F(Pot, a_new_mesh_keeps_volume_mass_and_heat) {
     ASSERT_TRUE(result.converged) << result.reason;
     state = std::move(result.state);
   }
-  const auto renewed = renew_glass_mesh(scene, state);
+  const auto renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
   ASSERT_TRUE(renewed.ok) << renewed.reason;
   const auto before = glass_facts(scene, state), after = glass_facts(scene, renewed.state);
   EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
@@ -138,6 +78,14 @@ TEST_F(Pot, a_new_mesh_keeps_volume_mass_and_heat) {
   int touching_before = 0, touching_after = 0;
   for (const Index tool : state.contact.tool) touching_before += tool >= 0;
   for (const Index tool : renewed.state.contact.tool) touching_after += tool >= 0;
+  const RemeshLedger& ledger = renewed.state.totals.remeshing;
+  EXPECT_EQ(ledger.count, (std::array<Index, 3>{0, 1, 0}));
+  EXPECT_EQ(ledger.heat, glass_heat(scene, renewed.state) - glass_heat(scene, state));
+  EXPECT_EQ(ledger.largest_heat, std::abs(ledger.heat));
+  EXPECT_EQ(ledger.volume, after.volume - before.volume);
+  EXPECT_EQ(ledger.largest_volume, std::abs(ledger.volume));
+  EXPECT_EQ(ledger.worst_quality, remesh::quality(renewed.state.bodies[0].mesh).worst);
+  EXPECT_EQ(ledger.lowest_median, remesh::quality(renewed.state.bodies[0].mesh).median);
   EXPECT_GT(touching_before, 10);
   EXPECT_GT(touching_after, 10);
 }
