@@ -209,6 +209,16 @@ TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
   EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 2");
 }
 
+TEST(Checkpoint, TheCaseSaysHowOftenTheyAreWritten) {
+  const std::string own = small_scene + "[output]\ncheckpoint_interval = \"2 min\"\ncheckpoint_steps = 7\n";
+  EXPECT_EQ(scene_of(own).output.checkpoint_interval, 120);
+  EXPECT_EQ(scene_of(own).output.checkpoint_steps, 7);
+  EXPECT_EQ(scene_of(small_scene).output.checkpoint_interval, 300);
+  EXPECT_FALSE(scene_of(small_scene).output.checkpoint_steps);
+  const std::string never = replaced("steps = 7", "steps = 0", own);
+  EXPECT_NE(complaint_about(never).find("output.checkpoint_steps: "), std::string::npos) << complaint_about(never);
+}
+
 TEST(Checkpoint, AnOutlineInAFileOfItsOwnBelongsToTheCase) {
   const std::string text = replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"outline.csv\"");
   const auto outline = [&](const char* radius) {
