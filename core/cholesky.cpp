@@ -50,6 +50,7 @@ cholmod_sparse view(const SymmetricMatrix& matrix) {
 
 }  // namespace
 
+Cholesky::Cholesky() : Cholesky(Form::positive_definite) {}
 Cholesky::Cholesky(Form form) : data_(std::make_unique<Data>(form)) {}
 Cholesky::~Cholesky() = default;
 Cholesky::Cholesky(Cholesky&&) noexcept = default;

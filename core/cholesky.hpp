@@ -11,7 +11,8 @@ namespace parison::core {
 class Cholesky {
  public:
   enum class Form { positive_definite, quasi_definite };
-  explicit Cholesky(Form form = Form::positive_definite);
+  Cholesky();
+  explicit Cholesky(Form form);
   ~Cholesky();
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
