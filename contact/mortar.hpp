@@ -8,15 +8,11 @@
 
 namespace parison::contact {
 
-/// What the slave's nodes know about one master, indexed like the slave's mesh.
-struct SlaveState {
-  Eigen::VectorXd gap;       ///< distance to the master's exact profile, m; +infinity where out of reach
-  Eigen::VectorXd pressure;  ///< contact pressure, Pa
-};
-
-struct InterfaceOptions {
-  core::Geometry geometry;
-  double handover_width;  ///< gap over which the contact opens, m, positive
+/// A body that the slave may touch, and what the slave's nodes know about it.
+struct Master {
+  Surface surface;
+  Eigen::VectorXd gap;    ///< of the slave mesh's nodes to the exact profile, m; +infinity where out of reach
+  double handover_width;  ///< gap over which the contact opens, m, positive; less than the reach
   Index law;              ///< handed on to the interface points
 };
 
@@ -24,11 +20,14 @@ struct InterfaceOptions {
 /// and gaps below a fiftieth of the width change it by less than 1e-4.
 double closure(double gap, double width);
 
-/// The virtual surface between two bodies (physics.md, section 4): each slave edge cut at the projections of both
-/// meshes' nodes, with Gauss points on each segment. Open stretches are left out; no slave area counts twice.
-/// The gap is linear between a slave edge's three nodes; next to a node out of reach it follows the distance between
-/// the meshes instead.
-std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Surface& master, const SlaveState& state,
-                                                  const InterfaceOptions& options);
+/// The virtual surface between the slave and all its masters (physics.md, section 4): each slave edge cut at the
+/// projections of both meshes' nodes, with Gauss points on each segment. Open stretches are left out. Every slave point
+/// faces the nearest master only, so where masters overlap their union counts and no area counts twice.
+/// The gap is linear between interface nodes: a node from the slave has its own, one from the master its distance from
+/// the slave. On an edge that is closed at both ends it counts from the smooth surface that a convex slave's edges
+/// belong to, so chords do not open.
+/// `pressure` belongs to the nodes of the slave's mesh, Pa.
+std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Eigen::VectorXd& pressure,
+                                                  const std::vector<Master>& masters, core::Geometry geometry);
 
 }  // namespace parison::contact

@@ -24,12 +24,13 @@ std::vector<RayEdge> make_rays(const Surface& slave) {
   std::unordered_map<Index, std::size_t> starting_at;
   for (const auto& edge : slave.edges) {
     starting_at[edge.nodes[0]] = rays.size();
-    rays.push_back({edge, Point::Zero(), Point::Zero()});
+    rays.push_back({edge, Point::Zero(), Point::Zero(), true, true});
   }
   for (auto& before : rays) {
     const auto next = starting_at.find(before.edge.nodes[1]);
     if (next == starting_at.end()) continue;
     auto& after = rays[next->second];
+    before.last_free = after.first_free = false;
     const Point left = normal(before.edge, 1), right = normal(after.edge, 0);
     if (left.dot(right) < smooth_cosine) continue;
     const Point mean = (left + right).normalized();
@@ -41,6 +42,17 @@ std::vector<RayEdge> make_rays(const Surface& slave) {
 
 Point ray(const RayEdge& slave, double s) {
   return (normal(slave.edge, s) + (1 - s) * slave.first_turn + s * slave.last_turn).normalized();
+}
+
+double bulge(const RayEdge& slave, double s) {
+  const auto rise = [&](double end, const Point& turn) {
+    const Point along = slope(slave.edge, end), out = normal(slave.edge, end), upright = out + turn;
+    return -upright.dot(along) / upright.dot(out);
+  };
+  double first = rise(0, slave.first_turn), last = rise(1, slave.last_turn);
+  if (slave.first_free) first = -last;
+  if (slave.last_free) last = -first;
+  return s * (1 - s) * ((1 - s) * first - s * last);
 }
 
 std::optional<Hit> hit_master(const RayEdge& slave, double s, const SurfaceEdge& master) {

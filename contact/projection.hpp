@@ -14,12 +14,18 @@ namespace parison::contact {
 struct RayEdge {
   SurfaceEdge edge;
   Point first_turn, last_turn;  ///< what the ends' rays add to the normal
+  bool first_free, last_free;   ///< no edge is joined there
 };
 
 std::vector<RayEdge> make_rays(const Surface& slave);
 
 /// Unit direction of the ray that leaves at s.
 Point ray(const RayEdge& slave, double s);
+
+/// How far the smooth surface that the rays stand on lies outside the edge, m: the cubic through the edge's ends, square
+/// to their rays, and symmetric where one end is free. A chord of a convex arc gets back what it cuts off; negative where
+/// the surface is hollow.
+double bulge(const RayEdge& slave, double s);
 
 /// Where the ray from a slave point meets a master edge.
 struct Hit {

@@ -141,24 +141,21 @@ double glass_heat(const Scene& scene, const State& state) {
 }
 
 std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state) {
-  std::vector<core::InterfacePoint> points;
   const core::Mesh& glass = state.bodies[0].mesh;
   const auto slave = contact::make_surface(0, glass, contact_pieces(scene.glass, glass), core::Point::Zero());
+  const auto& in_place = scene.stages[state.stage].tools;
+  std::vector<contact::Master> masters;
   for (std::size_t law = 0; law < scene.interfaces.size(); ++law) {
     const auto& interface = scene.interfaces[law];
-    const auto& in_place = scene.stages[state.stage].tools;
     if (std::none_of(in_place.begin(), in_place.end(), [&](const auto& t) { return t.tool == interface.tool; })) continue;
     const auto& tool = state.bodies[1 + interface.tool];
-    const contact::SlaveState slave_state{tool_gaps(scene, state, interface.tool, 10 * interface.handover_width),
-                                          state.contact.pressure};
-    const auto master = contact::make_surface(1 + interface.tool, tool.mesh,
-                                              contact_pieces(scene.tools[interface.tool], tool.mesh),
-                                              tool.offset * core::axis_direction());
-    const auto found = contact::build_interface(
-        slave, master, slave_state, {scene.geometry, interface.handover_width, static_cast<Index>(law)});
-    points.insert(points.end(), found.begin(), found.end());
+    const auto touches = contact_pieces(scene.tools[interface.tool], tool.mesh);
+    masters.push_back(
+        {contact::make_surface(1 + interface.tool, tool.mesh, touches, tool.offset * core::axis_direction()),
+         tool_gaps(scene, state, interface.tool, 10 * interface.handover_width), interface.handover_width,
+         static_cast<Index>(law)});
   }
-  return points;
+  return contact::build_interface(slave, state.contact.pressure, masters, scene.geometry);
 }
 
 core::Conductance point_conductance(const Scene& scene, const core::InterfacePoint& point, double temperature,

@@ -60,11 +60,27 @@ inline Surface contact_surface(Index body, const core::Mesh& mesh) {
   return make_surface(body, mesh, {false, true}, Point::Zero());
 }
 
+/// What the slave's nodes know, indexed like its mesh.
+struct SlaveState {
+  Eigen::VectorXd gap, pressure;
+};
 inline SlaveState touching(
     const core::Mesh& mesh, const std::function<double(const Point&)>& gap = [](const Point&) { return 0.0; }) {
   SlaveState state{Eigen::VectorXd(mesh.node_count()), Eigen::VectorXd::Constant(mesh.node_count(), 1e5)};
   for (Index i = 0; i < mesh.node_count(); ++i) state.gap[i] = gap(mesh.nodes[i]);
   return state;
+}
+
+struct OneMaster {
+  core::Geometry geometry;
+  double handover_width;
+  Index law;
+};
+/// The interface with a single master.
+inline std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Surface& master,
+                                                         const SlaveState& state, const OneMaster& options) {
+  return contact::build_interface(slave, state.pressure,
+                                  {Master{master, state.gap, options.handover_width, options.law}}, options.geometry);
 }
 
 inline double closed_area(const std::vector<core::InterfacePoint>& points) {

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "contact/projection.hpp"
 #include "interface_cases.hpp"
 
 namespace parison::contact::testing {
@@ -103,19 +104,43 @@ TEST(CurvedInterface, unlike_arcs_apart_by_up_to_a_micrometre_keep_their_area) {
       }
 }
 
-TEST(CurvedInterface, straight_chords_that_leave_a_curve_by_less_than_the_sagitta_stay_in_contact) {
-  for (const auto& [a, b] : {std::pair{10, 30}, {30, 10}, {13, 30}}) {
-    auto slave = quarter(glass(divided(0, M_PI / 2, a)));
-    for (auto& edge : slave.boundary)
-      slave.nodes[edge.nodes[2]] = 0.5 * (slave.nodes[edge.nodes[0]] + slave.nodes[edge.nodes[1]]);
-    const auto master = quarter(tool(divided(0, M_PI / 2, b)));
-    const auto state = touching(slave, [](const Point& x) { return 0.01 - x.norm(); });
-    const double sagitta = 0.01 * (1 - std::cos(M_PI / 4 / a));
-    const auto points = build_interface(contact_surface(0, slave), contact_surface(1, master), state,
-                                        {Geometry::planar, 40 * sagitta, 0});
-    const double own = own_loads(slave, Geometry::planar).sum();
-    EXPECT_NEAR(closed_area(points), own, 1e-3 * own);
+/// With its contact edges straight.
+core::Mesh chorded(core::Mesh mesh) {
+  for (auto& edge : mesh.boundary)
+    mesh.nodes[edge.nodes[2]] = 0.5 * (mesh.nodes[edge.nodes[0]] + mesh.nodes[edge.nodes[1]]);
+  return mesh;
+}
+
+TEST(CurvedInterface, chords_whose_sagitta_is_wider_than_the_handover_stay_in_contact) {
+  for (const auto& [a, b] : {std::pair{6, 18}, {18, 6}, {7, 18}, {10, 10}})
+    for (const bool straight_master : {false, true})
+      for (const double lift : {0.0, 1e-6, -1e-6}) {
+        const auto slave = chorded(quarter(glass(divided(0, M_PI / 2, a))));
+        auto master = quarter(tool(divided(0, M_PI / 2, b)));
+        if (straight_master) master = chorded(master);
+        const auto state = touching(slave, [&](const Point& x) { return 0.01 - x.norm() + lift; });
+        const double sagitta = 0.01 * (1 - std::cos(M_PI / 4 / a));
+        for (const double handover : {50 * std::abs(lift) + 0.2 * sagitta, 50 * std::abs(lift) + 2 * sagitta}) {
+          const auto points = build_interface(contact_surface(0, slave), contact_surface(1, master), state,
+                                              {Geometry::planar, handover, 0});
+          const double own = own_loads(slave, Geometry::planar).sum();
+          EXPECT_NEAR(closed_area(points), own, 1e-3 * own)
+              << a << "/" << b << " " << straight_master << " " << handover / sagitta << " " << lift;
+        }
+      }
+}
+
+TEST(CurvedInterface, the_bulge_of_a_chord_is_its_sagitta) {
+  const auto mesh = chorded(quarter(glass(divided(0, M_PI / 2, 12))));
+  const auto rays = make_rays(contact_surface(0, mesh));
+  const double sagitta = 0.01 * (1 - std::cos(M_PI / 4 / 12));
+  for (std::size_t i = 1; i + 1 < rays.size(); ++i) {
+    EXPECT_NEAR(bulge(rays[i], 0.5) / sagitta, 1, 2e-3);
+    EXPECT_EQ(bulge(rays[i], 0), 0);
+    EXPECT_EQ(bulge(rays[i], 1), 0);
   }
+  for (const auto& edge : make_rays(contact_surface(0, quarter(glass(divided(0, M_PI / 2, 12))))))
+    EXPECT_LT(std::abs(bulge(edge, 0.5)), 0.01 * sagitta);
 }
 
 /// Chain of straight edges through the given corners, each side in `parts` edges; body on the left.

@@ -1,0 +1,56 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <vector>
+
+#include "contact/projection.hpp"
+
+namespace parison::contact {
+
+/// An edge of one of the masters.
+struct MasterEdge {
+  SurfaceEdge edge;
+  Index master;
+};
+
+/// A slave edge and what of the masters lies near it.
+struct EdgeView {
+  const RayEdge& slave;
+  const std::vector<MasterEdge>& masters;
+  std::vector<Index> near;  ///< into masters
+  double range;             ///< how far a master may lie along a ray, m
+};
+
+/// What a slave point sees.
+struct Sight {
+  Index edge;  ///< into EdgeView::masters
+  Hit hit;
+};
+/// The nearest edge, of all masters, that the slave point sees and that looks back at it.
+std::optional<Sight> see_master(const EdgeView& view, double s);
+
+/// Node of the virtual surface (physics.md, section 4), on a slave edge and on the master edge that faces it.
+struct InterfaceNode {
+  enum class Origin { slave, master } origin;
+  double slave_s;
+  std::optional<Sight> sight;  ///< a node of the slave may see nothing
+};
+/// A node from the slave: everything of the slave is its own, and the master's temperature is interpolated where its
+/// ray meets the master. `node` is 0, 1, 2: first, last, mid.
+InterfaceNode node_from_slave(const EdgeView& view, int node);
+/// A node from the master: the master's temperature is its own, and everything of the slave is interpolated where a ray
+/// of the slave edge passes through it; none where no ray does. `end` is 0 or 1.
+std::optional<InterfaceNode> node_from_master(const EdgeView& view, Index edge, int end);
+/// The nodes of both kinds along a slave edge. Where two coincide, the one from the slave stays.
+std::vector<InterfaceNode> interface_nodes(const EdgeView& view);
+
+/// Stretch of a slave edge between neighbouring interface nodes, all of it facing one master edge.
+struct Segment {
+  double begin, end;
+  Index edge;  ///< into EdgeView::masters
+};
+/// The segments of a slave edge; stretches that face nothing are left out. Where one master's surface comes before
+/// another's between two nodes, the segment is cut there.
+std::vector<Segment> make_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes);
+
+}  // namespace parison::contact
