@@ -67,6 +67,7 @@ void book(const thermal::Ledger& ledger, State& state) {
   state.totals.to_air += ledger.bodies[0].to_air - ledger.bodies[0].from_prescribed;
   state.totals.dissipation += ledger.bodies[0].from_source;
   state.totals.to_tools += thermal::lost_through_interfaces(ledger, 0);
+  state.totals.largest_flux_mismatch = std::max(state.totals.largest_flux_mismatch, thermal::flux_mismatch(ledger));
   for (Index b = 1; b < static_cast<Index>(state.bodies.size()); ++b)
     state.bodies[b].heat_received -= thermal::lost_through_interfaces(ledger, b);
 }

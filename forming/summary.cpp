@@ -83,6 +83,7 @@ void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
   json.add("heat_to_air_J", state.totals.to_air);
   json.add("dissipation_J", state.totals.dissipation);
   json.add("largest_reynolds", state.totals.largest_reynolds);
+  json.add("largest_flux_mismatch", state.totals.largest_flux_mismatch);
   json.add("conductance_outside_table", static_cast<long>(state.totals.table_holds));
 }
 

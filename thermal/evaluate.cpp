@@ -57,7 +57,8 @@ void add_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, 
     const double across = closed * system.problem->law(point, T1).h * (T1 - T2);
     const double slave_air = contact.slave_air ? closed * surface_flux(*contact.slave_air, T1).q : 0;
     const double master_air = contact.master_air ? closed * surface_flux(*contact.master_air, T2).q : 0;
-    flows.across[contact.pair] += across;
+    flows.across[contact.pair] += (point.slave_shape[0] + point.slave_shape[1] + point.slave_shape[2]) * across;
+    flows.received[contact.pair] += (point.master_shape[0] + point.master_shape[1] + point.master_shape[2]) * across;
     flows.to_air[point.slave_body] -= slave_air;
     flows.to_air[point.master_body] -= master_air;
     take(slave, contact.slave_shape, across - slave_air);
@@ -66,9 +67,9 @@ void add_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, 
 }
 
 Flows zero_flows(const HeatSystem& system) {
-  const auto bodies = static_cast<Index>(system.bodies.size());
+  const auto bodies = static_cast<Index>(system.bodies.size()), pairs = static_cast<Index>(system.pairs.size());
   Flows flows{Eigen::VectorXd::Zero(bodies), Eigen::VectorXd::Zero(bodies),
-              Eigen::VectorXd::Zero(static_cast<Index>(system.pairs.size()))};
+              Eigen::VectorXd::Zero(pairs), Eigen::VectorXd::Zero(pairs)};
   for (Index b = 0; b < bodies; ++b)
     if (system.problem->bodies[b].source)
       for (const double source : *system.problem->bodies[b].source) flows.from_source[b] += source;

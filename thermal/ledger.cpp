@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace parison::thermal {
 
@@ -10,7 +11,7 @@ double lost_through_interfaces(const Ledger& ledger, Index body) {
   double lost = 0;
   for (const PairLedger& pair : ledger.pairs) {
     if (pair.slave_body == body) lost += pair.heat;
-    if (pair.master_body == body) lost -= pair.heat;
+    if (pair.master_body == body) lost -= pair.received;
   }
   return lost;
 }
@@ -18,6 +19,15 @@ double lost_through_interfaces(const Ledger& ledger, Index body) {
 double imbalance(const Ledger& ledger, Index body) {
   const BodyLedger& b = ledger.bodies[body];
   return b.content_change - (b.from_source + b.from_prescribed - b.to_air - lost_through_interfaces(ledger, body));
+}
+
+double flux_mismatch(const Ledger& ledger) {
+  double difference = 0, largest = 0;
+  for (const PairLedger& pair : ledger.pairs) {
+    difference = std::max(difference, std::abs(pair.heat - pair.received));
+    largest = std::max(largest, std::abs(pair.heat));
+  }
+  return largest > 0 ? difference / largest : 0;
 }
 
 void add(Ledger& ledger, const Ledger& step) {
@@ -33,10 +43,12 @@ void add(Ledger& ledger, const Ledger& step) {
     const auto same = std::find_if(ledger.pairs.begin(), ledger.pairs.end(), [&](const PairLedger& p) {
       return p.slave_body == pair.slave_body && p.master_body == pair.master_body;
     });
-    if (same != ledger.pairs.end())
-      same->heat += pair.heat;
-    else
+    if (same == ledger.pairs.end()) {
       ledger.pairs.push_back(pair);
+    } else {
+      same->heat += pair.heat;
+      same->received += pair.received;
+    }
   }
 }
 

@@ -16,10 +16,11 @@ struct BodyLedger {
   double from_prescribed = 0;  ///< in through pieces of given temperature
 };
 
-/// Heat that crossed the interface from a slave to a master, J.
+/// Heat that crossed the interface from a slave to a master, J, summed over either side's own nodes.
 struct PairLedger {
   Index slave_body, master_body;
-  double heat = 0;
+  double heat = 0;      ///< out of the slave
+  double received = 0;  ///< into the master
 };
 
 struct Ledger {
@@ -31,6 +32,8 @@ struct Ledger {
 double lost_through_interfaces(const Ledger& ledger, Index body);
 /// What the balance of a body leaves unexplained, J.
 double imbalance(const Ledger& ledger, Index body);
+/// Largest difference between what a slave gave and what its master received, relative to the largest heat of any pair.
+double flux_mismatch(const Ledger& ledger);
 /// Adds the entries of `step`, which has the same bodies; pairs are matched or appended.
 void add(Ledger& ledger, const Ledger& step);
 

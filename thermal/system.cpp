@@ -196,7 +196,7 @@ Index body_of(const HeatSystem& system, Index unknown) {
 Ledger empty_ledger(const HeatSystem& system) {
   Ledger ledger;
   ledger.bodies.resize(system.bodies.size());
-  for (const auto& [slave, master] : system.pairs) ledger.pairs.push_back({slave, master, 0});
+  for (const auto& [slave, master] : system.pairs) ledger.pairs.push_back({slave, master});
   return ledger;
 }
 
@@ -205,7 +205,10 @@ void book(Ledger& ledger, const Flows& flows, double duration) {
     ledger.bodies[b].to_air += duration * flows.to_air[b];
     ledger.bodies[b].from_source += duration * flows.from_source[b];
   }
-  for (std::size_t p = 0; p < ledger.pairs.size(); ++p) ledger.pairs[p].heat += duration * flows.across[p];
+  for (std::size_t p = 0; p < ledger.pairs.size(); ++p) {
+    ledger.pairs[p].heat += duration * flows.across[p];
+    ledger.pairs[p].received += duration * flows.received[p];
+  }
 }
 
 void book_content(Ledger& ledger, const HeatSystem& system, const Eigen::VectorXd& before,

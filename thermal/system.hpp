@@ -61,9 +61,10 @@ struct HeatSystem {
 };
 HeatSystem make_heat_system(const Problem& problem);
 
-/// Heat flows of the ledger's entries, W: to air by body, from source by body, from slave to master by pair.
+/// Heat flows of the ledger's entries, W: to air by body, from source by body, and by pair what the interface takes from
+/// the slave's nodes and what it gives to the master's.
 struct Flows {
-  Eigen::VectorXd to_air, from_source, across;
+  Eigen::VectorXd to_air, from_source, across, received;
 };
 /// What the equations say at a temperature.
 struct Response {

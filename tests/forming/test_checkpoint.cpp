@@ -35,7 +35,8 @@ State busy_state(const Scene& scene) {
   for (double* value : {&totals.to_air, &totals.to_tools, &totals.dissipation, &totals.content_change,
                         &totals.remeshing.heat, &totals.remeshing.largest_heat, &totals.remeshing.volume,
                         &totals.remeshing.largest_volume, &totals.remeshing.worst_quality,
-                        &totals.remeshing.lowest_median, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds})
+                        &totals.remeshing.lowest_median, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds,
+                        &totals.largest_flux_mismatch})
     fresh(*value);
   for (BodyState& body : state.bodies) {
     for (double* value : {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.hottest_surface})
@@ -91,6 +92,7 @@ void expect_same_totals(const Totals& a, const Totals& b) {
   EXPECT_TRUE(same(a.deepest, b.deepest));
   EXPECT_TRUE(same(a.largest_drift, b.largest_drift));
   EXPECT_TRUE(same(a.largest_reynolds, b.largest_reynolds));
+  EXPECT_TRUE(same(a.largest_flux_mismatch, b.largest_flux_mismatch));
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.rejected, b.rejected);
   EXPECT_EQ(a.table_holds, b.table_holds);
