@@ -62,10 +62,15 @@ double gap_of_slave_node(const Master& master, Index node, double distance) {
 class SegmentGap {
  public:
   SegmentGap(const EdgeView& view, const Segment& segment, const Master& master)
-      : slave_(view.slave), begin_(segment.begin), end_(segment.end) {
-    first_ = at_end(view, segment, master, begin_);
-    last_ = at_end(view, segment, master, end_);
-    const auto closed = [&](int i) { return closure(master.gap[view.slave.edge.nodes[i]], master.handover_width); };
+      : slave_(view.slave), begin_(segment.begin.slave_s), end_(segment.end.slave_s) {
+    const auto at = [&](const InterfaceNode& node) {
+      const auto hit = hit_master(slave_, node.slave_s, view.masters[segment.edge].edge);
+      const double distance = hit ? hit->distance : view.range;
+      return node.slave_node < 0 ? distance : gap_of_slave_node(master, slave_.edge.nodes[node.slave_node], distance);
+    };
+    first_ = at(segment.begin);
+    last_ = at(segment.end);
+    const auto closed = [&](int i) { return closure(master.gap[slave_.edge.nodes[i]], master.handover_width); };
     chord_ = closed(0) * closed(1);
   }
   double operator()(double s) const {
@@ -74,16 +79,6 @@ class SegmentGap {
   }
 
  private:
-  static double at_end(const EdgeView& view, const Segment& segment, const Master& master, double s) {
-    const auto hit = hit_master(view.slave, s, view.masters[segment.edge].edge);
-    const double distance = hit ? hit->distance : view.range;
-    const auto& nodes = view.slave.edge.nodes;
-    if (s == 0) return gap_of_slave_node(master, nodes[0], distance);
-    if (s == 1) return gap_of_slave_node(master, nodes[1], distance);
-    if (s == 0.5) return gap_of_slave_node(master, nodes[2], distance);
-    return distance;
-  }
-
   const RayEdge& slave_;
   double begin_, end_, first_, last_, chord_;
 };
@@ -91,12 +86,13 @@ class SegmentGap {
 /// Ends of the parts of a segment: it is cut where the gap passes the ends of the hand-over, so that the closure is
 /// smooth on each.
 std::vector<double> cut_at_handover(const Segment& segment, const SegmentGap& gap, double width) {
-  std::vector<double> ends{segment.begin, segment.end};
+  const double begin = segment.begin.slave_s, end = segment.end.slave_s;
+  std::vector<double> ends{begin, end};
   for (const double level : {0.0, width}) {
     const auto excess = [&](double s) { return gap(s) - level; };
-    const double first = excess(segment.begin), last = excess(segment.end);
+    const double first = excess(begin), last = excess(end);
     if ((first < 0 && last > 0) || (first > 0 && last < 0))
-      ends.push_back(find_root(excess, segment.begin, first, segment.end, last));
+      ends.push_back(find_root(excess, begin, first, end, last));
   }
   std::sort(ends.begin(), ends.end());
   return ends;

@@ -12,6 +12,7 @@ constexpr double opposing_cosine = -0.3;  ///< bodies face each other where thei
 constexpr double coincident = 1e-12;      ///< nodes closer than this on an edge are one
 constexpr double just_inside = 1e-6;      ///< of a segment's length: where its ends are looked at
 constexpr int halvings = 50;
+constexpr int most_cuts = 4;              ///< between two nodes; what is left after them goes to the last edge seen
 
 Index edge_seen(const EdgeView& view, double s) {
   const auto sight = see_master(view, s);
@@ -42,28 +43,23 @@ std::optional<Sight> see_master(const EdgeView& view, double s) {
   return nearest;
 }
 
-InterfaceNode node_from_slave(const EdgeView& view, int node) {
-  const double s = node == 0 ? 0 : node == 1 ? 1 : 0.5;
-  return {InterfaceNode::Origin::slave, s, see_master(view, s)};
+InterfaceNode node_from_slave(int node) {
+  return {node == 0 ? 0.0 : node == 1 ? 1.0 : 0.5, node};
 }
 
-std::optional<InterfaceNode> node_from_master(const EdgeView& view, Index edge, int end) {
-  const Point& x = view.masters[edge].edge.x[end];
-  const auto s = find_slave_parameter(view.slave, x);
-  if (!s) return std::nullopt;
-  const double distance = ray(view.slave, *s).dot(x - position(view.slave.edge, *s));
-  return InterfaceNode{InterfaceNode::Origin::master, *s, Sight{edge, {double(end), distance}}};
+std::optional<InterfaceNode> node_from_master(const EdgeView& view, const Point& node) {
+  const auto s = find_slave_parameter(view.slave, node);
+  if (!s || (node - position(view.slave.edge, *s)).norm() > view.range) return std::nullopt;
+  return InterfaceNode{*s, -1};
 }
 
 std::vector<InterfaceNode> interface_nodes(const EdgeView& view) {
-  std::vector<InterfaceNode> nodes;
-  for (const int node : {0, 2, 1}) nodes.push_back(node_from_slave(view, node));
+  std::vector<InterfaceNode> nodes{node_from_slave(0), node_from_slave(2), node_from_slave(1)};
   for (const Index edge : view.near)
     for (const int end : {0, 1}) {
-      const auto found = node_from_master(view, edge, end);
+      const auto found = node_from_master(view, view.masters[edge].edge.x[end]);
       const auto known = [&](const InterfaceNode& n) { return std::abs(n.slave_s - found->slave_s) < coincident; };
-      if (found && std::abs(found->sight->hit.distance) <= view.range && std::none_of(nodes.begin(), nodes.end(), known))
-        nodes.push_back(*found);
+      if (found && std::none_of(nodes.begin(), nodes.end(), known)) nodes.push_back(*found);
     }
   std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.slave_s < b.slave_s; });
   return nodes;
@@ -71,26 +67,22 @@ std::vector<InterfaceNode> interface_nodes(const EdgeView& view) {
 
 std::vector<Segment> make_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes) {
   std::vector<Segment> segments;
-  const auto add = [&](double begin, double end, Index edge) {
-    if (edge >= 0 && end > begin) segments.push_back({begin, end, edge});
+  const auto add = [&](const InterfaceNode& begin, const InterfaceNode& end, Index edge) {
+    if (edge >= 0 && end.slave_s > begin.slave_s) segments.push_back({begin, end, edge});
   };
   for (std::size_t i = 1; i < nodes.size(); ++i) {
-    const double begin = nodes[i - 1].slave_s, end = nodes[i].slave_s, inside = just_inside * (end - begin);
-    const Index first = edge_seen(view, begin + inside), last = edge_seen(view, end - inside);
-    if (first == last) {
-      add(begin, end, first);
-      continue;
+    const double inside = just_inside * (nodes[i].slave_s - nodes[i - 1].slave_s);
+    const double last_s = nodes[i].slave_s - inside;
+    const Index last = edge_seen(view, last_s);
+    InterfaceNode from = nodes[i - 1];
+    Index seen = edge_seen(view, from.slave_s + inside);
+    for (int cuts = 0; cuts < most_cuts && seen != last; ++cuts) {
+      const double cut = end_of_sight(view, from.slave_s + inside, last_s, seen);
+      add(from, {cut, -1}, seen);
+      from = {cut, -1};
+      seen = cut + inside < last_s ? edge_seen(view, cut + inside) : last;
     }
-    const double cut = end_of_sight(view, begin + inside, end - inside, first);
-    const Index after = edge_seen(view, cut + inside);
-    add(begin, cut, first);
-    if (after == last || cut + inside > end - inside) {
-      add(cut, end, last);
-      continue;
-    }
-    const double second = end_of_sight(view, cut + inside, end - inside, after);
-    add(cut, second, after);
-    add(second, end, last);
+    add(from, nodes[i], last);
   }
   return segments;
 }

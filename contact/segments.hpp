@@ -29,24 +29,24 @@ struct Sight {
 /// The nearest edge, of all masters, that the slave point sees and that looks back at it.
 std::optional<Sight> see_master(const EdgeView& view, double s);
 
-/// Node of the virtual surface (physics.md, section 4), on a slave edge and on the master edge that faces it.
+/// Node of the virtual surface (physics.md, section 4), on a slave edge. The shape functions of both edges there follow
+/// the two rules by themselves: at a node they are 1 for its own body's node.
 struct InterfaceNode {
-  enum class Origin { slave, master } origin;
   double slave_s;
-  std::optional<Sight> sight;  ///< a node of the slave may see nothing
+  int slave_node;  ///< 0, 1, 2 for first, last, mid; -1 where the node comes from a master
 };
-/// A node from the slave: everything of the slave is its own, and the master's temperature is interpolated where its
-/// ray meets the master. `node` is 0, 1, 2: first, last, mid.
-InterfaceNode node_from_slave(const EdgeView& view, int node);
-/// A node from the master: the master's temperature is its own, and everything of the slave is interpolated where a ray
-/// of the slave edge passes through it; none where no ray does. `end` is 0 or 1.
-std::optional<InterfaceNode> node_from_master(const EdgeView& view, Index edge, int end);
+/// A node from the slave: slave temperature, pressure, viscosity and gap are its own; the master's temperature is
+/// interpolated where its ray meets the master.
+InterfaceNode node_from_slave(int node);
+/// A node from a master: the master's temperature is its own; slave temperature, pressure and viscosity are interpolated
+/// where a ray of the slave edge passes through it, and its gap is its distance along that ray. None where no ray does.
+std::optional<InterfaceNode> node_from_master(const EdgeView& view, const Point& node);
 /// The nodes of both kinds along a slave edge. Where two coincide, the one from the slave stays.
 std::vector<InterfaceNode> interface_nodes(const EdgeView& view);
 
 /// Stretch of a slave edge between neighbouring interface nodes, all of it facing one master edge.
 struct Segment {
-  double begin, end;
+  InterfaceNode begin, end;
   Index edge;  ///< into EdgeView::masters
 };
 /// The segments of a slave edge; stretches that face nothing are left out. Where one master's surface comes before

@@ -2,6 +2,7 @@
 // Several tools at one glass surface, and contact that ends between nodes.
 #include <gtest/gtest.h>
 
+#include "contact/segments.hpp"
 #include "contact/tool_gap.hpp"
 #include "interface_cases.hpp"
 #include "tool_outlines.hpp"
@@ -68,6 +69,36 @@ double area_with(const std::vector<core::InterfacePoint>& points, Index body) {
 /// A block of metal under y = 0 from x = a to b, `below` deep; its top is the contact.
 Outline block(double a, double b, double top = 0) {
   return Pen({a, top - 0.01}).free({b, top - 0.01}).free({b, top}).contact({a, top}).close();
+}
+
+TEST(NodeRules, a_node_has_its_own_bodys_values_and_the_other_bodys_interpolated) {
+  const Surface slave = contact_surface(0, glass(divided(0, 0.02, 5))), tools = contact_surface(1, tool(divided(0, 0.02, 7)));
+  std::vector<MasterEdge> masters;
+  std::vector<Index> all;
+  for (const auto& edge : tools.edges) {
+    all.push_back(static_cast<Index>(masters.size()));
+    masters.push_back({edge, 0});
+  }
+  const auto own = [](double s) {
+    const auto shape = core::edge_shape(s);
+    return std::count_if(shape.begin(), shape.end(), [](double n) { return std::abs(n - 1) < 1e-13; }) == 1;
+  };
+  int from_slave = 0, from_master = 0;
+  for (const auto& edge : make_rays(slave)) {
+    const EdgeView view{edge, masters, all, 0.01};
+    for (const auto& node : interface_nodes(view)) {
+      const double seen_at = see_master(view, node.slave_s)->hit.s;
+      const bool at_tool_end = std::abs(position(edge.edge, node.slave_s)[0] - 0.01) > 0.0099;
+      (node.slave_node >= 0 ? from_slave : from_master) += 1;
+      if (at_tool_end) continue;
+      EXPECT_EQ(own(node.slave_s), node.slave_node >= 0);
+      if (node.slave_node != 2) {
+        EXPECT_EQ(own(seen_at), node.slave_node < 0);
+      }
+    }
+  }
+  EXPECT_EQ(from_slave, 15);
+  EXPECT_EQ(from_master, 6);
 }
 
 TEST(ContactEnd, a_tool_that_ends_anywhere_between_glass_nodes_keeps_its_whole_area) {
