@@ -57,8 +57,10 @@ void add_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, 
     const double across = closed * system.problem->law(point, T1).h * (T1 - T2);
     const double slave_air = contact.slave_air ? closed * surface_flux(*contact.slave_air, T1).q : 0;
     const double master_air = contact.master_air ? closed * surface_flux(*contact.master_air, T2).q : 0;
-    flows.across[contact.pair] += (point.slave_shape[0] + point.slave_shape[1] + point.slave_shape[2]) * across;
-    flows.received[contact.pair] += (point.master_shape[0] + point.master_shape[1] + point.master_shape[2]) * across;
+    for (int i = 0; i < 3; ++i) {
+      flows.across[contact.pair] += contact.slave_shape[i] * across;
+      flows.received[contact.pair] += contact.master_shape[i] * across;
+    }
     flows.to_air[point.slave_body] -= slave_air;
     flows.to_air[point.master_body] -= master_air;
     take(slave, contact.slave_shape, across - slave_air);

@@ -12,7 +12,7 @@
 
 #include "contact/mortar.hpp"
 #include "thermal/bodies.hpp"
-#include "thermal/step_matrix.hpp"
+#include "thermal/stage.hpp"
 
 namespace parison::mortar_test {
 
@@ -85,7 +85,9 @@ struct Pair {
       if (std::find(pieces.begin(), pieces.end(), edge.piece) != pieces.end())
         for (const auto& rule : core::edge_rule(5)) {
           const auto at = core::map_edge_point(mesh[body], edge.nodes, geometry, rule);
-          for (int i = 0; i < 3; ++i) load[body][edge.nodes[i]] += at.area * at.shape[i] * flux(at.position, at.normal);
+          const double heat = at.area * flux(at.position, at.normal), mid = problem.order == 1 ? 0.5 * at.shape[2] : 0;
+          for (int i = 0; i < 2; ++i) load[body][edge.nodes[i]] += (at.shape[i] + mid) * heat;
+          if (problem.order == 2) load[body][edge.nodes[2]] += at.shape[2] * heat;
         }
   }
   std::vector<Index> free_sides(Index body) const {
@@ -102,36 +104,25 @@ inline Point facet_normal(const core::Mesh& slave, const core::InterfacePoint& p
 struct Solved {
   std::vector<Eigen::VectorXd> temperature;
   thermal::Flows flows;
-  int iterations = 0;
-  double last_update = 0;
 };
-/// Newton on content(T) - content(start) = step (power(T) + load), a step of backward Euler. With density and heat
-/// capacity 1 and a step of 1 it says -div(k grad T) + T = start + source; a step of 1e9 is the steady state.
-inline Solved solve(const Pair& pair, const std::vector<Eigen::VectorXd>& start, double step,
-                    double tolerance = 1e-13) {
+/// Solves content(T) - content(start) = step (power(T) + load), a step of backward Euler, as the program solves its
+/// stages. With density and heat capacity 1 and a step of 1 it says -div(k grad T) + T = start + source; a step that is
+/// long against the bodies' diffusion time gives the steady state.
+inline Solved solve(const Pair& pair, const std::vector<Eigen::VectorXd>& start, double step, double tolerance = 1e-9) {
   const auto system = thermal::make_heat_system(pair.problem);
   thermal::StepMatrix matrix;
   prepare(matrix, system);
-  Eigen::VectorXd T = join(system, start);
-  const Eigen::VectorXd content = thermal::evaluate(system, T).content, load = join(system, pair.load);
-  for (const auto& [unknown, value] : system.prescribed) T[unknown] = value;
-  Solved solved;
-  double smallest = std::numeric_limits<double>::infinity();
-  while (solved.iterations < 60) {
-    const auto response = thermal::evaluate(system, T);
-    Eigen::VectorXd residual = response.content - content - step * (response.power + load);
-    for (const auto& [unknown, value] : system.prescribed) residual[unknown] = 0;
-    EXPECT_TRUE(factorise(matrix, system, T, step));
-    const Eigen::VectorXd update = matrix.cholesky.solve(residual);
-    T -= update;
-    ++solved.iterations;
-    solved.last_update = update.lpNorm<Eigen::Infinity>() / T.lpNorm<Eigen::Infinity>();
-    if (solved.last_update < tolerance || (solved.last_update < 1e-11 && solved.last_update >= 0.5 * smallest)) break;
-    smallest = std::min(smallest, solved.last_update);
+  Eigen::VectorXd guess = join(system, start);
+  const Eigen::VectorXd target = thermal::evaluate(system, guess).content + step * join(system, pair.load);
+  for (const auto& [unknown, value] : system.prescribed) guess[unknown] = value;
+  thermal::StageSolution stage;
+  for (int round = 0; round < 3; ++round) {  // each with a factor at the temperatures of the one before
+    EXPECT_TRUE(factorise(matrix, system, guess, step));
+    stage = solve_stage(system, matrix, {step, target}, guess, tolerance);
+    guess = stage.temperature;
   }
-  solved.temperature = split(system, T);
-  solved.flows = evaluate_flows(system, T);
-  return solved;
+  EXPECT_TRUE(stage.converged);
+  return {split(system, guess), evaluate_flows(system, guess)};
 }
 
 }  // namespace parison::mortar_test

@@ -8,7 +8,7 @@ namespace {
 
 TEST(MortarDerivatives, h_follows_the_glass_temperature_through_the_viscosity_by_every_law) {
   Scene scene;
-  scene.glass.flow = flow::Material{2400, {-2.309, 3922, 291, {}}, {}, 0};
+  scene.glass.flow = flow::Material{2400, {-2.309, 3922, 564.15, {}}, {}, 0};
   const contact::TableConductance table{
       {1e4, 1e5, 1e6}, {1e2, 1e4, 1e6, 1e9}, {900, 700, 600, 500, 4000, 2500, 1500, 800, 20000, 12000, 6000, 2000}};
   scene.interfaces = {{0, contact::PressureViscosityConductance{}, 5e-5},

@@ -18,7 +18,7 @@ struct Press {
   thermal::Material glass{2500, core::constant(1282), core::constant(2.77), {}};
   thermal::Material steel{7800, core::constant(620), core::constant(37), {}};
   contact::PressureViscosityConductance law;
-  flow::Viscosity viscosity{-2.309, 3922, 291, {}};
+  flow::Viscosity viscosity{-2.309, 3922, 564.15, {}};
   core::Mesh upper;
   std::array<core::Mesh, 2> tool;
   std::vector<Eigen::VectorXd> temperature;
