@@ -8,6 +8,7 @@
 
 #include "forming/flow/contact_forces.hpp"
 #include "forming/flow/correction.hpp"
+#include "forming/flow/support.hpp"
 
 namespace parison::flow {
 
@@ -22,7 +23,8 @@ constexpr double balanced = 1e-10;
 constexpr double standstill = 1e-8;
 /// A contact released this often in one solve stays closed: the set would cycle.
 constexpr int most_releases = 3;
-constexpr int most_thinning_passes = 20;
+/// Share of the largest resistance by which tools that press glass against each other alone are kept from drifting.
+constexpr double least_resistance = 1e-12;
 
 /// The candidates that start closed: the guess, or those without a gap.
 std::vector<bool> first_set(const Problem& problem, const std::vector<bool>& warm) {
@@ -53,6 +55,7 @@ namespace {
 Eigen::VectorXd drive(const Problem& problem, const std::vector<Index>& driven, const Eigen::MatrixXd& force) {
   const auto count = static_cast<Index>(driven.size());
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(count);
+  if (count == 0) return velocity;
   std::vector<bool> limited(count, false);
   for (Index round = 0; round <= count; ++round) {
     Eigen::MatrixXd resistance = Eigen::MatrixXd::Identity(count, count);
@@ -69,15 +72,20 @@ Eigen::VectorXd drive(const Problem& problem, const std::vector<Index>& driven, 
         resistance.row(k) = Eigen::RowVectorXd::Unit(count, k);
         rhs[k] = velocity[k];
       }
+    const double least = least_resistance * resistance.diagonal().maxCoeff();
+    for (Index k = 0; k < count; ++k)
+      if (!limited[k]) resistance(k, k) += least;
     velocity = resistance.partialPivLu().solve(rhs);
-    bool changed = false;
-    for (Index k = 0; k < count; ++k) {
-      const double limit = problem.tools[driven[k]].speed_limit;
-      if (limited[k] || std::abs(velocity[k]) <= limit) continue;
-      velocity[k] = std::copysign(limit, velocity[k]);
-      limited[k] = changed = true;
-    }
-    if (!changed) break;
+    Index furthest = -1;  // over its limit, of those not yet held by it
+    double most = 1;
+    for (Index k = 0; k < count; ++k)
+      if (const double share = std::abs(velocity[k]) / problem.tools[driven[k]].speed_limit; !limited[k] && share > most) {
+        most = share;
+        furthest = k;
+      }
+    if (furthest < 0) break;
+    velocity[furthest] = std::copysign(problem.tools[driven[furthest]].speed_limit, velocity[furthest]);
+    limited[furthest] = true;
   }
   return velocity;
 }
@@ -190,6 +198,8 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   const Index velocities = dim * mesh.node_count(), size = velocities + mesh.vertex_count;
   const auto driven = driven_tools(problem);
   Solution result;
+  result.reason = free_motion(problem);
+  if (!result.reason.empty()) return result;
   result.active = first_set(problem, warm);
   std::vector<int> releases(result.active.size(), 0);
   auto viscosity = viscosity_field(problem, {});

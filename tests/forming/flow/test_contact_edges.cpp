@@ -75,6 +75,33 @@ TEST(ContactEdges, two_tools_that_close_on_the_glass_press_alike) {
   EXPECT_NEAR(solution.tool_force[0], -solution.tool_force[1], 1e-9 * solution.tool_force[0]);
 }
 
+/// Glass between two tools that forces drive against each other, 10 N from above.
+Solution pressed_from_both_sides(double from_below) {
+  FlowProblem flow = block(8, Geometry::axisymmetric);
+  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.problem.tools.resize(2);
+  flow.problem.tools[0].force = from_below;
+  flow.problem.tools[1].force = -10;
+  for (auto& tool : flow.problem.tools) tool.speed_limit = 1;
+  flow.touch("bottom", 0, Point(0, 1));
+  flow.touch("top", 1, Point(0, -1));
+  auto solution = flow.solve();
+  EXPECT_TRUE(solution.converged) << solution.reason;
+  if (solution.converged) expect_complementary(flow, solution);
+  return solution;
+}
+
+TEST(ContactEdges, the_weaker_of_two_forces_against_each_other_gives_way_at_the_speed_limit) {
+  const auto even = pressed_from_both_sides(10), uneven = pressed_from_both_sides(12);
+  const double closing = even.tool_velocity[0] - even.tool_velocity[1];
+  EXPECT_NEAR(even.tool_force[0], 10, 1e-6);
+  EXPECT_NEAR(even.tool_velocity[0], -even.tool_velocity[1], 1e-2 * closing);
+  EXPECT_NEAR(uneven.tool_velocity[0], 1, 1e-12);
+  EXPECT_NEAR(uneven.tool_velocity[1], 1 - closing, 1e-6);
+  EXPECT_NEAR(uneven.tool_force[1], -10, 1e-6);
+  EXPECT_NEAR(uneven.tool_force[0], 10, 1e-6);
+}
+
 TEST(ContactEdges, a_node_in_the_corner_of_two_tools_is_held_by_both) {
   FlowProblem flow = block(6, Geometry::planar);
   constexpr double side = 0.01, speed = 0.01, air = 5e3, viscosity = 1e3;

@@ -24,6 +24,9 @@ FlowProblem block(Geometry geometry) {
 void expect_named(FlowProblem& flow, const std::string& motion) {
   const std::string sentence = "the glass is not held: it is free to " + motion + ", which no tool, symmetry plane or fixed piece prevents";
   EXPECT_EQ(free_motion(flow.bound()), sentence);
+  const auto solution = flow.solve();
+  EXPECT_FALSE(solution.converged);
+  EXPECT_EQ(solution.reason, sentence);
 }
 
 void expect_solved(FlowProblem& flow) {
