@@ -12,6 +12,7 @@
 #include "forming/contact_geometry.hpp"
 #include "forming/heat_step.hpp"
 #include "forming/initial_state.hpp"
+#include "forming/mesh_shift.hpp"
 #include "remesh/quality.hpp"
 #include "remesh/remesh_glass.hpp"
 #include "remesh/transfer.hpp"
@@ -91,25 +92,6 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const c
   return tools;
 }
 
-/// Carries the shift of the surface nodes since `from` into the mesh, where it fades: inner nodes follow the mean of the
-/// cells around them.
-void spread_shift(const core::Mesh& from, core::Mesh& mesh) {
-  constexpr int sweeps = 20;
-  std::vector<bool> on_surface(mesh.nodes.size(), false);
-  for (const Index node : surface_nodes(mesh)) on_surface[node] = true;
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    std::vector<Point> sum(mesh.nodes.size(), Point::Zero());
-    std::vector<int> count(mesh.nodes.size(), 0);
-    for (const auto& cell : mesh.cells) {
-      Point mean = Point::Zero();
-      for (const Index node : cell) mean += (mesh.nodes[node] - from.nodes[node]) / cell.size();
-      for (const Index node : cell) sum[node] += mean, ++count[node];
-    }
-    for (Index n = 0; n < mesh.node_count(); ++n)
-      if (!on_surface[n]) mesh.nodes[n] = from.nodes[n] + sum[n] / count[n];
-  }
-}
-
 /// Shifts the glass temperature so that its heat content is `wanted`, J.
 void restore_heat(const Scene& scene, double wanted, State& state) {
   for (int i = 0; i < 2; ++i) {
@@ -175,6 +157,7 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason wh
   const core::Mesh& old = state.bodies[0].mesh;
   glass.mesh = made.mesh;
   lift_out_of_tools(scene, state, glass.mesh);
+  restore_volume(scene, state, core::volume(old, scene.geometry), glass.mesh);
   if (remesh::quality(glass.mesh).worst <= 0) spread_shift(made.mesh, glass.mesh);
   const auto quality = remesh::quality(glass.mesh);
   if (quality.worst <= 0) {
