@@ -161,8 +161,10 @@ void check_support(const Scene& scene, const core::CaseTable& root) {
                  "least one piece that is neither");
   if (held_along_axis(scene.glass)) return;
   const auto stages = root.tables("stage");
+  bool named = false;  // a stretch that may touch
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    if (!scene.stages[i].tools.empty() && can_touch(scene.glass)) continue;
+    named = named || !scene.stages[i].name_pieces.empty();
+    if (!scene.stages[i].tools.empty() && (named || can_touch(scene.glass))) continue;
     core::CaseNode place = *stages[i];
     place.key += ".tools";
     core::refuse(place, fmt::format("nothing holds the glass along the axis in stage \"{}\"; allowed is a tool that it can "

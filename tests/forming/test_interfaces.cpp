@@ -77,7 +77,9 @@ TEST(Interfaces, a_table_of_wrong_order_or_size_is_refused) {
 
 TEST(Interfaces, a_named_stretch_is_open_to_contact_and_needs_an_interface_too) {
   const std::string contact = "(20, 10) (0, 10) mm\", condition = \"contact\"";
-  auto closed = replaced(contact, replaced("contact", "air", contact));
+  const std::string whole = "name = \"surface\", path = \"(0, 0) (20, 0) " + contact;
+  auto closed = replaced(whole, "name = \"bottom\", path = \"(0, 0) (20, 0) mm\", condition = \"fixed\" },\n"
+                                "  { name = \"surface\", path = \"" + replaced("contact", "air", contact));
   closed = replaced("tools = [\"plate\", \"plunger\"]\nlaw", "tools = [\"plate\"]\nlaw", closed);
   closed = replaced("geometry",
                     "air = { temperature = \"50 degC\", h = \"9 W/m2/K\", ambient = \"50 degC\" }\ngeometry", closed);

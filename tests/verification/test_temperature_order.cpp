@@ -65,7 +65,7 @@ TEST(TemperatureOrder, a_new_glass_mesh_keeps_linear_temperatures_and_their_heat
   const core::Mesh& mesh = state.bodies[0].mesh;
   for (Index n = 0; n < mesh.node_count(); ++n) state.bodies[0].temperature[n] += 3e4 * mesh.nodes[n][0];
   state.bodies[0].temperature = core::from_vertices(mesh, state.bodies[0].temperature.head(mesh.vertex_count));
-  const Renewed renewed = renew_glass_mesh(scene, state);
+  const Renewed renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
   ASSERT_TRUE(renewed.ok) << renewed.reason;
   const auto& glass = renewed.state.bodies[0];
   ASSERT_NE(glass.mesh.node_count(), mesh.node_count());
