@@ -34,7 +34,9 @@ ConductanceValue evaluate(const ConstantConductance& law, double, double) {
 
 ConductanceValue evaluate(const PressureViscosityConductance& law, double pressure, double viscosity) {
   if (pressure <= 0) return {law.h0, 0, 0};
-  const double x = std::pow(pressure / law.p_ref, law.a) * std::pow(law.eta_ref / viscosity, law.b);
+  // One exponential: this is evaluated at every point of the interface in every residual.
+  const double pressed = pressure / law.p_ref, stiff = law.b * std::log(law.eta_ref / viscosity);
+  const double x = law.a == 1 ? pressed * std::exp(stiff) : std::exp(law.a * std::log(pressed) + stiff);
   const double share = x < 1 ? x / (1 + x) : 1 / (1 + 1 / x);
   const double h = law.h0 + (law.h1 - law.h0) * share;
   const double dh_dlogx = (law.h1 - law.h0) * share / (1 + x);

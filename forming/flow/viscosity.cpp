@@ -17,7 +17,7 @@ double Viscosity::operator()(double temperature) const {
   if (constant) return *constant;
   const double above = temperature - T0;
   const double exponent = above > 0 ? A + B / above : highest_exponent;
-  return std::pow(10, std::min(exponent, highest_exponent));
+  return std::exp(std::log(10) * std::min(exponent, highest_exponent));
 }
 
 double Viscosity::derivative(double temperature) const {
