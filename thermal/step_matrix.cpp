@@ -68,20 +68,29 @@ void add_edges(StepMatrix& matrix, const HeatSystem& system, const Linearisation
   }
 }
 
+/// The points of a segment follow one another and share their clique: one entry in the matrix for all of them.
 void add_contacts(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
+  std::array<double, 36> local{};
+  bool any = false;
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const HeatContact& contact = system.contacts[c];
     const auto& [across, conductance, slave_air, master_air] = slopes.contacts[c];
-    if (across == 0) continue;
-    const auto &s = contact.slave_shape, &m = contact.master_shape;
-    std::array<double, 36> local{};
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        local[i * 6 + j] = step * (across + std::max(conductance, 0.0) - slave_air) * s[i] * s[j];
-        local[(i + 3) * 6 + j] = -step * across * m[i] * s[j];
-        local[(i + 3) * 6 + j + 3] = step * (across - master_air) * m[i] * m[j];
-      }
+    if (across != 0) {
+      any = true;
+      const auto &s = contact.slave_shape, &m = contact.master_shape;
+      const double slave = step * (across + std::max(conductance, 0.0) - slave_air);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          local[i * 6 + j] += slave * s[i] * s[j];
+          local[(i + 3) * 6 + j] -= step * across * m[i] * s[j];
+          local[(i + 3) * 6 + j + 3] += step * (across - master_air) * m[i] * m[j];
+        }
+    }
+    const bool last = c + 1 == system.contacts.size() || system.contacts[c + 1].unknowns != contact.unknowns;
+    if (!last || !any) continue;
     add(matrix, system, matrix.contact_clique.at(clique_key(contact)), contact.unknowns, local);
+    local.fill(0);
+    any = false;
   }
 }
 
@@ -91,9 +100,12 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
   std::vector<Index> topology = list_topology(system);
   if (system.is_prescribed != matrix.is_prescribed) matrix.factored_step = 0;
   matrix.is_prescribed = system.is_prescribed;
+  std::vector<const HeatContact*> segments;  // one of each run of points with the same unknowns
+  for (const HeatContact& contact : system.contacts)
+    if (segments.empty() || segments.back()->unknowns != contact.unknowns) segments.push_back(&contact);
   const bool known = topology == matrix.topology &&
-                     std::all_of(system.contacts.begin(), system.contacts.end(), [&](const HeatContact& contact) {
-                       return matrix.contact_clique.count(clique_key(contact)) > 0;
+                     std::all_of(segments.begin(), segments.end(), [&](const HeatContact* contact) {
+                       return matrix.contact_clique.count(clique_key(*contact)) > 0;
                      });
   if (known) return;
   core::Cliques cliques;
@@ -102,9 +114,9 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
   for (std::size_t k = 0; k < topology.size(); k += k < in_cells ? per_cell : 3)
     cliques.add(topology.data() + k, k < in_cells ? per_cell : 3);
   matrix.contact_clique.clear();
-  for (const HeatContact& contact : system.contacts)
-    if (matrix.contact_clique.emplace(clique_key(contact), cliques.count()).second)
-      cliques.add(contact.unknowns.data(), 6);
+  for (const HeatContact* contact : segments)
+    if (matrix.contact_clique.emplace(clique_key(*contact), cliques.count()).second)
+      cliques.add(contact->unknowns.data(), 6);
   matrix.assembly = core::make_assembly(system.size(), cliques);
   matrix.cholesky.analyse(matrix.assembly.matrix);
   matrix.topology = std::move(topology);

@@ -109,6 +109,7 @@ std::vector<std::vector<const SurfaceExchange*>> exchange_by_mid_node(const Prob
 }
 
 void add_contacts(HeatSystem& system) {
+  system.contacts.reserve(system.problem->interface.size());
   const auto air = exchange_by_mid_node(*system.problem);
   for (const core::InterfacePoint& point : system.problem->interface) {
     const int order = system.problem->order;
