@@ -19,6 +19,8 @@ namespace {
 constexpr int most_iterations = 200;
 /// Of a force, or a volume flow, against the cells' parts that make it up.
 constexpr double balanced = 1e-10;
+/// Where viscosity or friction depend on the flow, the change of the velocities at which they are found, relative.
+constexpr double same_flow = 1e-6;
 /// Slower than this into a tool is round-off to a run of seconds, m/s.
 constexpr double standstill = 1e-8;
 /// A contact released this often in one solve stays closed: the set would cycle.
@@ -176,10 +178,10 @@ Eigen::VectorXd friction_drag(const Problem& problem, const std::vector<bool>& a
     const auto& candidate = problem.candidates[i];
     const auto& friction = problem.tools[candidate.tool].friction;
     drag[candidate.node] = friction.coefficient * area[candidate.node];
-    if (!friction.coulomb || !last || last->forces.normal[i] <= 0) continue;
+    if (!friction.coulomb || !last) continue;
     Point slip = node_velocity(last->unknowns, candidate.node) - last->tool_velocity[candidate.tool] * core::axis_direction();
     slip -= slip.dot(candidate.normal) * candidate.normal;
-    const double cap = *friction.coulomb * last->forces.normal[i];
+    const double cap = *friction.coulomb * std::max(0.0, last->forces.normal[i]);
     if (drag[candidate.node] * slip.norm() > cap) drag[candidate.node] = cap / slip.norm();
   }
   return drag;
@@ -207,6 +209,9 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   corrector.forget();
   corrector.factorisations = 0;
   Iterate iterate{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(Index(driven.size()))};
+  const bool linear = !problem.material->shear_thinning &&
+                      std::none_of(problem.tools.begin(), problem.tools.end(),
+                                   [](const ToolMotion& tool) { return tool.friction.coulomb.has_value(); });
   std::optional<Instant> instant;
   Eigen::VectorXd area;
   for (bool settled = false, refined = false; !settled;) {
@@ -236,19 +241,22 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     reaction.col(0) -= load.head(velocities);
     instant = combine(problem, held.frames, solution, reaction);
     for (std::size_t k = 0; k < driven.size(); ++k) iterate.driven[Index(k)] = instant->tool_velocity[driven[k]];
+    const double moved = (instant->unknowns - iterate.x).head(velocities).norm();
     iterate.x = instant->unknowns;
     iterate.force = force.col(0) + force.rightCols(iterate.driven.size()) * iterate.driven;
-    if (update_set(problem, *instant, result.active, releases))
+    const bool steady = linear || moved <= same_flow * iterate.x.head(velocities).norm();
+    if (problem.material->shear_thinning && !steady) {
+      viscosity = viscosity_field(problem, iterate.x.head(velocities));
+      cells = cell_matrices(problem, viscosity);
+      iterate.force = product(mesh, cells, iterate.x);
+      corrector.forget();
+    }
+    if (update_set(problem, *instant, result.active, releases) || !steady)
       refined = false;
     else if (!refined && imbalance(problem, cells, held, load, iterate) > balanced)
       refined = true;
     else
       settled = true;
-    if (problem.material->shear_thinning) {
-      viscosity = viscosity_field(problem, iterate.x.head(velocities));
-      cells = cell_matrices(problem, viscosity);
-      iterate.force = product(mesh, cells, iterate.x);
-    }
   }
   result.velocity = instant->unknowns.head(velocities);
   result.pressure = instant->unknowns.tail(mesh.vertex_count);

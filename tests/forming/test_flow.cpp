@@ -103,6 +103,45 @@ TEST(Flow, squeezing_with_slip_needs_the_exact_force) {
   for (const Index node : flow.nodes_of("top")) EXPECT_NEAR(solution.contact_pressure[node], 3e3, 1) << node;
 }
 
+/// Slip leaves one rate everywhere, sqrt(3) V/h, and so one viscosity.
+TEST(Flow, shear_thinning_lowers_the_force_of_a_slipping_squeeze_as_the_carreau_law_says) {
+  FlowCase flow = disc_case(Friction::Law::slip, 4);
+  flow.material.shear_thinning = Carreau{0.8, 0.4};
+  flow.problem.tools[1].velocity = -0.01;
+  const auto solution = flow.solve();
+  ASSERT_TRUE(solution.converged) << solution.reason;
+  const double rate = std::sqrt(3.0) * 0.01 / 0.01, thinned = 1e3 * std::pow(1 + std::pow(0.8 * rate, 2), -0.3);
+  const double volume = M_PI * 0.02 * 0.02 * 0.01, exact = 3 * thinned * 0.01 * volume / 1e-4;
+  EXPECT_NEAR(solution.tool_force[1], -exact, 1e-6 * exact);
+}
+
+/// A block squeezed against a wall that it cannot slide along freely: Coulomb's limit holds at every sliding node.
+TEST(Flow, friction_stops_at_coulombs_share_of_the_pressure) {
+  const auto friction_over_pressure = [](double coulomb) {
+    FlowCase flow(tests::structured(8, 8, [](double s, double t) { return Point(0.01 * s, 0.01 * t); }), newtonian(1e3),
+                  Geometry::planar);
+    flow.piece("bottom").kind = PieceCondition::Kind::symmetry;
+    flow.piece("top").pressure = 1e5;
+    flow.piece("left").pressure = 5e4;
+    flow.problem.tools.resize(1);
+    flow.problem.tools[0].friction = {Friction::Law::navier, 1e8, coulomb};
+    for (const Index node : flow.nodes_of("right"))
+      if (flow.mesh.nodes[node][1] > 1e-9) flow.problem.candidates.push_back({node, 0, Point(-1, 0), 0.0});
+    const auto solution = flow.solve();
+    EXPECT_TRUE(solution.converged) << solution.reason;
+    double pressed = 0;
+    for (const auto& edge : flow.mesh.boundary)
+      if (flow.mesh.pieces[edge.piece] == "right")
+        for (const auto& rule : core::edge_rule(3)) {
+          const auto at = core::map_edge_point(flow.mesh, edge.nodes, Geometry::planar, rule);
+          for (int i = 0; i < 3; ++i) pressed += at.area * at.shape[i] * solution.contact_pressure[edge.nodes[i]];
+        }
+    return solution.tool_force[0] / pressed;
+  };
+  EXPECT_NEAR(friction_over_pressure(0.02), 0.02, 0.002);
+  EXPECT_NEAR(friction_over_pressure(0.05), 0.05, 0.005);
+}
+
 TEST(Flow, a_tool_driven_by_force_moves_at_the_speed_that_balances_it) {
   FlowCase flow = disc_case(Friction::Law::slip, 4);
   const double volume = M_PI * 0.02 * 0.02 * 0.01, force = 3 * 1e3 * 0.01 * volume / 1e-4;
