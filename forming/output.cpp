@@ -110,14 +110,14 @@ void ResultFiles::remove_pieces_from(std::size_t output) const {
 
 void ResultFiles::row(const HistoryRow& row) { history_.append(history_line(row)); }
 
-void ResultFiles::fields(const State& state, const StepReport& report) {
+void ResultFiles::fields(const State& state, const std::vector<core::InterfacePoint>& interface) {
   if (!output_times_.empty() && state.time == output_times_.back()) return;
   for (std::size_t body = 0; body < state.bodies.size(); ++body)
     core::write_vtu(directory_ + '/' + piece(body, output_times_.size()), state.bodies[body].mesh,
                     body == 0 ? glass_fields(scene_, state) : tool_fields(scene_, state, static_cast<Index>(body) - 1));
   for (std::size_t body = 0; body < state.bodies.size(); ++body)
     collections_[body].add(state.time, piece(body, output_times_.size()));
-  interface_.append(interface_lines(scene_, state, report.interface));
+  interface_.append(interface_lines(scene_, state, interface));
   output_times_.push_back(state.time);
 }
 

@@ -28,7 +28,7 @@ class ResultFiles {
   /// A row of history.csv; with the system when this returns.
   void row(const HistoryRow& row);
   /// VTU pieces of all bodies and the rows of interface.csv; a second call at the same time does nothing.
-  void fields(const State& state, const StepReport& report);
+  void fields(const State& state, const std::vector<core::InterfacePoint>& interface);
   /// Brings everything to the disk and says how far it has come.
   WrittenFiles sync();
 

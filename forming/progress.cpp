@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "forming/heat_step.hpp"
 #include "forming/step_control.hpp"
 
 namespace parison::forming {
@@ -38,9 +39,11 @@ void print_progress(Progress& run, const StepReport& report) {
   std::fflush(stdout);
 }
 
-void write_fields(Progress& run, const StepReport& report) {
+void write_fields(Progress& run) {
   const auto start = Clock::now();
-  run.files.fields(run.outcome.state, report);
+  const State& state = run.outcome.state;
+  using Interface = std::vector<core::InterfacePoint>;
+  run.files.fields(state, run.scene.has_heat() ? thermal_interface(run.scene, state) : Interface{});
   account(run, "output", start);
 }
 

@@ -39,7 +39,7 @@ double share_done(const Progress& run);
 /// A line for the terminal, at the most once a second.
 void print_progress(Progress& run, const StepReport& report);
 
-void write_fields(Progress& run, const StepReport& report);
+void write_fields(Progress& run);
 
 /// Writes a checkpoint where one can be written: not while the heat of a standing stage is in an integrator with a memory of its own.
 void save(Progress& run);

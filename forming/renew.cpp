@@ -175,6 +175,8 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason wh
     Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<dim>>(next.velocity.data() + a, glass.mesh.node_count()) =
         remesh::interpolate(old, transfer, component);
   }
+  if (state.temperature_rate.size() > 0)
+    next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
   next.contact.tool = carried_contact(scene, state, glass.mesh);
   next.contact.closed = {};
   next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
@@ -204,6 +206,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.has_moved = false;
   next.last_step = 0;
   next.velocity.setZero();
+  next.temperature_rate.setZero();
   next.contact.closed = {};
   const auto& tools = scene.stages[stage].tools;
   const auto in_place = [&](Index tool) {

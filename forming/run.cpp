@@ -91,7 +91,7 @@ bool begin_stage(Progress& run, Index stage) {
   state.next_step = run.scene.accuracy.first_step;
   run.workspace.standing.reset();
   const bool good = can_begin(run);
-  if (stage == 0) write_fields(run, {});
+  if (stage == 0) write_fields(run);
   return good && (stage == 0 || !run.scene.has_flow() || renew(run, RemeshReason::stage_start));
 }
 
@@ -124,7 +124,7 @@ void write_step(Progress& run, const StepReport& report) {
   const auto start = Clock::now();
   run.files.row(history_row(run.scene, state, report));
   account(run, "output", start);
-  if (output_due(run.scene, state) || stage_over(run.scene, state, state.has_moved)) write_fields(run, report);
+  if (output_due(run.scene, state) || stage_over(run.scene, state, state.has_moved)) write_fields(run);
   print_progress(run, report);
 }
 
@@ -175,7 +175,7 @@ bool go_through_stages(Progress& run, bool good) {
   for (;;) {
     good = good && advance_stage(run);
     save(run);
-    if (!good) write_fields(run, {});
+    if (!good) write_fields(run);
     end_stage(run, good);
     const Index next = run.outcome.state.stage + 1;
     if (!good || next == stages) return good;

@@ -81,6 +81,7 @@ struct State {
   double first_volume = 0;        ///< of the glass, m3
   double first_heat = 0;          ///< heat content of the glass at the start, J
   Eigen::VectorXd velocity;       ///< of the glass nodes over the last step, m/s; empty without flow
+  Eigen::VectorXd temperature_rate;  ///< of the glass nodes over the last step, K/s; empty without flow or heat
   ContactState contact;
   std::vector<Point> probes;      ///< present positions, in the body's frame
   Totals totals;

@@ -87,6 +87,14 @@ std::vector<bool> likely_contacts(const State& state, const ContactState::Closed
   return likely;
 }
 
+/// Temperature of the glass after `dt` at the rate of the last step, changed by no more than a step may change it.
+Eigen::VectorXd foretold_temperature(const Scene& scene, const State& state, double dt) {
+  const Eigen::VectorXd& now = state.bodies[0].temperature;
+  if (state.temperature_rate.size() == 0) return now;
+  const double most = scene.accuracy.temperature_per_step;
+  return now + (dt * state.temperature_rate).cwiseMin(most).cwiseMax(-most);
+}
+
 /// Flow of the step seen from its middle, where `guess` has carried the mesh.
 FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::Closed& closed, const Eigen::VectorXd& guess,
                     const Eigen::VectorXd& temperature, double dt, Workspace& workspace) {
@@ -109,10 +117,9 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::
   return {std::move(problem.candidates), std::move(solution)};
 }
 
-/// Puts the flow's motion and contact into the state.
+/// Puts the flow's velocities and contact into the state.
 void take_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
   const auto& [candidates, solution] = pass;
-  move_nodes(state.bodies[0].mesh, solution.velocity, dt);
   state.velocity = solution.velocity;
   state.last_step = dt;
   std::fill(state.contact.tool.begin(), state.contact.tool.end(), -1);
@@ -129,7 +136,6 @@ void take_flow(const Scene& scene, const FlowPass& pass, double dt, State& state
   for (const auto& tool : scene.stages[state.stage].tools) {
     auto& body = state.bodies[1 + tool.tool];
     body.velocity = solution.tool_velocity[tool.tool];
-    body.offset += dt * body.velocity;
     body.force = solution.tool_force[tool.tool];
   }
 }
@@ -155,17 +161,23 @@ double reynolds(const Scene& scene, const flow::Solution& solution, const core::
   return dissipation > 0 ? scene.glass.flow->density * rate * length * length / viscosity : 0;
 }
 
-/// Tools that move by position where nothing flows.
-void move_tools(const Scene& scene, double dt, State& state) {
+/// Velocities of tools that move by position where nothing flows.
+void take_motions(const Scene& scene, double dt, State& state) {
   const auto motions = tool_motions(scene, state, dt);
+  for (const auto& tool : scene.stages[state.stage].tools)
+    state.bodies[1 + tool.tool].velocity = motions[tool.tool].velocity;
+}
+
+/// Moves the glass and the tools in place with their velocities.
+void move_bodies(const Scene& scene, double dt, State& state) {
+  if (scene.has_flow()) move_nodes(state.bodies[0].mesh, state.velocity, dt);
   for (const auto& tool : scene.stages[state.stage].tools) {
     auto& body = state.bodies[1 + tool.tool];
-    body.velocity = motions[tool.tool].velocity;
     body.offset += dt * body.velocity;
   }
 }
 
-/// Moves the glass and the tools by the flow; an unsuccessful solve is told in `result.reason`.
+/// Velocities of the glass and the tools by the flow; an unsuccessful solve is told in `result.reason`.
 bool step_flow(const Scene& scene, const State& state, const Eigen::VectorXd& guess, const Eigen::VectorXd& temperature,
                double dt, Workspace& workspace, StepResult& result, std::vector<double>& dissipation) {
   const Timer timer(result.report, "flow");
@@ -177,10 +189,6 @@ bool step_flow(const Scene& scene, const State& state, const Eigen::VectorXd& gu
   }
   take_flow(scene, pass, dt, result.state);
   move_glass_probes(scene, state.bodies[0].mesh, pass.solution.velocity, dt, result.state);
-  if (remesh::quality(result.state.bodies[0].mesh).worst <= 0) {
-    result.reason = "a cell of the glass turned over";
-    return false;
-  }
   result.report.strain = pass.solution.high_rate * dt;
   auto& largest = result.state.totals.largest_reynolds;
   largest = std::max(largest, reynolds(scene, pass.solution, state.bodies[0].mesh));
@@ -188,6 +196,14 @@ bool step_flow(const Scene& scene, const State& state, const Eigen::VectorXd& gu
   return true;
 }
 
+/// Whether every cell of the glass has kept its sense.
+bool is_unfolded(StepResult& result) {
+  if (remesh::quality(result.state.bodies[0].mesh).worst > 0) return true;
+  result.reason = "a cell of the glass turned over";
+  return false;
+}
+
+/// Heat over the step, on the bodies and the interface as they stand in its middle.
 bool step_heat(const Scene& scene, const std::vector<double>& dissipation, double dt, Workspace& workspace,
                StepResult& result) {
   if (!scene.has_heat()) return true;
@@ -209,7 +225,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   workspace.heat = {};  // its factor and its pattern come from earlier steps
   workspace.table_holds = state.totals.table_holds;
   StepResult result;
-  Eigen::VectorXd guess = state.velocity, temperature = state.bodies[0].temperature;
+  Eigen::VectorXd guess = state.velocity, temperature = foretold_temperature(scene, state, 0.5 * dt);
   const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
   double moved_guess = 0;
   for (int pass = 0; pass < passes || (pass < most_passes && moved_guess > scene.accuracy.motion_tolerance); ++pass) {
@@ -218,15 +234,21 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
     result.state.contact.closed = closed;
     std::vector<double> dissipation;
     if (!scene.has_flow())
-      move_tools(scene, dt, result.state);
+      take_motions(scene, dt, result.state);
     else if (!step_flow(scene, state, guess, temperature, dt, workspace, result, dissipation))
       return result;
+    move_bodies(scene, 0.5 * dt, result.state);
+    if (scene.has_flow() && !is_unfolded(result)) return result;
     if (!step_heat(scene, dissipation, dt, workspace, result)) return result;
+    move_bodies(scene, 0.5 * dt, result.state);
+    if (scene.has_flow() && !is_unfolded(result)) return result;
     moved_guess = scene.has_flow() ? 0.5 * dt * (result.state.velocity - guess).lpNorm<Eigen::Infinity>() : 0;
     guess = result.state.velocity;
     temperature = 0.5 * (state.bodies[0].temperature + result.state.bodies[0].temperature);
   }
   State& after = result.state;
+  if (scene.has_flow() && scene.has_heat())
+    after.temperature_rate = (after.bodies[0].temperature - state.bodies[0].temperature) / dt;
   after.time += dt;
   after.stage_time += dt;
   ++after.totals.steps;

@@ -15,8 +15,8 @@ struct StepResult {
   StepReport report;
 };
 
-/// One staggered step of length dt: flow on the mid-step mesh, new positions, interface at the new positions, heat in all
-/// bodies. The given state is left as it is; a step that failed is a dropped value.
+/// One staggered step of length dt, of second order: flow on the mid-step mesh at the temperature foretold for the middle,
+/// half the motion, interface and heat in all bodies, the other half. The given state is left as it is; a step that failed is a dropped value.
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace);
 
 }  // namespace parison::forming

@@ -35,7 +35,7 @@ bool run_stage(const Scene& scene, const std::string& directory) {
   StepReport report;
   report.interface = couple(scene, state);
   state.next_step = scene.accuracy.first_step;
-  files.fields(state, report);
+  files.fields(state, report.interface);
   while (!stage_over(scene, state, false)) {
     report.dt = landing_step(scene, state, state.next_step);
     const auto heat = advance_heat(scene, state, report.interface, {}, report.dt, workspace);
@@ -44,7 +44,7 @@ bool run_stage(const Scene& scene, const std::string& directory) {
     state.stage_time += report.dt;
     state.next_step = wished_step(scene, report, state.next_step);
     files.row(history_row(scene, state, report));
-    if (output_due(scene, state)) files.fields(state, report);
+    if (output_due(scene, state)) files.fields(state, report.interface);
   }
   return true;
 }

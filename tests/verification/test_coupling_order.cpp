@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "forming/step.hpp"
+#include "stepping.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// A hot disc pressed between cold plates that it wets from the start: viscosity, contact pressure and conductance all
+/// change by much on the way.
+constexpr const char* pressed_disc = R"(case = "pressed_disc"
+geometry = "axisymmetric"
+air = { temperature = "50 degC", h = "20 W/m2/K", ambient = "50 degC" }
+[material.glass]
+density = "2400 kg/m3"
+heat_capacity = "1300 J/kg/K"
+conductivity = "20 W/m/K"
+viscosity = { law = "vft", A = -2.309, B = "3922 K", T0 = "291 degC" }
+[material.iron]
+density = "7200 kg/m3"
+heat_capacity = "490 J/kg/K"
+conductivity = "46 W/m/K"
+[[interface]]
+tools = ["plate", "plunger"]
+law = "pressure-viscosity"
+h0 = "500 W/m2/K"
+h1 = "20000 W/m2/K"
+p_ref = "0.2 MPa"
+eta_ref = "1e3 Pa.s"
+a = 1
+b = 0.25
+[glass]
+material = "glass"
+temperature = "1000 degC"
+mesh = { mapped = [6, 6] }
+piece = [
+  { name = "bottom", condition = "contact", path = "(0, 0) (20, 0) mm" },
+  { name = "rim", condition = "air", path = "(20, 8) mm" },
+  { name = "top", condition = "contact", path = "(0, 8) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
+[[tool]]
+name = "plate"
+material = "iron"
+temperature = "500 degC"
+friction = { law = "navier", coefficient = "1e5 Pa.s/m" }
+piece = [
+  { name = "face", condition = "contact", path = "(60, 0) (0, 0) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, -10) mm" },
+  { name = "rest", condition = "insulated", path = "(60, -10) mm" } ]
+[[tool]]
+name = "plunger"
+material = "iron"
+temperature = "500 degC"
+friction = { law = "navier", coefficient = "1e5 Pa.s/m" }
+piece = [
+  { name = "face", condition = "contact", path = "(0, 8) (60, 8) mm" },
+  { name = "rest", condition = "insulated", path = "(60, 18) (0, 18) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 8) mm" } ]
+[[stage]]
+name = "press"
+duration = "0.32 s"
+tools = ["plate", "plunger"]
+motion.plunger = { offset = [["0 s", "0 mm"], ["0.32 s", "-2.4 mm"]] }
+)";
+
+struct End {
+  double mean, radius, force;
+};
+
+/// State after `steps` equal steps.
+End after_equal_steps(Scene& scene, int steps) {
+  scene.accuracy.temperature_tolerance = 1e-4;
+  scene.accuracy.motion_tolerance = 1;  // nothing is repeated
+  scene.accuracy.temperature_per_step = 1e3;
+  State state = initial_state(scene);
+  Workspace workspace;
+  const double dt = scene.stages[0].duration / steps;
+  double last_force = 0;
+  for (int i = 0; i < steps; ++i) {
+    auto result = coupled_step(scene, state, dt, workspace);
+    EXPECT_TRUE(result.converged) << result.reason;
+    last_force = state.bodies[2].force;
+    state = std::move(result.state);
+  }
+  double radius = 0;
+  for (const auto& x : state.bodies[0].mesh.nodes) radius = std::max(radius, x[0]);
+  // Forces are of the steps' middles.
+  return {state.bodies[0].temperature.mean(), radius, 1.5 * state.bodies[2].force - 0.5 * last_force};
+}
+
+TEST(Coupling, of_flow_and_heat_is_of_second_order_in_one_sweep) {
+  Scene scene = scene_from(pressed_disc, "standard");
+  scene.accuracy.passes = 1;
+  std::array<End, 4> end;
+  for (int i = 0; i < 4; ++i) {
+    end[i] = after_equal_steps(scene, 8 << i);
+    std::printf("%3d steps: mean %.4f K, radius %.6f mm, force %.4f N\n", 8 << i, end[i].mean, 1e3 * end[i].radius,
+                end[i].force);
+  }
+  const auto order = [&](double End::*quantity, int i) {
+    return std::log2(std::abs((end[i].*quantity - end[i + 1].*quantity) / (end[i + 1].*quantity - end[i + 2].*quantity)));
+  };
+  for (int i = 0; i < 2; ++i)
+    std::printf("orders: mean temperature %.2f, radius %.2f, force %.2f\n", order(&End::mean, i), order(&End::radius, i),
+                order(&End::force, i));
+  for (const auto quantity : {&End::mean, &End::radius, &End::force}) EXPECT_GT(order(quantity, 1), 1.8);
+}
+
+}  // namespace
+}  // namespace parison::forming
