@@ -19,6 +19,8 @@ namespace {
 constexpr double near = 1e-3;
 /// A node found inside a tool is led out over at least this time, s: at once, it would ask a full cavity to burst.
 constexpr double recovery_time = 5e-3;
+/// A node nearer than this to a tool touches it, m.
+constexpr double touching = 1e-9;
 /// Constraints of different tools whose normals are closer than this (cosine) count as one.
 constexpr double same_direction = 0.94;
 
@@ -48,6 +50,12 @@ std::vector<ToolConstraint> node_constraints(const Scene& scene, const std::vect
     if (!known && kept.size() < dim) kept.push_back(wish);
   }
   return kept;
+}
+
+/// Share of a step in which a node touches a tool that it reaches from a gap with a motion along the tool's normal.
+double share_in_contact(double gap, double motion) {
+  if (gap <= touching) return 1;
+  return motion < 0 ? std::max(0.0, 1 + gap / motion) : 0;
 }
 
 /// Flags of the nodes on contact pieces of the glass.
@@ -126,12 +134,14 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
     for (const auto& [tool, constraint] :
          node_constraints(scene, tools, offset, reached, near + 2 * dt * fastest)) {
       const bool held = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
-      const double approach = constraint.normal.dot(v - speed[tool] * axis);
+      const Point relative = v - speed[tool] * axis;
+      const double approach = constraint.normal.dot(relative);
       const double gap = constraint.gap - dt * approach;  // at the step's start
       // Only what is inside at the start may still be partly inside at the end; round a corner the flat bound may lie ahead.
       const double kept = gap < 0 ? depth_inside(scene, state, tool, glass.nodes[node]) : 0.0;
       const double rate = held ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
-      candidates.push_back({node, tool, constraint.normal, rate, held});
+      const double share = state.contact.tool[node] == tool ? 1 : share_in_contact(gap, dt * approach);
+      candidates.push_back({node, tool, constraint.normal, rate, held, share, relative});
     }
   }
   return candidates;

@@ -60,8 +60,9 @@ NodeFrame make_frame(const Problem& problem, Index node, const std::vector<NodeE
     result.frame.col(1) = perpendicular(rows[0].normal);
     const Index tool = rows[0].tool;
     if (tool >= 0 && sticks(problem, problem.candidates[rows[0].candidate])) {
-      NodeEquality side{result.frame.col(1), 0, tool, -1};
-      if (!problem.tools[tool].force) side.value = problem.tools[tool].velocity * side.normal.dot(axis);
+      const auto& candidate = problem.candidates[rows[0].candidate];
+      NodeEquality side{result.frame.col(1), (1 - candidate.share) * candidate.until.dot(result.frame.col(1)), tool, -1};
+      if (!problem.tools[tool].force) side.value += problem.tools[tool].velocity * side.normal.dot(axis);
       rows.push_back(side);
     } else if (tool >= 0 && problem.tools[tool].friction.law == Friction::Law::navier) {
       result.friction_tool = tool;

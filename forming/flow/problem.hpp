@@ -37,6 +37,8 @@ struct ContactCandidate {
   Point normal;  ///< unit, from the tool into the glass
   double rate;   ///< m/s: minus the gap over the step
   bool held = false;  ///< holds in tension and sideways as well (grip)
+  double share = 1;  ///< of the step in which the node touches the tool: friction acts no longer than that
+  Point until = Point::Zero();  ///< velocity relative to the tool until it lands, m/s
 };
 
 /// One quasi-static flow problem: div(2 eta D(v)) - grad p + rho g = 0, div v = 0.

@@ -177,7 +177,7 @@ Eigen::VectorXd friction_drag(const Problem& problem, const std::vector<bool>& a
     if (!active[i]) continue;
     const auto& candidate = problem.candidates[i];
     const auto& friction = problem.tools[candidate.tool].friction;
-    drag[candidate.node] = friction.coefficient * area[candidate.node];
+    drag[candidate.node] = candidate.share * friction.coefficient * area[candidate.node];
     if (!friction.coulomb || !last) continue;
     Point slip = node_velocity(last->unknowns, candidate.node) - last->tool_velocity[candidate.tool] * core::axis_direction();
     slip -= slip.dot(candidate.normal) * candidate.normal;
