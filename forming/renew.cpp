@@ -104,6 +104,19 @@ void restore_heat(const Scene& scene, double wanted, State& state) {
   }
 }
 
+/// A field of vectors, dim per node, at the nodes of the new mesh.
+Eigen::VectorXd interpolate_vectors(const core::Mesh& old, const remesh::Transfer& transfer, const Eigen::VectorXd& field) {
+  using Columns = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+  const Columns given = Eigen::Map<const Columns>(field.data(), dim, old.node_count());
+  Eigen::VectorXd carried;
+  for (int a = 0; a < dim; ++a) {
+    const Eigen::VectorXd component = remesh::interpolate(old, transfer, given.row(a).transpose());
+    carried.resize(dim * component.size());
+    Eigen::Map<Columns>(carried.data(), dim, component.size()).row(a) = component.transpose();
+  }
+  return carried;
+}
+
 void book_change(double change, double& sum, double& largest) {
   sum += change;
   largest = std::max(largest, std::abs(change));
@@ -168,16 +181,11 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason wh
   if (glass.temperature.size() > 0)
     glass.temperature = remesh::transfer_conserving(old, glass.mesh, scene.geometry, transfer,
                                                     state.bodies[0].temperature, scene.accuracy.temperature_order);
-  next.velocity.resize(dim * glass.mesh.node_count());
-  for (int a = 0; a < dim; ++a) {
-    const Eigen::VectorXd component = Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<dim>>(
-        state.velocity.data() + a, old.node_count());
-    Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<dim>>(next.velocity.data() + a, glass.mesh.node_count()) =
-        remesh::interpolate(old, transfer, component);
-  }
+  next.velocity = interpolate_vectors(old, transfer, state.velocity);
+  next.acceleration = interpolate_vectors(old, transfer, state.acceleration);
   if (state.temperature_rate.size() > 0)
     next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
-  next.contact.tool = carried_contact(scene, state, glass.mesh);
+  next.contact.tool = next.contact.tool_before = carried_contact(scene, state, glass.mesh);
   next.contact.closed = {};
   next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
   for (Index n = 0; n < glass.mesh.node_count(); ++n)
@@ -206,6 +214,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.has_moved = false;
   next.last_step = 0;
   next.velocity.setZero();
+  next.acceleration.setZero();
   next.temperature_rate.setZero();
   next.contact.closed = {};
   const auto& tools = scene.stages[stage].tools;

@@ -29,6 +29,7 @@ struct BodyState {
 /// Where the glass touches tools, per glass node.
 struct ContactState {
   std::vector<Index> tool;   ///< index into Scene::tools of the tool that presses on the node, -1 where none
+  std::vector<Index> tool_before;  ///< the same a step earlier
   Eigen::VectorXd pressure;  ///< Pa
   /// Every contact that the last flow solve left closed (a node in a corner has two); empty where there was none yet.
   struct Closed {
@@ -81,6 +82,7 @@ struct State {
   double first_volume = 0;        ///< of the glass, m3
   double first_heat = 0;          ///< heat content of the glass at the start, J
   Eigen::VectorXd velocity;       ///< of the glass nodes over the last step, m/s; empty without flow
+  Eigen::VectorXd acceleration;   ///< of the glass nodes between the last two steps, m/s2; empty without flow
   Eigen::VectorXd temperature_rate;  ///< of the glass nodes over the last step, K/s; empty without flow or heat
   ContactState contact;
   std::vector<Point> probes;      ///< present positions, in the body's frame

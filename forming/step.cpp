@@ -7,6 +7,7 @@
 
 #include "core/element.hpp"
 #include "forming/contact_geometry.hpp"
+#include "forming/foretell.hpp"
 #include "forming/heat_step.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/sample.hpp"
@@ -22,8 +23,13 @@ namespace {
 /// Time over which the flow takes back a drift of the glass volume, at least one step, s.
 constexpr double volume_recovery_time = 5e-3;
 
-/// Sweeps over flow and heat in one step, at the most.
-constexpr int most_passes = 4;
+/// Flow sweeps in one step, at the most.
+constexpr int most_sweeps = 4;
+
+/// The middle of a step as it is known before the step is solved.
+struct Middle {
+  Eigen::VectorXd velocity, temperature;  ///< of the glass nodes, m/s, K
+};
 
 /// Adds the seconds until its end to a part's account.
 class Timer {
@@ -87,31 +93,22 @@ std::vector<bool> likely_contacts(const State& state, const ContactState::Closed
   return likely;
 }
 
-/// Temperature of the glass after `dt` at the rate of the last step, changed by no more than a step may change it.
-Eigen::VectorXd foretold_temperature(const Scene& scene, const State& state, double dt) {
-  const Eigen::VectorXd& now = state.bodies[0].temperature;
-  if (state.temperature_rate.size() == 0) return now;
-  const double most = scene.accuracy.temperature_per_step;
-  return now + (dt * state.temperature_rate).cwiseMin(most).cwiseMax(-most);
-}
-
-/// Flow of the step seen from its middle, where `guess` has carried the mesh.
-FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::Closed& closed, const Eigen::VectorXd& guess,
-                    const Eigen::VectorXd& temperature, double dt, Workspace& workspace) {
-  core::Mesh middle = state.bodies[0].mesh;
-  move_nodes(middle, guess, 0.5 * dt);
+/// Flow of the step seen from its middle.
+FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::Closed& closed, const Middle& foretold,
+                    double dt, Workspace& workspace) {
+  const core::Mesh middle = middle_mesh(state, foretold.velocity, dt);
   flow::Problem problem{};
   problem.mesh = &middle;
   problem.geometry = scene.geometry;
   problem.material = &*scene.glass.flow;
-  problem.temperature = &temperature;
+  problem.temperature = &foretold.temperature;
   problem.gravity = scene.stages[state.stage].gravity;
   const double excess = core::volume(state.bodies[0].mesh, scene.geometry) / state.first_volume - 1;
   problem.volume_rate = -excess / std::max(dt, volume_recovery_time);
   problem.pieces = piece_conditions(scene, state);
   problem.tools = tool_motions(scene, state, dt);
-  problem.candidates = contact_candidates(scene, state, guess, dt);
-  const auto warm = likely_contacts(state, closed, problem, guess);
+  problem.candidates = contact_candidates(scene, state, foretold.velocity, dt);
+  const auto warm = likely_contacts(state, closed, problem, foretold.velocity);
   if (!workspace.flow) workspace.flow.emplace(middle);
   auto solution = workspace.flow->solve(problem, warm);
   return {std::move(problem.candidates), std::move(solution)};
@@ -177,22 +174,38 @@ void move_bodies(const Scene& scene, double dt, State& state) {
   }
 }
 
-/// Velocities of the glass and the tools by the flow; an unsuccessful solve is told in `result.reason`.
-bool step_flow(const Scene& scene, const State& state, const Eigen::VectorXd& guess, const Eigen::VectorXd& temperature,
-               double dt, Workspace& workspace, StepResult& result, std::vector<double>& dissipation) {
-  const Timer timer(result.report, "flow");
-  auto pass = solve_flow(scene, state, result.state.contact.closed, guess, temperature, dt, workspace);
+/// One sweep: velocities of the glass and the tools by the flow; an unsuccessful solve is told in `result.reason`.
+bool sweep_flow(const Scene& scene, const State& state, const Middle& foretold, double dt, Workspace& workspace,
+                StepResult& result) {
+  auto pass = solve_flow(scene, state, result.state.contact.closed, foretold, dt, workspace);
   result.report.contact_iterations += pass.solution.iterations;
   if (!pass.solution.converged) {
     result.reason = pass.solution.reason;
     return false;
   }
   take_flow(scene, pass, dt, result.state);
-  move_glass_probes(scene, state.bodies[0].mesh, pass.solution.velocity, dt, result.state);
   result.report.strain = pass.solution.high_rate * dt;
   auto& largest = result.state.totals.largest_reynolds;
   largest = std::max(largest, reynolds(scene, pass.solution, state.bodies[0].mesh));
-  dissipation = std::move(pass.solution.dissipation);
+  result.dissipation = std::move(pass.solution.dissipation);
+  return true;
+}
+
+/// Velocities of the step: by the flow, swept until the mesh in the step's middle settles, or as the tools are told.
+bool find_velocities(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
+                     StepResult& result) {
+  if (!scene.has_flow()) {
+    take_motions(scene, dt, result.state);
+    return true;
+  }
+  const Timer timer(result.report, "flow");
+  double& unsettled = result.report.unsettled_motion;
+  for (int sweep = 0; sweep == 0 || (sweep < most_sweeps && unsettled > scene.accuracy.motion_tolerance); ++sweep) {
+    if (!sweep_flow(scene, state, foretold, dt, workspace, result)) return false;
+    unsettled = 0.5 * dt * (result.state.velocity - foretold.velocity).lpNorm<Eigen::Infinity>();
+    foretold.velocity = result.state.velocity;
+  }
+  move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
   return true;
 }
 
@@ -204,8 +217,7 @@ bool is_unfolded(StepResult& result) {
 }
 
 /// Heat over the step, on the bodies and the interface as they stand in its middle.
-bool step_heat(const Scene& scene, const std::vector<double>& dissipation, double dt, Workspace& workspace,
-               StepResult& result) {
+bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& result) {
   if (!scene.has_heat()) return true;
   {
     const Timer timer(result.report, "contact");
@@ -213,10 +225,21 @@ bool step_heat(const Scene& scene, const std::vector<double>& dissipation, doubl
   }
   const Timer timer(result.report, "heat");
   const auto outcome =
-      advance_heat(scene, result.state, result.report.interface, dissipation, dt, workspace);
+      advance_heat(scene, result.state, result.report.interface, result.dissipation, dt, workspace);
   result.reason = outcome.reason;
   result.report.heat_substeps += outcome.substeps;
   return outcome.converged;
+}
+
+/// Flow, half the motion, heat, the other half.
+bool pass_once(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
+               StepResult& result) {
+  if (!find_velocities(scene, state, foretold, dt, workspace, result)) return false;
+  move_bodies(scene, 0.5 * dt, result.state);
+  if (scene.has_flow() && !is_unfolded(result)) return false;
+  if (!step_heat(scene, dt, workspace, result)) return false;
+  move_bodies(scene, 0.5 * dt, result.state);
+  return !scene.has_flow() || is_unfolded(result);
 }
 
 }  // namespace
@@ -225,30 +248,21 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   workspace.heat = {};  // its factor and its pattern come from earlier steps
   workspace.table_holds = state.totals.table_holds;
   StepResult result;
-  Eigen::VectorXd guess = state.velocity, temperature = foretold_temperature(scene, state, 0.5 * dt);
+  Middle foretold;
+  if (scene.has_flow()) foretold = {foretold_velocity(state, 0.5 * dt), foretold_temperature(scene, state, 0.5 * dt)};
+  result.state = state;
   const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
-  double moved_guess = 0;
-  for (int pass = 0; pass < passes || (pass < most_passes && moved_guess > scene.accuracy.motion_tolerance); ++pass) {
-    const auto closed = pass > 0 ? std::move(result.state.contact.closed) : state.contact.closed;
-    result.state = state;
-    result.state.contact.closed = closed;
-    std::vector<double> dissipation;
-    if (!scene.has_flow())
-      take_motions(scene, dt, result.state);
-    else if (!step_flow(scene, state, guess, temperature, dt, workspace, result, dissipation))
-      return result;
-    move_bodies(scene, 0.5 * dt, result.state);
-    if (scene.has_flow() && !is_unfolded(result)) return result;
-    if (!step_heat(scene, dissipation, dt, workspace, result)) return result;
-    move_bodies(scene, 0.5 * dt, result.state);
-    if (scene.has_flow() && !is_unfolded(result)) return result;
-    moved_guess = scene.has_flow() ? 0.5 * dt * (result.state.velocity - guess).lpNorm<Eigen::Infinity>() : 0;
-    guess = result.state.velocity;
-    temperature = 0.5 * (state.bodies[0].temperature + result.state.bodies[0].temperature);
+  for (int pass = 0; pass < passes; ++pass) {
+    if (pass > 0) {
+      foretold.temperature = 0.5 * (state.bodies[0].temperature + result.state.bodies[0].temperature);
+      auto closed = std::move(result.state.contact.closed);
+      result.state = state;
+      result.state.contact.closed = std::move(closed);
+    }
+    if (!pass_once(scene, state, foretold, dt, workspace, result)) return result;
   }
   State& after = result.state;
-  if (scene.has_flow() && scene.has_heat())
-    after.temperature_rate = (after.bodies[0].temperature - state.bodies[0].temperature) / dt;
+  if (scene.has_flow()) note_rates(state, dt, after);
   after.time += dt;
   after.stage_time += dt;
   ++after.totals.steps;
@@ -260,7 +274,6 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
     after.totals.largest_drift = std::max(after.totals.largest_drift, std::abs(drift));
   }
   result.report.dt = dt;
-  result.report.unsettled_motion = moved_guess;
   // Where everything stands still the heat integrator alone decides on its steps.
   if (scene.has_heat() && !workspace.standing)
     result.report.temperature_change = surface_temperature_change(scene, state, after, result.report.interface);

@@ -13,6 +13,7 @@ struct StepResult {
   bool converged = false;
   std::string reason;
   StepReport report;
+  std::vector<double> dissipation;  ///< of the flow, W at each quadrature point: flow::Solution::dissipation
 };
 
 /// One staggered step of length dt, of second order: flow on the mid-step mesh at the temperature foretold for the middle,

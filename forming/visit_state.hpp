@@ -61,8 +61,10 @@ void visit_state(Visitor visit, Whole& state) {
   visit("first_volume", state.first_volume);
   visit("first_heat", state.first_heat);
   visit("velocity", state.velocity);
+  visit("acceleration", state.acceleration);
   visit("temperature_rate", state.temperature_rate);
   visit("contact_tool", state.contact.tool);
+  visit("contact_tool_before", state.contact.tool_before);
   visit("contact_pressure", state.contact.pressure);
   visit("contact_closed_node", state.contact.closed.node);
   visit("contact_closed_tool", state.contact.closed.tool);
