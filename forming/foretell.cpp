@@ -9,6 +9,13 @@ namespace parison::forming {
 
 using core::dim;
 
+namespace {
+
+/// The motion is smooth where the last acceleration told the next change of velocity to this share.
+constexpr double smooth = 0.5;
+
+}  // namespace
+
 Eigen::VectorXd foretold_temperature(const Scene& scene, const State& state, double dt) {
   const Eigen::VectorXd& now = state.bodies[0].temperature;
   if (state.temperature_rate.size() == 0) return now;
@@ -17,7 +24,8 @@ Eigen::VectorXd foretold_temperature(const Scene& scene, const State& state, dou
 }
 
 Eigen::VectorXd foretold_velocity(const State& state, double ahead) {
-  Eigen::VectorXd velocity = state.velocity + (0.5 * state.last_step + ahead) * state.acceleration;
+  Eigen::VectorXd velocity = state.velocity;
+  if (state.moves_smoothly) velocity += (0.5 * state.last_step + ahead) * state.acceleration;
   const auto& closed = state.contact.closed;
   for (std::size_t i = 0; i < closed.node.size(); ++i) {
     const double tool_speed = state.bodies[1 + closed.tool[i]].velocity;
@@ -30,7 +38,8 @@ Eigen::VectorXd foretold_velocity(const State& state, double ahead) {
 
 core::Mesh middle_mesh(const State& state, const Eigen::VectorXd& middle, double dt) {
   core::Mesh mesh = state.bodies[0].mesh;
-  const Eigen::VectorXd mean = middle - 0.25 * dt * state.acceleration;  // over the first half of the step
+  Eigen::VectorXd mean = middle;  // over the first half of the step
+  if (state.moves_smoothly) mean -= 0.25 * dt * state.acceleration;
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += 0.5 * dt * flow::node_velocity(mean, n);
   return mesh;
 }
@@ -40,6 +49,7 @@ void note_rates(const State& before, double dt, State& after) {
     after.temperature_rate = (after.bodies[0].temperature - before.bodies[0].temperature) / dt;
   after.contact.tool_before = before.contact.tool;
   after.acceleration.setZero(after.velocity.size());
+  after.moves_smoothly = false;
   if (before.last_step == 0) return;
   const double between = 0.5 * (before.last_step + dt);
   for (Index n = 0; n < static_cast<Index>(after.contact.tool.size()); ++n) {
@@ -48,6 +58,9 @@ void note_rates(const State& before, double dt, State& after) {
       after.acceleration.segment<dim>(dim * n) =
           (after.velocity - before.velocity).segment<dim>(dim * n) / between;
   }
+  const double change = between * after.acceleration.norm();
+  const double missed = between * (after.acceleration - before.acceleration).norm();
+  after.moves_smoothly = missed < smooth * change;
 }
 
 }  // namespace parison::forming

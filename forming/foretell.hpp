@@ -8,7 +8,7 @@ namespace parison::forming {
 /// Temperature of the glass after `dt` at the rate of the last step, changed by no more than a step may change it, K per node.
 Eigen::VectorXd foretold_temperature(const Scene& scene, const State& state, double dt);
 
-/// Velocity of the glass nodes `ahead` after the state, from the last two steps; what touches a tool does not go on into it.
+/// Velocity of the glass nodes `ahead` after the state, from the last two steps while that serves; what touches a tool does not go on into it.
 Eigen::VectorXd foretold_velocity(const State& state, double ahead);
 
 /// Where the glass stands in the middle of a step with velocity `middle` there, to third order in the step.

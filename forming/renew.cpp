@@ -215,6 +215,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.last_step = 0;
   next.velocity.setZero();
   next.acceleration.setZero();
+  next.moves_smoothly = false;
   next.temperature_rate.setZero();
   next.contact.closed = {};
   const auto& tools = scene.stages[stage].tools;

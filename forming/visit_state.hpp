@@ -62,6 +62,7 @@ void visit_state(Visitor visit, Whole& state) {
   visit("first_heat", state.first_heat);
   visit("velocity", state.velocity);
   visit("acceleration", state.acceleration);
+  visit("moves_smoothly", state.moves_smoothly);
   visit("temperature_rate", state.temperature_rate);
   visit("contact_tool", state.contact.tool);
   visit("contact_tool_before", state.contact.tool_before);
