@@ -1,6 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "core/units.hpp"
 
 namespace parison::forming {
 
@@ -24,7 +29,49 @@ struct Accuracy {
   int passes;                ///< flow-heat sweeps per step, at least
 };
 
-/// The presets draft, standard and fine.
-Accuracy accuracy_preset(const std::string& name);
+/// A number of the dial: its key, how it is shown, and its values at the levels 0, 1, 2.
+struct Setting {
+  const char* key;
+  double Accuracy::*value;
+  core::Dimension dimension;
+  const char* unit;        ///< in which it is shown
+  double unit_size;        ///< SI
+  double order;            ///< goes with this power of the edge length when a whole run is made coarser; 0: it does not
+  std::array<double, 3> levels;
+};
+const std::vector<Setting>& settings();
+
+/// The dial as one number: 0 is draft, 1 standard, 2 fine, and every setting runs evenly in its logarithm between and beyond
+/// them; passes and temperature_order are those of the nearest preset.
+Accuracy accuracy_at(double level);
+
+/// The same run with edges and steps `factor` times as long, tolerances to match.
+Accuracy coarsened(Accuracy accuracy, double factor);
+
+/// What an --accuracy text asks for: a preset or a share such as "0.5%", and perhaps " coarser 1.5" behind it.
+struct AccuracyChoice {
+  double level = 0;
+  std::optional<double> target;  ///< share of the wall thickness and of the heat into tools, when given so
+  double coarser = 1;            ///< edges and steps of the whole scene, the case's own included, are so many times longer
+};
+/// Throws core::CaseError where the text is no choice.
+AccuracyChoice read_accuracy(const std::string& text);
+
+/// The presets draft, standard and fine, or what another text asks for.
+Accuracy accuracy_preset(const std::string& text);
+
+/// The measured error of the dial: at_draft * 2^(-order * level), as a share.
+struct ErrorLaw {
+  double at_draft, order;
+};
+/// Mean error of the wall thickness, and error of the heat into tools.
+struct ErrorModel {
+  ErrorLaw thickness, heat;
+};
+const ErrorModel& error_model();
+/// The larger of both errors.
+double expected_error(double level);
+/// The level that keeps both within the target.
+double level_for(double target);
 
 }  // namespace parison::forming

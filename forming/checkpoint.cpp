@@ -18,7 +18,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 2;
+constexpr std::int64_t format_version = 3;
 
 void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
   std::vector<double> values;
@@ -115,6 +115,7 @@ struct Bits {
 template <typename Visitor, typename Facts>
 void visit_facts(Visitor visit, Facts& facts) {
   visit("wall_seconds", facts.wall_seconds);
+  visit("cpu_seconds", facts.cpu_seconds);
   for (const char* part : timed_parts) visit(part, facts.timing[part]);
   for (std::size_t i = 0; i < facts.stages.size(); ++i) {
     auto& record = facts.stages[i];

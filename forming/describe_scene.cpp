@@ -91,28 +91,25 @@ std::string stage_lines(const Scene& scene) {
   return text;
 }
 
+std::string choice_text(const Scene& scene) {
+  const AccuracyChoice& choice = scene.accuracy_choice;
+  if (!choice.target) return "preset";
+  return fmt::format("target: wall thickness and heat into tools to {:.3g} %, by the errors measured on the bundled jar", 100 * *choice.target);
+}
+
 std::string accuracy_lines(const Scene& scene) {
-  const Accuracy& a = scene.accuracy;
-  std::string text = fmt::format("\naccuracy {}\n", scene.accuracy_name);
-  const auto add = [&](const char* name, double value, const char* unit) {
-    text += fmt::format("  {:<24}{:.4g}{}{}\n", name, value, *unit ? " " : "", unit);
+  const AccuracyChoice& choice = scene.accuracy_choice;
+  std::string text = fmt::format("\naccuracy {} ({}; level {:.3g}, 0 is draft, 1 standard, 2 fine; error expected {:.2g} %)\n",
+                                 scene.accuracy_name, choice_text(scene), choice.level, 100 * expected_error(choice.level));
+  const auto add = [&](const char* key, double value, const char* unit) {
+    const auto own = scene.accuracy_origin.find(key);
+    const std::string origin = own != scene.accuracy_origin.end() ? own->second : choice.target ? "target" : "preset";
+    text += fmt::format("  {:<24}{:<12}{}{}\n", key, fmt::format("{:.4g}{}{}", value, *unit ? " " : "", unit), origin,
+                        choice.coarser == 1 ? "" : ", made coarser");
   };
-  add("surface_size", 1e3 * a.surface_size, "mm");
-  add("skin_size", 1e3 * a.skin_size, "mm");
-  add("elements_across", a.elements_across, "");
-  add("glass_growth", a.glass_growth, "");
-  add("tool_contact_size", 1e3 * a.tool_contact_size, "mm");
-  add("tool_growth", a.tool_growth, "");
-  add("strain_per_step", a.strain_per_step, "");
-  add("temperature_tolerance", a.temperature_tolerance, "K");
-  add("temperature_per_step", a.temperature_per_step, "K");
-  add("largest_step", a.largest_step, "s");
-  add("first_step", a.first_step, "s");
-  add("smallest_step", a.smallest_step, "s");
-  add("motion_tolerance", 1e3 * a.motion_tolerance, "mm");
-  add("quality_floor", a.quality_floor, "");
-  add("temperature_order", a.temperature_order, "");
-  add("passes", a.passes, "");
+  for (const Setting& setting : settings()) add(setting.key, scene.accuracy.*setting.value / setting.unit_size, setting.unit);
+  add("temperature_order", scene.accuracy.temperature_order, "");
+  add("passes", scene.accuracy.passes, "");
   return text;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 
 #include "forming/heat_step.hpp"
 #include "forming/step_control.hpp"
@@ -17,7 +18,12 @@ void account(Progress& run, const char* part, Clock::time_point start) {
   run.outcome.facts.timing[part] += seconds_since(start);
 }
 
-double wall_seconds(const Progress& run) { return run.wall_before + seconds_since(run.start); }
+double cpu_seconds_of_process() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+void note_times(Progress& run) {
+  run.outcome.facts.wall_seconds = run.wall_before + seconds_since(run.start);
+  run.outcome.facts.cpu_seconds = run.cpu_before + cpu_seconds_of_process() - run.cpu_start;
+}
 
 double share_done(const Progress& run) {
   double total = 0, done = run.outcome.state.stage_time;
@@ -52,7 +58,7 @@ void save(Progress& run) {
   const auto& standing = run.workspace.standing;
   if ((standing && !stage_over(run.scene, state, state.has_moved)) || state.totals.steps == run.checkpoint_steps) return;
   const auto start = Clock::now();
-  run.outcome.facts.wall_seconds = wall_seconds(run);
+  note_times(run);
   write_checkpoint(run.files.directory(), run.scene, {run.outcome, run.files.sync()});
   run.last_checkpoint = Clock::now();
   run.checkpoint_steps = state.totals.steps;

@@ -12,6 +12,9 @@ namespace parison::forming {
 
 using Clock = std::chrono::steady_clock;
 
+double seconds_since(Clock::time_point start);
+double cpu_seconds_of_process();
+
 /// A run in progress.
 struct Progress {
   const Scene& scene;
@@ -20,18 +23,19 @@ struct Progress {
   RunOutcome outcome;
   Workspace workspace = {};
   Clock::time_point start = Clock::now(), last_line = start, last_checkpoint = start;
+  double cpu_start = cpu_seconds_of_process();
+  double cpu_before = 0;          ///< CPU time of the run up to its last checkpoint likewise, s
   double wall_before = 0;         ///< wall time of the run up to its last checkpoint when it was taken up again, s
   double share_before = 0;        ///< of the simulated time that was done by then
   Index checkpoint_steps = -1;    ///< steps done at the last checkpoint, -1 before the first
 };
 
-double seconds_since(Clock::time_point start);
 
 /// Books the time since `start` under a part of the run.
 void account(Progress& run, const char* part, Clock::time_point start);
 
-/// Wall time of the whole run, s.
-double wall_seconds(const Progress& run);
+/// Puts the wall and CPU time of the whole run into its facts.
+void note_times(Progress& run);
 
 /// Of the longest time that all stages can take.
 double share_done(const Progress& run);

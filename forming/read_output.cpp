@@ -56,32 +56,15 @@ void require_order(const CaseTable& table, const char* low_key, double low, cons
 
 }  // namespace
 
-void read_numerics(const CaseNode& node, Accuracy& accuracy) {
-  struct Entry {
-    const char* key;
-    double Accuracy::*member;
-    core::Dimension dimension;
-  };
-  const Entry numbers[] = {
-      {"surface_size", &Accuracy::surface_size, dimension::length},
-      {"skin_size", &Accuracy::skin_size, dimension::length},
-      {"elements_across", &Accuracy::elements_across, dimension::none},
-      {"tool_contact_size", &Accuracy::tool_contact_size, dimension::length},
-      {"tool_growth", &Accuracy::tool_growth, dimension::none},
-      {"glass_growth", &Accuracy::glass_growth, dimension::none},
-      {"strain_per_step", &Accuracy::strain_per_step, dimension::none},
-      {"temperature_tolerance", &Accuracy::temperature_tolerance, dimension::temperature_difference},
-      {"temperature_per_step", &Accuracy::temperature_per_step, dimension::temperature_difference},
-      {"largest_step", &Accuracy::largest_step, dimension::time},
-      {"first_step", &Accuracy::first_step, dimension::time},
-      {"smallest_step", &Accuracy::smallest_step, dimension::time},
-      {"motion_tolerance", &Accuracy::motion_tolerance, dimension::length},
-      {"quality_floor", &Accuracy::quality_floor, dimension::none}};
+void read_numerics(const CaseNode& node, Scene& scene) {
+  Accuracy& accuracy = scene.accuracy;
   std::vector<std::string> keys = {"passes", "temperature_order"};
-  for (const auto& entry : numbers) keys.push_back(entry.key);
+  for (const Setting& setting : settings()) keys.push_back(setting.key);
   const CaseTable table(node, keys);
-  for (const auto& entry : numbers)
-    if (const auto* item = table.find(entry.key)) accuracy.*entry.member = core::positive(*item, entry.dimension);
+  for (const std::string& key : keys)
+    if (const auto* item = table.find(key)) scene.accuracy_origin[key] = item->line > 0 ? "case" : item->file;
+  for (const Setting& setting : settings())
+    if (const auto* item = table.find(setting.key)) accuracy.*setting.value = core::positive(*item, setting.dimension);
   if (const auto* item = table.find("passes")) accuracy.passes = core::count(*item);
   if (const auto* item = table.find("temperature_order")) {
     accuracy.temperature_order = core::count(*item);

@@ -115,8 +115,11 @@ bool advance(Progress& run, StepReport& report) {
 
 void note_motion(const Scene& scene, State& state) {
   const Stage& stage = scene.stages[state.stage];
-  for (const auto& tool : stage.tools)
-    if (stage.end_speed && std::abs(state.bodies[1 + tool.tool].velocity) > *stage.end_speed) state.has_moved = true;
+  for (const auto& tool : stage.tools) {
+    BodyState& body = state.bodies[1 + tool.tool];
+    if (stage.end_speed && std::abs(body.velocity) > *stage.end_speed) state.has_moved = true;
+    if (std::holds_alternative<ForceMotion>(tool.motion)) body.peak_force = std::max(body.peak_force, std::abs(body.force));
+  }
 }
 
 void write_step(Progress& run, const StepReport& report) {
@@ -197,7 +200,7 @@ RunOutcome finish(Progress& run, const std::function<bool()>& from_here) {
   else facts.reason = fmt::format("stage {} at {:.5f} s: {}", run.scene.stages[state.stage].name, state.time, facts.reason);
   warn(run);
   if (facts.completed) warn_of_unused_interfaces(run);
-  facts.wall_seconds = wall_seconds(run);
+  note_times(run);
   return std::move(run.outcome);
 }
 
@@ -218,6 +221,7 @@ RunOutcome resume(const Scene& scene, const std::string& directory, const StopRe
   Progress run{scene, stop, ResultFiles(scene, directory, from.files), std::move(from.outcome)};
   const State& state = run.outcome.state;
   run.wall_before = run.outcome.facts.wall_seconds;
+  run.cpu_before = run.outcome.facts.cpu_seconds;
   run.share_before = share_done(run);
   run.checkpoint_steps = state.totals.steps;
   fmt::print("  {:<10} t {:8.4f} s  step {:5}  {} remeshes so far\n", scene.stages[state.stage].name, state.time,

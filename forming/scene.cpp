@@ -65,13 +65,15 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   scene.file = file.path;
   scene.overrides = file.overrides;
   scene.accuracy_name = accuracy;
-  scene.accuracy = accuracy_preset(accuracy);
+  scene.accuracy_choice = read_accuracy(accuracy);
+  scene.accuracy = accuracy_at(scene.accuracy_choice.level);
   read_bodies(root, read_context(root, file.directory), scene);
   read_stages(root, scene);
   refuse_repeated_names(root.tables("probe"));
   for (const auto* probe : root.tables("probe")) scene.probes.push_back(read_probe(*probe, scene));
   if (const auto* output = root.find("output")) scene.output = read_output(*output);
-  if (const auto* numerics = root.find("numerics")) read_numerics(*numerics, scene.accuracy);
+  if (const auto* numerics = root.find("numerics")) read_numerics(*numerics, scene);
+  if (scene.accuracy_choice.coarser != 1) coarsen(scene, scene.accuracy_choice.coarser);
   check_sizes(scene, root);
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));

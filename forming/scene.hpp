@@ -137,14 +137,16 @@ struct Scene {
   std::vector<Stage> stages;
   std::vector<Probe> probes;
   Output output;
-  std::string accuracy_name;
+  std::string accuracy_name;  ///< the text that was asked for
+  AccuracyChoice accuracy_choice;
   Accuracy accuracy;
+  std::map<std::string, std::string> accuracy_origin;  ///< "case" or "--set" for each setting that the dial did not choose
 
   bool has_flow() const { return glass.flow.has_value(); }
   bool has_heat() const { return glass.thermal.has_value(); }
 };
 
-/// Reads and validates a case file; `accuracy` is draft, standard or fine; `overrides` as core::override_value takes them.
+/// Reads and validates a case file; `accuracy` is a text for read_accuracy; `overrides` as core::override_value takes them.
 /// Throws core::CaseError with `file:line: key: what was found, what is allowed`.
 Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides = {});
 

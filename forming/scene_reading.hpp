@@ -42,7 +42,9 @@ std::vector<Interface> read_interfaces(const core::CaseNode& node, const Scene& 
 Stage read_stage(const core::CaseNode& node, const core::CaseNode* air, const Scene& scene);
 Probe read_probe(const core::CaseNode& node, const Scene& scene);
 Output read_output(const core::CaseNode& node);
-void read_numerics(const core::CaseNode& node, Accuracy& accuracy);
+void read_numerics(const core::CaseNode& node, Scene& scene);
+/// Makes every edge and step of a scene `factor` times as long, those of its bodies' own meshes too.
+void coarsen(Scene& scene, double factor);
 
 /// Names of the scene's tools, in their order.
 std::vector<std::string> tool_names(const Scene& scene);

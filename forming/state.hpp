@@ -22,6 +22,7 @@ struct BodyState {
   double offset = 0;            ///< along the axis, m
   double velocity = 0;          ///< along the axis, m/s
   double force = 0;             ///< on the glass along the axis, N
+  double peak_force = 0;        ///< largest so far without sign while a force drove it, N
   double heat_received = 0;     ///< through interfaces since the start, J
   double hottest_surface = 0;   ///< highest temperature so far on its contact pieces, K
 };

@@ -59,9 +59,11 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
   for (const std::string& assignment : scene.overrides) json.add("", assignment);
   json.close();
   json.add("completed", summary.run.completed);
+  json.add("stopped", summary.run.stopped);
   json.add("reason", summary.run.reason);
   json.add("time_s", state.time);
   json.add("wall_seconds", summary.run.wall_seconds);
+  json.add("cpu_seconds", summary.run.cpu_seconds);
   json.add("steps", static_cast<long>(state.totals.steps));
   json.add("rejected_steps", static_cast<long>(state.totals.rejected));
   json.add("state_fingerprint", fmt::format("{:016x}", fingerprint(state)));
@@ -71,6 +73,14 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
     const auto found = summary.run.timing.find(part);
     json.add(part, found == summary.run.timing.end() ? 0.0 : found->second);
   }
+  json.close();
+}
+
+void add_numerics(JsonWriter& json, const Accuracy& accuracy) {
+  json.open_object("numerics");
+  for (const Setting& setting : settings()) json.add(setting.key, accuracy.*setting.value);
+  json.add("temperature_order", static_cast<long>(accuracy.temperature_order));
+  json.add("passes", static_cast<long>(accuracy.passes));
   json.close();
 }
 
@@ -139,6 +149,7 @@ void add_stages(JsonWriter& json, const RunFacts& run) {
 std::string summary_json(const Scene& scene, const State& state, const Summary& summary) {
   JsonWriter json;
   add_run(json, scene, state, summary);
+  add_numerics(json, scene.accuracy);
   add_balance(json, state, summary);
   add_remeshing(json, state, summary);
   add_bodies(json, summary);
@@ -148,6 +159,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   json.add("mean_mm", 1e3 * summary.thickness.mean);
   json.add("max_mm", 1e3 * summary.thickness.highest);
   json.close();
+  add_quantities(json, summary.quantities);
   json.open_list("warnings");
   for (const std::string& warning : summary.run.warnings) json.add("", warning);
   return json.finish();
@@ -166,6 +178,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
     const double hottest = body.temperature.size() > 0 ? body.hottest_surface : std::numeric_limits<double>::quiet_NaN();
     summary.tools.push_back({scene.tools[i].name, body.heat_received, hottest, body.offset, body.force});
   }
+  summary.quantities = quantities(scene, state, summary, rows);
   return summary;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "forming/history.hpp"
+#include "forming/quantities.hpp"
 #include "forming/scene.hpp"
 #include "forming/state.hpp"
 #include "forming/thickness_profile.hpp"
@@ -28,6 +29,7 @@ struct RunFacts {
   bool stopped = false;  ///< on request
   std::string reason;  ///< why not, a sentence; empty when completed
   double wall_seconds = 0;
+  double cpu_seconds = 0;  ///< of the whole process
   std::map<std::string, double> timing;  ///< s by part
   std::vector<std::string> warnings;
   std::vector<StageRecord> stages;
@@ -52,6 +54,7 @@ struct Summary {
   std::vector<ToolSummary> tools;
   ThicknessRange thickness;      ///< m
   double outer_within_02mm;      ///< share of the outer surface within 0.2 mm of a tool in place
+  Quantities quantities;
 };
 Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const std::vector<ThicknessRow>& rows);
 

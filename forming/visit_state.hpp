@@ -15,6 +15,7 @@ void visit_body(Visitor visit, Body& body) {
   visit("offset", body.offset);
   visit("velocity", body.velocity);
   visit("force", body.force);
+  visit("peak_force", body.peak_force);
   visit("heat_received", body.heat_received);
   visit("hottest_surface", body.hottest_surface);
 }

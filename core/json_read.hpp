@@ -1,0 +1,29 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+namespace parison::core {
+
+/// A value of a JSON text.
+struct JsonValue {
+  enum class Kind { null, flag, number, text, list, object };
+  Kind kind = Kind::null;
+  std::string name;  ///< of a member of an object
+  bool flag = false;
+  double number = 0;
+  std::string text;
+  std::vector<JsonValue> items;  ///< of a list or an object, in their order
+
+  /// The member with a name, null without one.
+  const JsonValue* find(const std::string& member) const;
+  /// A member's number; NaN where it is absent or no number.
+  double number_of(const std::string& member) const;
+  std::string text_of(const std::string& member) const;
+  bool flag_of(const std::string& member) const;
+};
+
+/// Parses a whole text; throws std::runtime_error with `what`, the name of its source, where it is no JSON.
+JsonValue read_json(const std::string& text, const std::string& what);
+
+}  // namespace parison::core
