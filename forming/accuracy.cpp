@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 #include "core/case_error.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 namespace dimension = core::dimension;
 
 constexpr std::array preset_names{"draft", "standard", "fine"};
+constexpr const char* coarser_word = " coarser ";
 constexpr std::array passes{1, 2, 2};
 constexpr std::array temperature_orders{2, 2, 2};
 constexpr double coarsest = -2, finest = 3;  ///< levels that a target may ask for
@@ -108,11 +110,10 @@ double level_for(double target) {
 }
 
 AccuracyChoice read_accuracy(const std::string& text) {
-  const std::string word = " coarser ";
-  const auto at = text.find(word);
+  const auto at = text.find(coarser_word);
   const std::string base = text.substr(0, at);
   AccuracyChoice choice;
-  if (at != text.npos) choice.coarser = number(text.substr(at + word.size()));
+  if (at != text.npos) choice.coarser = number(text.substr(at + std::strlen(coarser_word)));
   if (choice.coarser == 0) refuse(text);
   const auto preset = std::find(preset_names.begin(), preset_names.end(), base);
   if (preset != preset_names.end()) {
@@ -124,6 +125,11 @@ AccuracyChoice read_accuracy(const std::string& text) {
     refuse(text);
   }
   return choice;
+}
+
+std::string coarser_text(const std::string& text, double factor) {
+  return fmt::format("{}{}{:.12g}", text.substr(0, text.find(coarser_word)), coarser_word,
+                     factor * read_accuracy(text).coarser);
 }
 
 Accuracy accuracy_preset(const std::string& text) {

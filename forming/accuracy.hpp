@@ -57,6 +57,9 @@ struct AccuracyChoice {
 /// Throws core::CaseError where the text is no choice.
 AccuracyChoice read_accuracy(const std::string& text);
 
+/// The text of a choice `factor` times coarser.
+std::string coarser_text(const std::string& text, double factor);
+
 /// The presets draft, standard and fine, or what another text asks for.
 Accuracy accuracy_preset(const std::string& text);
 

@@ -12,6 +12,7 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "forming/checkpoint.hpp"
+#include "forming/error_bars.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/renew.hpp"
 #include "thermal/properties.hpp"
@@ -146,7 +147,17 @@ void add_stages(JsonWriter& json, const RunFacts& run) {
   json.close();
 }
 
-std::string summary_json(const Scene& scene, const State& state, const Summary& summary) {
+void add_errors(JsonWriter& json, const ErrorBars& bars) {
+  json.open_object("error_bars");
+  json.add("companion_factor", companion_factor);
+  json.add("companion_cpu_seconds", bars.companion_cpu_seconds);
+  json.add("thickness_profile_mean", bars.profile_mean);
+  json.add("thickness_profile_largest", bars.profile_largest);
+  json.add("heat_into_tools", bars.heat);
+  json.close();
+}
+
+std::string summary_json(const Scene& scene, const State& state, const Summary& summary, const ErrorBars* bars) {
   JsonWriter json;
   add_run(json, scene, state, summary);
   add_numerics(json, scene.accuracy);
@@ -159,6 +170,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   json.add("mean_mm", 1e3 * summary.thickness.mean);
   json.add("max_mm", 1e3 * summary.thickness.highest);
   json.close();
+  if (bars) add_errors(json, *bars);
   add_quantities(json, summary.quantities);
   json.open_list("warnings");
   for (const std::string& warning : summary.run.warnings) json.add("", warning);
@@ -185,9 +197,15 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
 Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run) {
   const std::vector<ThicknessRow> rows = thickness_profile(scene, state);
   const Summary summary = summarise(scene, state, run, rows);
-  core::replace_file(directory + "/summary.json", summary_json(scene, state, summary));
+  core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));
   write_thickness(directory + "/thickness.csv", rows);
   return summary;
+}
+
+void add_error_bars(const std::string& directory, const Scene& scene, const State& state, const ErrorBars& bars,
+                    Summary& summary) {
+  summary.quantities = bars.quantities;
+  core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, &bars));
 }
 
 }  // namespace parison::forming

@@ -60,6 +60,13 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
 
 /// Writes thickness.csv and summary.json into the result folder.
 Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run);
+/// Writes summary.json again, now with error bars.
+struct ErrorBars;
+void add_error_bars(const std::string& directory, const Scene& scene, const State& state, const ErrorBars& bars,
+                    Summary& summary);
+
+/// Each quantity of interest with its estimated error, and what that says of a target.
+std::string error_table(const Scene& scene, const ErrorBars& bars);
 
 /// What a process engineer asks for, as a table for the terminal.
 std::string summary_table(const Scene& scene, const State& state, const Summary& summary);

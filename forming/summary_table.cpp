@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "forming/error_bars.hpp"
 #include "forming/renew.hpp"
 #include "forming/summary.hpp"
 #include "thermal/properties.hpp"
@@ -67,7 +68,28 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
   return text;
 }
 
+std::string share_line(const char* label, double share) {
+  return std::isfinite(share) ? fmt::format("  {:<30}{:>14.2g} %\n", label, 100 * share) : "";
+}
+
 }  // namespace
+
+std::string error_table(const Scene& scene, const ErrorBars& bars) {
+  std::string text = fmt::format("\n  {:<30}{:>14}{:>16}\n", "quantity", "value", "estimated error");
+  for (const Quantity& quantity : bars.quantities.values)
+    text += fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value,
+                        std::isfinite(quantity.error) ? fmt::format("+- {:.2g}", quantity.error) : "-", quantity.unit);
+  text += share_line("wall thickness, mean error", bars.profile_mean);
+  text += share_line("wall thickness, largest error", bars.profile_largest);
+  text += share_line("heat into tools, error", bars.heat);
+  if (const auto target = scene.accuracy_choice.target) {
+    const double worst = std::fmax(bars.profile_mean, bars.heat);
+    text += fmt::format("  target {:.3g} %: {}\n", 100 * *target,
+                        worst <= *target ? "held" : fmt::format("missed, the estimated error is {:.2g} %", 100 * worst));
+  }
+  return text + fmt::format("  by a companion run {:g} times coarser ({:.1f} s CPU)\n", companion_factor,
+                            bars.companion_cpu_seconds);
+}
 
 std::string summary_table(const Scene& scene, const State& state, const Summary& summary) {
   std::string text = fmt::format("\n{} at {} accuracy: ", scene.name, scene.accuracy_name);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <signal.h>
-
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -14,10 +11,12 @@
 #include "core/case_error.hpp"
 #include "forming/checkpoint.hpp"
 #include "forming/checkup.hpp"
+#include "forming/error_bars.hpp"
 #include "forming/run.hpp"
 #include "forming/scene.hpp"
 #include "forming/summary.hpp"
 #include "tools/fit_law.hpp"
+#include "tools/stop_request.hpp"
 
 namespace {
 
@@ -30,49 +29,51 @@ int check(const std::string& path, const std::string& accuracy, const Overrides&
   return 0;
 }
 
-volatile std::sig_atomic_t stop_asked = 0;
-
-bool stop() { return stop_asked != 0; }
-
-/// The first Ctrl-C or SIGTERM lets the step end, the second ends the program. A file too large for its limit is an error
-/// like a full disk.
-void catch_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { stop_asked = 1; };
-  action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
-  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
-  std::signal(SIGXFSZ, SIG_IGN);
+/// Runs the companion of a run that has completed, and tells what it says.
+int report_errors(const parison::forming::Scene& scene, const parison::forming::RunOutcome& outcome,
+                  const std::string& output, parison::forming::Summary& summary) {
+  const auto bars = parison::forming::estimate_errors(scene, summary.quantities, output, parison::tools::stop_asked);
+  if (!bars) {
+    fmt::print(stderr, "parison: the companion run has not completed; `parison resume {} --error-bars` continues it\n", output);
+    return run_failed;
+  }
+  add_error_bars(output, scene, outcome.state, *bars, summary);
+  fmt::print("{}", error_table(scene, *bars));
+  return 0;
 }
 
 /// Writes the summary of a run and tells how it ended.
-int report(const parison::forming::Scene& scene, const parison::forming::RunOutcome& outcome, const std::string& output) {
+int report(const parison::forming::Scene& scene, const parison::forming::RunOutcome& outcome, const std::string& output,
+           bool error_bars) {
   const auto& facts = outcome.facts;
   if (!facts.completed) fmt::print(stderr, "parison: the run stopped in {}\n", facts.reason);
-  const auto summary = parison::forming::write_summary(output, scene, outcome.state, facts);
+  auto summary = parison::forming::write_summary(output, scene, outcome.state, facts);
   fmt::print("\n{}", summary_table(scene, outcome.state, summary));
   std::fflush(stdout);
   if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
-  return facts.completed ? 0 : run_failed;
+  if (!facts.completed) return run_failed;
+  return error_bars ? report_errors(scene, outcome, output, summary) : 0;
 }
 
-int run(const std::string& path, const std::string& accuracy, const Overrides& overrides, std::string output) {
+int run(const std::string& path, const std::string& accuracy, const Overrides& overrides, std::string output,
+        bool error_bars) {
   using namespace parison::forming;
   const Scene scene = read_scene(path, accuracy, overrides);
   if (output.empty()) output = "results/" + scene.name;
   fmt::print("{}\n", describe_scene(scene));
   std::fflush(stdout);
-  catch_signals();
-  return report(scene, parison::forming::run(scene, output, stop), output);
+  parison::tools::catch_signals();
+  return report(scene, parison::forming::run(scene, output, parison::tools::stop_asked), output, error_bars);
 }
 
-int resume(const std::string& output, const std::string& path) {
+int resume(const std::string& output, const std::string& path, bool error_bars) {
   using namespace parison::forming;
   const CaseOrigin origin = read_origin(find_checkpoint(output));
   const Scene scene = read_scene(path.empty() ? origin.file : path, origin.accuracy, origin.overrides);
   fmt::print("{} at {} accuracy, from the last checkpoint in {}\n", scene.name, scene.accuracy_name, output);
   std::fflush(stdout);
-  catch_signals();
-  return report(scene, parison::forming::resume(scene, output, stop), output);
+  parison::tools::catch_signals();
+  return report(scene, parison::forming::resume(scene, output, parison::tools::stop_asked), output, error_bars);
 }
 
 }  // namespace
@@ -82,10 +83,11 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   std::string path, accuracy = "standard", output;
   Overrides overrides;
+  bool error_bars = false;
   const auto with_case = [&](const char* name, const char* what) {
     auto* command = app.add_subcommand(name, what);
     command->add_option("case", path, "folder that holds a case.toml, or a case file")->required();
-    command->add_option("--accuracy", accuracy, "draft, standard or fine")->capture_default_str();
+    command->add_option("--accuracy", accuracy, "draft, standard, fine, or an error such as 0.5%")->capture_default_str();
     command->add_option("--set", overrides, "KEY=VALUE in place of the case file's value; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
@@ -93,9 +95,11 @@ int main(int argc, char** argv) {
   };
   auto* run_command = with_case("run", "run a case");
   run_command->add_option("--output", output, "new folder for the results [results/NAME]");
+  run_command->add_flag("--error-bars", error_bars, "estimate the error of each result by a coarser companion run");
   auto* resume_command = app.add_subcommand("resume", "continue a run from its last checkpoint");
   resume_command->add_option("results", output, "folder with the results of the run")->required();
   resume_command->add_option("--case", path, "the case, where it has moved");
+  resume_command->add_flag("--error-bars", error_bars, "as for run; on a run that has completed too");
   auto* check_command = with_case("check", "read a case and say what it needs");
   parison::tools::FitLawRequest fit;
   auto* fit_command = app.add_subcommand("fit-law", "fit the pressure-viscosity law to measurements");
@@ -109,8 +113,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (fit_command->parsed()) return parison::tools::fit_law(fit);
-    if (resume_command->parsed()) return resume(output, path);
-    return check_command->parsed() ? check(path, accuracy, overrides) : run(path, accuracy, overrides, output);
+    if (resume_command->parsed()) return resume(output, path, error_bars);
+    return check_command->parsed() ? check(path, accuracy, overrides) : run(path, accuracy, overrides, output, error_bars);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : case_wrong;
   } catch (const parison::core::CaseError& error) {

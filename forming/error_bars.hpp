@@ -1,0 +1,30 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+
+#include "forming/quantities.hpp"
+#include "forming/run.hpp"
+#include "forming/scene.hpp"
+
+namespace parison::forming {
+
+/// Edges and steps of the companion run over those of the run itself.
+inline constexpr double companion_factor = 1.5;
+
+/// What a companion run says about a run: Richardson's estimate for errors that fall with the first power of edges and steps,
+/// the lowest order seen, so that it errs to the safe side where they fall faster.
+struct ErrorBars {
+  Quantities quantities;    ///< those of the run, with their errors
+  double profile_mean, profile_largest;  ///< of the wall thickness, shares; NaN without a wall
+  double heat;              ///< into all tools, a share; NaN without
+  double companion_cpu_seconds = 0;
+};
+ErrorBars error_bars(const Quantities& run, const Quantities& companion);
+
+/// Runs the coarser companion of a scene in the folder `companion` of its results, goes on with one that was stopped, or
+/// reads one that is complete; none where it does not come to its end.
+std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& run, const std::string& directory,
+                                         const StopRequest& stop);
+
+}  // namespace parison::forming
