@@ -17,6 +17,7 @@
 #include "forming/summary.hpp"
 #include "tools/fit_law.hpp"
 #include "tools/stop_request.hpp"
+#include "tools/tradeoff.hpp"
 
 namespace {
 
@@ -76,6 +77,20 @@ int resume(const std::string& output, const std::string& path, bool error_bars) 
   return report(scene, parison::forming::resume(scene, output, parison::tools::stop_asked), output, error_bars);
 }
 
+CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {
+  auto* command = app.add_subcommand("tradeoff", "run a ladder of settings and model parts: error against CPU time");
+  command->add_option("case", trade.case_path, "folder that holds a case.toml, or a case file")->required();
+  command->add_option("--output", trade.output, "folder of the ladder; what has run there is not run again [results/tradeoff_NAME]");
+  command->add_option("--reference", trade.reference, "accuracy that the others are held against")->capture_default_str();
+  command->add_option("--base", trade.base, "accuracy at which one thing at a time is changed")->capture_default_str();
+  command->add_option("--ladder", trade.ladder, "TOML file of [[rung]] tables in place of the standard ladder");
+  command->add_option("--only", trade.groups, "groups to run: dial, mesh, time, coupling, order, model")->delimiter(',');
+  command->add_option("--set", trade.overrides, "KEY=VALUE for every rung")->take_all()->allow_extra_args(false);
+  command->add_option("--jobs", trade.jobs, "runs at once, one thread each")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_flag("--list", trade.list, "name the rungs and run none");
+  return command;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,6 +116,8 @@ int main(int argc, char** argv) {
   resume_command->add_option("--case", path, "the case, where it has moved");
   resume_command->add_flag("--error-bars", error_bars, "as for run; on a run that has completed too");
   auto* check_command = with_case("check", "read a case and say what it needs");
+  parison::tools::TradeoffRequest trade;
+  auto* trade_command = add_tradeoff(app, trade);
   parison::tools::FitLawRequest fit;
   auto* fit_command = app.add_subcommand("fit-law", "fit the pressure-viscosity law to measurements");
   fit_command->add_option("data", fit.data, "CSV file: p and h, or q, T_glass and T_tool; eta or T_glass")->required();
@@ -113,6 +130,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (fit_command->parsed()) return parison::tools::fit_law(fit);
+    if (trade_command->parsed()) return parison::tools::tradeoff(trade);
     if (resume_command->parsed()) return resume(output, path, error_bars);
     return check_command->parsed() ? check(path, accuracy, overrides) : run(path, accuracy, overrides, output, error_bars);
   } catch (const CLI::ParseError& error) {

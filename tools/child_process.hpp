@@ -1,0 +1,18 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+namespace parison::tools {
+
+/// Starts this program again with other arguments, on one thread, in a process group of its own; what it prints goes to the
+/// end of a file. Returns its id.
+int start_self(const std::vector<std::string>& arguments, const std::string& log);
+
+/// Whether a child has ended.
+bool has_ended(int child);
+
+/// Asks a child to stop as a first Ctrl-C does.
+void ask_to_stop(int child);
+
+}  // namespace parison::tools

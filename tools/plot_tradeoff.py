@@ -1,0 +1,42 @@
+#!/usr/bin/env -S /usr/bin/python3 -B
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws error against CPU time from the tradeoff.json of `parison tradeoff` into tradeoff.png and tradeoff.svg beside it."""
+import json
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+MARKS = {"dial": "o", "mesh": "s", "time": "^", "coupling": "D", "order": "v"}
+
+
+def main():
+    folder = Path(sys.argv[1])
+    rungs = json.loads((folder / "tradeoff.json").read_text())["rungs"]
+    shown = [r for r in rungs if r["completed"] and r["group"] not in ("reference", "model") and r["error"]]
+    figure, axes = plt.subplots(figsize=(7, 4.6))
+    for group in dict.fromkeys(r["group"] for r in shown):
+        members = [r for r in shown if r["group"] == group]
+        axes.plot([r["cpu_seconds"] for r in members], [100 * r["error"] for r in members], MARKS.get(group, "x"),
+                  label=group, markersize=6, alpha=0.8)
+    front = sorted((r for r in shown if r["on_front"]), key=lambda r: r["cpu_seconds"])
+    axes.plot([r["cpu_seconds"] for r in front], [100 * r["error"] for r in front], "k-", linewidth=1, label="best line")
+    for r in shown:
+        if r["preset"]:
+            at = (r["cpu_seconds"], 100 * r["error"])
+            axes.plot(*at, "o", markersize=13, markerfacecolor="none", markeredgecolor="crimson", markeredgewidth=1.8)
+            axes.annotate(r["name"], at, xytext=(9, 7), textcoords="offset points", color="crimson")
+    axes.set(xscale="log", yscale="log", xlabel="CPU time, s",
+             ylabel="error, %: larger of mean wall thickness and heat into tools")
+    axes.grid(True, which="both", alpha=0.3)
+    axes.legend(frameon=False)
+    figure.tight_layout()
+    for kind in ("png", "svg"):
+        figure.savefig(folder / f"tradeoff.{kind}", dpi=150)
+    print(f"{folder}/tradeoff.png, tradeoff.svg")
+
+
+main()

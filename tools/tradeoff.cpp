@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/tradeoff.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "core/case_error.hpp"
+#include "core/files.hpp"
+#include "core/json_read.hpp"
+#include "forming/scene.hpp"
+#include "tools/child_process.hpp"
+#include "tools/stop_request.hpp"
+#include "tools/tradeoff_report.hpp"
+
+namespace parison::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using forming::Rung;
+
+enum class Standing { fresh, begun, done, failed };
+
+/// A summary made with other settings than the rung's says that the folder belongs to another ladder.
+void require_same(const core::JsonValue& summary, const Rung& rung, const std::string& case_path, const std::string& folder) {
+  const forming::Scene scene = forming::read_scene(case_path, rung.accuracy, rung.overrides);
+  const auto* numerics = summary.find("numerics");
+  bool same = numerics && summary.text_of("case") == scene.name;
+  for (const forming::Setting& setting : forming::settings())
+    same = same && numerics->number_of(setting.key) == scene.accuracy.*setting.value;
+  std::vector<std::string> overrides;
+  if (const auto* list = summary.find("overrides"))
+    for (const auto& item : list->items) overrides.push_back(item.text);
+  if (!same || overrides != rung.overrides)
+    throw core::CaseError(fmt::format("{}: a run of other settings was found, allowed is an --output folder of this ladder", folder));
+}
+
+Standing standing(const Rung& rung, const std::string& case_path, const std::string& folder) {
+  const std::string path = folder + "/summary.json";
+  if (fs::exists(path)) {
+    const core::JsonValue summary = core::read_json(core::read_text(path), path);
+    require_same(summary, rung, case_path, folder);
+    if (summary.flag_of("completed")) return Standing::done;
+    if (!summary.flag_of("stopped")) return Standing::failed;
+  }
+  if (fs::exists(folder + "/checkpoint.h5")) return Standing::begun;
+  return Standing::fresh;
+}
+
+struct Running {
+  std::size_t rung;
+  int child;
+};
+
+struct Ladder {
+  const TradeoffRequest& request;
+  std::vector<Rung> rungs;
+  std::vector<Running> running;
+  std::size_t next = 0, ended = 0;
+
+  std::string folder(const Rung& rung) const { return request.output + '/' + rung.name; }
+};
+
+void say(const Ladder& ladder, const Rung& rung, const std::string& what) {
+  fmt::print("[{:2}/{}] {:<28} {}\n", ladder.ended, ladder.rungs.size(), rung.name, what);
+  std::fflush(stdout);
+}
+
+std::string result_line(const Ladder& ladder, const Rung& rung) {
+  const std::string path = ladder.folder(rung) + "/summary.json";
+  if (!fs::exists(path)) return fmt::format("ended without a summary, see {}.log", ladder.folder(rung));
+  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  return summary.flag_of("completed") ? fmt::format("{:.1f} s CPU", summary.number_of("cpu_seconds"))
+         : summary.flag_of("stopped") ? "stopped" : fmt::format("failed: {}", summary.text_of("reason"));
+}
+
+/// Starts the next rung that has something left to do; false when there is none.
+bool start_next(Ladder& ladder) {
+  while (ladder.next < ladder.rungs.size()) {
+    const std::size_t at = ladder.next++;
+    const Rung& rung = ladder.rungs[at];
+    const std::string folder = ladder.folder(rung);
+    const Standing now = standing(rung, ladder.request.case_path, folder);
+    if (now == Standing::done || now == Standing::failed) {
+      ++ladder.ended;
+      say(ladder, rung, result_line(ladder, rung) + ", from before");
+      continue;
+    }
+    std::vector<std::string> arguments = {"resume", folder};
+    if (now == Standing::fresh) {
+      fs::remove_all(folder);  // what was killed before its first checkpoint
+      arguments = {"run", ladder.request.case_path, "--accuracy", rung.accuracy, "--output", folder};
+      for (const std::string& assignment : rung.overrides) arguments.insert(arguments.end(), {"--set", assignment});
+    }
+    ladder.running.push_back({at, start_self(arguments, folder + ".log")});
+    say(ladder, rung, now == Standing::begun ? "goes on" : "starts");
+    return true;
+  }
+  return false;
+}
+
+void collect_ended(Ladder& ladder) {
+  for (std::size_t i = ladder.running.size(); i-- > 0;)
+    if (has_ended(ladder.running[i].child)) {
+      ++ladder.ended;
+      const Rung& rung = ladder.rungs[ladder.running[i].rung];
+      ladder.running.erase(ladder.running.begin() + static_cast<long>(i));
+      say(ladder, rung, result_line(ladder, rung));
+    }
+}
+
+/// Runs what is left, as many at once as asked for; false when told to stop.
+bool climb(Ladder& ladder) {
+  catch_signals();
+  bool told = false;
+  for (;;) {
+    while (!stop_asked() && static_cast<int>(ladder.running.size()) < ladder.request.jobs && start_next(ladder)) {
+    }
+    if (stop_asked() && !told) {
+      told = true;
+      for (const Running& run : ladder.running) ask_to_stop(run.child);
+    }
+    if (ladder.running.empty()) return !stop_asked();
+    usleep(50000);
+    collect_ended(ladder);
+  }
+}
+
+bool wanted(const TradeoffRequest& request, const Rung& rung) {
+  return request.groups.empty() || std::count(request.groups.begin(), request.groups.end(), rung.group);
+}
+
+/// The reference, the base, and the rungs of the groups asked for.
+std::vector<Rung> make_rungs(const TradeoffRequest& request, const forming::Scene& scene, std::string& base) {
+  std::vector<Rung> all = request.ladder.empty() ? forming::standard_ladder(scene, request.reference)
+                                                 : forming::read_ladder(request.ladder, request.base);
+  base = forming::base_rung(all, request.base);
+  std::vector<Rung> rungs = {{"reference", "reference", request.reference, {}, ""}};
+  for (const Rung& rung : all)
+    if (rung.name == base || wanted(request, rung)) rungs.push_back(rung);
+  for (Rung& rung : rungs) rung.overrides.insert(rung.overrides.begin(), request.overrides.begin(), request.overrides.end());
+  return rungs;
+}
+
+}  // namespace
+
+int tradeoff(const TradeoffRequest& given) {
+  TradeoffRequest request = given;
+  const forming::Scene scene = forming::read_scene(request.case_path, request.base, request.overrides);
+  if (request.output.empty()) request.output = "results/tradeoff_" + scene.name;
+  std::string base;
+  Ladder ladder{request, make_rungs(request, scene, base), {}};
+  for (const Rung& rung : ladder.rungs) {
+    forming::read_scene(request.case_path, rung.accuracy, rung.overrides);  // refused now, not hours later
+    if (request.list)
+      fmt::print("{:<28} {:<10} {:<22} {}\n", rung.name, rung.group, rung.accuracy, fmt::join(rung.overrides, ", "));
+  }
+  if (request.list) return 0;
+  fs::create_directories(request.output);
+  if (!climb(ladder)) {
+    fmt::print(stderr, "parison: the ladder was told to stop; the same command goes on with it\n");
+    return 1;
+  }
+  return report_tradeoff(request.output, ladder.rungs, base) ? 0 : 1;
+}
+
+}  // namespace parison::tools

@@ -1,0 +1,20 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+namespace parison::tools {
+
+/// What `parison tradeoff` is asked for.
+struct TradeoffRequest {
+  std::string case_path, output, ladder;
+  std::string base = "draft", reference = "fine";
+  std::vector<std::string> overrides, groups;  ///< for every rung; the groups to run, all where none is named
+  int jobs = 2;
+  bool list = false;  ///< names the rungs and runs none
+};
+
+/// Runs the ladder of a case in a folder, as far as it has not run yet, and writes what it says. Returns the exit code.
+int tradeoff(const TradeoffRequest& request);
+
+}  // namespace parison::tools

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/tradeoff_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/files.hpp"
+#include "core/json.hpp"
+#include "forming/tradeoff.hpp"
+
+namespace parison::tools {
+namespace {
+
+using forming::RungResult;
+using Results = std::vector<RungResult>;
+
+RungResult read_result(const std::string& folder, const forming::Rung& rung) {
+  RungResult result;
+  result.rung = rung;
+  const std::string path = folder + '/' + rung.name + "/summary.json";
+  if (!std::filesystem::exists(path)) {
+    result.reason = "no summary";
+    return result;
+  }
+  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  result.completed = summary.flag_of("completed");
+  result.reason = summary.text_of("reason");
+  result.cpu = summary.number_of("cpu_seconds");
+  result.steps = static_cast<long>(summary.number_of("steps"));
+  result.reynolds = summary.number_of("largest_reynolds");
+  if (result.completed) result.quantities = forming::read_quantities(summary);
+  return result;
+}
+
+bool is_preset(const RungResult& result) {
+  return result.rung.accuracy.find(' ') == std::string::npos && result.rung.group == "dial";
+}
+
+std::string share(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", 100 * value) : ""; }
+
+const RungResult& compared_with(const Results& results, const RungResult& result, const RungResult& base) {
+  return result.rung.group == "model" ? base : results.front();
+}
+
+std::string as_csv(const Results& results, const RungResult& base) {
+  std::string text = "rung,group,accuracy,overrides,completed,cpu_s,steps,thickness_mean_%,thickness_largest_%,at_arc_share,heat_%,on_front";
+  for (const auto& quantity : results.front().quantities.values) text += fmt::format(",{0}_{1},{0}_change", quantity.name, quantity.unit);
+  text += '\n';
+  for (const RungResult& r : results) {
+    text += fmt::format("{},{},{},{},{},{:.4g},{},{},{},{:.4g},{},{}", r.rung.name, r.rung.group, core::csv_text(r.rung.accuracy),
+                        core::csv_text(fmt::format("{}", fmt::join(r.rung.overrides, "; "))), r.completed ? 1 : 0, r.cpu,
+                        r.steps, share(r.profile.mean), share(r.profile.largest), r.profile.where, share(r.heat), r.on_front ? 1 : 0);
+    for (const auto& quantity : results.front().quantities.values) {
+      const auto *own = r.quantities.find(quantity.name), *other = compared_with(results, r, base).quantities.find(quantity.name);
+      text += own && other ? fmt::format(",{:.8g},{:.4g}", own->value, own->value - other->value) : ",,";
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string as_json(const Results& results, const RungResult& base) {
+  core::JsonWriter json;
+  json.add("base", base.rung.name);
+  json.open_list("rungs");
+  for (const RungResult& r : results) {
+    json.open_object("");
+    json.add("name", r.rung.name);
+    json.add("group", r.rung.group);
+    json.add("accuracy", r.rung.accuracy);
+    json.add("what", r.rung.what);
+    json.add("completed", r.completed);
+    json.add("reason", r.reason);
+    json.add("preset", is_preset(r));
+    json.add("on_front", r.on_front);
+    json.add("cpu_seconds", r.cpu);
+    json.add("cpu_over_best_line", is_preset(r) ? forming::over_front(results, r) : std::nan(""));
+    json.add("error", r.error());
+    json.add("thickness_mean", r.profile.mean);
+    json.add("thickness_largest", r.profile.largest);
+    json.add("thickness_largest_at", r.profile.where);
+    json.add("heat", r.heat);
+    json.open_object("changes");
+    for (const auto& quantity : r.quantities.values)
+      if (const auto* other = compared_with(results, r, base).quantities.find(quantity.name))
+        json.add(quantity.name, quantity.value - other->value);
+    json.close();
+    json.close();
+  }
+  return json.finish();
+}
+
+std::string numerics_table(const Results& results) {
+  std::string text = "| settings | CPU, s | thickness, mean % | largest % | heat into tools % | |\n|---|---|---|---|---|---|\n";
+  for (const RungResult& r : results)
+    if (r.rung.group != "model")
+      text += r.completed ? fmt::format("| {} | {:.4g} | {} | {} | {} | {} |\n", r.rung.name, r.cpu, share(r.profile.mean),
+                                        share(r.profile.largest), share(r.heat), r.on_front ? "on the best line" : "")
+                          : fmt::format("| {} | | | | | {} |\n", r.rung.name, r.reason);
+  for (const RungResult& r : results)
+    if (is_preset(r) && r.completed)
+      if (const double over = forming::over_front(results, r); std::isfinite(over))
+        text += fmt::format("\n{}: {:.2f} times the CPU time of the best line at its error.", r.rung.name, over);
+  return text + '\n';
+}
+
+std::string changes(const RungResult& r, const RungResult& base) {
+  std::string text;
+  for (const auto& quantity : r.quantities.values)
+    if (const auto* other = base.quantities.find(quantity.name))
+      text += fmt::format("{}{} {:+.3g} {}", text.empty() ? "" : ", ", quantity.name, quantity.value - other->value, quantity.unit);
+  return text;
+}
+
+/// What each part of the model changes against the base, and what of its time it takes.
+std::string model_table(const Results& results, const RungResult& base) {
+  std::string rows;
+  for (const RungResult& r : results)
+    if (r.rung.group == "model")
+      rows += r.completed ? fmt::format("| {} | {} | {} | {} | {:+.0f} | {} |\n", r.rung.what, share(r.profile.mean),
+                                        share(r.profile.largest), share(r.heat), 100 * (base.cpu - r.cpu) / base.cpu, changes(r, base))
+                          : fmt::format("| {} | | | | | {} |\n", r.rung.what, r.reason);
+  if (base.reynolds > 0)
+    rows += fmt::format("| inertia (estimate: never in the model; largest Reynolds number {0:.2g}) | up to {1:.2g} | | | | |\n",
+                        base.reynolds, 100 * base.reynolds);
+  if (rows.empty()) return {};
+  return fmt::format("\nWithout it, against {}:\n\n| part | thickness, mean % | largest % | heat into tools % | its share of the CPU time, % | changes |\n"
+                     "|---|---|---|---|---|---|\n", base.rung.name) + rows;
+}
+
+std::string error_laws(const Results& results) {
+  std::string text;
+  const std::pair<const char*, double (*)(const RungResult&)> laws[] = {
+      {"thickness", [](const RungResult& r) { return r.profile.mean; }}, {"heat", [](const RungResult& r) { return r.heat; }}};
+  for (const auto& [name, error] : laws)
+    if (const auto law = forming::fit_error_law(results, error); std::isfinite(law.at_draft))
+      text += fmt::format("\nerror of the {}: {:.2g} % * 2^(-{:.2f} level), level 0 draft, 1 standard, 2 fine", name,
+                          100 * law.at_draft, law.order);
+  return text.empty() ? text : text + '\n';
+}
+
+/// Where the program was built from its source its script stands one folder up; elsewhere it is named.
+void plot(const std::string& folder) {
+  namespace fs = std::filesystem;
+  const fs::path script = fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "tools/plot_tradeoff.py";
+  const std::string command = fmt::format("/usr/bin/python3 -B '{}' '{}'", script.string(), folder);
+  if (!fs::exists(script) || std::system((command + " 2>/dev/null").c_str()) != 0)
+    fmt::print("No plot was made: it needs python3-matplotlib; then tools/plot_tradeoff.py {} makes it.\n", folder);
+}
+
+}  // namespace
+
+bool report_tradeoff(const std::string& folder, const std::vector<forming::Rung>& rungs, const std::string& base_name) {
+  Results results;
+  for (const forming::Rung& rung : rungs) results.push_back(read_result(folder, rung));
+  const RungResult& base = *std::find_if(results.begin(), results.end(),
+                                         [&](const RungResult& r) { return r.rung.name == base_name; });
+  if (!results.front().completed || !base.completed) {
+    const RungResult& missing = results.front().completed ? base : results.front();
+    fmt::print(stderr, "parison: no comparison without {}: {}\n", missing.rung.name, missing.reason);
+    return false;
+  }
+  forming::compare_rungs(results, base_name);
+  forming::mark_front(results);
+  const std::string table = numerics_table(results) + model_table(results, base) + error_laws(results);
+  core::write_text(folder + "/tradeoff.csv", as_csv(results, base));
+  core::write_text(folder + "/tradeoff.json", as_json(results, base));
+  core::write_text(folder + "/tradeoff.md", table);
+  fmt::print("\n{}\n", table);
+  std::fflush(stdout);
+  plot(folder);
+  return true;
+}
+
+}  // namespace parison::tools
