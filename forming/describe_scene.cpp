@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "forming/checkup.hpp"
+#include "forming/left_out.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -119,7 +120,7 @@ std::string describe_scene(const Scene& scene) {
   const char* geometry = scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar";
   std::string head = fmt::format("{}, {}\n", scene.name, geometry);
   for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
-  return head + flow_parts(scene) + heat_parts(scene) +
+  return head + flow_parts(scene) + heat_parts(scene) + describe_parts(scene) +
          number_lines(scene_numbers(scene)) + stage_lines(scene) + accuracy_lines(scene);
 }
 
