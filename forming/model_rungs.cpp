@@ -77,10 +77,11 @@ void add_flow_parts(Parts& parts) {
     parts.add("no_tension", "surface tension", {parts.of_glass("surface_tension=0 N/m")});
   if (scene.glass.flow->shear_thinning)
     parts.add("no_thinning", "shear thinning", {parts.of_glass("shear_thinning.time=1e-12 s")});
+  constexpr double little = 0.01;
   std::vector<std::string> weightless;
   for (const Stage& stage : scene.stages)
-    if (stage.gravity != 0) weightless.push_back(fmt::format("stage.{}.gravity=0 m/s2", stage.name));
-  if (!weightless.empty()) parts.add("no_gravity", "gravity", weightless);
+    if (stage.gravity != 0) weightless.push_back(fmt::format("stage.{}.gravity={:.6g} m/s2", stage.name, little * stage.gravity));
+  if (!weightless.empty()) parts.add("no_gravity", "gravity, but for a hundredth that holds the glass in place", weightless);
   add_friction(parts);
 }
 

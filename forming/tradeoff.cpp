@@ -63,7 +63,8 @@ ErrorLaw fit_error_law(const std::vector<RungResult>& results, double (*error)(c
   ErrorLaw best{none, none};
   if (points.size() < 2) return best;
   double least = std::numeric_limits<double>::infinity();
-  constexpr double lowest_order = 0.3, highest_order = 3, step = 0.01;
+  // Below the first order nothing here converges; only scatter looks so.
+  constexpr double lowest_order = 1, highest_order = 3, step = 0.01;
   for (double order = lowest_order; order <= highest_order; order += step) {
     std::vector<double> logs;
     for (const auto& [level, size] : points)

@@ -68,7 +68,7 @@ TEST(Checkup, StagesToolsAndAccuracyAreListed) {
   const std::string text = describe_scene(scene_of(small_scene));
   EXPECT_EQ(line_with(text, "  press "), "  press               2 s; plate, plunger (-5 N, at most 10 mm/s)");
   const std::string overridden = describe_scene(case_of("contact_cylinders"));
-  EXPECT_EQ(line_with(overridden, "temperature_tolerance"), "  temperature_tolerance   0.02 K");
+  EXPECT_EQ(line_with(overridden, "temperature_tolerance"), "  temperature_tolerance   0.02 K      case");
 }
 
 }  // namespace
