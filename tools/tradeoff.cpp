@@ -114,7 +114,6 @@ void collect_ended(Ladder& ladder) {
 
 /// Runs what is left, as many at once as asked for; false when told to stop.
 bool climb(Ladder& ladder) {
-  catch_signals();
   bool told = false;
   for (;;) {
     while (!stop_asked() && static_cast<int>(ladder.running.size()) < ladder.request.jobs && start_next(ladder)) {
@@ -148,6 +147,7 @@ std::vector<Rung> make_rungs(const TradeoffRequest& request, const forming::Scen
 }  // namespace
 
 int tradeoff(const TradeoffRequest& given) {
+  catch_signals();
   TradeoffRequest request = given;
   const forming::Scene scene = forming::read_scene(request.case_path, request.base, request.overrides);
   if (request.output.empty()) request.output = "results/tradeoff_" + scene.name;
