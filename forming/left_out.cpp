@@ -26,7 +26,7 @@ constexpr Measured radiation_measured{0.89, 0.201, 0.213};
 constexpr Measured emission_measured{13, 0.085, 0.062};
 constexpr Measured warming_measured{0.42, 0.053, 0.062};
 constexpr Measured tension_measured{3.2e-4, 0.012, 5e-4};
-constexpr Measured gravity_measured{1, 0, 0};
+constexpr Measured gravity_measured{0.019, 0.156, 0.013};
 
 PartEstimate scaled(const char* name, bool in_scene, const char* number_name, double number, const Measured& jar) {
   const double ratio = number / jar.number;
