@@ -30,7 +30,10 @@ def main():
             axes.plot(*at, "o", markersize=13, markerfacecolor="none", markeredgecolor="crimson", markeredgewidth=1.8)
             axes.annotate(r["name"], at, xytext=(9, 7), textcoords="offset points", color="crimson")
     axes.set(xscale="log", yscale="log", xlabel="CPU time, s",
-             ylabel="error, %: larger of mean wall thickness and heat into tools")
+             ylabel="error, %: the larger of\nmean wall thickness and heat into tools")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter("{x:g}")
+        axis.set_minor_formatter("{x:g}")
     axes.grid(True, which="both", alpha=0.3)
     axes.legend(frameon=False)
     figure.tight_layout()
