@@ -50,10 +50,12 @@ void add_flow(const Scene& scene, const SceneNumbers& numbers, std::vector<PartE
   const bool weight = std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& s) { return s.gravity != 0; });
   parts.push_back(scaled("gravity", weight, "weight over forming stress",
                          flow.density * earth * numbers.length / stress, gravity_measured));
-  // Inertia delays the flow by the time that momentum takes through the glass; no run measures what that changes at most.
+  // Inertia delays the flow by the time in which the slowest motion across a wall dies out, here a
+  // slab held on both sides; no run measures what that changes at most.
   const auto quickest = std::min_element(scene.stages.begin(), scene.stages.end(),
                                          [](const Stage& a, const Stage& b) { return a.duration < b.duration; });
-  const double delay = flow.density * numbers.length * numbers.length / (*numbers.viscosity * quickest->duration);
+  const double across = numbers.length / M_PI;
+  const double delay = flow.density * across * across / (*numbers.viscosity * quickest->duration);
   parts.push_back({"inertia", false, "its delay over the shortest stage", delay, std::min(1.0, delay), 0});
 }
 

@@ -111,6 +111,7 @@ void expect_same_body(const BodyState& a, const BodyState& b) {
 RunFacts some_facts() {
   RunFacts facts;
   facts.wall_seconds = 1.5;
+  facts.cpu_seconds = 1.25;
   facts.timing["heat"] = 0.75;
   facts.stages = {{"rest", 0, 1 / 3.0, "duration"}};
   return facts;
@@ -151,6 +152,7 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_EQ(checkpoint.files.output_times, (std::vector<double>{0, 1 / 3.0}));
   const RunFacts& facts = checkpoint.outcome.facts;
   EXPECT_EQ(facts.wall_seconds, 1.5);
+  EXPECT_EQ(facts.cpu_seconds, 1.25);
   EXPECT_EQ(facts.timing.at("heat"), 0.75);
   ASSERT_EQ(facts.stages.size(), 1u);
   EXPECT_EQ(facts.stages[0].name, "rest");

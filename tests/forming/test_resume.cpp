@@ -60,7 +60,7 @@ std::map<std::string, std::string> results(const std::string& folder) {
     if (!entry.is_regular_file() || entry.path().extension() == ".h5") continue;
     files[name] = core::read_text(entry.path());
     if (name == "summary.json")
-      files[name] = std::regex_replace(files[name], std::regex("\"(wall_seconds|seconds|flow|heat|contact|remesh|output)\": [^\n]*\n"), "");
+      files[name] = std::regex_replace(files[name], std::regex("\"(wall_seconds|cpu_seconds|seconds|flow|heat|contact|remesh|output)\": [^\n]*\n"), "");
   }
   return files;
 }
