@@ -22,7 +22,7 @@ constexpr double recovery_time = 5e-3;
 /// A node nearer than this to a tool touches it, m.
 constexpr double touching = 1e-9;
 /// Constraints of different tools whose normals are closer than this (cosine) count as one.
-constexpr double same_direction = 0.94;
+constexpr double same_direction = 0.9986;
 
 struct ToolConstraint {
   Index tool;
@@ -180,13 +180,17 @@ void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh)
       if (constraint.gap < 0 && !held[node]) mesh.nodes[node] -= constraint.gap * constraint.normal;
 }
 
-double deepest_penetration(const Scene& scene, const State& state) {
+double deepest_penetration(const Scene& scene, const State& state, double ahead) {
   double deepest = 0;
   const core::Mesh& glass = state.bodies[0].mesh;
+  const auto surface = surface_nodes(glass);
   for (const Index tool : tools_in_place(scene, state)) {
     const auto& profile = scene.tools[tool].profile;
-    for (const Index node : surface_nodes(glass)) {
-      const Point local = glass.nodes[node] - state.bodies[1 + tool].offset * core::axis_direction();
+    const BodyState& body = state.bodies[1 + tool];
+    const Point moved = (body.offset + ahead * body.velocity) * core::axis_direction();
+    for (const Index node : surface) {
+      Point local = glass.nodes[node] - moved;
+      if (ahead > 0 && scene.has_flow()) local += ahead * flow::node_velocity(state.velocity, node);
       if (core::contains(profile, local)) deepest = std::max(deepest, core::distance(profile, local));
     }
   }

@@ -26,6 +26,9 @@ constexpr double volume_recovery_time = 5e-3;
 /// Flow sweeps in one step, at the most.
 constexpr int most_sweeps = 4;
 
+/// What a sweep may leave deeper in a tool than the step found it, m.
+constexpr double most_depth = 2e-6;
+
 /// The middle of a step as it is known before the step is solved.
 struct Middle {
   Eigen::VectorXd velocity, temperature;  ///< of the glass nodes, m/s, K
@@ -191,7 +194,14 @@ bool sweep_flow(const Scene& scene, const State& state, const Middle& foretold, 
   return true;
 }
 
-/// Velocities of the step: by the flow, swept until the mesh in the step's middle settles, or as the tools are told.
+/// Whether the velocities carry glass into a tool: their contact was foretold with too different a motion.
+bool goes_too_deep(const Scene& scene, const State& before, const State& swept, double dt) {
+  const double depth = deepest_penetration(scene, swept, dt);
+  return depth > most_depth && depth > deepest_penetration(scene, before);
+}
+
+/// Velocities of the step: by the flow, swept until the mesh in the step's middle settles and the contact holds, or as the
+/// tools are told.
 bool find_velocities(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
                      StepResult& result) {
   if (!scene.has_flow()) {
@@ -200,10 +210,12 @@ bool find_velocities(const Scene& scene, const State& state, Middle& foretold, d
   }
   const Timer timer(result.report, "flow");
   double& unsettled = result.report.unsettled_motion;
-  for (int sweep = 0; sweep == 0 || (sweep < most_sweeps && unsettled > scene.accuracy.motion_tolerance); ++sweep) {
+  bool settled = false;
+  for (int sweep = 0; sweep < most_sweeps && !settled; ++sweep) {
     if (!sweep_flow(scene, state, foretold, dt, workspace, result)) return false;
     unsettled = 0.5 * dt * (result.state.velocity - foretold.velocity).lpNorm<Eigen::Infinity>();
     foretold.velocity = result.state.velocity;
+    settled = unsettled <= scene.accuracy.motion_tolerance && !goes_too_deep(scene, state, result.state, dt);
   }
   move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
   return true;
