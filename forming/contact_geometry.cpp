@@ -21,8 +21,6 @@ constexpr double near = 1e-3;
 constexpr double recovery_time = 5e-3;
 /// A node nearer than this to a tool touches it, m.
 constexpr double touching = 1e-9;
-/// Constraints of different tools whose normals are closer than this (cosine) count as one.
-constexpr double same_direction = 0.9986;
 
 struct ToolConstraint {
   Index tool;
@@ -180,8 +178,8 @@ void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh)
       if (constraint.gap < 0 && !held[node]) mesh.nodes[node] -= constraint.gap * constraint.normal;
 }
 
-double deepest_penetration(const Scene& scene, const State& state, double ahead) {
-  double deepest = 0;
+std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead) {
+  std::vector<Penetration> found;
   const core::Mesh& glass = state.bodies[0].mesh;
   const auto surface = surface_nodes(glass);
   for (const Index tool : tools_in_place(scene, state)) {
@@ -191,9 +189,15 @@ double deepest_penetration(const Scene& scene, const State& state, double ahead)
     for (const Index node : surface) {
       Point local = glass.nodes[node] - moved;
       if (ahead > 0 && scene.has_flow()) local += ahead * flow::node_velocity(state.velocity, node);
-      if (core::contains(profile, local)) deepest = std::max(deepest, core::distance(profile, local));
+      if (core::contains(profile, local)) found.push_back({node, core::distance(profile, local)});
     }
   }
+  return found;
+}
+
+double deepest_penetration(const Scene& scene, const State& state) {
+  double deepest = 0;
+  for (const auto& inside : penetrations(scene, state, 0)) deepest = std::max(deepest, inside.depth);
   return deepest;
 }
 

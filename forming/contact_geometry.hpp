@@ -23,7 +23,18 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
 /// Moves the surface nodes of `mesh` that lie inside a tool in place out to its surface.
 void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh);
 
-/// Depth of the deepest glass node inside a tool in place, m, after a time `ahead` with the present velocities.
-double deepest_penetration(const Scene& scene, const State& state, double ahead = 0);
+/// Bounds of a node whose normals are closer than this (cosine) count as one.
+inline constexpr double same_direction = 0.9986;
+
+/// A glass node inside a tool in place.
+struct Penetration {
+  Index node;
+  double depth;  ///< m
+};
+/// All of them after a time `ahead` with the present velocities.
+std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead);
+
+/// Depth of the deepest glass node inside a tool in place, m.
+double deepest_penetration(const Scene& scene, const State& state);
 
 }  // namespace parison::forming

@@ -32,6 +32,7 @@ constexpr double most_depth = 2e-6;
 /// The middle of a step as it is known before the step is solved.
 struct Middle {
   Eigen::VectorXd velocity, temperature;  ///< of the glass nodes, m/s, K
+  std::vector<flow::ContactCandidate> bounds;  ///< of earlier sweeps, for nodes that later bounds did not keep out
 };
 
 /// Adds the seconds until its end to a part's account.
@@ -75,7 +76,7 @@ struct FlowPass {
 /// nearest one; and those that `guess` would carry through.
 std::vector<bool> likely_contacts(const State& state, const ContactState::Closed& closed, const flow::Problem& problem,
                                   const Eigen::VectorXd& guess) {
-  constexpr double same_direction = 0.94;
+  constexpr double near_direction = 0.94;
   std::vector<std::vector<std::size_t>> of_node(problem.mesh->nodes.size());
   for (std::size_t i = 0; i < closed.node.size(); ++i) of_node[closed.node[i]].push_back(i);
   std::vector<bool> likely;
@@ -83,7 +84,7 @@ std::vector<bool> likely_contacts(const State& state, const ContactState::Closed
   for (const auto& candidate : problem.candidates) {
     const auto& known = of_node[candidate.node];
     bool was = std::any_of(known.begin(), known.end(), [&](std::size_t i) {
-      return closed.tool[i] == candidate.tool && closed.normal[i].dot(candidate.normal) > same_direction;
+      return closed.tool[i] == candidate.tool && closed.normal[i].dot(candidate.normal) > near_direction;
     });
     if (closed.node.empty())
       was = (state.contact.tool[candidate.node] == candidate.tool && candidate.node != last_node) ||
@@ -94,6 +95,17 @@ std::vector<bool> likely_contacts(const State& state, const ContactState::Closed
     last_node = candidate.node;
   }
   return likely;
+}
+
+/// Adds the bounds that point another way than the node's own, beside those.
+void keep_bounds(const std::vector<flow::ContactCandidate>& bounds, std::vector<flow::ContactCandidate>& candidates) {
+  for (const auto& bound : bounds) {
+    const auto of_node = [&](const auto& c) { return c.node == bound.node; };
+    const auto first = std::find_if(candidates.begin(), candidates.end(), of_node);
+    const auto last = std::find_if_not(first, candidates.end(), of_node);
+    if (std::none_of(first, last, [&](const auto& c) { return c.normal.dot(bound.normal) > same_direction; }))
+      candidates.insert(last, bound);
+  }
 }
 
 /// Flow of the step seen from its middle.
@@ -111,6 +123,7 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::
   problem.pieces = piece_conditions(scene, state);
   problem.tools = tool_motions(scene, state, dt);
   problem.candidates = contact_candidates(scene, state, foretold.velocity, dt);
+  keep_bounds(foretold.bounds, problem.candidates);
   const auto warm = likely_contacts(state, closed, problem, foretold.velocity);
   if (!workspace.flow) workspace.flow.emplace(middle);
   auto solution = workspace.flow->solve(problem, warm);
@@ -177,9 +190,24 @@ void move_bodies(const Scene& scene, double dt, State& state) {
   }
 }
 
-/// One sweep: velocities of the glass and the tools by the flow; an unsuccessful solve is told in `result.reason`.
-bool sweep_flow(const Scene& scene, const State& state, const Middle& foretold, double dt, Workspace& workspace,
-                StepResult& result) {
+/// Whether the velocities carry glass into a tool, where the next sweep will see other bounds; those of this sweep are then
+/// kept beside them, so that a node does not go to and fro in a hollow of the tools.
+bool goes_too_deep(const Scene& scene, const State& before, double dt, const FlowPass& pass, const State& swept,
+                   Middle& foretold) {
+  std::vector<bool> deep(before.bodies[0].mesh.nodes.size(), false);
+  const double allowed = std::max(most_depth, deepest_penetration(scene, before));
+  bool any = false;
+  for (const auto& inside : penetrations(scene, swept, dt))
+    if (inside.depth > allowed) any = deep[inside.node] = true;
+  for (const auto& bound : pass.candidates)
+    if (deep[bound.node]) foretold.bounds.push_back(bound);
+  return any;
+}
+
+/// One sweep: velocities of the glass and the tools by the flow, seen from the middle as it is foretold, which is foretold
+/// anew. An unsuccessful solve is told in `result.reason`.
+bool sweep_flow(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
+                StepResult& result, bool& settled) {
   auto pass = solve_flow(scene, state, result.state.contact.closed, foretold, dt, workspace);
   result.report.contact_iterations += pass.solution.iterations;
   if (!pass.solution.converged) {
@@ -190,14 +218,12 @@ bool sweep_flow(const Scene& scene, const State& state, const Middle& foretold, 
   result.report.strain = pass.solution.high_rate * dt;
   auto& largest = result.state.totals.largest_reynolds;
   largest = std::max(largest, reynolds(scene, pass.solution, state.bodies[0].mesh));
+  double& unsettled = result.report.unsettled_motion;
+  unsettled = 0.5 * dt * (result.state.velocity - foretold.velocity).lpNorm<Eigen::Infinity>();
+  settled = !goes_too_deep(scene, state, dt, pass, result.state, foretold) && unsettled <= scene.accuracy.motion_tolerance;
+  foretold.velocity = result.state.velocity;
   result.dissipation = std::move(pass.solution.dissipation);
   return true;
-}
-
-/// Whether the velocities carry glass into a tool: their contact was foretold with too different a motion.
-bool goes_too_deep(const Scene& scene, const State& before, const State& swept, double dt) {
-  const double depth = deepest_penetration(scene, swept, dt);
-  return depth > most_depth && depth > deepest_penetration(scene, before);
 }
 
 /// Velocities of the step: by the flow, swept until the mesh in the step's middle settles and the contact holds, or as the
@@ -209,14 +235,9 @@ bool find_velocities(const Scene& scene, const State& state, Middle& foretold, d
     return true;
   }
   const Timer timer(result.report, "flow");
-  double& unsettled = result.report.unsettled_motion;
   bool settled = false;
-  for (int sweep = 0; sweep < most_sweeps && !settled; ++sweep) {
-    if (!sweep_flow(scene, state, foretold, dt, workspace, result)) return false;
-    unsettled = 0.5 * dt * (result.state.velocity - foretold.velocity).lpNorm<Eigen::Infinity>();
-    foretold.velocity = result.state.velocity;
-    settled = unsettled <= scene.accuracy.motion_tolerance && !goes_too_deep(scene, state, result.state, dt);
-  }
+  for (int sweep = 0; sweep < most_sweeps && !settled; ++sweep)
+    if (!sweep_flow(scene, state, foretold, dt, workspace, result, settled)) return false;
   move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
   return true;
 }
@@ -261,7 +282,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   workspace.table_holds = state.totals.table_holds;
   StepResult result;
   Middle foretold;
-  if (scene.has_flow()) foretold = {foretold_velocity(state, 0.5 * dt), foretold_temperature(scene, state, 0.5 * dt)};
+  if (scene.has_flow()) foretold = {foretold_velocity(state, 0.5 * dt), foretold_temperature(scene, state, 0.5 * dt), {}};
   result.state = state;
   const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
   for (int pass = 0; pass < passes; ++pass) {
