@@ -22,7 +22,7 @@ void add_orbit(std::vector<TriangleRulePoint>& rule, double weight, double a, do
   for (const auto& [p, q] : {std::pair{a, b}, {b, a}, {a, c}, {c, a}, {b, c}, {c, b}}) rule.push_back({p, q, weight});
 }
 
-/// Symmetric rules of Strang & Fix and Dunavant (1985), weights summing to 1/2.
+/// Symmetric rules of Strang & Fix, Radon (1948) and Dunavant (1985), weights summing to 1/2.
 std::vector<TriangleRulePoint> make_triangle_rule(int degree) {
   std::vector<TriangleRulePoint> rule;
   if (degree <= 2) {
@@ -30,6 +30,11 @@ std::vector<TriangleRulePoint> make_triangle_rule(int degree) {
   } else if (degree <= 4) {
     add_orbit(rule, 0.5 * 0.223381589678011, 0.445948490915965);
     add_orbit(rule, 0.5 * 0.109951743655322, 0.091576213509771);
+  } else if (degree == 5) {
+    const double root = std::sqrt(15.0);
+    rule.push_back({1.0 / 3, 1.0 / 3, 0.5 * 9 / 40});
+    add_orbit(rule, 0.5 * (155 - root) / 1200, (6 - root) / 21);
+    add_orbit(rule, 0.5 * (155 + root) / 1200, (6 + root) / 21);
   } else {
     add_orbit(rule, 0.5 * 0.116786275726379, 0.249286745170910);
     add_orbit(rule, 0.5 * 0.050844906370207, 0.063089014491502);
@@ -45,9 +50,9 @@ std::vector<TriangleRulePoint> make_triangle_rule(int degree) {
 
 const std::vector<TriangleRulePoint>& triangle_rule(int degree) {
   static const std::vector<TriangleRulePoint> two = make_triangle_rule(2), four = make_triangle_rule(4),
-                                              six = make_triangle_rule(6);
+                                              five = make_triangle_rule(5), six = make_triangle_rule(6);
   assert(degree <= 6);
-  return degree <= 2 ? two : degree <= 4 ? four : six;
+  return degree <= 2 ? two : degree <= 4 ? four : degree == 5 ? five : six;
 }
 
 const std::vector<EdgeRulePoint>& edge_rule(int points) {
@@ -132,29 +137,35 @@ EdgePoint map_edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, Geo
   return point;
 }
 
-std::array<double, 2> invert_cell_map(const Mesh& mesh, Index cell, const Point& x) {
-  const auto& nodes = mesh.cells[cell];
-  double a = 1.0 / 3, b = 1.0 / 3;
+CellMap cell_map(const Mesh& mesh, Index cell) {
+  const auto& n = mesh.cells[cell];
+  const auto at = [&](int k) -> const Point& { return mesh.nodes[n[k]]; };
+  return {at(0), at(1) - at(0), at(2) - at(0),
+          {at(3) - 0.5 * (at(0) + at(1)), at(4) - 0.5 * (at(1) + at(2)), at(5) - 0.5 * (at(2) + at(0))}};
+}
+
+std::array<double, 2> invert(const CellMap& map, const Point& x) {
+  constexpr double settled = 1e-8;  // Newton squares it
+  const auto cross = [](const Point& p, const Point& q) { return p[0] * q[1] - p[1] * q[0]; };
+  const auto& [m, n, p] = map.bulge;
+  const Point target = x - map.origin;
+  const double area = cross(map.u, map.v);
+  double a = cross(target, map.v) / area, b = cross(map.u, target) / area;
   for (int iteration = 0; iteration < 30; ++iteration) {
-    const auto shape = triangle_shape(a, b);
-    const auto derivative = triangle_shape_derivative(a, b);
-    Point residual = x;
-    Tensor jacobian = Tensor::Zero();
-    for (int i = 0; i < 6; ++i) {
-      const Point& node = mesh.nodes[nodes[i]];
-      residual -= shape[i] * node;
-      jacobian.col(0) += derivative[i][0] * node;
-      jacobian.col(1) += derivative[i][1] * node;
-    }
-    const double determinant = jacobian(0, 0) * jacobian(1, 1) - jacobian(0, 1) * jacobian(1, 0);
-    const double da = (jacobian(1, 1) * residual[0] - jacobian(0, 1) * residual[1]) / determinant;
-    const double db = (-jacobian(1, 0) * residual[0] + jacobian(0, 0) * residual[1]) / determinant;
+    const double c = 1 - a - b;
+    const Point residual = target - a * map.u - b * map.v - 4 * (c * a * m + a * b * n + b * c * p);
+    const Point along_a = map.u + 4 * ((c - a) * m + b * (n - p)), along_b = map.v + 4 * ((c - b) * p + a * (n - m));
+    const double scale = 1 / cross(along_a, along_b);
+    const double da = scale * cross(residual, along_b), db = scale * cross(along_a, residual);
     a += da;
     b += db;
-    if (std::abs(da) + std::abs(db) < 1e-14) break;
-    if (!(std::abs(a) < 1e3 && std::abs(b) < 1e3)) break;
+    if (std::abs(da) + std::abs(db) < settled || !(std::abs(a) < 1e3 && std::abs(b) < 1e3)) break;
   }
   return {a, b};
+}
+
+std::array<double, 2> invert_cell_map(const Mesh& mesh, Index cell, const Point& x) {
+  return invert(cell_map(mesh, cell), x);
 }
 
 }  // namespace parison::core

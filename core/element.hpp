@@ -11,7 +11,7 @@ namespace parison::core {
 struct TriangleRulePoint { double a, b, weight; };
 struct EdgeRulePoint { double s, weight; };
 
-/// Symmetric Gauss rule on the reference triangle, exact to `degree` (2, 4 or 6).
+/// Symmetric Gauss rule on the reference triangle, exact to `degree` (2, 4, 5 or 6).
 const std::vector<TriangleRulePoint>& triangle_rule(int degree);
 /// Gauss-Legendre rule on [0, 1] with `points` points (1 to 5), exact to degree 2 points - 1.
 const std::vector<EdgeRulePoint>& edge_rule(int points);
@@ -50,7 +50,16 @@ double hoop(Geometry geometry, const Point& x);
 CellPoint map_cell_point(const Mesh& mesh, Index cell, Geometry geometry, const TriangleRulePoint& at);
 EdgePoint map_edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, Geometry geometry, const EdgeRulePoint& at);
 
-/// Reference coordinates (a, b) of x in a cell by Newton on the quadratic map; they leave [0,1] when x is outside.
+/// The quadratic map of a cell: its chords from vertex 0 and how far each mid-side node lies off its chord's middle.
+struct CellMap {
+  Point origin, u, v;
+  std::array<Point, 3> bulge;
+};
+CellMap cell_map(const Mesh& mesh, Index cell);
+
+/// Reference coordinates (a, b) of x by Newton from its place in the chords' triangle; they leave [0,1] when x is outside.
+std::array<double, 2> invert(const CellMap& map, const Point& x);
+/// The same in a cell of a mesh.
 std::array<double, 2> invert_cell_map(const Mesh& mesh, Index cell, const Point& x);
 
 }  // namespace parison::core

@@ -33,9 +33,8 @@ void spread_shift(const core::Mesh& from, core::Mesh& mesh) {
 
 namespace {
 
-/// Directions in which surface nodes may move: along the normal, within symmetry planes; zero on tools and on fixed pieces.
-std::vector<Point> free_directions(const Scene& scene, const State& state, const core::Mesh& mesh) {
-  constexpr double touching = 2e-6;
+/// Unit directions in which surface nodes may move: along the normal, within symmetry planes; zero on fixed pieces.
+std::vector<Point> surface_directions(const Scene& scene, const core::Mesh& mesh) {
   std::vector<Point> direction(mesh.nodes.size(), Point::Zero());
   for (const auto& edge : mesh.boundary) {
     if (piece_kind(scene.glass, mesh.pieces[edge.piece]) == PieceKind::symmetry) continue;
@@ -53,6 +52,12 @@ std::vector<Point> free_directions(const Scene& scene, const State& state, const
       if (kind == PieceKind::fixed) direction[node].setZero();
     }
   }
+  return direction;
+}
+
+/// Takes the directions of nodes that touch tools away.
+void hold_at_tools(const Scene& scene, const State& state, const core::Mesh& mesh, std::vector<Point>& direction) {
+  constexpr double touching = 2e-6;
   for (const auto& place : scene.stages[state.stage].tools) {
     const Body& body = scene.tools[place.tool];
     const auto contact = contact_pieces(body);
@@ -60,28 +65,50 @@ std::vector<Point> free_directions(const Scene& scene, const State& state, const
     for (const Index node : surface_nodes(mesh))
       if (contact::signed_gap(body.profile, contact, mesh.nodes[node] - offset) < touching) direction[node].setZero();
   }
-  return direction;
+}
+
+/// Volume swept per metre of motion, m2.
+double swept_area(const Scene& scene, const core::Mesh& mesh, const std::vector<Point>& direction) {
+  double area = 0;
+  for (const auto& edge : mesh.boundary)
+    for (const auto& rule : core::edge_rule(3)) {
+      const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
+      for (int i = 0; i < 3; ++i) area += at.area * at.shape[i] * at.normal.dot(direction[edge.nodes[i]]);
+    }
+  return area;
+}
+
+void move(double distance, const std::vector<Point>& direction, core::Mesh& mesh) {
+  for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += distance * direction[n];
 }
 
 }  // namespace
 
 void restore_volume(const Scene& scene, const State& state, double wanted, core::Mesh& mesh) {
-  constexpr double furthest = 0.05e-3, reached = 1e-14;
-  constexpr int rounds = 20;
+  constexpr double furthest = 0.05e-3;  // of the free surface in one round
+  constexpr double far = 20e-6, slight = 3e-6;
+  constexpr double reached = 4e-15;
+  constexpr int free_rounds = 20, rounds = 26;
+  bool everywhere = false;
   for (int round = 0; round < rounds; ++round) {
     const double defect = wanted - core::volume(mesh, scene.geometry);
     if (std::abs(defect) <= reached * wanted) return;
-    const auto direction = free_directions(scene, state, mesh);
-    double gain = 0;  // of volume per metre
-    for (const auto& edge : mesh.boundary)
-      for (const auto& rule : core::edge_rule(3)) {
-        const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
-        for (int i = 0; i < 3; ++i) gain += at.area * at.shape[i] * at.normal.dot(direction[edge.nodes[i]]);
+    auto direction = surface_directions(scene, mesh);
+    const double whole = swept_area(scene, mesh, direction);
+    if (!everywhere) {
+      auto free = direction;
+      hold_at_tools(scene, state, mesh, free);
+      const double open = swept_area(scene, mesh, free);
+      const bool little = std::abs(defect) > far * open && std::abs(defect) < slight * whole;
+      everywhere = open <= 0 || little || round >= free_rounds;
+      if (!everywhere) {
+        move(std::clamp(defect / open, -furthest, furthest), free, mesh);
+        lift_out_of_tools(scene, state, mesh);
+        continue;
       }
-    if (gain <= 0) return;
-    const double distance = std::clamp(defect / gain, -furthest, furthest);
-    for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += distance * direction[n];
-    lift_out_of_tools(scene, state, mesh);
+    }
+    if (whole <= 0) return;
+    move(defect / whole, direction, mesh);
   }
 }
 

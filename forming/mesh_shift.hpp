@@ -9,8 +9,9 @@ namespace parison::forming {
 /// around them.
 void spread_shift(const core::Mesh& from, core::Mesh& mesh);
 
-/// Moves the surface that no tool touches along its normals, by the same distance everywhere, until the mesh has the volume
-/// `wanted`, m3. Where no surface is free the volume stays as it is, for the flow to take back.
+/// Moves the surface along its normals until the mesh has the volume `wanted`, m3, to round-off: the part that no tool
+/// touches, by the same distance everywhere, and does not enter a tool; the whole surface, contacts as well, where nothing
+/// is free or the free part is so small that it would move far, for what is below a few micrometres there.
 void restore_volume(const Scene& scene, const State& state, double wanted, core::Mesh& mesh);
 
 }  // namespace parison::forming

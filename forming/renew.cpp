@@ -92,16 +92,32 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const c
   return tools;
 }
 
-/// Shifts the glass temperature so that its heat content is `wanted`, J.
-void restore_heat(const Scene& scene, double wanted, State& state) {
-  for (int i = 0; i < 2; ++i) {
-    const double defect = wanted - glass_heat(scene, state);
-    auto& temperature = state.bodies[0].temperature;
-    const double before = glass_heat(scene, state);
-    temperature.array() += 1;
-    const double per_kelvin = glass_heat(scene, state) - before;
-    temperature.array() += defect / per_kelvin - 1;
+/// Lifts the new surface out of the tools and gives the mesh the old volume; false where that folds it.
+bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
+  const core::Mesh made = mesh;
+  lift_out_of_tools(scene, state, mesh);
+  restore_volume(scene, state, core::volume(state.bodies[0].mesh, scene.geometry), mesh);
+  if (remesh::quality(mesh).worst <= 0) spread_shift(made, mesh);
+  return remesh::quality(mesh).worst > 0;
+}
+
+/// The temperature on the new mesh, within the old extremes and with the heat content of the old one.
+void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
+  const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
+  const Eigen::VectorXd& temperature = state.bodies[0].temperature;
+  const int order = scene.accuracy.temperature_order;
+  Eigen::VectorXd& carried = next.bodies[0].temperature;
+  if (!scene.has_heat()) {
+    if (temperature.size() > 0)
+      carried = remesh::transfer_conserving(old, mesh, scene.geometry, transfer, temperature, order);
+    return;
   }
+  const auto heat = [&](const Eigen::VectorXd& field) {
+    carried = field;
+    return glass_heat(scene, next);
+  };
+  const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order);
+  carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
 }
 
 /// A field of vectors, dim per node, at the nodes of the new mesh.
@@ -117,9 +133,43 @@ Eigen::VectorXd interpolate_vectors(const core::Mesh& old, const remesh::Transfe
   return carried;
 }
 
+/// Velocity, acceleration, rate of temperature, contact and contact pressure on the new mesh.
+void carry_flow(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
+  const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
+  next.velocity = interpolate_vectors(old, transfer, state.velocity);
+  next.acceleration = interpolate_vectors(old, transfer, state.acceleration);
+  if (state.temperature_rate.size() > 0)
+    next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
+  next.contact.tool = next.contact.tool_before = carried_contact(scene, state, mesh);
+  next.contact.closed = {};
+  next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
+  for (Index n = 0; n < mesh.node_count(); ++n)
+    if (next.contact.tool[n] < 0) next.contact.pressure[n] = 0;
+}
+
 void book_change(double change, double& sum, double& largest) {
   sum += change;
   largest = std::max(largest, std::abs(change));
+}
+
+/// How far the new temperatures go beyond the old ones, K; 0 where they do not.
+double new_extreme(const State& state, const State& next) {
+  const Eigen::VectorXd &old = state.bodies[0].temperature, &now = next.bodies[0].temperature;
+  return std::max({0.0, now.maxCoeff() - old.maxCoeff(), old.minCoeff() - now.minCoeff()});
+}
+
+void book(const Scene& scene, const State& state, RemeshReason why, State& next) {
+  const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
+  RemeshLedger& ledger = next.totals.remeshing;
+  ++ledger.count[static_cast<std::size_t>(why)];
+  book_change(core::volume(mesh, scene.geometry) - core::volume(old, scene.geometry), ledger.volume, ledger.largest_volume);
+  if (scene.has_heat()) {
+    book_change(glass_heat(scene, next) - glass_heat(scene, state), ledger.heat, ledger.largest_heat);
+    ledger.new_extreme = std::max(ledger.new_extreme, new_extreme(state, next));
+  }
+  const auto quality = remesh::quality(mesh);
+  ledger.worst_quality = std::min(ledger.worst_quality, quality.worst);
+  ledger.lowest_median = std::min(ledger.lowest_median, quality.median);
 }
 
 /// Names the edges that may touch tools from the surface node nearest `from` to the one nearest `to`.
@@ -159,49 +209,25 @@ Index remeshes(const State& state) {
 
 Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason why) {
   Renewed result;
-  const auto made = remesh::remesh_glass(state.bodies[0].mesh, criteria(scene, state));
+  auto made = remesh::remesh_glass(state.bodies[0].mesh, criteria(scene, state));
   if (!made.ok) {
     result.reason = made.reason;
     return result;
   }
   result.state = state;
   State& next = result.state;
-  BodyState& glass = next.bodies[0];
-  const core::Mesh& old = state.bodies[0].mesh;
-  glass.mesh = made.mesh;
-  lift_out_of_tools(scene, state, glass.mesh);
-  restore_volume(scene, state, core::volume(old, scene.geometry), glass.mesh);
-  if (remesh::quality(glass.mesh).worst <= 0) spread_shift(made.mesh, glass.mesh);
-  const auto quality = remesh::quality(glass.mesh);
-  if (quality.worst <= 0) {
+  core::Mesh& mesh = next.bodies[0].mesh;
+  mesh = std::move(made.mesh);
+  if (!fit_surface(scene, state, mesh)) {
     result.reason = "the new mesh folds where it is lifted out of a tool";
     return result;
   }
-  const auto transfer = remesh::make_transfer(old, glass.mesh);
-  if (glass.temperature.size() > 0)
-    glass.temperature = remesh::transfer_conserving(old, glass.mesh, scene.geometry, transfer,
-                                                    state.bodies[0].temperature, scene.accuracy.temperature_order);
-  next.velocity = interpolate_vectors(old, transfer, state.velocity);
-  next.acceleration = interpolate_vectors(old, transfer, state.acceleration);
-  if (state.temperature_rate.size() > 0)
-    next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
-  next.contact.tool = next.contact.tool_before = carried_contact(scene, state, glass.mesh);
-  next.contact.closed = {};
-  next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
-  for (Index n = 0; n < glass.mesh.node_count(); ++n)
-    if (next.contact.tool[n] < 0) next.contact.pressure[n] = 0;
-  next.mass_nodes = glass.mesh.nodes;
-  core::Mesh mass = mass_mesh(state);
-  const double volume = core::volume(glass.mesh, scene.geometry);
-  next.density = state.density * core::volume(mass, scene.geometry) / volume;
-  const double heat = scene.has_heat() ? glass_heat(scene, state) : 0;
-  if (scene.has_heat()) restore_heat(scene, heat, next);
-  RemeshLedger& ledger = next.totals.remeshing;
-  ++ledger.count[static_cast<std::size_t>(why)];
-  book_change(volume - core::volume(old, scene.geometry), ledger.volume, ledger.largest_volume);
-  if (scene.has_heat()) book_change(glass_heat(scene, next) - heat, ledger.heat, ledger.largest_heat);
-  ledger.worst_quality = std::min(ledger.worst_quality, quality.worst);
-  ledger.lowest_median = std::min(ledger.lowest_median, quality.median);
+  const auto transfer = remesh::make_transfer(state.bodies[0].mesh, mesh);
+  carry_flow(scene, state, transfer, next);
+  next.mass_nodes = mesh.nodes;
+  next.density = state.density * core::volume(mass_mesh(state), scene.geometry) / core::volume(mesh, scene.geometry);
+  carry_temperature(scene, state, transfer, next);
+  book(scene, state, why, next);
   result.ok = true;
   return result;
 }

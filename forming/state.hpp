@@ -48,6 +48,7 @@ struct RemeshLedger {
   std::array<Index, remesh_reasons.size()> count{};  ///< by RemeshReason
   double heat = 0, largest_heat = 0;      ///< heat content changed: in all, and by one remesh without sign, J
   double volume = 0, largest_volume = 0;  ///< volume likewise, m3
+  double new_extreme = 0;                 ///< furthest that a new temperature went beyond all old ones, K
   double worst_quality = 1;               ///< of a cell after any remesh
   double lowest_median = 1;               ///< quality of the median cell after any remesh
 };

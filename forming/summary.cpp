@@ -109,6 +109,7 @@ void add_remeshing(JsonWriter& json, const State& state, const Summary& summary)
   json.add("largest_heat_change", ledger.largest_heat / heat);
   json.add("volume_drift", ledger.volume / state.first_volume);
   json.add("largest_volume_change", ledger.largest_volume / state.first_volume);
+  json.add("new_extreme_K", ledger.new_extreme);
   json.add("worst_quality", remeshes(state) > 0 ? ledger.worst_quality : none);
   json.add("lowest_median_quality", remeshes(state) > 0 ? ledger.lowest_median : none);
   const auto seconds = summary.run.timing.find("remesh");

@@ -27,6 +27,7 @@ void visit_remeshing(Visitor visit, Ledger& remeshing) {
   visit("largest_heat", remeshing.largest_heat);
   visit("volume", remeshing.volume);
   visit("largest_volume", remeshing.largest_volume);
+  visit("new_extreme", remeshing.new_extreme);
   visit("worst_quality", remeshing.worst_quality);
   visit("lowest_median", remeshing.lowest_median);
 }

@@ -40,20 +40,15 @@ Polygon clip(const Polygon& polygon, const Point& a, const Point& b) {
   return kept;
 }
 
-bool is_straight(const Mesh& mesh, Index cell) {
-  const auto& n = mesh.cells[cell];
-  const double size = (mesh.nodes[n[1]] - mesh.nodes[n[0]]).norm();
-  for (int k = 0; k < 3; ++k)
-    if ((mesh.nodes[n[3 + k]] - 0.5 * (mesh.nodes[n[k]] + mesh.nodes[n[(k + 1) % 3]])).norm() > straight * size) return false;
-  return true;
+bool is_straight(const core::CellMap& map) {
+  return std::all_of(map.bulge.begin(), map.bulge.end(),
+                     [&](const Point& bulge) { return bulge.norm() <= straight * map.u.norm(); });
 }
 
-/// Reference coordinates of x in the triangle of a cell's vertices.
-std::array<double, 2> in_chords(const Mesh& mesh, Index cell, const Point& x) {
-  const auto& n = mesh.cells[cell];
-  const Point &o = mesh.nodes[n[0]], u = mesh.nodes[n[1]] - o, v = mesh.nodes[n[2]] - o;
-  const double area = cross(u, v);
-  return {cross(x - o, v) / area, cross(u, x - o) / area};
+/// Reference coordinates of x in the triangle of a cell's chords.
+std::array<double, 2> in_chords(const core::CellMap& map, const Point& x) {
+  const double area = cross(map.u, map.v);
+  return {cross(x - map.origin, map.v) / area, cross(map.u, x - map.origin) / area};
 }
 
 /// A convex region in which an old cell's field is used.
@@ -101,11 +96,12 @@ class Overlay {
  public:
   Overlay(const Mesh& from, const Mesh& to, core::Geometry geometry, const Eigen::VectorXd& nodal)
       : from_(from), to_(to), geometry_(geometry), nodal_(nodal), grid_(from), outer_(outer_regions(from)) {
-    for (Index cell = 0; cell < from.cell_count(); ++cell) straight_.push_back(is_straight(from, cell));
-    for (Index cell = 0; cell < to.cell_count(); ++cell) new_straight_.push_back(is_straight(to, cell));
+    for (Index cell = 0; cell < from.cell_count(); ++cell) old_maps_.push_back(core::cell_map(from, cell));
   }
 
   std::array<double, 6> load(Index cell) {
+    map_ = core::cell_map(to_, cell);
+    straight_ = is_straight(map_);
     Polygon triangle;
     for (int k = 0; k < 3; ++k) triangle.add(to_.nodes[to_.cells[cell][k]]);
     const double whole = cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
@@ -131,7 +127,7 @@ class Overlay {
 
  private:
   double old_value(Index old, const Point& x) const {
-    auto at = straight_[old] ? in_chords(from_, old, x) : core::invert_cell_map(from_, old, x);
+    auto at = core::invert(old_maps_[old], x);
     if (!(std::min({at[0], at[1], 1 - at[0] - at[1]}) > -furthest)) {
       const CellGrid::Found found = grid_.find(x);
       old = found.cell;
@@ -149,10 +145,10 @@ class Overlay {
       const Point &o = polygon.corner[0], u = polygon.corner[i] - o, v = polygon.corner[i + 1] - o;
       const double share = cross(u, v) / whole;
       if (share < negligible) continue;
-      for (const core::TriangleRulePoint& at : core::triangle_rule(6)) {
+      for (const core::TriangleRulePoint& at : core::triangle_rule(straight_ ? 5 : 6)) {
         const Point x = o + at.a * u + at.b * v;
-        const auto [a, b] = in_chords(to_, cell, x);
-        if (new_straight_[cell]) {
+        const auto [a, b] = in_chords(map_, x);
+        if (straight_) {
           const double volume = at.weight * cross(u, v) * core::depth(geometry_, x);
           add_point(core::triangle_shape(a, b), volume * old_value(old, x), sum);
         } else {
@@ -172,7 +168,9 @@ class Overlay {
   const Eigen::VectorXd& nodal_;
   CellGrid grid_;
   std::vector<std::vector<Region>> outer_;
-  std::vector<bool> straight_, new_straight_;
+  std::vector<core::CellMap> old_maps_;
+  core::CellMap map_;      ///< of the new cell
+  bool straight_ = false;  ///< the new cell
   std::vector<Index> near_;
 };
 

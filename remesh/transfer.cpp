@@ -2,10 +2,11 @@
 #include "remesh/transfer.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "core/cholesky.hpp"
 #include "core/element.hpp"
 #include "remesh/cell_grid.hpp"
+#include "remesh/mass_matrix.hpp"
 #include "remesh/overlay.hpp"
 
 namespace parison::remesh {
@@ -16,49 +17,38 @@ using core::Point;
 
 namespace {
 
-/// Of the quadratic functions of the nodes, or of the linear ones of the vertices.
-core::Assembly mass_matrix(const Mesh& mesh, core::Geometry geometry, int order) {
-  const Index n = order == 2 ? 6 : 3;
-  core::Cliques cliques;
-  for (const auto& cell : mesh.cells) cliques.add(cell.data(), n);
-  core::Assembly mass = core::make_assembly(order == 2 ? mesh.node_count() : mesh.vertex_count, cliques);
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-    std::array<double, 36> local{};
-    for (const core::TriangleRulePoint& at : core::triangle_rule(6)) {
-      const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, at);
-      const double* shape = order == 2 ? point.shape.data() : point.linear.data();
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j) local[n * i + j] += shape[i] * shape[j] * point.volume;
-    }
-    core::add_clique(mass.matrix, mass.scatter, cell, n, local.data());
-  }
-  return mass;
-}
-
-/// Holds each value within the old nodal range of the cell it comes from, widened by half on both sides where that brings
-/// no new extreme: quadratic fields pass, overshoots next to a thermal skin do not.
-void bound(const Mesh& from, const Transfer& transfer, const Eigen::VectorXd& nodal, Eigen::VectorXd& value) {
-  const double lowest = nodal.minCoeff(), highest = nodal.maxCoeff();
-  for (Index i = 0; i < value.size(); ++i) {
+/// Range of the old cell that each value comes from, widened by half on both sides where that brings no new extreme:
+/// quadratic fields pass, overshoots next to a thermal skin do not.
+void set_ranges(const Mesh& from, const Transfer& transfer, const Eigen::VectorXd& nodal, Carried& carried) {
+  carried.lowest = nodal.minCoeff(), carried.highest = nodal.maxCoeff();
+  carried.low = carried.high = carried.value;
+  for (Index i = 0; i < carried.value.size(); ++i) {
     const auto& cell = from.cells[transfer.cell[i]];
     double low = nodal[cell[0]], high = low;
     for (const Index node : cell) low = std::min(low, nodal[node]), high = std::max(high, nodal[node]);
     const double slack = 0.5 * (high - low);
-    value[i] = std::clamp(value[i], std::max(lowest, low - slack), std::min(highest, high + slack));
+    carried.low[i] = std::max(carried.lowest, low - slack);
+    carried.high[i] = std::min(carried.highest, high + slack);
   }
 }
 
-/// Moves all values by a share of their way to the highest or lowest old one until the volume mean is the wanted one.
-void restore_mean(const Eigen::VectorXd& weight, double wanted, double lowest, double highest, Eigen::VectorXd& value) {
-  const double volume = weight.sum();
-  for (int pass = 0; pass < 3; ++pass) {
-    const double defect = -weight.dot((value.array() - wanted).matrix()) / volume;
-    const double limit = defect > 0 ? highest : lowest;
-    const double room = limit - wanted + defect;
-    if (defect == 0 || room == 0) break;
-    const double share = std::clamp(defect / room, 0.0, 1.0);
-    value = value.unaryExpr([&](double old) { return std::clamp(old + share * (limit - old), lowest, highest); });
+/// Finds t with content(path(t)) = wanted by the secant rule from 0 and `first`; gives the best it met and what it misses.
+std::pair<Eigen::VectorXd, double> settle(const std::function<Eigen::VectorXd(double)>& path, const Content& content,
+                                          double wanted, double first) {
+  constexpr int rounds = 12;
+  constexpr double exact = 2e-16;
+  double before = 0, t = first;
+  Eigen::VectorXd best = path(0);
+  double defect_before = content(best) - wanted, least = std::abs(defect_before);
+  for (int round = 0; round < rounds && least > exact * std::abs(wanted); ++round) {
+    const Eigen::VectorXd field = path(t);
+    const double defect = content(field) - wanted;
+    if (std::abs(defect) < least) least = std::abs(defect), best = field;
+    if (defect == defect_before) break;
+    const double next = t - defect * (t - before) / (defect - defect_before);
+    before = t, defect_before = defect, t = next;
   }
+  return {best, least};
 }
 
 }  // namespace
@@ -101,22 +91,44 @@ double mean(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& no
   return base + content / volume;
 }
 
+Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
+                const Eigen::VectorXd& nodal, int order) {
+  const MassMatrix mass(to, geometry, order);
+  const Eigen::VectorXd load = overlay_load(from, to, geometry, nodal), near = interpolate(from, transfer, nodal);
+  Carried carried;
+  carried.value = order == 2 ? mass.solve(load, near) : mass.solve(core::to_vertices(to, load), near.head(to.vertex_count));
+  set_ranges(from, transfer, nodal, carried);
+  carried.value = carried.value.cwiseMax(carried.low).cwiseMin(carried.high);
+  return carried;
+}
+
+Eigen::VectorXd restore_content(const Mesh& to, const Carried& carried, const Content& content, double wanted) {
+  constexpr double kept = 1e-13;
+  const auto nodal = [&](const Eigen::VectorXd& value) -> Eigen::VectorXd {
+    return value.size() == to.node_count() ? value : core::from_vertices(to, value);
+  };
+  const Eigen::VectorXd start = nodal(carried.value);
+  const double defect = wanted - content(start), slope = content((start.array() + 1).matrix()) - content(start);
+  const auto shifted = [&](double t) {
+    return nodal((carried.value.array() + t).matrix().cwiseMax(carried.low).cwiseMin(carried.high));
+  };
+  auto [near, missed] = settle(shifted, content, wanted, defect / slope);
+  if (missed <= kept * std::abs(wanted)) return near;
+  // The ranges leave no room: every value goes a share of its way to an old extreme.
+  const double limit = defect > 0 ? carried.highest : carried.lowest;
+  const auto drawn = [&](double t) {
+    const double share = std::clamp(t, 0.0, 1.0);
+    return nodal(((1 - share) * carried.value.array() + share * limit).cwiseMax(carried.lowest).cwiseMin(carried.highest));
+  };
+  const double room = content(Eigen::VectorXd::Constant(start.size(), limit)) - content(start);
+  auto [far, missed_then] = settle(drawn, content, wanted, room != 0 ? defect / room : 0.0);
+  return missed_then < missed ? far : near;
+}
+
 Eigen::VectorXd transfer_conserving(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
                                     const Eigen::VectorXd& nodal, int order) {
-  const core::Assembly mass = mass_matrix(to, geometry, order);
-  core::Cholesky factor;
-  factor.analyse(mass.matrix);
-  Eigen::VectorXd result;
-  if (factor.factorise(mass.matrix)) {
-    const Eigen::VectorXd load = overlay_load(from, to, geometry, nodal);
-    result = factor.solve(order == 2 ? load : core::to_vertices(to, load));
-  } else {
-    result = interpolate(from, transfer, nodal).head(mass.matrix.size);
-  }
-  bound(from, transfer, nodal, result);
-  const Eigen::VectorXd weight = core::multiply(mass.matrix, Eigen::VectorXd::Ones(mass.matrix.size));
-  restore_mean(weight, mean(from, geometry, nodal), nodal.minCoeff(), nodal.maxCoeff(), result);
-  return order == 2 ? result : core::from_vertices(to, result);
+  const auto content = [&](const Eigen::VectorXd& field) { return mean(to, geometry, field); };
+  return restore_content(to, project(from, to, geometry, transfer, nodal, order), content, mean(from, geometry, nodal));
 }
 
 }  // namespace parison::remesh
