@@ -72,17 +72,29 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   return result;
 }
 
+/// The old surface node nearest to a new one, among those of the old cell it lies in; among all where that has none.
+Index nearest_surface_node(const core::Mesh& from, const std::vector<bool>& on_surface, Index cell, const Point& x) {
+  Index best = -1;
+  const auto consider = [&](Index node) {
+    if (on_surface[node] && (best < 0 || (from.nodes[node] - x).squaredNorm() < (from.nodes[best] - x).squaredNorm()))
+      best = node;
+  };
+  for (const Index node : from.cells[cell]) consider(node);
+  if (best < 0)
+    for (Index node = 0; node < from.node_count(); ++node) consider(node);
+  return best;
+}
+
 /// The tool that the old surface node nearest to each new one touches, where the new one is near that tool too.
-std::vector<Index> carried_contact(const Scene& scene, const State& old, const core::Mesh& mesh) {
+std::vector<Index> carried_contact(const Scene& scene, const State& old, const remesh::Transfer& transfer,
+                                   const core::Mesh& mesh) {
   const core::Mesh& from = old.bodies[0].mesh;
-  const auto old_nodes = surface_nodes(from);
+  std::vector<bool> on_surface(from.nodes.size(), false);
+  for (const Index node : surface_nodes(from)) on_surface[node] = true;
   std::vector<Index> tools(mesh.nodes.size(), -1);
   for (const Index node : surface_nodes(mesh)) {
     const Point& x = mesh.nodes[node];
-    const Index nearest = *std::min_element(old_nodes.begin(), old_nodes.end(), [&](Index a, Index b) {
-      return (from.nodes[a] - x).squaredNorm() < (from.nodes[b] - x).squaredNorm();
-    });
-    const Index tool = old.contact.tool[nearest];
+    const Index tool = old.contact.tool[nearest_surface_node(from, on_surface, transfer.cell[node], x)];
     if (tool < 0) continue;
     const Body& body = scene.tools[tool];
     const auto contact = contact_pieces(body);
@@ -140,7 +152,7 @@ void carry_flow(const Scene& scene, const State& state, const remesh::Transfer& 
   next.acceleration = interpolate_vectors(old, transfer, state.acceleration);
   if (state.temperature_rate.size() > 0)
     next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
-  next.contact.tool = next.contact.tool_before = carried_contact(scene, state, mesh);
+  next.contact.tool = next.contact.tool_before = carried_contact(scene, state, transfer, mesh);
   next.contact.closed = {};
   next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
   for (Index n = 0; n < mesh.node_count(); ++n)

@@ -58,6 +58,9 @@ int CellGrid::place(const Point& x, int axis) const {
 CellGrid::Found CellGrid::find(const Point& x) const {
   const int column = place(x, 0), row = place(x, 1);
   Found best;
+  const Box here{x, x};
+  for (const Index cell : bins_[static_cast<std::size_t>(row) * count_[0] + column])
+    if (boxes_[cell].meets(here) && try_cell(cell, x, best)) return best;
   for (int ring = 0; ring <= std::max(count_[0], count_[1]); ++ring) {
     for (int j = std::max(0, row - ring); j <= std::min(count_[1] - 1, row + ring); ++j)
       for (int i = std::max(0, column - ring); i <= std::min(count_[0] - 1, column + ring); ++i) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace parison::remesh {
 
@@ -12,6 +13,7 @@ using core::Point;
 namespace {
 
 constexpr int bins_along = 64;
+constexpr int block = 8;  ///< bins along a block
 
 }  // namespace
 
@@ -29,20 +31,29 @@ SizeField::SizeField(std::vector<SizeSource> sources, double growth, double larg
   columns_ = static_cast<int>(extent[0] / bin_) + 1;
   rows_ = static_cast<int>(extent[1] / bin_) + 1;
   bins_.resize(static_cast<std::size_t>(columns_) * rows_);
+  blocks_.resize(static_cast<std::size_t>(columns_ / block + 1) * (rows_ / block + 1));
+  all_.resize(sources_.size());
+  std::iota(all_.begin(), all_.end(), 0);
 }
 
 double SizeField::wish(const SizeSource& source, double distance) const {
   return source.size + growth_ * std::max(0.0, distance - source.reach);
 }
 
-std::vector<int> SizeField::candidates(const Point& centre, double radius) const {
+std::vector<int> SizeField::candidates(const std::vector<int>& among, const Point& centre, double radius) const {
   double bound = largest_;
-  for (const SizeSource& source : sources_)
-    bound = std::min(bound, wish(source, (source.at - centre).norm() + radius));
+  for (const int i : among) bound = std::min(bound, wish(sources_[i], (sources_[i].at - centre).norm() + radius));
   std::vector<int> result;
-  for (std::size_t i = 0; i < sources_.size(); ++i)
-    if (wish(sources_[i], (sources_[i].at - centre).norm() - radius) <= bound) result.push_back(static_cast<int>(i));
+  for (const int i : among)
+    if (wish(sources_[i], (sources_[i].at - centre).norm() - radius) <= bound) result.push_back(i);
   return result;
+}
+
+const std::vector<int>& SizeField::block_of(int column, int row) const {
+  column /= block, row /= block;
+  auto& list = blocks_[static_cast<std::size_t>(row) * (columns_ / block + 1) + column];
+  if (list.empty()) list = candidates(all_, low_ + bin_ * block * Point(column + 0.5, row + 0.5), 0.75 * bin_ * block);
+  return list;
 }
 
 double SizeField::operator()(const Point& x) const {
@@ -58,10 +69,10 @@ double SizeField::operator()(const Point& x) const {
     for (const int i : list) size = std::min(size, wish(sources_[i], (sources_[i].at - x).norm()));
     return size;
   };
-  if ((x - centre).norm() > radius) return least(candidates(x, 0));
+  if ((x - centre).norm() > radius) return least(candidates(all_, x, 0));
   auto& list = bins_[static_cast<std::size_t>(row) * columns_ + column];
   if (list.empty()) {
-    list = candidates(centre, radius);
+    list = candidates(block_of(column, row), centre, radius);
     if (list.empty()) list.push_back(0);
   }
   return least(list);

@@ -22,14 +22,16 @@ class SizeField {
 
  private:
   double wish(const SizeSource& source, double distance) const;
-  std::vector<int> candidates(const core::Point& centre, double radius) const;
+  std::vector<int> candidates(const std::vector<int>& among, const core::Point& centre, double radius) const;
+  const std::vector<int>& block_of(int column, int row) const;
 
   std::vector<SizeSource> sources_;
   double growth_, largest_;
   core::Point low_;
   double bin_ = 1;
   int columns_ = 0, rows_ = 0;
-  mutable std::vector<std::vector<int>> bins_;  ///< sources that can matter in a bin, filled when first asked for
+  std::vector<int> all_;
+  mutable std::vector<std::vector<int>> blocks_, bins_;  ///< sources that can matter there, filled when first asked for
 };
 
 /// Arc lengths 0 = s_0 < ... < s_n = length such that each division holds the same integral of 1/size, at most about 1.

@@ -32,23 +32,28 @@ void set_ranges(const Mesh& from, const Transfer& transfer, const Eigen::VectorX
   }
 }
 
-/// Finds t with content(path(t)) = wanted by the secant rule from 0 and `first`; gives the best it met and what it misses.
-std::pair<Eigen::VectorXd, double> settle(const std::function<Eigen::VectorXd(double)>& path, const Content& content,
-                                          double wanted, double first) {
+/// A field and by how much its content is more than the wanted one.
+struct Attempt {
+  Eigen::VectorXd field;
+  double defect;
+};
+
+/// Finds t with content(path(t)) = wanted by the secant rule from t = 0, which gave `start`, and `first`; gives the best.
+Attempt settle(const std::function<Eigen::VectorXd(double)>& path, const Content& content, double wanted, Attempt start,
+               double first) {
   constexpr int rounds = 12;
-  constexpr double exact = 2e-16;
-  double before = 0, t = first;
-  Eigen::VectorXd best = path(0);
-  double defect_before = content(best) - wanted, least = std::abs(defect_before);
-  for (int round = 0; round < rounds && least > exact * std::abs(wanted); ++round) {
-    const Eigen::VectorXd field = path(t);
-    const double defect = content(field) - wanted;
-    if (std::abs(defect) < least) least = std::abs(defect), best = field;
-    if (defect == defect_before) break;
-    const double next = t - defect * (t - before) / (defect - defect_before);
-    before = t, defect_before = defect, t = next;
+  constexpr double exact = 4e-16;
+  Attempt best = std::move(start);
+  double before = 0, defect_before = best.defect, t = first;
+  for (int round = 0; round < rounds && std::abs(best.defect) > exact * std::abs(wanted); ++round) {
+    Attempt now{path(t), 0};
+    now.defect = content(now.field) - wanted;
+    if (now.defect == defect_before) break;
+    const double next = t - now.defect * (t - before) / (now.defect - defect_before);
+    before = t, defect_before = now.defect, t = next;
+    if (std::abs(now.defect) < std::abs(best.defect)) best = std::move(now);
   }
-  return {best, least};
+  return best;
 }
 
 }  // namespace
@@ -107,22 +112,23 @@ Eigen::VectorXd restore_content(const Mesh& to, const Carried& carried, const Co
   const auto nodal = [&](const Eigen::VectorXd& value) -> Eigen::VectorXd {
     return value.size() == to.node_count() ? value : core::from_vertices(to, value);
   };
-  const Eigen::VectorXd start = nodal(carried.value);
-  const double defect = wanted - content(start), slope = content((start.array() + 1).matrix()) - content(start);
+  Attempt start{nodal(carried.value), 0};
+  const double held = content(start.field), slope = content((start.field.array() + 1).matrix()) - held;
+  start.defect = held - wanted;
   const auto shifted = [&](double t) {
     return nodal((carried.value.array() + t).matrix().cwiseMax(carried.low).cwiseMin(carried.high));
   };
-  auto [near, missed] = settle(shifted, content, wanted, defect / slope);
-  if (missed <= kept * std::abs(wanted)) return near;
+  Attempt near = settle(shifted, content, wanted, start, -start.defect / slope);
+  if (std::abs(near.defect) <= kept * std::abs(wanted)) return near.field;
   // The ranges leave no room: every value goes a share of its way to an old extreme.
-  const double limit = defect > 0 ? carried.highest : carried.lowest;
+  const double limit = start.defect < 0 ? carried.highest : carried.lowest;
   const auto drawn = [&](double t) {
     const double share = std::clamp(t, 0.0, 1.0);
     return nodal(((1 - share) * carried.value.array() + share * limit).cwiseMax(carried.lowest).cwiseMin(carried.highest));
   };
-  const double room = content(Eigen::VectorXd::Constant(start.size(), limit)) - content(start);
-  auto [far, missed_then] = settle(drawn, content, wanted, room != 0 ? defect / room : 0.0);
-  return missed_then < missed ? far : near;
+  const double room = content(Eigen::VectorXd::Constant(start.field.size(), limit)) - held;
+  const Attempt far = settle(drawn, content, wanted, start, room != 0 ? -start.defect / room : 0.0);
+  return std::abs(far.defect) < std::abs(near.defect) ? far.field : near.field;
 }
 
 Eigen::VectorXd transfer_conserving(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
