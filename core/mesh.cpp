@@ -88,13 +88,13 @@ Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load)
 double volume(const Mesh& mesh, Geometry geometry) {
   // Gauss: the depth's integral over the first coordinate flows out through the boundary; degree 5 on a quadratic edge.
   const double share = geometry == Geometry::axisymmetric ? 0.5 : 1.0;
-  double sum = 0;
+  long double sum = 0;  // the two sides of a thin wall all but cancel
   for (const BoundaryEdge& edge : mesh.boundary)
     for (const auto& at : edge_rule(3)) {
       const EdgePoint point = map_edge_point(mesh, edge.nodes, geometry, at);
       sum += share * point.area * point.position[0] * point.normal[0];
     }
-  return sum;
+  return static_cast<double>(sum);
 }
 
 }  // namespace parison::core

@@ -99,6 +99,26 @@ TEST(Transfer, heat_is_kept_and_no_extreme_is_new) {
   }
 }
 
+TEST(Transfer, any_content_is_kept_within_the_old_extremes_where_a_common_shift_would_leave_them) {
+  const Mesh from = gob_mesh(2.5e-3), to = again(from, 2e-3);
+  const Field thin = [](const Point& x) { return 900 + 520 * (1 - std::exp(-core::distance(gob(), x) / 0.1e-3)); };
+  const Eigen::VectorXd old = sample(from, thin);
+  const Content squares = [&](const Eigen::VectorXd& field) { return mean(to, Geometry::axisymmetric, field.cwiseAbs2()); };
+  for (const int order : {2, 1}) {
+    const Carried carried = project(from, to, Geometry::axisymmetric, make_transfer(from, to), old, order);
+    const Eigen::VectorXd free = order == 2 ? carried.value : core::from_vertices(to, carried.value);
+    const double now = squares(free);
+    const double shift = 0.5e-4 * now / mean(to, Geometry::axisymmetric, free);  // of all nodes, to have 1e-4 more
+    EXPECT_GT(free.maxCoeff() + shift, old.maxCoeff() + 1e-3);
+    for (const double wanted : {now * (1 + 1e-4), now * (1 - 1e-4), now * (1 + 2e-2)}) {
+      const Eigen::VectorXd field = restore_content(to, carried, squares, wanted);
+      EXPECT_NEAR(squares(field) / wanted, 1, 1e-12) << order;
+      EXPECT_LE(field.maxCoeff(), old.maxCoeff() + 1e-9);
+      EXPECT_GE(field.minCoeff(), old.minCoeff() - 1e-9);
+    }
+  }
+}
+
 TEST(Transfer, a_uniform_field_stays_uniform) {
   const Mesh from = gob_mesh(3e-3), to = again(from, 2e-3);
   const Eigen::VectorXd old = Eigen::VectorXd::Constant(from.node_count(), 1423.15);

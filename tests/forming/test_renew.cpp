@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/files.hpp"
+#include "forming/contact_geometry.hpp"
+#include "forming/heat_step.hpp"
+#include "forming/renew.hpp"
+#include "forming/run.hpp"
+#include "pot_scene.hpp"
+#include "scene_text.hpp"
+
+namespace parison::forming {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Renew : public ::testing::Test {
+ protected:
+  fs::path folder = fs::temp_directory_path() / ("parison_renew_" + std::to_string(::getpid()));
+  Scene scene;
+
+  void SetUp() override { fs::create_directories(folder); }
+  void TearDown() override { fs::remove_all(folder); }
+
+  /// The pot pressed until it is full, with a new mesh whenever a cell is worse than 0.6.
+  State pressed(const std::string& more) {
+    core::write_text(folder / "case.toml", std::string(pot) + "quality_floor = 0.6\n" + more);
+    scene = read_scene(folder.string(), "draft");
+    fs::remove_all(folder / "results");
+    RunOutcome outcome = run(scene, (folder / "results").string(), {});
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    return outcome.state;
+  }
+
+  /// Share of the surface nodes off the axis that lie on a tool.
+  double share_on_tools(const State& state) const {
+    const Eigen::VectorXd pot_gap = tool_gaps(scene, state, 0, 1e-3), face_gap = tool_gaps(scene, state, 1, 1e-3);
+    double on = 0, all = 0;
+    for (const Index node : surface_nodes(state.bodies[0].mesh)) {
+      if (state.bodies[0].mesh.nodes[node][0] == 0) continue;
+      all += 1;
+      on += std::min(pot_gap[node], face_gap[node]) < 10e-6;
+    }
+    return on / all;
+  }
+
+  void expect_kept(const State& before, const State& after) const {
+    const auto volume = [&](const State& state) { return core::volume(state.bodies[0].mesh, scene.geometry); };
+    EXPECT_NEAR(volume(after) / volume(before), 1, 1e-12);
+    EXPECT_NEAR(glass_heat(scene, after) / glass_heat(scene, before), 1, 1e-12);
+    const auto &cold = before.bodies[0].temperature, &now = after.bodies[0].temperature;
+    EXPECT_GT(cold.maxCoeff() - cold.minCoeff(), 100) << "no skin to overshoot at";
+    EXPECT_LE(now.maxCoeff(), cold.maxCoeff() + 1e-9);
+    EXPECT_GE(now.minCoeff(), cold.minCoeff() - 1e-9);
+    EXPECT_LE(deepest_penetration(scene, after), deepest_penetration(scene, before) + 5e-6);
+  }
+
+  static void expect_clean_ledger(const State& state) {
+    const RemeshLedger& ledger = state.totals.remeshing;
+    EXPECT_GE(remeshes(state), 3);
+    EXPECT_LE(ledger.largest_volume / state.first_volume, 1e-12);
+    EXPECT_LE(std::abs(ledger.volume) / state.first_volume, 1e-9);
+    EXPECT_LE(std::abs(ledger.heat) / state.first_heat, 1e-9);
+    EXPECT_LE(ledger.new_extreme, 1e-9);
+  }
+};
+
+TEST_F(Renew, a_full_cavity_keeps_volume_heat_and_temperature_range_and_is_not_pressed_into_the_tools) {
+  for (const char* order : {"", "temperature_order = 1\n"}) {
+    const State state = pressed(order);
+    EXPECT_GT(share_on_tools(state), 0.95);
+    const Renewed renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
+    ASSERT_TRUE(renewed.ok) << renewed.reason;
+    expect_kept(state, renewed.state);
+    expect_clean_ledger(renewed.state);
+  }
+}
+
+TEST_F(Renew, a_surface_found_inside_a_tool_is_lifted_out_and_its_volume_given_back) {
+  State state = pressed("");
+  state.bodies[2].offset += 1e-3;  // frees the upper face
+  state.bodies[1].offset += 20e-6;  // the bottom now lies 20 micrometres inside the pot
+  const double depth = deepest_penetration(scene, state);
+  EXPECT_GT(depth, 15e-6);
+  const Renewed renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
+  ASSERT_TRUE(renewed.ok) << renewed.reason;
+  expect_kept(state, renewed.state);
+  EXPECT_LT(deepest_penetration(scene, renewed.state), 1e-6);
+}
+
+}  // namespace
+}  // namespace parison::forming
