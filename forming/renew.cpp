@@ -104,13 +104,21 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const r
   return tools;
 }
 
-/// Lifts the new surface out of the tools and gives the mesh the old volume; false where that folds it.
+/// Lifts the new surface out of the tools and gives the mesh the old volume; the inside follows where cells suffer. False
+/// where that folds the mesh.
 bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
+  constexpr double suffering = 0.9;  // of the quality as meshed
   const core::Mesh made = mesh;
   lift_out_of_tools(scene, state, mesh);
   restore_volume(scene, state, core::volume(state.bodies[0].mesh, scene.geometry), mesh);
-  if (remesh::quality(mesh).worst <= 0) spread_shift(made, mesh);
-  return remesh::quality(mesh).worst > 0;
+  double worst = remesh::quality(mesh).worst;
+  if (worst < suffering * remesh::quality(made).worst) {
+    core::Mesh followed = mesh;
+    spread_shift(made, followed);
+    const double then = remesh::quality(followed).worst;
+    if (then > worst) mesh = std::move(followed), worst = then;
+  }
+  return worst > 0;
 }
 
 /// The temperature on the new mesh, within the old extremes and with the heat content of the old one.

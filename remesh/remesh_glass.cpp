@@ -18,19 +18,19 @@ namespace {
 
 constexpr double volume_tolerance = 2e-15;  ///< relative, at which the shift stops
 constexpr double largest_defect = 0.01;     ///< relative volume a resampling may miss
+/// Where the free surface would have to move by more than `far` the whole one moves, if that is by less than `slight`, m.
+constexpr double far = 20e-6, slight = 3e-6;
 
-/// Unit normals at the surface nodes that may give way, zero elsewhere.
-std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface) {
+/// Unit normals at the surface nodes that may give way, at contacts too where wanted, zero elsewhere.
+std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface, bool contacts) {
   const auto count = static_cast<std::size_t>(surface.outline.edge_count());
   const auto place = [&](Index node) { return node < mesh.vertex_count ? node : node - mesh.vertex_count + count; };
-  bool any_free = false;
-  for (std::size_t i = 0; i < 2 * count; ++i) any_free |= !surface.fixed[i] && !surface.contact[i];
   std::vector<Point> directions(mesh.nodes.size(), Point::Zero());
   for (const core::BoundaryEdge& edge : mesh.boundary) {
     constexpr std::array<double, 3> ends{0, 1, 0.5};
     for (int k = 0; k < 3; ++k) {
       const std::size_t at = place(edge.nodes[k]);
-      if (surface.fixed[at] || (any_free && surface.contact[at])) continue;
+      if (surface.fixed[at] || (!contacts && surface.contact[at])) continue;
       directions[edge.nodes[k]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {ends[k], 1}).normal;
     }
   }
@@ -51,8 +51,11 @@ double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<P
 }
 
 double restore_volume(Mesh& mesh, const Surface& surface, core::Geometry geometry, double wanted) {
-  const std::vector<Point> directions = shift_directions(mesh, surface);
   double now = core::volume(mesh, geometry);
+  const std::vector<Point> free = shift_directions(mesh, surface, false), all = shift_directions(mesh, surface, true);
+  const double missed = std::abs(wanted - now), open = swept_area(mesh, geometry, free);
+  const bool everywhere = open <= 0 || (missed > far * open && missed < slight * swept_area(mesh, geometry, all));
+  const std::vector<Point>& directions = everywhere ? all : free;
   for (int pass = 0; pass < 4 && std::abs(now - wanted) > volume_tolerance * wanted; ++pass) {
     const double area = swept_area(mesh, geometry, directions);
     if (!(area > 0)) break;

@@ -14,7 +14,8 @@ struct Remeshed {
 };
 
 /// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to round-off by
-/// a common small shift of the free surface along its normal (of the whole surface where all of it touches tools).
+/// a common small shift of the free surface along its normal; of the whole surface, by a few micrometres at the most, where
+/// all but a little of it touches tools.
 Remeshed remesh_glass(const core::Mesh& old, const Criteria& criteria);
 
 }  // namespace parison::remesh
