@@ -18,7 +18,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 3;
+constexpr std::int64_t format_version = 4;
 
 void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
   std::vector<double> values;

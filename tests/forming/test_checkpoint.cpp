@@ -210,7 +210,7 @@ TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
   EXPECT_EQ(complaint_of_reading(path, fine),
             path + ": a checkpoint at draft accuracy was found, allowed is one at fine accuracy");
   core::write_hdf5(path, [](core::Hdf5Group& file) { file.write("version", std::int64_t{99}); });
-  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 3");
+  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 4");
 }
 
 TEST(Checkpoint, TheCaseSaysHowOftenTheyAreWritten) {
