@@ -34,40 +34,6 @@ void add_cells(const HeatSystem& system, const Eigen::VectorXd& temperature, con
     for (Index c = laws.first_cell; c < laws.last_cell; ++c) add(laws, system.cells[c], temperature, rate, response);
 }
 
-/// Air exchange and interface; `power` may be null.
-void add_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, Flows& flows, Eigen::VectorXd* power) {
-  const auto take = [&](const Index* unknowns, const auto& shape, double heat) {
-    if (power)
-      for (int i = 0; i < 3; ++i) (*power)[unknowns[i]] -= shape[i] * heat;
-  };
-  for (const HeatEdge& edge : system.edges)
-    for (int q = 0; q < 3; ++q) {
-      const double T = interpolate(temperature, edge.unknowns.data(), edge.shape[q]);
-      const double heat = edge.area[q] * surface_flux(edge.exchange, T).q;
-      flows.to_air[edge.body] += heat;
-      take(edge.unknowns.data(), edge.shape[q], heat);
-    }
-  for (const HeatContact& contact : system.contacts) {
-    const core::InterfacePoint& point = *contact.point;
-    const double closed = point.closure * point.area;
-    if (closed == 0) continue;
-    const Index *slave = contact.unknowns.data(), *master = slave + 3;
-    const double T1 = interpolate(temperature, slave, contact.slave_shape);
-    const double T2 = interpolate(temperature, master, contact.master_shape);
-    const double across = closed * system.problem->law(point, T1).h * (T1 - T2);
-    const double slave_air = contact.slave_air ? closed * surface_flux(*contact.slave_air, T1).q : 0;
-    const double master_air = contact.master_air ? closed * surface_flux(*contact.master_air, T2).q : 0;
-    for (int i = 0; i < 3; ++i) {
-      flows.across[contact.pair] += contact.slave_shape[i] * across;
-      flows.received[contact.pair] += contact.master_shape[i] * across;
-    }
-    flows.to_air[point.slave_body] -= slave_air;
-    flows.to_air[point.master_body] -= master_air;
-    take(slave, contact.slave_shape, across - slave_air);
-    take(master, contact.master_shape, -across - master_air);
-  }
-}
-
 Flows zero_flows(const HeatSystem& system) {
   const auto bodies = static_cast<Index>(system.bodies.size()), pairs = static_cast<Index>(system.pairs.size());
   Flows flows{Eigen::VectorXd::Zero(bodies), Eigen::VectorXd::Zero(bodies),

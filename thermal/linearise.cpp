@@ -33,19 +33,6 @@ void apply_cell(const HeatCell& cell, const CellSlopes& slopes, double step, con
              cell.unknowns, result);
 }
 
-ContactSlopes linearise_contact(const HeatSystem& system, const HeatContact& contact,
-                                const Eigen::VectorXd& temperature) {
-  const core::InterfacePoint& point = *contact.point;
-  const double closed = point.closure * point.area;
-  if (closed == 0) return {};
-  const double T1 = interpolate(temperature, contact.unknowns.data(), contact.slave_shape);
-  const double T2 = interpolate(temperature, contact.unknowns.data() + 3, contact.master_shape);
-  const core::Conductance law = system.problem->law(point, T1);
-  return {closed * law.h, closed * law.dh_dT * (T1 - T2),
-          contact.slave_air ? closed * surface_flux(*contact.slave_air, T1).dq_dT : 0,
-          contact.master_air ? closed * surface_flux(*contact.master_air, T2).dq_dT : 0};
-}
-
 }  // namespace
 
 Linearisation linearise(const HeatSystem& system, const Eigen::VectorXd& temperature) {
@@ -54,15 +41,7 @@ Linearisation linearise(const HeatSystem& system, const Eigen::VectorXd& tempera
   const auto cell = system.problem->order == 2 ? linearise_cell<6> : linearise_cell<3>;
   for (const BodyLaws& laws : system.bodies)
     for (Index c = laws.first_cell; c < laws.last_cell; ++c) cell(laws, system.cells[c], temperature, result.cells[c]);
-  for (const HeatEdge& edge : system.edges) {
-    auto& slopes = result.edges.emplace_back();
-    for (int q = 0; q < 3; ++q) {
-      const double T = interpolate(temperature, edge.unknowns.data(), edge.shape[q]);
-      slopes[q] = edge.area[q] * surface_flux(edge.exchange, T).dq_dT;
-    }
-  }
-  for (const HeatContact& contact : system.contacts)
-    result.contacts.push_back(linearise_contact(system, contact, temperature));
+  linearise_exchange(system, temperature, result);
   return result;
 }
 
@@ -72,25 +51,7 @@ Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisati
   const auto cell = system.problem->order == 2 ? apply_cell<6> : apply_cell<3>;
   for (std::size_t c = 0; c < system.cells.size(); ++c)
     cell(system.cells[c], linearisation.cells[c], step, change, result);
-  const auto add = [&](const Index* unknowns, const std::array<double, 3>& shape, double heat) {
-    for (int i = 0; i < 3; ++i) result[unknowns[i]] += step * shape[i] * heat;
-  };
-  for (std::size_t e = 0; e < system.edges.size(); ++e) {
-    const HeatEdge& edge = system.edges[e];
-    for (int q = 0; q < 3; ++q)
-      add(edge.unknowns.data(), edge.shape[q],
-          linearisation.edges[e][q] * interpolate(change, edge.unknowns.data(), edge.shape[q]));
-  }
-  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-    const HeatContact& contact = system.contacts[i];
-    const ContactSlopes& slopes = linearisation.contacts[i];
-    const Index *slave = contact.unknowns.data(), *master = slave + 3;
-    const double d1 = interpolate(change, slave, contact.slave_shape);
-    const double d2 = interpolate(change, master, contact.master_shape);
-    const double across = slopes.across * (d1 - d2) + slopes.conductance * d1;
-    add(slave, contact.slave_shape, across - slopes.slave_air * d1);
-    add(master, contact.master_shape, -across - slopes.master_air * d2);
-  }
+  apply_exchange(system, linearisation, step, change, result);
   return result;
 }
 

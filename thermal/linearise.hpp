@@ -13,13 +13,6 @@ struct CellSlopes {
   PointArray conductivity;    ///< W/m/K
   PointArray flow_a, flow_b;  ///< of the heat flow along the reference coordinates, by dk/dT alone, W/K
 };
-/// The same at an interface point, W/K.
-struct ContactSlopes {
-  double across;        ///< by the temperature difference: conductance times closed area
-  double conductance;   ///< by the slave's temperature through the conductance alone
-  double slave_air, master_air;  ///< of the exchanges that the closed interface replaces
-};
-
 /// Derivative of the heat equations at a temperature, with the slopes of conductivity and conductance.
 struct Linearisation {
   std::vector<CellSlopes> cells;

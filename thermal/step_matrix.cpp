@@ -10,10 +10,6 @@ namespace parison::thermal {
 
 namespace {
 
-ContactKey clique_key(const HeatContact& contact) {
-  return {contact.unknowns[0], contact.unknowns[1], contact.unknowns[3], contact.unknowns[4]};
-}
-
 Index cell_unknowns(const HeatSystem& system) { return system.problem->order == 2 ? 6 : 3; }
 
 std::vector<Index> list_topology(const HeatSystem& system) {
@@ -24,17 +20,6 @@ std::vector<Index> list_topology(const HeatSystem& system) {
     for (const core::BoundaryEdge& edge : system.problem->bodies[b].mesh->boundary)
       for (const Index unknown : edge_unknowns(system, static_cast<Index>(b), edge.nodes)) topology.push_back(unknown);
   return topology;
-}
-
-/// Adds a dense symmetric matrix of N unknowns without the rows and columns of prescribed ones.
-template <std::size_t N>
-void add(StepMatrix& matrix, const HeatSystem& system, Index clique, const std::array<Index, N>& unknowns,
-         std::array<double, N * N>& local) {
-  if (!system.prescribed.empty())
-    for (std::size_t i = 0; i < N; ++i)
-      if (system.is_prescribed[unknowns[i]])
-        for (std::size_t j = 0; j < N; ++j) local[i * N + j] = local[j * N + i] = 0;
-  core::add_clique(matrix.assembly.matrix, matrix.assembly.scatter, clique, static_cast<Index>(N), local.data());
 }
 
 template <int N>
@@ -50,51 +35,24 @@ void add_cells(StepMatrix& matrix, const HeatSystem& system, const Linearisation
     std::array<double, N * N> local;
     Eigen::Map<Eigen::Matrix<double, N, N>>(local.data()) =
         value.transpose() * stored + slope_a.transpose() * flow_a + slope_b.transpose() * flow_b;
-    std::array<Index, N> unknowns;
-    std::copy_n(cell.unknowns.begin(), N, unknowns.begin());
-    add(matrix, system, c, unknowns, local);
-  }
-}
-
-void add_edges(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
-  for (std::size_t e = 0; e < system.edges.size(); ++e) {
-    const HeatEdge& edge = system.edges[e];
-    std::array<double, 9> local{};
-    for (int q = 0; q < 3; ++q)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j <= i; ++j)
-          local[i * 3 + j] += step * slopes.edges[e][q] * edge.shape[q][i] * edge.shape[q][j];
-    add(matrix, system, static_cast<Index>(system.cells.size()) + edge.boundary_edge, edge.unknowns, local);
-  }
-}
-
-/// The points of a segment follow one another and share their clique: one entry in the matrix for all of them.
-void add_contacts(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
-  std::array<double, 36> local{};
-  bool any = false;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    const HeatContact& contact = system.contacts[c];
-    const auto& [across, conductance, slave_air, master_air] = slopes.contacts[c];
-    if (across != 0) {
-      any = true;
-      const auto &s = contact.slave_shape, &m = contact.master_shape;
-      const double slave = step * (across + std::max(conductance, 0.0) - slave_air);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          local[i * 6 + j] += slave * s[i] * s[j];
-          local[(i + 3) * 6 + j] -= step * across * m[i] * s[j];
-          local[(i + 3) * 6 + j + 3] += step * (across - master_air) * m[i] * m[j];
-        }
-    }
-    const bool last = c + 1 == system.contacts.size() || system.contacts[c + 1].unknowns != contact.unknowns;
-    if (!last || !any) continue;
-    add(matrix, system, matrix.contact_clique.at(clique_key(contact)), contact.unknowns, local);
-    local.fill(0);
-    any = false;
+    add_clique(matrix, system, c, N, cell.unknowns.data(), local.data());
   }
 }
 
 }  // namespace
+
+ContactKey clique_key(const HeatContact& contact) {
+  return {contact.unknowns[0], contact.unknowns[1], contact.unknowns[3], contact.unknowns[4]};
+}
+
+void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Index count, const Index* unknowns,
+                double* local) {
+  if (!system.prescribed.empty())
+    for (Index i = 0; i < count; ++i)
+      if (system.is_prescribed[unknowns[i]])
+        for (Index j = 0; j < count; ++j) local[i * count + j] = local[j * count + i] = 0;
+  core::add_clique(matrix.assembly.matrix, matrix.assembly.scatter, clique, count, local);
+}
 
 void prepare(StepMatrix& matrix, const HeatSystem& system) {
   std::vector<Index> topology = list_topology(system);
@@ -128,8 +86,7 @@ bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::Vector
   std::fill(values.value.begin(), values.value.end(), 0.0);
   const Linearisation slopes = linearise(system, temperature);
   (system.problem->order == 2 ? add_cells<6> : add_cells<3>)(matrix, system, slopes, step);
-  add_edges(matrix, system, slopes, step);
-  add_contacts(matrix, system, slopes, step);
+  assemble_exchange(matrix, system, slopes, step);
   for (const auto& [unknown, value] : system.prescribed) values.value[values.column_start[unknown]] = 1;
   matrix.diagonal.resize(values.size);
   for (Index i = 0; i < values.size; ++i) matrix.diagonal[i] = values.value[values.column_start[i]];

@@ -12,6 +12,8 @@ namespace parison::thermal {
 /// Unknowns of the vertices of a slave edge and of the master edge that it faces.
 using ContactKey = std::array<Index, 4>;
 
+ContactKey clique_key(const HeatContact& contact);
+
 /// Factor of C + step K, kept from step to step: C the heat capacity, K the conduction, exchange and interface at the
 /// temperature of the factorisation. Of the slopes of conductivity and conductance K has only what is symmetric and
 /// positive: a conductance that rises with the slave's temperature, in the slave's own block. Newton with it is a
@@ -27,6 +29,9 @@ struct StepMatrix {
   Index factorisations = 0;
 };
 
+/// Adds a dense symmetric matrix, row-major count x count, without the rows and columns of prescribed unknowns.
+void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Index count, const Index* unknowns,
+                double* local);
 /// Makes pattern and analysis anew where the cells changed or new edges face each other; drops the factor then, and
 /// where other unknowns are prescribed.
 void prepare(StepMatrix& matrix, const HeatSystem& system);

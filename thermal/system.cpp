@@ -8,11 +8,6 @@ namespace parison::thermal {
 
 namespace {
 
-const SurfaceExchange* exchange_of(const BodyView& body, Index piece) {
-  if (body.exchange.empty() || !body.exchange[piece]) return nullptr;
-  return &*body.exchange[piece];
-}
-
 /// Jacobian of a cell's map at a point of triangle_rule(4).
 struct Map {
   core::Point along_a, along_b;  ///< derivatives of the position
@@ -68,23 +63,6 @@ void add_source(HeatSystem& system, const BodyLaws& laws, const std::vector<doub
   }
 }
 
-void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) {
-  const BodyView& body = system.problem->bodies[body_index];
-  const auto& rule = core::edge_rule(3);
-  for (std::size_t e = 0; e < body.mesh->boundary.size(); ++e) {
-    const core::BoundaryEdge& boundary = body.mesh->boundary[e];
-    const SurfaceExchange* exchange = exchange_of(body, boundary.piece);
-    if (!exchange) continue;
-    HeatEdge edge{edge_unknowns(system, body_index, boundary.nodes), first_boundary_edge + static_cast<Index>(e),
-                  body_index, *exchange, {}, {}};
-    for (int q = 0; q < 3; ++q) {
-      edge.area[q] = core::map_edge_point(*body.mesh, boundary.nodes, system.problem->geometry, rule[q]).area;
-      edge.shape[q] = unknown_weights(edge_shapes()[q], system.problem->order);
-    }
-    system.edges.push_back(edge);
-  }
-}
-
 void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) {
   if (body.prescribed.empty()) return;
   for (const core::BoundaryEdge& edge : body.mesh->boundary) {
@@ -94,38 +72,6 @@ void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) 
       system.is_prescribed[unknown] = 1;
       system.prescribed.emplace_back(unknown, *body.prescribed[edge.piece]);
     }
-  }
-}
-
-/// Exchange of the boundary edge with a given mid node, by node of every body.
-std::vector<std::vector<const SurfaceExchange*>> exchange_by_mid_node(const Problem& problem) {
-  std::vector<std::vector<const SurfaceExchange*>> result;
-  for (const BodyView& body : problem.bodies) {
-    result.emplace_back(body.mesh->node_count(), nullptr);
-    for (const core::BoundaryEdge& edge : body.mesh->boundary)
-      result.back()[edge.nodes[2]] = exchange_of(body, edge.piece);
-  }
-  return result;
-}
-
-void add_contacts(HeatSystem& system) {
-  system.contacts.reserve(system.problem->interface.size());
-  const auto air = exchange_by_mid_node(*system.problem);
-  for (const core::InterfacePoint& point : system.problem->interface) {
-    const int order = system.problem->order;
-    HeatContact contact{{}, unknown_weights(point.slave_shape, order), unknown_weights(point.master_shape, order),
-                        &point, 0, {}, {}};
-    const auto slave = edge_unknowns(system, point.slave_body, point.slave_nodes);
-    const auto master = edge_unknowns(system, point.master_body, point.master_nodes);
-    std::copy(slave.begin(), slave.end(), contact.unknowns.begin());
-    std::copy(master.begin(), master.end(), contact.unknowns.begin() + 3);
-    if (const auto* exchange = air[point.slave_body][point.slave_nodes[2]]) contact.slave_air = *exchange;
-    if (const auto* exchange = air[point.master_body][point.master_nodes[2]]) contact.master_air = *exchange;
-    const std::pair pair{point.slave_body, point.master_body};
-    const auto found = std::find(system.pairs.begin(), system.pairs.end(), pair);
-    contact.pair = static_cast<Index>(found - system.pairs.begin());
-    if (found == system.pairs.end()) system.pairs.push_back(pair);
-    system.contacts.push_back(contact);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/cholesky.hpp"
 #include "core/element.hpp"
+#include "thermal/exchange.hpp"
 #include "thermal/ledger.hpp"
 #include "thermal/problem.hpp"
 #include "thermal/properties.hpp"
@@ -19,23 +20,6 @@ struct HeatCell {
   PointArray aa, ab, bb;  ///< present volume times the products of the gradients of the reference coordinates a, b, m
   PointArray mass;        ///< kg
   PointArray thin_wall;   ///< factor on the Rosseland conductivity
-};
-/// Boundary edge that exchanges heat with its surroundings.
-struct HeatEdge {
-  std::array<Index, 3> unknowns;  ///< first, last, mid; in a problem of order 1 the first again, of weight nothing
-  Index boundary_edge;  ///< counted through all bodies
-  Index body;
-  SurfaceExchange exchange;
-  std::array<double, 3> area;  ///< at the points of edge_rule(3), m2
-  std::array<std::array<double, 3>, 3> shape;  ///< weights of the unknowns there
-};
-/// Interface point with both sides' unknowns; the exchanges are those that the closed interface replaces.
-struct HeatContact {
-  std::array<Index, 6> unknowns;  ///< slave first, last, mid, then master; mids as in HeatEdge
-  std::array<double, 3> slave_shape, master_shape;  ///< weights of the unknowns
-  const core::InterfacePoint* point;
-  Index pair;  ///< index into HeatSystem::pairs
-  std::optional<SurfaceExchange> slave_air, master_air;
 };
 struct BodyLaws {
   Enthalpy enthalpy;
