@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/mortar.hpp"
 #include "core/thickness.hpp"
-#include "forming/contact_geometry.hpp"
 #include "forming/initial_state.hpp"
+#include "forming/thermal_interface.hpp"
 
 namespace parison::forming {
 
@@ -55,9 +54,7 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const std:
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
     problem.bodies.push_back(view_of(scene, b, meshes[b], stage));
   problem.bodies[0].density = state.density;
-  problem.law = [&scene, &table_holds](const core::InterfacePoint& point, double temperature) {
-    return point_conductance(scene, point, temperature, table_holds);
-  };
+  problem.law = interface_law(scene, problem.interface, table_holds);
   return problem;
 }
 
@@ -139,36 +136,6 @@ double glass_heat(const Scene& scene, const State& state) {
   const core::Mesh mass = mass_mesh(state);
   thermal::BodyView view{&mass, &mass, state.density, &*scene.glass.thermal, {}, {}};
   return thermal::heat_content(view, scene.geometry, state.bodies[0].temperature);
-}
-
-std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state) {
-  const core::Mesh& glass = state.bodies[0].mesh;
-  const auto slave = contact::make_surface(0, glass, contact_pieces(scene.glass, glass), core::Point::Zero());
-  const auto& in_place = scene.stages[state.stage].tools;
-  std::vector<contact::Master> masters;
-  for (std::size_t law = 0; law < scene.interfaces.size(); ++law) {
-    const auto& interface = scene.interfaces[law];
-    if (std::none_of(in_place.begin(), in_place.end(), [&](const auto& t) { return t.tool == interface.tool; })) continue;
-    const auto& tool = state.bodies[1 + interface.tool];
-    const auto touches = contact_pieces(scene.tools[interface.tool], tool.mesh);
-    masters.push_back(
-        {contact::make_surface(1 + interface.tool, tool.mesh, touches, tool.offset * core::axis_direction()),
-         tool_gaps(scene, state, interface.tool, 10 * interface.handover_width), interface.handover_width,
-         static_cast<Index>(law)});
-  }
-  return contact::build_interface(slave, state.contact.pressure, masters, scene.geometry);
-}
-
-core::Conductance point_conductance(const Scene& scene, const core::InterfacePoint& point, double temperature,
-                                    long& table_holds) {
-  double viscosity = 1, slope = 0;
-  if (scene.has_flow()) {
-    viscosity = scene.glass.flow->viscosity(temperature);
-    slope = viscosity * scene.glass.flow->viscosity.log_derivative(temperature);
-  }
-  const auto value = contact::conductance(scene.interfaces[point.law].law, point.pressure, viscosity);
-  table_holds += value.outside;
-  return {value.h, value.dh_deta * slope};
 }
 
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,

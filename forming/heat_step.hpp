@@ -9,13 +9,6 @@ namespace parison::forming {
 /// Heat content of the glass, J, relative to thermal::content_reference.
 double glass_heat(const Scene& scene, const State& state);
 
-/// Thermal interfaces of the glass with every tool in place that has one, at the present positions.
-std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state);
-
-/// Conductance of a point of the interface at a glass surface temperature, K: contact pressure and viscosity into h.
-core::Conductance point_conductance(const Scene& scene, const core::InterfacePoint& point, double temperature,
-                                    long& table_holds);
-
 struct HeatOutcome {
   bool converged = false;
   std::string reason;

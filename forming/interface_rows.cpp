@@ -9,7 +9,7 @@
 
 #include "core/files.hpp"
 #include "forming/glass_surface.hpp"
-#include "forming/heat_step.hpp"
+#include "forming/thermal_interface.hpp"
 #include "forming/initial_state.hpp"
 #include "thermal/properties.hpp"
 

@@ -9,6 +9,7 @@
 #include "forming/contact_geometry.hpp"
 #include "forming/foretell.hpp"
 #include "forming/heat_step.hpp"
+#include "forming/thermal_interface.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/sample.hpp"
 #include "forming/surface_change.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forming/heat_step.hpp"
+#include "forming/thermal_interface.hpp"
 #include "forming/initial_state.hpp"
 #include "thermal/properties.hpp"
 

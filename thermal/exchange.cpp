@@ -2,6 +2,7 @@
 #include "thermal/exchange.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "thermal/system.hpp"
 
@@ -25,6 +26,72 @@ std::vector<std::vector<const SurfaceExchange*>> exchange_by_mid_node(const Prob
   return result;
 }
 
+void resize(CoveredExchange& covered, Index size) {
+  covered.linear.setZero(size);
+  covered.quartic.setZero(size);
+  covered.constant.setZero(size);
+}
+
+/// Covers the points of a segment on one of its sides; nothing where that side exchanges nothing.
+void cover(CoveredExchange& covered, const HeatSegment& segment, const Eigen::ArrayXd& area,
+           const SurfaceExchange* exchange) {
+  if (!exchange) return;
+  const Index first = segment.first_point, count = segment.last_point - first;
+  const double radiant = exchange->emissivity * stefan_boltzmann, ambient = exchange->ambient_temperature;
+  const auto closed = area.segment(first, count);
+  covered.linear.segment(first, count) = exchange->h * closed;
+  covered.quartic.segment(first, count) = radiant * closed;
+  covered.constant.segment(first, count) =
+      (exchange->h * exchange->air_temperature + radiant * std::pow(ambient, 4)) * closed;
+}
+
+Index find_pair(HeatSystem& system, const std::pair<Index, Index>& pair) {
+  const auto found = std::find(system.pairs.begin(), system.pairs.end(), pair);
+  const auto index = static_cast<Index>(found - system.pairs.begin());
+  if (found == system.pairs.end()) system.pairs.push_back(pair);
+  return index;
+}
+
+bool face_alike(const core::InterfacePoint& a, const core::InterfacePoint& b) {
+  return a.slave_nodes == b.slave_nodes && a.master_nodes == b.master_nodes && a.slave_body == b.slave_body &&
+         a.master_body == b.master_body;
+}
+
+HeatSegment start_segment(HeatSystem& system, const core::InterfacePoint& point, Index at) {
+  const auto slave = edge_unknowns(system, point.slave_body, point.slave_nodes);
+  const auto master = edge_unknowns(system, point.master_body, point.master_nodes);
+  return {{slave[0], slave[1], slave[2], master[0], master[1], master[2]}, at, at, point.slave_body, point.master_body,
+          find_pair(system, {point.slave_body, point.master_body})};
+}
+
+/// Heat across the interface and what its cover keeps from the air.
+void add_contact_heat(const HeatSystem& system, const Eigen::VectorXd& temperature, Flows& flows,
+                      Eigen::VectorXd* power) {
+  using Six = Eigen::Matrix<double, 6, 1>;
+  const HeatInterface& interface = system.interface;
+  const auto [T1, T2] = side_temperatures(interface, temperature);
+  Eigen::ArrayXd h(T1.size());
+  system.problem->law(system.problem->interface, T1, h, nullptr);
+  const Eigen::ArrayXd across = interface.area * h * (T1 - T2);
+  const Eigen::ArrayXd air1 = interface.slave_air.heat(T1), air2 = interface.master_air.heat(T2);
+  for (const HeatSegment& segment : interface.segments) {
+    Six crossing = Six::Zero(), covered = Six::Zero();  // in shares of the unknowns
+    for (Index i = segment.first_point; i < segment.last_point; ++i) {
+      const auto shape = interface.shape.col(i);
+      crossing += across[i] * shape;
+      covered.head<3>() += air1[i] * shape.head<3>();
+      covered.tail<3>() += air2[i] * shape.tail<3>();
+    }
+    flows.across[segment.pair] += crossing.head<3>().sum();
+    flows.received[segment.pair] += crossing.tail<3>().sum();
+    flows.to_air[segment.slave_body] -= covered.head<3>().sum();
+    flows.to_air[segment.master_body] -= covered.tail<3>().sum();
+    if (!power) continue;
+    crossing.tail<3>() *= -1;
+    for (int i = 0; i < 6; ++i) (*power)[segment.unknowns[i]] -= crossing[i] - covered[i];
+  }
+}
+
 }  // namespace
 
 void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) {
@@ -44,58 +111,54 @@ void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) 
   }
 }
 
-void add_contacts(HeatSystem& system) {
-  system.contacts.reserve(system.problem->interface.size());
+void add_interface(HeatSystem& system) {
+  const auto& points = system.problem->interface;
+  const auto count = static_cast<Index>(points.size());
+  HeatInterface& interface = system.interface;
+  interface.shape.resize(6, count);
+  interface.area.resize(count);
+  resize(interface.slave_air, count);
+  resize(interface.master_air, count);
+  for (Index i = 0; i < count; ++i) {
+    if (i == 0 || !face_alike(points[i - 1], points[i]))
+      interface.segments.push_back(start_segment(system, points[i], i));
+    interface.segments.back().last_point = i + 1;
+    const auto slave = unknown_weights(points[i].slave_shape, system.problem->order);
+    const auto master = unknown_weights(points[i].master_shape, system.problem->order);
+    interface.shape.col(i) << slave[0], slave[1], slave[2], master[0], master[1], master[2];
+    interface.area[i] = points[i].closure * points[i].area;
+  }
+  if (count == 0) return;
   const auto air = exchange_by_mid_node(*system.problem);
-  for (const core::InterfacePoint& point : system.problem->interface) {
-    const int order = system.problem->order;
-    HeatContact contact{{}, unknown_weights(point.slave_shape, order), unknown_weights(point.master_shape, order),
-                        &point, 0, {}, {}};
-    const auto slave = edge_unknowns(system, point.slave_body, point.slave_nodes);
-    const auto master = edge_unknowns(system, point.master_body, point.master_nodes);
-    std::copy(slave.begin(), slave.end(), contact.unknowns.begin());
-    std::copy(master.begin(), master.end(), contact.unknowns.begin() + 3);
-    if (const auto* exchange = air[point.slave_body][point.slave_nodes[2]]) contact.slave_air = *exchange;
-    if (const auto* exchange = air[point.master_body][point.master_nodes[2]]) contact.master_air = *exchange;
-    const std::pair pair{point.slave_body, point.master_body};
-    const auto found = std::find(system.pairs.begin(), system.pairs.end(), pair);
-    contact.pair = static_cast<Index>(found - system.pairs.begin());
-    if (found == system.pairs.end()) system.pairs.push_back(pair);
-    system.contacts.push_back(contact);
+  for (const HeatSegment& segment : interface.segments) {
+    const core::InterfacePoint& point = points[segment.first_point];
+    cover(interface.slave_air, segment, interface.area, air[point.slave_body][point.slave_nodes[2]]);
+    cover(interface.master_air, segment, interface.area, air[point.master_body][point.master_nodes[2]]);
   }
 }
 
+SideTemperatures side_temperatures(const HeatInterface& interface, const Eigen::VectorXd& temperature) {
+  SideTemperatures at{Eigen::ArrayXd(interface.area.size()), Eigen::ArrayXd(interface.area.size())};
+  for (const HeatSegment& segment : interface.segments) {
+    const auto own = gather<6>(temperature, segment.unknowns);
+    for (Index i = segment.first_point; i < segment.last_point; ++i) {
+      at.slave[i] = interface.shape.col(i).head<3>().dot(own.head<3>());
+      at.master[i] = interface.shape.col(i).tail<3>().dot(own.tail<3>());
+    }
+  }
+  return at;
+}
+
 void add_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, Flows& flows, Eigen::VectorXd* power) {
-  const auto take = [&](const Index* unknowns, const auto& shape, double heat) {
-    if (power)
-      for (int i = 0; i < 3; ++i) (*power)[unknowns[i]] -= shape[i] * heat;
-  };
   for (const HeatEdge& edge : system.edges)
     for (int q = 0; q < 3; ++q) {
       const double T = interpolate(temperature, edge.unknowns.data(), edge.shape[q]);
       const double heat = edge.area[q] * surface_flux(edge.exchange, T).q;
       flows.to_air[edge.body] += heat;
-      take(edge.unknowns.data(), edge.shape[q], heat);
+      if (power)
+        for (int i = 0; i < 3; ++i) (*power)[edge.unknowns[i]] -= edge.shape[q][i] * heat;
     }
-  for (const HeatContact& contact : system.contacts) {
-    const core::InterfacePoint& point = *contact.point;
-    const double closed = point.closure * point.area;
-    if (closed == 0) continue;
-    const Index *slave = contact.unknowns.data(), *master = slave + 3;
-    const double T1 = interpolate(temperature, slave, contact.slave_shape);
-    const double T2 = interpolate(temperature, master, contact.master_shape);
-    const double across = closed * system.problem->law(point, T1).h * (T1 - T2);
-    const double slave_air = contact.slave_air ? closed * surface_flux(*contact.slave_air, T1).q : 0;
-    const double master_air = contact.master_air ? closed * surface_flux(*contact.master_air, T2).q : 0;
-    for (int i = 0; i < 3; ++i) {
-      flows.across[contact.pair] += contact.slave_shape[i] * across;
-      flows.received[contact.pair] += contact.master_shape[i] * across;
-    }
-    flows.to_air[point.slave_body] -= slave_air;
-    flows.to_air[point.master_body] -= master_air;
-    take(slave, contact.slave_shape, across - slave_air);
-    take(master, contact.master_shape, -across - master_air);
-  }
+  if (!system.interface.segments.empty()) add_contact_heat(system, temperature, flows, power);
 }
 
 }  // namespace parison::thermal

@@ -22,25 +22,44 @@ struct HeatEdge {
   std::array<double, 3> area;  ///< at the points of edge_rule(3), m2
   std::array<std::array<double, 3>, 3> shape;  ///< weights of the unknowns there
 };
-/// Interface point with both sides' unknowns; the exchanges are those that the closed interface replaces.
-struct HeatContact {
+/// Run of interface points with the same unknowns: a slave edge and a master edge that face each other.
+struct HeatSegment {
   std::array<Index, 6> unknowns;  ///< slave first, last, mid, then master; mids as in HeatEdge
-  std::array<double, 3> slave_shape, master_shape;  ///< weights of the unknowns
-  const core::InterfacePoint* point;
+  Index first_point, last_point;
+  Index slave_body, master_body;
   Index pair;  ///< index into HeatSystem::pairs
-  std::optional<SurfaceExchange> slave_air, master_air;
 };
-/// Slopes of the heat across an interface point with temperature, W/K.
+/// What one side of each point would give the air if its surface were free: linear T + quartic |T|^3 T - constant.
+struct CoveredExchange {
+  Eigen::ArrayXd linear, quartic, constant;  ///< W/K, W/K4, W
+
+  Eigen::ArrayXd heat(const Eigen::ArrayXd& T) const { return (linear + quartic * T.square() * T.abs()) * T - constant; }
+  Eigen::ArrayXd slope(const Eigen::ArrayXd& T) const { return linear + 4 * quartic * T.square() * T.abs(); }
+};
+/// The closed interface: its points in arrays, segment after segment.
+struct HeatInterface {
+  std::vector<HeatSegment> segments;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> shape;  ///< weights of the unknowns, a column for each point
+  Eigen::ArrayXd area;                             ///< of which is closed, m2
+  CoveredExchange slave_air, master_air;           ///< the exchanges that the closed interface replaces
+};
+/// Slopes of the heat at the interface's points with temperature, W/K.
 struct ContactSlopes {
-  double across;        ///< by the temperature difference: conductance times closed area
-  double conductance;   ///< by the slave's temperature through the conductance alone
-  double slave_air, master_air;  ///< of the exchanges that the closed interface replaces
+  Eigen::ArrayXd across;       ///< by the temperature difference: conductance times closed area
+  Eigen::ArrayXd conductance;  ///< by the slave's temperature through the conductance alone
+  Eigen::ArrayXd slave_air, master_air;  ///< of the exchanges that the closed interface replaces
 };
+
+/// Temperatures of both sides at the interface's points, K.
+struct SideTemperatures {
+  Eigen::ArrayXd slave, master;
+};
+SideTemperatures side_temperatures(const HeatInterface& interface, const Eigen::VectorXd& temperature);
 
 /// Finds a body's edges that exchange heat with air; `first_boundary_edge` counts those of the bodies before it.
 void add_edges(HeatSystem& system, Index body, Index first_boundary_edge);
 /// Prepares the interface of the system's problem.
-void add_contacts(HeatSystem& system);
+void add_interface(HeatSystem& system);
 
 /// Adds air exchange and interface to flows and, where given, to the power into each unknown.
 void add_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, Flows& flows, Eigen::VectorXd* power);

@@ -17,7 +17,7 @@ struct CellSlopes {
 struct Linearisation {
   std::vector<CellSlopes> cells;
   std::vector<std::array<double, 3>> edges;  ///< of surface exchange at the points of edge_rule(3), W/K
-  std::vector<ContactSlopes> contacts;
+  ContactSlopes contacts;
 };
 Linearisation linearise(const HeatSystem& system, const Eigen::VectorXd& temperature);
 

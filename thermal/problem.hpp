@@ -25,12 +25,17 @@ struct BodyView {
   const std::vector<double>* source = nullptr;  ///< W at each point of triangle_rule(4), cell by cell; null: none
 };
 
+/// Conductances, W/m2/K, of an interface's points at the slave's temperatures there, K, and, where asked for, their
+/// derivatives with respect to those.
+using InterfaceLaw = std::function<void(const std::vector<core::InterfacePoint>& points, const Eigen::ArrayXd& temperature,
+                                        Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT)>;
+
 /// Heat in all bodies. Where the interface is closed, its conductance replaces both sides' own exchange.
 struct Problem {
   core::Geometry geometry;
   std::vector<BodyView> bodies;
   std::vector<core::InterfacePoint> interface;  ///< slave_body and master_body index `bodies`
-  std::function<core::Conductance(const core::InterfacePoint&, double slave_temperature)> law;
+  InterfaceLaw law;
   int order = 2;  ///< of the temperature in a cell: 2, or 1: the temperature of a mid-side node is the mean of its ends
 };
 

@@ -10,6 +10,21 @@ namespace parison::thermal {
 
 namespace {
 
+ContactKey clique_key(const HeatSegment& segment) {
+  return {segment.unknowns[0], segment.unknowns[1], segment.unknowns[3], segment.unknowns[4]};
+}
+
+/// Whether the pattern has the clique of every segment; notes them.
+bool find_cliques(StepMatrix& matrix, const std::vector<HeatSegment>& segments) {
+  matrix.segment_clique.clear();
+  for (const HeatSegment& segment : segments) {
+    const auto found = matrix.contact_clique.find(clique_key(segment));
+    if (found == matrix.contact_clique.end()) return false;
+    matrix.segment_clique.push_back(found->second);
+  }
+  return true;
+}
+
 Index cell_unknowns(const HeatSystem& system) { return system.problem->order == 2 ? 6 : 3; }
 
 std::vector<Index> list_topology(const HeatSystem& system) {
@@ -41,10 +56,6 @@ void add_cells(StepMatrix& matrix, const HeatSystem& system, const Linearisation
 
 }  // namespace
 
-ContactKey clique_key(const HeatContact& contact) {
-  return {contact.unknowns[0], contact.unknowns[1], contact.unknowns[3], contact.unknowns[4]};
-}
-
 void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Index count, const Index* unknowns,
                 double* local) {
   if (!system.prescribed.empty())
@@ -58,23 +69,18 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
   std::vector<Index> topology = list_topology(system);
   if (system.is_prescribed != matrix.is_prescribed) matrix.factored_step = 0;
   matrix.is_prescribed = system.is_prescribed;
-  std::vector<const HeatContact*> segments;  // one of each run of points with the same unknowns
-  for (const HeatContact& contact : system.contacts)
-    if (segments.empty() || segments.back()->unknowns != contact.unknowns) segments.push_back(&contact);
-  const bool known = topology == matrix.topology &&
-                     std::all_of(segments.begin(), segments.end(), [&](const HeatContact* contact) {
-                       return matrix.contact_clique.count(clique_key(*contact)) > 0;
-                     });
-  if (known) return;
+  const auto& segments = system.interface.segments;
+  if (topology == matrix.topology && find_cliques(matrix, segments)) return;
   core::Cliques cliques;
   const Index per_cell = cell_unknowns(system);
   const std::size_t in_cells = per_cell * system.cells.size();
   for (std::size_t k = 0; k < topology.size(); k += k < in_cells ? per_cell : 3)
     cliques.add(topology.data() + k, k < in_cells ? per_cell : 3);
   matrix.contact_clique.clear();
-  for (const HeatContact* contact : segments)
-    if (matrix.contact_clique.emplace(clique_key(*contact), cliques.count()).second)
-      cliques.add(contact->unknowns.data(), 6);
+  for (const HeatSegment& segment : segments)
+    if (matrix.contact_clique.emplace(clique_key(segment), cliques.count()).second)
+      cliques.add(segment.unknowns.data(), 6);
+  find_cliques(matrix, segments);
   matrix.assembly = core::make_assembly(system.size(), cliques);
   matrix.cholesky.analyse(matrix.assembly.matrix);
   matrix.topology = std::move(topology);

@@ -12,8 +12,6 @@ namespace parison::thermal {
 /// Unknowns of the vertices of a slave edge and of the master edge that it faces.
 using ContactKey = std::array<Index, 4>;
 
-ContactKey clique_key(const HeatContact& contact);
-
 /// Factor of C + step K, kept from step to step: C the heat capacity, K the conduction, exchange and interface at the
 /// temperature of the factorisation. Of the slopes of conductivity and conductance K has only what is symmetric and
 /// positive: a conductance that rises with the slave's temperature, in the slave's own block. Newton with it is a
@@ -21,6 +19,7 @@ ContactKey clique_key(const HeatContact& contact);
 struct StepMatrix {
   std::vector<Index> topology;  ///< unknowns of all cells and boundary edges
   std::map<ContactKey, Index> contact_clique;
+  std::vector<Index> segment_clique;  ///< of each segment of the interface
   std::vector<char> is_prescribed;
   core::Assembly assembly;
   core::Cholesky cholesky;

@@ -106,7 +106,7 @@ HeatSystem make_heat_system(const Problem& problem) {
     boundary_edges += static_cast<Index>(body.mesh->boundary.size());
     add_prescribed(system, body, static_cast<Index>(b));
   }
-  add_contacts(system);
+  add_interface(system);
   return system;
 }
 

@@ -36,7 +36,7 @@ struct HeatSystem {
   std::vector<HeatCell> cells;
   Eigen::VectorXd source;  ///< of volume into each unknown, W
   std::vector<HeatEdge> edges;
-  std::vector<HeatContact> contacts;
+  HeatInterface interface;
   std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body
   std::vector<std::pair<Index, double>> prescribed;  ///< unknown and its temperature, K
   std::vector<char> is_prescribed;

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
 #include <optional>
 
 namespace parison::flow {
@@ -14,6 +15,9 @@ struct Viscosity {
   double derivative(double temperature) const;
   /// d ln eta / dT, 1/K.
   double log_derivative(double temperature) const;
+  /// ln eta, eta in Pa.s, and its derivative, 1/K, at many temperatures.
+  Eigen::ArrayXd logarithm(const Eigen::ArrayXd& temperature) const;
+  Eigen::ArrayXd log_derivative(const Eigen::ArrayXd& temperature) const;
 };
 
 /// Carreau factor on the viscosity: (1 + (lambda rate)^2)^((n-1)/2).

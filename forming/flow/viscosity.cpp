@@ -20,6 +20,16 @@ double Viscosity::operator()(double temperature) const {
   return std::exp(std::log(10) * std::min(exponent, highest_exponent));
 }
 
+Eigen::ArrayXd Viscosity::logarithm(const Eigen::ArrayXd& temperature) const {
+  if (constant) return Eigen::ArrayXd::Constant(temperature.size(), std::log(*constant));
+  const Eigen::ArrayXd above = temperature - T0;
+  return std::log(10) * (above > 0).select((A + B / above).min(highest_exponent), highest_exponent);
+}
+
+Eigen::ArrayXd Viscosity::log_derivative(const Eigen::ArrayXd& temperature) const {
+  return temperature.unaryExpr([&](double T) { return log_derivative(T); });
+}
+
 double Viscosity::derivative(double temperature) const {
   return (*this)(temperature)*log_derivative(temperature);
 }

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/files.hpp"
-#include "forming/heat_step.hpp"
+#include "forming/thermal_interface.hpp"
 #include "forming/history.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/interface_rows.hpp"

@@ -102,8 +102,19 @@ inline std::vector<core::InterfacePoint> stack(const core::Mesh& slave, const co
   return points;
 }
 
-inline auto constant_conductance(double h) {
-  return [h](const core::InterfacePoint&, double) { return core::Conductance{h, 0}; };
+/// A law of single points, for the whole interface.
+inline InterfaceLaw pointwise(std::function<core::Conductance(const core::InterfacePoint&, double)> law) {
+  return [law](const std::vector<core::InterfacePoint>& points, const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h,
+               Eigen::ArrayXd* dh_dT) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const core::Conductance value = law(points[i], temperature[i]);
+      h[i] = value.h;
+      if (dh_dT) (*dh_dT)[i] = value.dh_dT;
+    }
+  };
+}
+inline InterfaceLaw constant_conductance(double h) {
+  return pointwise([h](const core::InterfacePoint&, double) { return core::Conductance{h, 0}; });
 }
 
 }  // namespace parison::thermal::test

@@ -32,10 +32,10 @@ struct Everything {
     problem.bodies[1].exchange = {SurfaceExchange{400, 350, 0, 300}, {}, air, {}};
     problem.bodies[1].prescribed[right] = 650;
     problem.interface = stack(upper, lower, problem.geometry);
-    problem.law = [](const core::InterfacePoint&, double T) {
+    problem.law = pointwise([](const core::InterfacePoint&, double T) {
       const double x = std::exp((T - 1100) / 150);
       return core::Conductance{500 + 19500 * x / (1 + x), 19500 * x / (150 * (1 + x) * (1 + x))};
-    };
+    });
   }
   Everything(const Everything&) = delete;
 };

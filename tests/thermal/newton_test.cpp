@@ -38,7 +38,7 @@ struct HotPair {
       for (auto& exchange : each.exchange) exchange = SurfaceExchange{40, 320, 0.8, 320};
     problem.interface = stack(upper, lower, geometry);
     for (auto& point : problem.interface) point.closure = 0.7;
-    problem.law = [=](const core::InterfacePoint&, double T) { return softening(T, scale, power); };
+    problem.law = pointwise([=](const core::InterfacePoint&, double T) { return softening(T, scale, power); });
     start = {Eigen::VectorXd::Constant(upper.node_count(), 1400), Eigen::VectorXd::Constant(lower.node_count(), 740)};
   }
   HotPair(const HotPair&) = delete;
@@ -63,7 +63,7 @@ TEST(Newton, the_derivative_of_the_whole_residual_is_that_of_finite_differences)
       const Eigen::VectorXd product = apply(system, slopes, step, direction);
       const double size = difference.lpNorm<Eigen::Infinity>();
       EXPECT_LT((product - difference).lpNorm<Eigen::Infinity>(), 1e-7 * size);
-      for (ContactSlopes& contact : slopes.contacts) contact.conductance = 0;
+      slopes.contacts.conductance.setZero();
       EXPECT_GT((apply(system, slopes, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-3 * size);
       for (CellSlopes& cell : slopes.cells) cell.flow_a = cell.flow_b = PointArray::Zero();
       EXPECT_GT((apply(system, slopes, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-3 * size);

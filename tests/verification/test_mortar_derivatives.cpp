@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "forming/heat_step.hpp"
+#include "forming/thermal_interface.hpp"
 
 namespace parison::forming {
 namespace {

@@ -62,10 +62,10 @@ struct Press {
                              {}};
     const auto slave = contact::make_surface(0, upper, {true, false, false, false}, Point::Zero());
     problem.interface = contact::build_interface(slave, pressure, masters, problem.geometry);
-    problem.law = [&](const core::InterfacePoint& point, double T) {
+    problem.law = thermal::test::pointwise([&](const core::InterfacePoint& point, double T) {
       const auto value = contact::conductance(law, point.pressure, viscosity(T));
       return core::Conductance{value.h, value.dh_deta * viscosity.derivative(T)};
-    };
+    });
     touching.clear();
     for (const auto& point : problem.interface) touching.insert(point.slave_nodes.begin(), point.slave_nodes.end());
     thermal::StepOptions options;
