@@ -14,7 +14,10 @@ namespace parison::contact {
 
 namespace {
 
-constexpr int gauss_points = 5;  ///< exact to degree 9: two quadratic fields, the measure and the radius
+/// Gauss points of a stretch. Where it is closed, exact to degree 5 for the two quadratic fields and the radius, and to
+/// degree 7 where an edge is bent or its mid-side node off the middle; in the hand-over also for the closure.
+constexpr int even_points = 3, bent_points = 4, handover_points = 5;
+constexpr double even = 0.01;  ///< mid-side nodes this near to the middle of the chord, in chords, make an even edge
 
 /// The masters' edges in one list, and where they lie.
 struct Target {
@@ -64,7 +67,7 @@ class SegmentGap {
   SegmentGap(const EdgeView& view, const Segment& segment, const Master& master)
       : slave_(view.slave), begin_(segment.begin.slave_s), end_(segment.end.slave_s) {
     const auto at = [&](const InterfaceNode& node) {
-      const auto hit = hit_master(slave_, node.slave_s, view.masters[segment.edge].edge);
+      const auto hit = hit_master(ray(slave_, node.slave_s), view.masters[segment.edge].edge);
       const double distance = hit ? hit->distance : view.range;
       return node.slave_node < 0 ? distance : gap_of_slave_node(master, slave_.edge.nodes[node.slave_node], distance);
     };
@@ -98,6 +101,17 @@ std::vector<double> cut_at_handover(const Segment& segment, const SegmentGap& ga
   return ends;
 }
 
+bool is_even(const SurfaceEdge& edge) {
+  const Point off = edge.x[2] - 0.5 * (edge.x[0] + edge.x[1]);
+  return off.squaredNorm() < even * even * (edge.x[1] - edge.x[0]).squaredNorm();
+}
+
+/// Whether a part of a segment is closed all along; ends cut at the hand-over are closed but for rounding.
+bool is_closed(const SegmentGap& gap, double begin, double end, double width) {
+  const double nothing = 1e-9 * width;
+  return gap(begin) <= nothing && gap(end) <= nothing && gap(0.5 * (begin + end)) <= 0;
+}
+
 /// A point of the interface: every field is the polynomial of its own edge, at the slave point and at the point it
 /// sees.
 core::InterfacePoint make_point(const SurfaceEdge& slave, const SurfaceEdge& master, double s, double seen_at,
@@ -120,20 +134,23 @@ void add_points(const EdgeView& view, const Segment& segment, const Master& mast
   const SurfaceEdge& facing = view.masters[segment.edge].edge;
   const SegmentGap gap(view, segment, master);
   const auto ends = cut_at_handover(segment, gap, master.handover_width);
-  for (std::size_t part = 1; part < ends.size(); ++part)
-    for (const auto& rule : core::edge_rule(gauss_points)) {
-      const double length = ends[part] - ends[part - 1], s = ends[part - 1] + rule.s * length;
-      const double closed = closure(gap(s), master.handover_width);
-      const auto hit = closed > 0 ? hit_master(view.slave, s, facing) : std::nullopt;
+  const int closed_points = is_even(slave) && is_even(facing) ? even_points : bent_points;
+  for (std::size_t part = 1; part < ends.size(); ++part) {
+    const double begin = ends[part - 1], length = ends[part] - begin;
+    const int count = is_closed(gap, begin, ends[part], master.handover_width) ? closed_points : handover_points;
+    for (const auto& rule : core::edge_rule(count)) {
+      const double s = begin + rule.s * length, distance = gap(s);
+      const double closed = closure(distance, master.handover_width);
+      const auto hit = closed > 0 ? hit_master(ray(view.slave, s), facing) : std::nullopt;
       if (!hit) continue;
-      auto point = make_point(slave, facing, s, hit->s, pressure);
+      auto& point = points.emplace_back(make_point(slave, facing, s, hit->s, pressure));
       point.area = rule.weight * length * slope(slave, s).norm();
-      point.gap = gap(s);
+      point.gap = distance;
       point.closure = closed;
       point.law = master.law;
       point.master_body = master.surface.body;
-      points.push_back(point);
     }
+  }
 }
 
 }  // namespace

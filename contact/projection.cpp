@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/projection.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "contact/root.hpp"
 
@@ -17,19 +17,46 @@ double cross(const Point& a, const Point& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
+/// Slope, against the edge, of a surface that is square to the turned normal at an end.
+double rise(const SurfaceEdge& edge, double end, const Point& turn) {
+  const Point along = slope(edge, end), out = normal(edge, end), upright = out + turn;
+  return -upright.dot(along) / upright.dot(out);
+}
+
+void finish(RayEdge& slave) {
+  slave.first = ray(slave, 0);
+  slave.last = ray(slave, 1);
+  slave.first_rise = rise(slave.edge, 0, slave.first_turn);
+  slave.last_rise = rise(slave.edge, 1, slave.last_turn);
+  if (slave.first_free) slave.first_rise = -slave.last_rise;
+  if (slave.last_free) slave.last_rise = -slave.first_rise;
+}
+
+/// The root between 0 and 1 of the quadratic that is `first`, `mid` and `last` at 0, 1/2 and 1, its ends of opposite
+/// signs.
+double quadratic_root(double first, double mid, double last) {
+  const double square = 2 * (first + last - 2 * mid), linear = last - first - square;
+  const double slope = std::copysign(std::sqrt(std::max(linear * linear - 4 * square * first, 0.0)), last - first);
+  const double t = linear * slope >= 0 ? -2 * first / (linear + slope) : (slope - linear) / (2 * square);
+  return std::clamp(t, 0.0, 1.0);
+}
+
 }  // namespace
 
 std::vector<RayEdge> make_rays(const Surface& slave) {
   std::vector<RayEdge> rays;
-  std::unordered_map<Index, std::size_t> starting_at;
+  rays.reserve(slave.edges.size());
+  Index last_node = -1;
+  for (const auto& edge : slave.edges) last_node = std::max({last_node, edge.nodes[0], edge.nodes[1]});
+  std::vector<Index> starting_at(last_node + 1, -1);
   for (const auto& edge : slave.edges) {
-    starting_at[edge.nodes[0]] = rays.size();
-    rays.push_back({edge, Point::Zero(), Point::Zero(), true, true});
+    starting_at[edge.nodes[0]] = static_cast<Index>(rays.size());
+    rays.push_back({edge, Point::Zero(), Point::Zero(), true, true, {}, {}, 0, 0});
   }
   for (auto& before : rays) {
-    const auto next = starting_at.find(before.edge.nodes[1]);
-    if (next == starting_at.end()) continue;
-    auto& after = rays[next->second];
+    const Index next = starting_at[before.edge.nodes[1]];
+    if (next < 0) continue;
+    auto& after = rays[next];
     before.last_free = after.first_free = false;
     const Point left = normal(before.edge, 1), right = normal(after.edge, 0);
     if (left.dot(right) < smooth_cosine) continue;
@@ -37,43 +64,37 @@ std::vector<RayEdge> make_rays(const Surface& slave) {
     before.last_turn = mean - left;
     after.first_turn = mean - right;
   }
+  for (auto& edge : rays) finish(edge);
   return rays;
 }
 
-Point ray(const RayEdge& slave, double s) {
-  return (normal(slave.edge, s) + (1 - s) * slave.first_turn + s * slave.last_turn).normalized();
+Ray ray(const RayEdge& slave, double s) {
+  const Point along = normal(slave.edge, s) + (1 - s) * slave.first_turn + s * slave.last_turn;
+  return {position(slave.edge, s), along.normalized()};
 }
 
 double bulge(const RayEdge& slave, double s) {
-  const auto rise = [&](double end, const Point& turn) {
-    const Point along = slope(slave.edge, end), out = normal(slave.edge, end), upright = out + turn;
-    return -upright.dot(along) / upright.dot(out);
-  };
-  double first = rise(0, slave.first_turn), last = rise(1, slave.last_turn);
-  if (slave.first_free) first = -last;
-  if (slave.last_free) last = -first;
-  return s * (1 - s) * ((1 - s) * first - s * last);
+  return s * (1 - s) * ((1 - s) * slave.first_rise - s * slave.last_rise);
 }
 
-std::optional<Hit> hit_master(const RayEdge& slave, double s, const SurfaceEdge& master) {
-  const Point from = position(slave.edge, s), along = ray(slave, s);
-  const auto aside = [&](double t) { return cross(along, position(master, t) - from); };
-  const double first = aside(0), last = aside(1);
+std::optional<Hit> hit_master(const Ray& ray, const SurfaceEdge& master) {
+  const auto aside = [&](const Point& x) { return cross(ray.along, x - ray.from); };
+  const double first = aside(master.x[0]), last = aside(master.x[1]);
   double t;
   if ((first > 0) == (last > 0) && first != 0 && last != 0) {
     t = std::abs(first) < std::abs(last) ? 0 : 1;
     if (std::abs(t == 0 ? first : last) > end_tolerance * (master.x[1] - master.x[0]).norm()) return std::nullopt;
   } else {
-    t = find_root(aside, 0, first, 1, last);
+    t = first == 0 ? 0 : last == 0 ? 1 : quadratic_root(first, aside(master.x[2]), last);
   }
-  return Hit{t, along.dot(position(master, t) - from)};
+  return Hit{t, ray.along.dot(position(master, t) - ray.from)};
 }
 
 std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x) {
-  const auto aside = [&](double s) { return cross(ray(slave, s), x - position(slave.edge, s)); };
-  const double first = aside(0), last = aside(1);
+  const auto aside = [&](const Ray& ray) { return cross(ray.along, x - ray.from); };
+  const double first = aside(slave.first), last = aside(slave.last);
   if (!((first > 0 && last < 0) || (first < 0 && last > 0))) return std::nullopt;
-  return find_root(aside, 0, first, 1, last);
+  return find_root([&](double s) { return aside(ray(slave, s)); }, 0, first, 1, last);
 }
 
 }  // namespace parison::contact

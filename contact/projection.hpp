@@ -7,20 +7,27 @@
 
 namespace parison::contact {
 
+/// Where a slave point looks.
+struct Ray {
+  Point from, along;  ///< along: unit
+};
+
 /// Slave edge with the rays along which it faces a master. The rays leave along the outward normal, turned a little so
 /// that they are continuous from edge to edge: neighbouring rays neither cross nor part, so every slave point faces one
 /// master point and every master node one slave point. At corners sharper than 60 degrees each edge keeps its own
 /// normal.
 struct RayEdge {
   SurfaceEdge edge;
-  Point first_turn, last_turn;  ///< what the ends' rays add to the normal
-  bool first_free, last_free;   ///< no edge is joined there
+  Point first_turn, last_turn;    ///< what the ends' rays add to the normal
+  bool first_free, last_free;     ///< no edge is joined there
+  Ray first, last;                ///< from the ends
+  double first_rise, last_rise;   ///< slope against the edge of the smooth surface that the rays stand on, m
 };
 
 std::vector<RayEdge> make_rays(const Surface& slave);
 
-/// Unit direction of the ray that leaves at s.
-Point ray(const RayEdge& slave, double s);
+/// The ray that leaves at s.
+Ray ray(const RayEdge& slave, double s);
 
 /// How far the smooth surface that the rays stand on lies outside the edge, m: the cubic through the edge's ends, square
 /// to their rays, and symmetric where one end is free. A chord of a convex arc gets back what it cuts off; negative where
@@ -33,8 +40,8 @@ struct Hit {
   double distance;  ///< along the ray, m; negative where the bodies overlap
 };
 
-/// A node of the slave seen on the master: none when its ray passes the edge by.
-std::optional<Hit> hit_master(const RayEdge& slave, double s, const SurfaceEdge& master);
+/// A point of the slave seen on the master: none when its ray passes the edge by.
+std::optional<Hit> hit_master(const Ray& ray, const SurfaceEdge& master);
 
 /// A node of the master seen on the slave: the s in (0, 1) whose ray passes through x, if any.
 std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x);

@@ -32,12 +32,12 @@ double end_of_sight(const EdgeView& view, double begin, double end, Index seen) 
 
 std::optional<Sight> see_master(const EdgeView& view, double s) {
   std::optional<Sight> nearest;
-  const Point along = ray(view.slave, s);
+  const Ray from = ray(view.slave, s);
   for (const Index m : view.near) {
     const SurfaceEdge& master = view.masters[m].edge;
-    const auto hit = hit_master(view.slave, s, master);
+    const auto hit = hit_master(from, master);
     if (!hit || std::abs(hit->distance) > view.range) continue;
-    if (along.dot(normal(master, hit->s)) >= opposing_cosine) continue;
+    if (from.along.dot(normal(master, hit->s)) >= opposing_cosine) continue;
     if (!nearest || std::abs(hit->distance) < std::abs(nearest->hit.distance)) nearest = Sight{m, *hit};
   }
   return nearest;

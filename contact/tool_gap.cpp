@@ -175,8 +175,7 @@ void merge_constraints(std::vector<GapConstraint>& constraints) {
 double signed_gap(const Profile& tool, const std::vector<bool>& contact_pieces, const Point& x) {
   double best = std::numeric_limits<double>::infinity();
   for (const auto& segment : tool.segments)
-    if (contact_pieces[segment.piece])
-      best = std::min(best, (x - core::point_at(segment, core::closest_parameter(segment, x))).norm());
+    if (contact_pieces[segment.piece]) best = core::distance(segment, x, best);
   return core::contains(tool, x) ? -best : best;
 }
 

@@ -90,24 +90,31 @@ Profile reversed(const Profile& profile) {
 }
 
 bool contains(const Profile& profile, const Point& x) {
-  // Sum of the angles under which the chords are seen; arcs contribute the sliver between arc and chord.
-  double turns = 0;
+  // Turns of the chords round x, counted where they cross the level of x on its right; arcs contribute the sliver between
+  // arc and chord.
+  int turns = 0;
   for (const auto& segment : profile.segments) {
-    const Point a = segment.start - x, b = segment.end - x;
-    turns += std::atan2(cross(a, b), a.dot(b));
+    const Point &a = segment.start, &b = segment.end;
+    const double side = cross(b - a, x - a);
+    const bool left = side > 0 || (side == 0 && a[1] == b[1] && a[0] < b[0]);
+    if (a[1] <= x[1] && x[1] < b[1] && left) ++turns;
+    if (b[1] <= x[1] && x[1] < a[1] && !left) --turns;
     if (!segment.is_arc) continue;
-    const double turn = segment.to - segment.from;
-    const double side = cross(segment.end - segment.start, x - segment.start);  // left of the chord when positive
-    const bool beyond_chord = turn > 0 ? side < 0 : side > 0;  // a counterclockwise arc bulges to the right
-    if (beyond_chord && (x - segment.centre).norm() < segment.radius) turns += turn > 0 ? 2 * M_PI : -2 * M_PI;
+    const bool turns_left = segment.to > segment.from;  // then it bulges to the right of its chord
+    if (turns_left != left && (x - segment.centre).squaredNorm() < segment.radius * segment.radius)
+      turns += turns_left ? 1 : -1;
   }
-  return turns > M_PI;
+  return turns > 0;
+}
+
+double distance(const Segment& segment, const Point& x, double known) {
+  if (segment.is_arc && std::abs((x - segment.centre).norm() - segment.radius) >= known) return known;
+  return std::min(known, (x - point_at(segment, closest_parameter(segment, x))).norm());
 }
 
 double distance(const Profile& profile, const Point& x) {
   double best = std::numeric_limits<double>::infinity();
-  for (const auto& segment : profile.segments)
-    best = std::min(best, (x - point_at(segment, closest_parameter(segment, x))).norm());
+  for (const auto& segment : profile.segments) best = distance(segment, x, best);
   return best;
 }
 

@@ -41,6 +41,8 @@ double signed_area(const Profile& profile);
 Profile reversed(const Profile& profile);
 /// Whether x lies inside the outline.
 bool contains(const Profile& profile, const Point& x);
+/// Distance from x to a segment, m, or `known` where that is less.
+double distance(const Segment& segment, const Point& x, double known);
 /// Distance from x to the outline, m.
 double distance(const Profile& profile, const Point& x);
 /// Two segments that cross or touch, as indices, or {-1, -1} where the outline is simple.

@@ -149,17 +149,14 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
   const Body& body = scene.tools[tool];
   const core::Mesh& glass = state.bodies[0].mesh;
   const auto contact = contact_pieces(body);
+  const Point displacement = state.bodies[1 + tool].offset * core::axis_direction();
   Eigen::VectorXd gaps =
       Eigen::VectorXd::Constant(glass.node_count(), std::numeric_limits<double>::infinity());
-  const auto glass_contact = contact_pieces(scene.glass, glass);
-  for (const auto& edge : glass.boundary) {
-    if (!glass_contact[edge.piece]) continue;
-    for (const Index node : edge.nodes) {
-      if (std::isfinite(gaps[node])) continue;
-      const Point local = glass.nodes[node] - state.bodies[1 + tool].offset * core::axis_direction();
-      const double gap = contact::signed_gap(body.profile, contact, local);
-      if (gap <= reach) gaps[node] = gap;
-    }
+  const auto may_touch = touching_nodes(scene, glass);
+  for (Index node = 0; node < glass.node_count(); ++node) {
+    if (!may_touch[node]) continue;
+    const double gap = contact::signed_gap(body.profile, contact, glass.nodes[node] - displacement);
+    if (gap <= reach) gaps[node] = gap;
   }
   return gaps;
 }

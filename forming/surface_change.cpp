@@ -11,12 +11,29 @@
 namespace parison::forming {
 namespace {
 
-/// Time in which the contact brings the glass surface to the tool's temperature, s.
-double relaxation_time(const Scene& scene, const core::InterfacePoint& point, double temperature) {
+/// Temperatures of the glass at the interface's points, K.
+Eigen::ArrayXd glass_temperatures(const Eigen::VectorXd& nodal, const std::vector<core::InterfacePoint>& interface) {
+  Eigen::ArrayXd at = Eigen::ArrayXd::Zero(interface.size());
+  for (std::size_t p = 0; p < interface.size(); ++p)
+    for (int i = 0; i < 3; ++i) at[p] += interface[p].slave_shape[i] * nodal[interface[p].slave_nodes[i]];
+  return at;
+}
+
+/// Times in which the contact brings the glass surface to the tool's temperature, s.
+Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::InterfacePoint>& interface,
+                                const Eigen::ArrayXd& temperature) {
   const auto& glass = *scene.glass.thermal;
+  const thermal::Conductivity conductivity(glass);
   long table_holds = 0;
-  const double h = point.closure * point_conductance(scene, point, temperature, table_holds).h;
-  return thermal::conductivity(glass, temperature) * glass.density * glass.heat_capacity(temperature) / (h * h);
+  Eigen::ArrayXd h(temperature.size()), times(temperature.size());
+  interface_law(scene, interface, table_holds)(interface, temperature, h, nullptr);
+  for (std::size_t p = 0; p < interface.size(); ++p) {
+    const auto T = thermal::PointArray::Constant(temperature[p]);
+    const double closed = interface[p].closure * h[p];
+    times[p] = conductivity(T, thermal::PointArray::Ones())[0] * glass.density * glass.heat_capacity(temperature[p]) /
+               (closed * closed);
+  }
+  return times;
 }
 
 }  // namespace
@@ -25,12 +42,10 @@ double surface_temperature_change(const Scene& scene, const State& before, const
                                   const std::vector<core::InterfacePoint>& interface) {
   const Eigen::VectorXd &from = before.bodies[0].temperature, &to = after.bodies[0].temperature;
   Eigen::VectorXd change = (to - from).cwiseAbs();
-  for (const auto& point : interface) {
-    double temperature = 0;
-    for (int i = 0; i < 3; ++i) temperature += point.slave_shape[i] * from[point.slave_nodes[i]];
-    if (relaxation_time(scene, point, temperature) < scene.accuracy.first_step)
-      for (const Index node : point.slave_nodes) change[node] = 0;
-  }
+  const Eigen::ArrayXd times = relaxation_times(scene, interface, glass_temperatures(from, interface));
+  for (std::size_t p = 0; p < interface.size(); ++p)
+    if (times[p] < scene.accuracy.first_step)
+      for (const Index node : interface[p].slave_nodes) change[node] = 0;
   const core::Mesh& mesh = before.bodies[0].mesh;
   const auto symmetry = symmetry_pieces(scene.glass, mesh);
   double largest = 0;

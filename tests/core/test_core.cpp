@@ -150,6 +150,31 @@ TEST(Profile, knows_area_inside_and_distance_of_arcs) {
   EXPECT_NEAR((normal_at(disc.segments[0], 0.5) - Point(1, 0)).norm(), 0, 1e-14);
 }
 
+TEST(Profile, contains_what_its_outline_turns_round_once) {
+  Profile key;  // a bulge on the right, a bite out of the level top, a hollow foot
+  key.pieces = {"all"};
+  key.segments = {{{0, 0}, {1, 0}},
+                  {{1, 0}, {3, 0}, true, {2, 0}, 1, M_PI, 0},
+                  {{3, 0}, {4, 0}},
+                  {{4, 0}, {4, 4}, true, {4, 2}, 2, -M_PI / 2, M_PI / 2},
+                  {{4, 4}, {3, 4}},
+                  {{3, 4}, {1, 4}, true, {2, 4}, 1, 0, -M_PI},
+                  {{1, 4}, {0, 4}},
+                  {{0, 4}, {0, 0}}};
+  int inside = 0, compared = 0;
+  for (double x = -0.5; x <= 6.5; x += 0.25)
+    for (double y = -0.5; y <= 4.5; y += 0.25) {
+      if (distance(key, {x, y}) < 1e-9) continue;
+      const auto bitten = [&](double top) { return std::hypot(x - 2, y - top) < 1; };
+      const bool expected = x > 0 && y > 0 && y < 4 && !bitten(0) && !bitten(4) && (x <= 4 || std::hypot(x - 4, y - 2) < 2);
+      EXPECT_EQ(contains(key, {x, y}), expected) << x << ' ' << y;
+      inside += expected;
+      ++compared;
+    }
+  EXPECT_GT(inside, 100);
+  EXPECT_GT(compared - inside, 100);
+}
+
 TEST(Profile, finds_the_segments_that_cross) {
   Profile bow;
   bow.pieces = {"all"};
