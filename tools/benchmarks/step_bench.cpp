@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // step_bench CASE ACCURACY FOLDER EVERY: runs a case and writes FOLDER.steps.csv, CPU seconds of each step and its
-// parts. At every EVERY-th step also a bare factorisation, and the heat of the step with its interface and with one of
-// more points.
+// parts. At every EVERY-th step also a bare factorisation, the heat of the step with its interface and with copies of
+// it, and what the step's control reads from the interface.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +12,7 @@
 #include "forming/heat_step.hpp"
 #include "forming/run.hpp"
 #include "forming/step.hpp"
+#include "forming/surface_change.hpp"
 #include "tools/benchmarks/bare_flow.hpp"
 
 namespace parison::forming {
@@ -26,7 +27,7 @@ namespace {
 
 using namespace parison;
 
-/// Interface points into which each one is split to see what they cost.
+/// Interfaces, each with its share of the area, that replace the step's own to see what one costs.
 constexpr int copies = 5;
 
 struct Bench {
@@ -36,12 +37,10 @@ struct Bench {
   forming::Workspace once, split;
 } ledger;
 
-std::vector<core::InterfacePoint> split_points(const std::vector<core::InterfacePoint>& points) {
+std::vector<core::InterfacePoint> copied(std::vector<core::InterfacePoint> points) {
+  for (core::InterfacePoint& point : points) point.area /= copies;
   std::vector<core::InterfacePoint> result;
-  for (core::InterfacePoint point : points) {
-    point.area /= copies;
-    result.insert(result.end(), copies, point);
-  }
+  for (int i = 0; i < copies; ++i) result.insert(result.end(), points.begin(), points.end());
   return result;
 }
 
@@ -62,9 +61,12 @@ void measure(const forming::Scene& scene, const forming::State& before, const fo
   if (scene.has_flow()) bare = ledger.bare.seconds(scene, result.state);
   if (scene.has_flow() && scene.has_heat()) {
     once = heat_seconds(scene, before, result, result.report.interface, ledger.once);
-    split = heat_seconds(scene, before, result, split_points(result.report.interface), ledger.split);
+    split = heat_seconds(scene, before, result, copied(result.report.interface), ledger.split);
   }
-  ledger.table << ',' << bare << ',' << once << ',' << (split - once) / (copies - 1);
+  const double start = bench::cpu_seconds();
+  if (scene.has_heat()) forming::surface_temperature_change(scene, before, result.state, result.report.interface);
+  const double watched = bench::cpu_seconds() - start;
+  ledger.table << ',' << bare << ',' << once << ',' << (split - once) / (copies - 1) << ',' << watched;
 }
 
 }  // namespace
@@ -83,7 +85,7 @@ forming::StepResult forming::timed_step(const Scene& scene, const State& state, 
   if (result.converged && ledger.seen++ % ledger.every == 0)
     measure(scene, state, result);
   else
-    ledger.table << ",nan,nan,nan";
+    ledger.table << ",nan,nan,nan,nan";
   ledger.table << std::endl;
   return result;
 }
@@ -96,7 +98,7 @@ int main(int argc, char** argv) {
   core::use_one_blas_thread();
   ledger.every = std::atoi(argv[4]);
   ledger.table.open(std::string(argv[3]) + ".steps.csv");
-  ledger.table << "time,converged,triangles,iterations,step,flow,heat,contact,bare,heat_again,interface_in_heat\n";
+  ledger.table << "time,converged,triangles,iterations,step,flow,heat,contact,bare,heat_again,interface_in_heat,watched\n";
   const auto scene = forming::read_scene(argv[1], argv[2]);
   const auto outcome = forming::run(scene, argv[3]);
   if (!outcome.facts.completed) std::fprintf(stderr, "step_bench: %s\n", outcome.facts.reason.c_str());
