@@ -17,7 +17,7 @@ namespace {
 /// Gauss points of a stretch. Where it is closed, exact to degree 5 for the two quadratic fields and the radius, and to
 /// degree 7 where an edge is bent or its mid-side node off the middle; in the hand-over also for the closure.
 constexpr int even_points = 3, bent_points = 4, handover_points = 5;
-constexpr double even = 0.01;  ///< mid-side nodes this near to the middle of the chord, in chords, make an even edge
+constexpr double even = 0.005;  ///< how far an even edge's mid-side node may lie off the middle of its chord, in chords
 
 /// The masters' edges in one list, and where they lie.
 struct Target {
@@ -101,15 +101,18 @@ std::vector<double> cut_at_handover(const Segment& segment, const SegmentGap& ga
   return ends;
 }
 
-bool is_even(const SurfaceEdge& edge) {
-  const Point off = edge.x[2] - 0.5 * (edge.x[0] + edge.x[1]);
+/// Whether a part of an edge, `share` of its length, is as good as straight and evenly divided; it bends the less the
+/// shorter it is.
+bool is_even(const SurfaceEdge& edge, double share) {
+  const Point off = share * (edge.x[2] - 0.5 * (edge.x[0] + edge.x[1]));
   return off.squaredNorm() < even * even * (edge.x[1] - edge.x[0]).squaredNorm();
 }
 
-/// Whether a part of a segment is closed all along; ends cut at the hand-over are closed but for rounding.
+/// Whether a part of a segment is as good as closed all along: to a fiftieth of the hand-over, where the closure changes
+/// by less than 1e-4 and its integral needs no more points.
 bool is_closed(const SegmentGap& gap, double begin, double end, double width) {
-  const double nothing = 1e-9 * width;
-  return gap(begin) <= nothing && gap(end) <= nothing && gap(0.5 * (begin + end)) <= 0;
+  const double small = 0.02 * width;
+  return gap(begin) <= small && gap(end) <= small && gap(0.5 * (begin + end)) <= small;
 }
 
 /// A point of the interface: every field is the polynomial of its own edge, at the slave point and at the point it
@@ -134,7 +137,8 @@ void add_points(const EdgeView& view, const Segment& segment, const Master& mast
   const SurfaceEdge& facing = view.masters[segment.edge].edge;
   const SegmentGap gap(view, segment, master);
   const auto ends = cut_at_handover(segment, gap, master.handover_width);
-  const int closed_points = is_even(slave) && is_even(facing) ? even_points : bent_points;
+  const double share = segment.end.slave_s - segment.begin.slave_s;
+  const int closed_points = is_even(slave, share) && is_even(facing, 1) ? even_points : bent_points;
   for (std::size_t part = 1; part < ends.size(); ++part) {
     const double begin = ends[part - 1], length = ends[part] - begin;
     const int count = is_closed(gap, begin, ends[part], master.handover_width) ? closed_points : handover_points;
@@ -166,6 +170,7 @@ std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Ei
                                                   const std::vector<Master>& masters, core::Geometry geometry) {
   const Target target = make_target(masters);
   std::vector<core::InterfacePoint> points;
+  points.reserve(16 * slave.edges.size());
   for (const auto& edge : make_rays(slave)) {
     EdgeView view{edge, target.edges, {}, sight_range(edge.edge, masters)};
     target.tree.query(inflated(bounds(edge.edge), view.range), view.near);

@@ -27,8 +27,14 @@ Surface make_surface(Index body, const core::Mesh& mesh, const std::vector<bool>
                      const Point& displacement);
 
 /// Position, m, and its derivative with respect to s in [0, 1].
-Point position(const SurfaceEdge& edge, double s);
-Point slope(const SurfaceEdge& edge, double s);
+inline Point position(const SurfaceEdge& edge, double s) {
+  if (s == 0) return edge.x[0];
+  if (s == 1) return edge.x[1];
+  return (1 - s) * (1 - 2 * s) * edge.x[0] + s * (2 * s - 1) * edge.x[1] + 4 * s * (1 - s) * edge.x[2];
+}
+inline Point slope(const SurfaceEdge& edge, double s) {
+  return (4 * s - 3) * edge.x[0] + (4 * s - 1) * edge.x[1] + 4 * (1 - 2 * s) * edge.x[2];
+}
 /// Outward unit normal.
 Point normal(const SurfaceEdge& edge, double s);
 

@@ -140,10 +140,13 @@ void add_interface(HeatSystem& system) {
 SideTemperatures side_temperatures(const HeatInterface& interface, const Eigen::VectorXd& temperature) {
   SideTemperatures at{Eigen::ArrayXd(interface.area.size()), Eigen::ArrayXd(interface.area.size())};
   for (const HeatSegment& segment : interface.segments) {
-    const auto own = gather<6>(temperature, segment.unknowns);
+    const auto& u = segment.unknowns;
+    const double T0 = temperature[u[0]], T1 = temperature[u[1]], T2 = temperature[u[2]];
+    const double T3 = temperature[u[3]], T4 = temperature[u[4]], T5 = temperature[u[5]];
     for (Index i = segment.first_point; i < segment.last_point; ++i) {
-      at.slave[i] = interface.shape.col(i).head<3>().dot(own.head<3>());
-      at.master[i] = interface.shape.col(i).tail<3>().dot(own.tail<3>());
+      const auto shape = interface.shape.col(i);
+      at.slave[i] = shape[0] * T0 + shape[1] * T1 + shape[2] * T2;
+      at.master[i] = shape[3] * T3 + shape[4] * T4 + shape[5] * T5;
     }
   }
   return at;
