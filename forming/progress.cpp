@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "forming/heat_step.hpp"
+#include "forming/thermal_interface.hpp"
 #include "forming/step_control.hpp"
 
 namespace parison::forming {
