@@ -2,12 +2,10 @@
 #include "contact/mortar.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "contact/box_tree.hpp"
-#include "contact/root.hpp"
-#include "contact/segments.hpp"
+#include "contact/segment_gap.hpp"
 #include "core/element.hpp"
 
 namespace parison::contact {
@@ -53,66 +51,11 @@ double sight_range(const SurfaceEdge& slave, const std::vector<Master>& masters)
   return range + 0.5 * (slave.x[1] - slave.x[0]).norm();
 }
 
-/// Gap to the segment's master at one of the slave's nodes: its own; where out of reach, how far the mesh is, and open
-/// where that lies behind the slave.
-double gap_of_slave_node(const Master& master, Index node, double distance) {
-  if (std::isfinite(master.gap[node])) return master.gap[node];
-  return distance < -master.handover_width ? master.handover_width : distance;
-}
-
-/// The gap along a segment: linear between its ends; on an edge that is closed at both its ends, less what the slave's
-/// smooth surface stands out of it.
-class SegmentGap {
- public:
-  SegmentGap(const EdgeView& view, const Segment& segment, const Master& master)
-      : slave_(view.slave), begin_(segment.begin.slave_s), end_(segment.end.slave_s) {
-    const auto at = [&](const InterfaceNode& node) {
-      const auto hit = hit_master(ray(slave_, node.slave_s), view.masters[segment.edge].edge);
-      const double distance = hit ? hit->distance : view.range;
-      return node.slave_node < 0 ? distance : gap_of_slave_node(master, slave_.edge.nodes[node.slave_node], distance);
-    };
-    first_ = at(segment.begin);
-    last_ = at(segment.end);
-    const auto closed = [&](int i) { return closure(master.gap[slave_.edge.nodes[i]], master.handover_width); };
-    chord_ = closed(0) * closed(1);
-  }
-  double operator()(double s) const {
-    const double along = (s - begin_) / (end_ - begin_);
-    return first_ + along * (last_ - first_) - chord_ * std::max(0.0, bulge(slave_, s));
-  }
-
- private:
-  const RayEdge& slave_;
-  double begin_, end_, first_, last_, chord_;
-};
-
-/// Ends of the parts of a segment: it is cut where the gap passes the ends of the hand-over, so that the closure is
-/// smooth on each.
-std::vector<double> cut_at_handover(const Segment& segment, const SegmentGap& gap, double width) {
-  const double begin = segment.begin.slave_s, end = segment.end.slave_s;
-  std::vector<double> ends{begin, end};
-  for (const double level : {0.0, width}) {
-    const auto excess = [&](double s) { return gap(s) - level; };
-    const double first = excess(begin), last = excess(end);
-    if ((first < 0 && last > 0) || (first > 0 && last < 0))
-      ends.push_back(find_root(excess, begin, first, end, last));
-  }
-  std::sort(ends.begin(), ends.end());
-  return ends;
-}
-
 /// Whether a part of an edge, `share` of its length, is as good as straight and evenly divided; it bends the less the
 /// shorter it is.
 bool is_even(const SurfaceEdge& edge, double share) {
   const Point off = share * (edge.x[2] - 0.5 * (edge.x[0] + edge.x[1]));
   return off.squaredNorm() < even * even * (edge.x[1] - edge.x[0]).squaredNorm();
-}
-
-/// Whether a part of a segment is as good as closed all along: to a fiftieth of the hand-over, where the closure changes
-/// by less than 1e-4 and its integral needs no more points.
-bool is_closed(const SegmentGap& gap, double begin, double end, double width) {
-  const double small = 0.02 * width;
-  return gap(begin) <= small && gap(end) <= small && gap(0.5 * (begin + end)) <= small;
 }
 
 /// A point of the interface: every field is the polynomial of its own edge, at the slave point and at the point it
@@ -130,27 +73,58 @@ core::InterfacePoint make_point(const SurfaceEdge& slave, const SurfaceEdge& mas
   return point;
 }
 
-/// Gauss points of a segment where it is closed.
-void add_points(const EdgeView& view, const Segment& segment, const Master& master, const Eigen::VectorXd& pressure,
+/// A stretch of a slave edge that faces one master edge: a segment, or several in a row that are closed alike, on which all
+/// but the gap is smooth.
+struct Stretch {
+  Index edge;  ///< into EdgeView::masters
+  Closing closing;
+  std::vector<SegmentGap> gaps;
+
+  double begin() const { return gaps.front().begin(); }
+  double end() const { return gaps.back().end(); }
+  double gap(double s) const {
+    const auto past = [&](const SegmentGap& each) { return s <= each.end(); };
+    return (*std::find_if(gaps.begin(), gaps.end() - 1, past))(s);
+  }
+};
+
+std::vector<Stretch> make_stretches(const EdgeView& view, const std::vector<Segment>& segments,
+                                    const std::vector<Master>& masters) {
+  std::vector<Stretch> stretches;
+  for (const Segment& segment : segments) {
+    const Master& master = masters[view.masters[segment.edge].master];
+    const SegmentGap gap(view, segment, master);
+    const Closing closed = closing(gap, master.handover_width);
+    const bool goes_on = closed != Closing::open && !stretches.empty() && stretches.back().closing == closed &&
+                         stretches.back().edge == segment.edge && stretches.back().end() == gap.begin();
+    if (!goes_on) stretches.push_back({segment.edge, closed, {}});
+    stretches.back().gaps.push_back(gap);
+  }
+  return stretches;
+}
+
+/// Gauss points of a stretch where it is closed.
+void add_points(const EdgeView& view, const Stretch& stretch, const Master& master, const Eigen::VectorXd& pressure,
                 std::vector<core::InterfacePoint>& points) {
   const SurfaceEdge& slave = view.slave.edge;
-  const SurfaceEdge& facing = view.masters[segment.edge].edge;
-  const SegmentGap gap(view, segment, master);
-  const auto ends = cut_at_handover(segment, gap, master.handover_width);
-  const double share = segment.end.slave_s - segment.begin.slave_s;
+  const SurfaceEdge& facing = view.masters[stretch.edge].edge;
+  const double share = stretch.end() - stretch.begin();
   const int closed_points = is_even(slave, share) && is_even(facing, 1) ? even_points : bent_points;
+  const std::vector<double> whole{stretch.begin(), stretch.end()};
+  const auto ends = stretch.closing != Closing::open ? whole : cut_at_handover(stretch.gaps.front(), master.handover_width);
   for (std::size_t part = 1; part < ends.size(); ++part) {
     const double begin = ends[part - 1], length = ends[part] - begin;
-    const int count = is_closed(gap, begin, ends[part], master.handover_width) ? closed_points : handover_points;
-    for (const auto& rule : core::edge_rule(count)) {
-      const double s = begin + rule.s * length, distance = gap(s);
-      const double closed = closure(distance, master.handover_width);
-      const auto hit = closed > 0 ? hit_master(ray(view.slave, s), facing) : std::nullopt;
+    const bool closed = stretch.closing != Closing::open ||
+                        is_closed(stretch.gaps.front(), begin, ends[part], master.handover_width);
+    for (const auto& rule : core::edge_rule(closed ? closed_points : handover_points)) {
+      const double s = begin + rule.s * length, gap = stretch.gap(s);
+      const double closure_there = closure(gap, master.handover_width);
+      const auto hit = closure_there > 0 ? hit_master(ray(view.slave, s), facing) : std::nullopt;
       if (!hit) continue;
       auto& point = points.emplace_back(make_point(slave, facing, s, hit->s, pressure));
       point.area = rule.weight * length * slope(slave, s).norm();
-      point.gap = distance;
-      point.closure = closed;
+      point.gap = gap;
+      point.closure = closure_there;
       point.law = master.law;
       point.master_body = master.surface.body;
     }
@@ -158,13 +132,6 @@ void add_points(const EdgeView& view, const Segment& segment, const Master& mast
 }
 
 }  // namespace
-
-double closure(double gap, double width) {
-  if (gap <= 0) return 1;
-  if (!(gap < width)) return 0;
-  const double u = gap / width;
-  return 1 - u * u * u * (10 - 15 * u + 6 * u * u);
-}
 
 std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Eigen::VectorXd& pressure,
                                                   const std::vector<Master>& masters, core::Geometry geometry) {
@@ -175,8 +142,8 @@ std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Ei
     EdgeView view{edge, target.edges, {}, sight_range(edge.edge, masters)};
     target.tree.query(inflated(bounds(edge.edge), view.range), view.near);
     if (view.near.empty()) continue;
-    for (const auto& segment : make_segments(view, interface_nodes(view)))
-      add_points(view, segment, masters[target.edges[segment.edge].master], pressure, points);
+    for (const Stretch& stretch : make_stretches(view, make_segments(view, interface_nodes(view)), masters))
+      add_points(view, stretch, masters[target.edges[stretch.edge].master], pressure, points);
   }
   for (auto& point : points) {
     point.slave_body = slave.body;

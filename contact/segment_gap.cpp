@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/segment_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/root.hpp"
+
+namespace parison::contact {
+
+namespace {
+
+constexpr double touching = 1e-9;  ///< of the hand-over width: gaps this near to an end of the hand-over are at it
+constexpr double nearly_closed = 0.02;
+
+/// Gap to the segment's master at one of the slave's nodes: its own; where out of reach, how far the mesh is, and open
+/// where that lies behind the slave.
+double gap_of_slave_node(const Master& master, Index node, double distance) {
+  if (std::isfinite(master.gap[node])) return master.gap[node];
+  return distance < -master.handover_width ? master.handover_width : distance;
+}
+
+/// Whether the gap passes a level between a segment's ends.
+bool passes(const SegmentGap& gap, double level, double width) {
+  const double first = gap(gap.begin()) - level, last = gap(gap.end()) - level;
+  return std::min(first, last) < -touching * width && std::max(first, last) > touching * width;
+}
+
+}  // namespace
+
+double closure(double gap, double width) {
+  if (gap <= 0) return 1;
+  if (!(gap < width)) return 0;
+  const double u = gap / width;
+  return 1 - u * u * u * (10 - 15 * u + 6 * u * u);
+}
+
+SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const Master& master)
+    : slave_(view.slave), begin_(segment.begin.slave_s), end_(segment.end.slave_s) {
+  const auto at = [&](const InterfaceNode& node) {
+    const auto hit = hit_master(ray(slave_, node.slave_s), view.masters[segment.edge].edge);
+    const double distance = hit ? hit->distance : view.range;
+    return node.slave_node < 0 ? distance : gap_of_slave_node(master, slave_.edge.nodes[node.slave_node], distance);
+  };
+  first_ = at(segment.begin);
+  last_ = at(segment.end);
+  const auto closed = [&](int i) { return closure(master.gap[slave_.edge.nodes[i]], master.handover_width); };
+  chord_ = closed(0) * closed(1);
+}
+
+double SegmentGap::operator()(double s) const {
+  const double along = (s - begin_) / (end_ - begin_);
+  return first_ + along * (last_ - first_) - chord_ * std::max(0.0, bulge(slave_, s));
+}
+
+bool is_closed(const SegmentGap& gap, double begin, double end, double width) {
+  const double most = nearly_closed * width;
+  return gap(begin) <= most && gap(end) <= most && gap(0.5 * (begin + end)) <= most;
+}
+
+Closing closing(const SegmentGap& gap, double width) {
+  const double begin = gap.begin(), end = gap.end();
+  if (!is_closed(gap, begin, end, width) || passes(gap, 0, width)) return Closing::open;
+  return gap(0.5 * (begin + end)) <= touching * width ? Closing::touching : Closing::near;
+}
+
+std::vector<double> cut_at_handover(const SegmentGap& gap, double width) {
+  std::vector<double> ends{gap.begin(), gap.end()};
+  for (const double level : {0.0, width})
+    if (passes(gap, level, width)) {
+      const auto excess = [&](double s) { return gap(s) - level; };
+      ends.push_back(find_root(excess, gap.begin(), excess(gap.begin()), gap.end(), excess(gap.end())));
+    }
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+}  // namespace parison::contact
