@@ -3,179 +3,200 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/element.hpp"
 
 namespace parison::flow {
 
-using core::CellPoint;
 using core::dim;
-using core::Tensor;
 
 namespace {
 
 /// Bulk viscosity in units of the shear viscosity at the same place.
 constexpr double bulk_ratio = 1e10;
 
-/// Velocity gradient and hoop rate at a quadrature point.
-struct Rates {
-  Tensor gradient = Tensor::Zero();
-  double hoop = 0;
-
-  double squared() const {  // D:D
-    const Tensor d = 0.5 * (gradient + gradient.transpose());
-    return d.squaredNorm() + hoop * hoop;
-  }
+/// Viscosity, weights and body force at one quadrature point of a batch.
+struct PointWeights {
+  Lanes viscous, squeezed;  ///< viscosity and compliance, each times the volume
+  std::array<Lanes, dim> force;  ///< N
 };
+using BatchWeights = std::array<PointWeights, cell_points>;
 
-Rates rates_at(const Problem& problem, Index cell, const CellPoint& at, const Eigen::VectorXd& velocity) {
-  Rates rates;
-  const double over_r = core::hoop(problem.geometry, at.position);
-  for (int i = 0; i < 6; ++i) {
-    const Point v = node_velocity(velocity, problem.mesh->cells[cell][i]);
-    rates.gradient += v * at.gradient[i].transpose();
-    rates.hoop += over_r * at.shape[i] * v[0];
+BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry, Index batch,
+                           const std::vector<double>& viscosity) {
+  const Point weight = problem.material->density * problem.gravity * problem.body_force_direction;
+  BatchWeights weights;
+  for (int q = 0; q < cell_points; ++q) {
+    const auto& at = geometry.at(batch, q);
+    Lanes eta;
+    for (Index lane = 0; lane < lanes; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
+    weights[q].viscous = eta * at.volume;
+    weights[q].squeezed = at.volume / (bulk_ratio * eta);
+    for (int a = 0; a < dim; ++a) weights[q].force[a] = weight[a] * at.volume;
+    if (!problem.force) continue;
+    for (Index lane = 0; lane < lanes; ++lane) {
+      const Point more = problem.force(geometry.position(geometry.cell(batch, lane), q));
+      for (int a = 0; a < dim; ++a) weights[q].force[a][lane] += more[a] * at.volume[lane];
+    }
   }
-  return rates;
+  return weights;
 }
 
-void add_point(double* matrix, double* load, const CellPoint& at, double over_r, double viscosity, const Point& weight) {
-  const auto entry = [&](int row, int column) -> double& { return matrix[row * cell_unknowns + column]; };
-  const double w = viscosity * at.volume;
-  for (int i = 0; i < 6; ++i) {
-    const Point& gi = at.gradient[i];
-    for (int j = 0; j <= i; ++j) {
-      const Point& gj = at.gradient[j];
-      const double dot = w * gi.dot(gj);
-      for (int a = 0; a < dim; ++a)
-        for (int b = 0; b < dim; ++b) entry(dim * i + a, dim * j + b) += w * gi[b] * gj[a] + (a == b ? dot : 0.0);
-      entry(dim * i, dim * j) += 2 * w * over_r * over_r * at.shape[i] * at.shape[j];
-    }
-    for (int q = 0; q < 3; ++q)
-      for (int a = 0; a < dim; ++a)
-        entry(cell_velocities + q, dim * i + a) -=
-            at.volume * at.linear[q] * (gi[a] + (a == 0 ? over_r * at.shape[i] : 0.0));
-    for (int a = 0; a < dim; ++a) load[dim * i + a] += at.volume * at.shape[i] * weight[a];
+/// Viscous forces between the velocities of nodes i and j <= i.
+void add_pair(const CellGeometry& geometry, Index batch, const BatchWeights& weights, int i, int j, Lanes* matrix) {
+  Lanes rr = Lanes::Zero(), rz = rr, zr = rr, zz = rr;
+  for (int q = 0; q < cell_points; ++q) {
+    const auto& at = geometry.at(batch, q);
+    const auto& shape = shapes_at_points()[q];
+    const auto& gj = at.gradient[j];
+    const Lanes wr = weights[q].viscous * at.gradient[i][0], wz = weights[q].viscous * at.gradient[i][1];
+    const Lanes along_r = wr * gj[0], along_z = wz * gj[1];
+    rr += 2 * along_r + along_z + (2 * shape[i] * shape[j]) * weights[q].viscous * at.hoop * at.hoop;
+    zz += along_r + 2 * along_z;
+    rz += wz * gj[0];
+    zr += wr * gj[1];
   }
+  matrix[packed(dim * i, dim * j)] = rr;
+  matrix[packed(dim * i + 1, dim * j)] = zr;
+  matrix[packed(dim * i + 1, dim * j + 1)] = zz;
+  if (j < i) matrix[packed(dim * i, dim * j + 1)] = rz;
+}
+
+/// Divergence of node i's velocity, against the pressures, and the force on it.
+void add_node(const CellGeometry& geometry, Index batch, const BatchWeights& weights, int i, Lanes* matrix, Lanes* load) {
+  const auto& rule = core::triangle_rule(4);
+  Lanes divergence[3][dim], force[dim];
+  for (int a = 0; a < dim; ++a) {
+    force[a].setZero();
+    for (auto& row : divergence) row[a].setZero();
+  }
+  for (int q = 0; q < cell_points; ++q) {
+    const auto& at = geometry.at(batch, q);
+    const double shape = shapes_at_points()[q][i], linear[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
+    const Lanes part[dim] = {at.volume * (at.gradient[i][0] + shape * at.hoop), at.volume * at.gradient[i][1]};
+    for (int a = 0; a < dim; ++a) {
+      force[a] += shape * weights[q].force[a];
+      for (int p = 0; p < 3; ++p) divergence[p][a] -= linear[p] * part[a];
+    }
+  }
+  for (int a = 0; a < dim; ++a) {
+    load[dim * i + a] = force[a];
+    for (int p = 0; p < 3; ++p) matrix[packed(cell_velocities + p, dim * i + a)] = divergence[p][a];
+  }
+}
+
+void add_pressures(const Problem& problem, const CellGeometry& geometry, Index batch, const BatchWeights& weights,
+                   Lanes* matrix, Lanes* load) {
+  const auto& rule = core::triangle_rule(4);
+  for (int p = 0; p < 3; ++p) {
+    load[cell_velocities + p].setZero();
+    for (int s = 0; s <= p; ++s) matrix[packed(cell_velocities + p, cell_velocities + s)].setZero();
+  }
+  for (int q = 0; q < cell_points; ++q) {
+    const double linear[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
+    for (int p = 0; p < 3; ++p) {
+      load[cell_velocities + p] -= (problem.volume_rate * linear[p]) * geometry.at(batch, q).volume;
+      for (int s = 0; s <= p; ++s)
+        matrix[packed(cell_velocities + p, cell_velocities + s)] -= (linear[p] * linear[s]) * weights[q].squeezed;
+    }
+  }
+}
+
+/// Rate of deformation exceeded in the volume `share`; the pairs are D:D and volume.
+double exceeded_rate(std::vector<std::pair<double, double>> squared_and_volume, double share) {
+  // The largest are searched for among ever more candidates until these fill the share.
+  const auto begin = squared_and_volume.begin(), end = squared_and_volume.end();
+  auto sorted = begin;
+  double above = 0;
+  for (std::ptrdiff_t next = 1 + (end - begin) / 16; sorted != end; next = end - sorted) {
+    const auto stop = sorted + std::min(next, end - sorted);
+    std::nth_element(sorted, stop - 1, end, std::greater<>());
+    std::sort(sorted, stop, std::greater<>());
+    for (; sorted != stop; ++sorted) {
+      above += sorted->second;
+      if (above > share) return std::sqrt(2 * sorted->first);
+    }
+  }
+  return 0;
 }
 
 }  // namespace
 
-std::vector<double> viscosity_field(const Problem& problem, const Eigen::VectorXd& velocity) {
+CellMatrix CellMatrices::of(Index cell) const {
+  CellMatrix result;
+  const Lanes* entry = batch(cell / lanes);
+  for (int i = 0; i < cell_unknowns; ++i)
+    for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = (*entry++)[cell % lanes];
+  return result;
+}
+
+std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& geometry, const Eigen::VectorXd& velocity) {
   const auto& mesh = *problem.mesh;
-  const auto& rule = core::triangle_rule(4);
-  std::vector<double> viscosity;
-  viscosity.reserve(mesh.cells.size() * rule.size());
+  std::vector<double> viscosity(mesh.cells.size() * cell_points);
   for (Index c = 0; c < mesh.cell_count(); ++c)
-    for (const auto& at : rule) {
-      if (problem.viscosity) {
-        viscosity.push_back(problem.viscosity(core::map_cell_point(mesh, c, problem.geometry, at).position));
-        continue;
-      }
-      const auto shape = core::triangle_shape(at.a, at.b);
+    for (int q = 0; q < cell_points; ++q) {
       double temperature = 0;
-      for (int i = 0; i < 6; ++i) temperature += shape[i] * (*problem.temperature)[mesh.cells[c][i]];
-      double value = problem.material->viscosity(temperature);
-      if (problem.material->shear_thinning && velocity.size() > 0) {
-        const auto& law = *problem.material->shear_thinning;
-        const auto point = core::map_cell_point(mesh, c, problem.geometry, at);
-        const double squared = 2 * rates_at(problem, c, point, velocity).squared();
-        value *= std::pow(1 + law.time * law.time * squared, 0.5 * (law.exponent - 1));
-      }
-      viscosity.push_back(value);
+      if (!problem.viscosity)
+        for (int i = 0; i < 6; ++i) temperature += shapes_at_points()[q][i] * (*problem.temperature)[mesh.cells[c][i]];
+      viscosity[std::size_t(c) * cell_points + q] =
+          problem.viscosity ? problem.viscosity(geometry.position(c, q)) : problem.material->viscosity(temperature);
     }
+  if (problem.viscosity || !problem.material->shear_thinning || velocity.size() == 0) return viscosity;
+  const auto& law = *problem.material->shear_thinning;
+  for (Index batch = 0; batch < geometry.batches(); ++batch) {
+    const auto v = batch_velocity(mesh, geometry, batch, velocity);
+    const Index here = std::min(lanes, geometry.cells - batch * lanes);
+    for (int q = 0; q < cell_points; ++q) {
+      const Lanes squared = 2 * squared_rate(geometry.at(batch, q), q, v);
+      for (Index lane = 0; lane < here; ++lane)
+        viscosity[std::size_t(batch * lanes + lane) * cell_points + q] *=
+            std::pow(1 + law.time * law.time * squared[lane], 0.5 * (law.exponent - 1));
+    }
+  }
   return viscosity;
 }
 
-CellMatrices cell_matrices(const Problem& problem, const std::vector<double>& viscosity) {
-  const auto& mesh = *problem.mesh;
-  const auto& rule = core::triangle_rule(4);
+CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity) {
   CellMatrices cells;
-  cells.matrix.assign(mesh.cells.size() * cell_unknowns * cell_unknowns, 0.0);
-  cells.load.assign(mesh.cells.size() * cell_unknowns, 0.0);
-  const Point weight = problem.material->density * problem.gravity * problem.body_force_direction;
-  for (Index c = 0; c < mesh.cell_count(); ++c) {
-    double* matrix = cells.matrix.data() + std::size_t(c) * cell_unknowns * cell_unknowns;
-    double* load = cells.load.data() + std::size_t(c) * cell_unknowns;
-    for (std::size_t q = 0; q < rule.size(); ++q) {
-      const auto at = core::map_cell_point(mesh, c, problem.geometry, rule[q]);
-      const Point force = problem.force ? Point(weight + problem.force(at.position)) : weight;
-      add_point(matrix, load, at, core::hoop(problem.geometry, at.position), viscosity[c * rule.size() + q], force);
-      const double compliance = 1 / (bulk_ratio * viscosity[c * rule.size() + q]);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j <= i; ++j)
-          matrix[(cell_velocities + i) * cell_unknowns + cell_velocities + j] -=
-              compliance * at.volume * at.linear[i] * at.linear[j];
-      for (int i = 0; i < 3; ++i) load[cell_velocities + i] -= problem.volume_rate * at.volume * at.linear[i];
+  cells.matrix.resize(std::size_t(geometry.batches()) * cell_entries);
+  cells.load.resize(std::size_t(geometry.batches()) * cell_unknowns);
+  for (Index batch = 0; batch < geometry.batches(); ++batch) {
+    Lanes* matrix = cells.matrix.data() + std::size_t(batch) * cell_entries;
+    Lanes* load = cells.load.data() + std::size_t(batch) * cell_unknowns;
+    const auto weights = batch_weights(problem, geometry, batch, viscosity);
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j <= i; ++j) add_pair(geometry, batch, weights, i, j, matrix);
+      add_node(geometry, batch, weights, i, matrix, load);
     }
-    for (int i = 0; i < cell_unknowns; ++i)
-      for (int j = i + 1; j < cell_unknowns; ++j) matrix[i * cell_unknowns + j] = matrix[j * cell_unknowns + i];
+    add_pressures(problem, geometry, batch, weights, matrix, load);
   }
   return cells;
 }
 
-Eigen::VectorXd surface_load(const Problem& problem, const std::vector<bool>& exposed) {
-  const auto& mesh = *problem.mesh;
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(dim * mesh.node_count());
-  for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
-    const auto& edge = mesh.boundary[e];
-    const auto& condition = problem.pieces[edge.piece];
-    if (condition.kind != PieceCondition::Kind::free || !exposed[e]) continue;
-    for (const auto& rule : core::edge_rule(3)) {
-      const auto at = core::map_edge_point(mesh, edge.nodes, problem.geometry, rule);
-      const auto slope = core::edge_shape_derivative(rule.s);
-      Point along = Point::Zero();
-      for (int i = 0; i < 3; ++i) along += slope[i] * mesh.nodes[edge.nodes[i]];
-      const double tension = problem.material->surface_tension * at.area;
-      for (int i = 0; i < 3; ++i) {
-        auto nodal = load.segment<dim>(dim * edge.nodes[i]);
-        nodal -= condition.pressure * at.area * at.shape[i] * at.normal;
-        nodal -= tension * slope[i] / along.norm() * at.tangent;
-        nodal[0] -= tension * core::hoop(problem.geometry, at.position) * at.shape[i];
+void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
+                          Solution& solution) {
+  solution.dissipation.resize(viscosity.size());
+  std::vector<std::pair<double, double>> squared_and_volume(viscosity.size());
+  double total = 0, sum = 0;
+  for (Index batch = 0; batch < geometry.batches(); ++batch) {
+    const auto v = batch_velocity(*problem.mesh, geometry, batch, solution.velocity);
+    const Index here = std::min(lanes, geometry.cells - batch * lanes);
+    for (int q = 0; q < cell_points; ++q) {
+      const auto& at = geometry.at(batch, q);
+      const Lanes squared = squared_rate(at, q, v);
+      for (Index lane = 0; lane < here; ++lane) {
+        const std::size_t k = std::size_t(batch * lanes + lane) * cell_points + q;
+        squared_and_volume[k] = {squared[lane], at.volume[lane]};
+        solution.dissipation[k] = 2 * viscosity[k] * squared[lane] * at.volume[lane];
+        total += at.volume[lane];
+        sum += 2 * squared[lane] * at.volume[lane];
       }
     }
   }
-  return load;
-}
-
-Eigen::VectorXd contact_areas(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& pressed) {
-  Eigen::VectorXd area = Eigen::VectorXd::Zero(mesh.node_count()), any = area;
-  for (const auto& edge : mesh.boundary) {
-    const bool closed = pressed[edge.nodes[0]] && pressed[edge.nodes[1]] && pressed[edge.nodes[2]];
-    for (const auto& rule : core::edge_rule(3)) {
-      const auto at = core::map_edge_point(mesh, edge.nodes, geometry, rule);
-      for (int i = 0; i < 3; ++i) (closed ? area : any)[edge.nodes[i]] += at.area * at.shape[i];
-    }
-  }
-  for (Index n = 0; n < mesh.node_count(); ++n)
-    if (pressed[n] && area[n] <= 0) area[n] = std::max(area[n], any[n]);
-  return area;
-}
-
-void evaluate_dissipation(const Problem& problem, const std::vector<double>& viscosity, Solution& solution) {
-  const auto& rule = core::triangle_rule(4);
-  solution.dissipation.clear();
-  solution.dissipation.reserve(viscosity.size());
-  std::vector<std::pair<double, double>> squared_and_volume;
-  double total = 0, sum = 0;
-  for (Index c = 0; c < problem.mesh->cell_count(); ++c)
-    for (const auto& q : rule) {
-      const auto at = core::map_cell_point(*problem.mesh, c, problem.geometry, q);
-      const double squared = rates_at(problem, c, at, solution.velocity).squared();
-      squared_and_volume.push_back({squared, at.volume});
-      total += at.volume;
-      sum += 2 * squared * at.volume;
-      solution.dissipation.push_back(2 * viscosity[solution.dissipation.size()] * squared * at.volume);
-    }
   solution.mean_rate = std::sqrt(sum / total);
-  std::sort(squared_and_volume.rbegin(), squared_and_volume.rend());
-  double above = 0;
-  for (const auto& [squared, volume] : squared_and_volume) {
-    solution.high_rate = std::sqrt(2 * squared);
-    above += volume;
-    if (above > high_rate_share * total) break;
-  }
+  solution.high_rate = exceeded_rate(std::move(squared_and_volume), high_rate_share * total);
 }
 
 }  // namespace parison::flow

@@ -7,26 +7,13 @@ namespace parison::flow {
 
 using core::dim;
 
-namespace {
-using Local = Eigen::Matrix<double, cell_unknowns, cell_unknowns, Eigen::RowMajor>;
-}  // namespace
-
-std::array<Index, cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell) {
-  std::array<Index, cell_unknowns> result;
-  for (int i = 0; i < 6; ++i)
-    for (int a = 0; a < dim; ++a) result[dim * i + a] = dim * mesh.cells[cell][i] + a;
-  for (int q = 0; q < 3; ++q) result[cell_velocities + q] = dim * mesh.node_count() + mesh.cells[cell][q];
-  return result;
-}
-
 SaddleSystem::SaddleSystem(const core::Mesh& mesh) : vertices_(mesh.vertex_count) {
   core::Cliques cliques;
   for (Index c = 0; c < mesh.cell_count(); ++c) cliques.add(unknowns_of(mesh, c).data(), cell_unknowns);
   assembly_ = core::make_assembly(dim * mesh.node_count() + mesh.vertex_count, cliques);
 }
 
-void SaddleSystem::add_held_cell(const std::array<Index, 6>& nodes, Index cell, const double* matrix) {
-  Local local = Eigen::Map<const Local>(matrix);
+void SaddleSystem::add_held_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local) {
   for (int i = 0; i < 6; ++i) {
     const NodeFrame* held = base_.find(nodes[i]);
     if (!held) continue;
@@ -43,6 +30,11 @@ void SaddleSystem::add_held_cell(const std::array<Index, 6>& nodes, Index cell, 
   core::add_clique(assembly_.matrix, assembly_.scatter, cell, cell_unknowns, local.data());
 }
 
+void SaddleSystem::add_cell(const Lanes* entries, Index cell) {
+  const Index* position = assembly_.scatter.position.data() + assembly_.scatter.offset[cell];
+  for (int k = 0; k < cell_entries; ++k) assembly_.matrix.value[position[k]] += entries[k][cell % lanes];
+}
+
 bool SaddleSystem::factorise(const core::Mesh& mesh, const CellMatrices& cells, const Held& base) {
   base_ = base;
   auto& matrix = assembly_.matrix;
@@ -50,7 +42,7 @@ bool SaddleSystem::factorise(const core::Mesh& mesh, const CellMatrices& cells, 
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     const auto& nodes = mesh.cells[c];
     if (std::none_of(nodes.begin(), nodes.end(), [&](Index n) { return base_.find(n); }))
-      core::add_clique(matrix, assembly_.scatter, c, cell_unknowns, cells.of(c));
+      add_cell(cells.batch(c / lanes), c);
     else
       add_held_cell(nodes, c, cells.of(c));
   }
@@ -74,28 +66,6 @@ Eigen::MatrixXd SaddleSystem::solve(Eigen::MatrixXd rhs) const {
     rows = (held.frame * rows).eval();
   }
   return solution;
-}
-
-Eigen::Matrix<double, cell_unknowns, 1> cell_product(const double* matrix, const std::array<Index, cell_unknowns>& where,
-                                                     Eigen::Ref<const Eigen::VectorXd> x) {
-  Eigen::Matrix<double, cell_unknowns, 1> in;
-  for (int k = 0; k < cell_unknowns; ++k) in[k] = x[where[k]];
-  return Eigen::Map<const Local>(matrix) * in;
-}
-
-Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
-                        const std::vector<Index>* listed) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.rows(), x.cols());
-  const Index count = listed ? static_cast<Index>(listed->size()) : mesh.cell_count();
-  for (Index i = 0; i < count; ++i) {
-    const Index c = listed ? (*listed)[i] : i;
-    const auto where = unknowns_of(mesh, c);
-    for (Index column = 0; column < x.cols(); ++column) {
-      const auto out = cell_product(cells.of(c), where, x.col(column));
-      for (int k = 0; k < cell_unknowns; ++k) result(where[k], column) += out[k];
-    }
-  }
-  return result;
 }
 
 }  // namespace parison::flow

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/indefinite.hpp"
+#include "forming/flow/cell_product.hpp"
 #include "forming/flow/constraints.hpp"
-#include "forming/flow/element_matrix.hpp"
 
 namespace parison::flow {
 
@@ -24,7 +24,8 @@ class SaddleSystem {
   Eigen::MatrixXd solve(Eigen::MatrixXd rhs) const;
 
  private:
-  void add_held_cell(const std::array<Index, 6>& nodes, Index cell, const double* matrix);
+  void add_held_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local);
+  void add_cell(const Lanes* entries, Index cell);
 
   core::Assembly assembly_;
   core::IndefiniteSolver linear_;
@@ -32,16 +33,5 @@ class SaddleSystem {
   bool analysed_ = false, factorised_ = false;
   Held base_;
 };
-
-/// The cells' forces on the unknowns, K x, a column for each of x; over the listed cells, or over all.
-Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
-                        const std::vector<Index>* listed = nullptr);
-
-/// Unknowns of a cell.
-std::array<Index, cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell);
-
-/// One cell's forces on its unknowns.
-Eigen::Matrix<double, cell_unknowns, 1> cell_product(const double* matrix, const std::array<Index, cell_unknowns>& where,
-                                                     Eigen::Ref<const Eigen::VectorXd> x);
 
 }  // namespace parison::flow

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/indefinite.hpp"
-#include "forming/flow/element_matrix.hpp"
+#include "forming/flow/cell_product.hpp"
 #include "forming/initial_state.hpp"
 
 namespace parison::bench {
@@ -19,14 +19,6 @@ namespace {
 /// Stiffness that holds a velocity, in diagonal entries of its node.
 constexpr double hold = 1e6;
 constexpr double most_residual = 1e-6;
-
-std::array<Index, flow::cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell) {
-  std::array<Index, flow::cell_unknowns> result;
-  for (int i = 0; i < 6; ++i)
-    for (int a = 0; a < dim; ++a) result[dim * i + a] = dim * mesh.cells[cell][i] + a;
-  for (int q = 0; q < 3; ++q) result[flow::cell_velocities + q] = dim * mesh.node_count() + mesh.cells[cell][q];
-  return result;
-}
 
 /// Holds velocities of a node in the directions that `directions` spans (its columns).
 void hold_node(core::SymmetricMatrix& matrix, Index node, const core::Tensor& directions) {
@@ -84,7 +76,7 @@ void BareFlow::Data::assemble(const forming::Scene& scene, const forming::State&
   const bool known = cells == mesh.cells;
   if (!known) {
     core::Cliques cliques;
-    for (Index c = 0; c < mesh.cell_count(); ++c) cliques.add(unknowns_of(mesh, c).data(), flow::cell_unknowns);
+    for (Index c = 0; c < mesh.cell_count(); ++c) cliques.add(flow::unknowns_of(mesh, c).data(), flow::cell_unknowns);
     assembly = core::make_assembly(dim * mesh.node_count() + mesh.vertex_count, cliques);
     cells = mesh.cells;
   }
@@ -94,12 +86,12 @@ void BareFlow::Data::assemble(const forming::Scene& scene, const forming::State&
   problem.material = &*scene.glass.flow;
   problem.temperature = &state.bodies[0].temperature;
   problem.pieces.resize(mesh.pieces.size());
-  const auto local = flow::cell_matrices(problem, flow::viscosity_field(problem, {}));
+  const auto geometry = flow::cell_geometry(mesh, scene.geometry);
+  const auto local = flow::cell_matrices(problem, geometry, flow::viscosity_field(problem, geometry, {}));
   auto& matrix = assembly.matrix;
   std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
-  constexpr std::size_t entries = flow::cell_unknowns * flow::cell_unknowns;
   for (Index c = 0; c < mesh.cell_count(); ++c)
-    core::add_clique(matrix, assembly.scatter, c, flow::cell_unknowns, local.matrix.data() + c * entries);
+    core::add_clique(matrix, assembly.scatter, c, flow::cell_unknowns, local.of(c).data());
   hold_boundary(scene, state, matrix);
   if (known) return;
   solver = std::make_unique<core::IndefiniteSolver>();

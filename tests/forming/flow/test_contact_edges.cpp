@@ -5,6 +5,7 @@
 
 #include "flow_case.hpp"
 #include "forming/flow/element_matrix.hpp"
+#include "forming/flow/surface.hpp"
 
 namespace parison::flow {
 namespace {
@@ -13,22 +14,20 @@ using core::Geometry;
 
 /// Force that holds each node in place of the stresses, gravity, air and surface tension, N, two rows a node.
 Eigen::VectorXd nodal_reactions(const FlowProblem& flow, const Solution& solution) {
-  const auto cells = cell_matrices(flow.problem, viscosity_field(flow.problem, solution.velocity));
-  std::vector<bool> pressed(flow.mesh.nodes.size(), false), exposed;
+  const auto geometry = cell_geometry(flow.mesh, flow.problem.geometry);
+  const auto cells =
+      cell_matrices(flow.problem, geometry, viscosity_field(flow.problem, geometry, solution.velocity));
+  std::vector<bool> pressed(flow.mesh.nodes.size(), false);
   for (std::size_t i = 0; i < solution.active.size(); ++i)
     if (solution.active[i]) pressed[flow.problem.candidates[i].node] = true;
-  for (const auto& edge : flow.mesh.boundary)
-    exposed.push_back(!(pressed[edge.nodes[0]] && pressed[edge.nodes[1]] && pressed[edge.nodes[2]]));
-  Eigen::VectorXd reaction = -surface_load(flow.problem, exposed);
+  Eigen::VectorXd reaction = -surface_load(flow.mesh, surface_edges(flow.problem), pressed);
   for (Index c = 0; c < flow.mesh.cell_count(); ++c) {
     Eigen::Matrix<double, cell_unknowns, 1> x;
     for (int i = 0; i < 6; ++i) x.segment<2>(2 * i) = node_velocity(solution.velocity, flow.mesh.cells[c][i]);
     for (int i = 0; i < 3; ++i) x[cell_velocities + i] = solution.pressure[flow.mesh.cells[c][i]];
-    using Local = Eigen::Matrix<double, cell_unknowns, cell_unknowns, Eigen::RowMajor>;
-    const Eigen::Map<const Local> matrix(cells.matrix.data() + std::size_t(c) * cell_unknowns * cell_unknowns);
-    const Eigen::Map<const Eigen::Matrix<double, cell_unknowns, 1>> load(cells.load.data() + std::size_t(c) * cell_unknowns);
-    const Eigen::Matrix<double, cell_unknowns, 1> force = matrix * x - load;
-    for (int i = 0; i < 6; ++i) reaction.segment<2>(2 * flow.mesh.cells[c][i]) += force.segment<2>(2 * i);
+    const Eigen::Matrix<double, cell_unknowns, 1> force = cells.of(c) * x;
+    for (int k = 0; k < cell_velocities; ++k)
+      reaction[2 * flow.mesh.cells[c][k / 2] + k % 2] += force[k] - cells.load_at(c, k);
   }
   return reaction;
 }

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/flow/changed_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace parison::flow {
+
+using core::dim;
+
+namespace {
+
+/// A drag that changed by less, relatively, is the same.
+constexpr double same_drag = 1e-9;
+
+core::Tensor frame_of(const NodeFrame* held) { return held ? held->frame : core::Tensor(core::Tensor::Identity()); }
+
+bool fixes(const NodeFrame* held, int axis) { return held && held->fixed[axis]; }
+
+/// Drag along the last column of the frame, N.s/m.
+double drag_of(const Held& held, Index node) {
+  const NodeFrame* frame = held.find(node);
+  return frame && frame->friction_tool >= 0 ? held.drag[node] : 0.0;
+}
+
+bool same_equalities(const NodeFrame* a, const NodeFrame* b) {
+  if (!a || !b) return a == b;
+  if (a->friction_tool != b->friction_tool || a->equalities.size() != b->equalities.size()) return false;
+  for (std::size_t i = 0; i < a->equalities.size(); ++i)
+    if (a->equalities[i].candidate != b->equalities[i].candidate || a->equalities[i].normal != b->equalities[i].normal)
+      return false;
+  return true;
+}
+
+/// What the unknowns of the dense system (forces at free, velocities at fixed coordinates) and the known columns do, as rows
+/// of coefficients: first the unknowns', then the columns'.
+struct Effects {
+  const Rearrangement& what;
+  const Eigen::MatrixXd& columns;
+  std::vector<const Handle*> handles;
+
+  Index count() const { return static_cast<Index>(handles.size()); }
+  Index known() const { return columns.cols(); }
+
+  Eigen::RowVectorXd velocity(Index node, const Point& along) const {
+    Eigen::RowVectorXd row(count() + known());
+    for (Index h = 0; h < count(); ++h) row[h] = along.dot(node_velocity(handles[h]->response, node));
+    row.tail(known()) = along.transpose() * columns.middleRows<dim>(dim * node);
+    return row;
+  }
+
+  Eigen::RowVectorXd force(Index h) const {
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(count() + known());
+    if (!handles[h]->fixed) {
+      row[h] = 1;
+      return row;
+    }
+    for (const auto& [unknown, value] : handles[h]->stiffness) {
+      for (Index g = 0; g < count(); ++g) row[g] += value * handles[g]->response[unknown];
+      row.tail(known()) += value * columns.row(unknown);
+    }
+    row[count()] -= handles[h]->direction.dot(node_velocity(what.residual, handles[h]->node));
+    return row;
+  }
+
+  /// The velocity along a coordinate that is fixed now: zero when it is the given one.
+  Eigen::RowVectorXd fixed(const NodeFrame& now, int axis) const {
+    const Point along = now.frame.col(axis);
+    Eigen::RowVectorXd row = velocity(now.node, along), value = now.given.row(axis);
+    value[0] += value.tail(known() - 1).dot(what.from.driven) - along.dot(node_velocity(what.from.x, now.node));
+    row.tail(known()) -= value;
+    return row;
+  }
+
+  /// The force along a coordinate that is free now: zero in balance. `first` is the handle of the change's first axis.
+  Eigen::RowVectorXd free(const Change& change, int axis, Index first) const {
+    const NodeFrame *before = what.base.find(change.node), *now = what.held.find(change.node);
+    const Point along = frame_of(now).col(axis), dragged = frame_of(before).col(dim - 1);
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(count() + known());
+    for (Index h = first; h < first + dim - change.first_axis(); ++h) row += along.dot(handles[h]->direction) * force(h);
+    if (const double drag = drag_of(what.base, change.node); drag > 0)
+      row -= drag * along.dot(dragged) * velocity(change.node, dragged);
+    if (const double drag = drag_of(what.held, change.node); drag > 0 && axis == dim - 1) {
+      const auto tools = driven_tools(what.problem);
+      row += drag * velocity(change.node, along);
+      for (Index k = 0; k + 1 < known(); ++k)
+        if (tools[k] == now->friction_tool) row[count() + 1 + k] -= drag * along.dot(core::axis_direction());
+    }
+    return row;
+  }
+};
+
+}  // namespace
+
+std::vector<Change> changed_nodes(const Held& base, const Held& held) {
+  std::vector<Change> changed;
+  for (Index node = 0; node < static_cast<Index>(held.frame_of.size()); ++node) {
+    const NodeFrame *before = base.find(node), *now = held.find(node);
+    if (!before && !now) continue;
+    if (!same_equalities(before, now))
+      changed.push_back({node, false});
+    else if (std::abs(drag_of(base, node) - drag_of(held, node)) > same_drag * drag_of(held, node))
+      changed.push_back({node, true});
+  }
+  return changed;
+}
+
+Handle make_handle(const core::Mesh& mesh, const CellMatrices& cells, const Held& base, Index node, int axis) {
+  const NodeFrame* before = base.find(node);
+  Handle handle{node, axis, fixes(before, axis), frame_of(before).col(axis), {}, {}};
+  if (!handle.fixed) return handle;
+  std::map<Index, double> force;
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const auto& nodes = mesh.cells[c];
+    const auto found = std::find(nodes.begin(), nodes.end(), node);
+    if (found == nodes.end()) continue;
+    const auto where = unknowns_of(mesh, c);
+    const auto part = (cells.of(c).middleCols<dim>(dim * (found - nodes.begin())) * handle.direction).eval();
+    for (int k = 0; k < cell_unknowns; ++k) force[where[k]] += part[k];
+  }
+  handle.stiffness.assign(force.begin(), force.end());
+  return handle;
+}
+
+bool add_changes(const Rearrangement& what, const std::vector<Change>& changed, const Handles& handles,
+                 Eigen::MatrixXd& columns) {
+  Effects effects{what, columns, {}};
+  for (const auto& change : changed)
+    for (int a = change.first_axis(); a < dim; ++a) effects.handles.push_back(&handles.at({change.node, a}));
+  const Index count = effects.count(), known = effects.known();
+  Eigen::MatrixXd conditions(count, count + known);
+  Index filled = 0;
+  for (const auto& change : changed) {
+    const Index first = filled;
+    const NodeFrame* now = what.held.find(change.node);
+    for (int a = change.first_axis(); a < dim; ++a)
+      conditions.row(filled++) = fixes(now, a) ? effects.fixed(*now, a) : effects.free(change, a, first);
+  }
+  const Eigen::MatrixXd unknowns = conditions.leftCols(count).partialPivLu().solve(-conditions.rightCols(known));
+  if (!unknowns.allFinite()) return false;
+  for (Index h = 0; h < count; ++h) columns += effects.handles[h]->response * unknowns.row(h);
+  return true;
+}
+
+}  // namespace parison::flow
