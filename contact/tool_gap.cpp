@@ -109,8 +109,18 @@ bool hidden(const Query& query, Index i, const Point& foot) {
   return false;
 }
 
+/// Whether x is too far for a foot on the segment, or past an end of it by no more than the reach, to be within reach.
+bool far_from(const Segment& segment, const Point& x, double reach) {
+  const double most = 2 * reach;
+  if (segment.is_arc && std::abs((x - segment.centre).norm() - segment.radius) > most) return true;
+  const bool bulges = segment.is_arc && std::abs(segment.to - segment.from) > M_PI;
+  const Point middle = bulges ? segment.centre : Point(0.5 * (segment.start + segment.end));
+  const double size = bulges ? segment.radius : 0.5 * (segment.end - segment.start).norm();
+  return (x - middle).squaredNorm() > (size + most) * (size + most);
+}
+
 void add_segment(const Query& query, Index i, std::vector<GapConstraint>& found) {
-  if (!query.in_contact(i) || !projects_on(query, i)) return;
+  if (!query.in_contact(i) || far_from(query.segment(i), query.x, query.reach) || !projects_on(query, i)) return;
   const double t = core::projected_parameter(query.segment(i), query.x);
   const Point foot = core::point_at(query.segment(i), t), normal = core::normal_at(query.segment(i), t);
   const double gap = (query.x - foot).dot(normal);
@@ -120,7 +130,8 @@ void add_segment(const Query& query, Index i, std::vector<GapConstraint>& found)
 /// The joint after segment i, for a point that projects on neither side of it.
 void add_joint(const Query& query, Index i, std::vector<GapConstraint>& found) {
   const Index j = query.next(i);
-  if (!query.in_contact(i) || !query.in_contact(j) || hollow_after(query, i)) return;
+  if (!query.in_contact(i) || !query.in_contact(j)) return;
+  if ((query.x - query.segment(i).end).squaredNorm() > query.reach * query.reach || hollow_after(query, i)) return;
   const Segment &before = query.segment(i), &after = query.segment(j);
   if (beyond_end(before, query.x) <= end_tolerance * core::length(before)) return;
   if (beyond_start(after, query.x) <= end_tolerance * core::length(after)) return;

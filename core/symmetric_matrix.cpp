@@ -10,25 +10,58 @@ void Cliques::add(const Index* begin, Index count) {
   start.push_back(static_cast<Index>(unknowns.size()));
 }
 
-Assembly make_assembly(Index size, const Cliques& cliques) {
-  // Column by column: the cliques that hold an unknown give its rows.
-  std::vector<Index> use_count(size + 1, 0);
-  for (const Index unknown : cliques.unknowns) ++use_count[unknown + 1];
-  for (Index i = 0; i < size; ++i) use_count[i + 1] += use_count[i];
-  std::vector<Index> users(cliques.unknowns.size()), next(use_count.begin(), use_count.end() - 1);
-  for (Index c = 0; c < cliques.count(); ++c)
-    for (Index k = cliques.start[c]; k < cliques.start[c + 1]; ++k) users[next[cliques.unknowns[k]]++] = c;
+namespace {
 
-  Assembly result;
+/// Which cliques hold each unknown, and at which of their places.
+struct Uses {
+  std::vector<Index> start, clique, place;
+};
+
+Uses uses_of(Index size, const Cliques& cliques) {
+  Uses uses{std::vector<Index>(size + 1, 0), std::vector<Index>(cliques.unknowns.size()), {}};
+  uses.place.resize(cliques.unknowns.size());
+  for (const Index unknown : cliques.unknowns) ++uses.start[unknown + 1];
+  for (Index i = 0; i < size; ++i) uses.start[i + 1] += uses.start[i];
+  std::vector<Index> next(uses.start.begin(), uses.start.end() - 1);
+  for (Index c = 0; c < cliques.count(); ++c)
+    for (Index k = cliques.start[c]; k < cliques.start[c + 1]; ++k) {
+      const Index use = next[cliques.unknowns[k]]++;
+      uses.clique[use] = c;
+      uses.place[use] = k - cliques.start[c];
+    }
+  return uses;
+}
+
+/// Place of an entry in a packed lower triangle.
+Index packed(Index i, Index j) {
+  const auto [column, row] = std::minmax(i, j);
+  return row * (row + 1) / 2 + column;
+}
+
+Scatter empty_scatter(const Cliques& cliques) {
+  Scatter scatter{{0}, {}};
+  for (Index c = 0; c < cliques.count(); ++c) {
+    const Index count = cliques.start[c + 1] - cliques.start[c];
+    scatter.offset.push_back(scatter.offset.back() + count * (count + 1) / 2);
+  }
+  scatter.position.resize(scatter.offset.back());
+  return scatter;
+}
+
+}  // namespace
+
+Assembly make_assembly(Index size, const Cliques& cliques) {
+  const Uses uses = uses_of(size, cliques);
+  Assembly result{{}, empty_scatter(cliques)};
   SymmetricMatrix& matrix = result.matrix;
   matrix.size = size;
   matrix.column_start.assign(size + 1, 0);
-  std::vector<Index> seen(size, -1), rows;
-  for (Index column = 0; column < size; ++column) {
+  std::vector<Index> seen(size, -1), position(size), rows;
+  for (Index column = 0; column < size; ++column) {  // the cliques that hold the column's unknown give its rows
     rows.assign(1, column);
     seen[column] = column;
-    for (Index u = use_count[column]; u < use_count[column + 1]; ++u)
-      for (Index k = cliques.start[users[u]]; k < cliques.start[users[u] + 1]; ++k) {
+    for (Index use = uses.start[column]; use < uses.start[column + 1]; ++use)
+      for (Index k = cliques.start[uses.clique[use]]; k < cliques.start[uses.clique[use] + 1]; ++k) {
         const Index row = cliques.unknowns[k];
         if (row > column && seen[row] != column) {
           seen[row] = column;
@@ -36,25 +69,19 @@ Assembly make_assembly(Index size, const Cliques& cliques) {
         }
       }
     std::sort(rows.begin(), rows.end());
-    matrix.row.insert(matrix.row.end(), rows.begin(), rows.end());
+    for (const Index row : rows) {
+      position[row] = static_cast<Index>(matrix.row.size());
+      matrix.row.push_back(row);
+    }
     matrix.column_start[column + 1] = static_cast<Index>(matrix.row.size());
+    for (Index use = uses.start[column]; use < uses.start[column + 1]; ++use) {
+      const Index clique = uses.clique[use], first = cliques.start[clique];
+      for (Index k = first; k < cliques.start[clique + 1]; ++k)
+        if (const Index row = cliques.unknowns[k]; row >= column)
+          result.scatter.position[result.scatter.offset[clique] + packed(uses.place[use], k - first)] = position[row];
+    }
   }
   matrix.value.assign(matrix.row.size(), 0.0);
-
-  Scatter& scatter = result.scatter;
-  scatter.offset.push_back(0);
-  for (Index c = 0; c < cliques.count(); ++c) {
-    const Index* u = cliques.unknowns.data() + cliques.start[c];
-    const Index count = cliques.start[c + 1] - cliques.start[c];
-    for (Index i = 0; i < count; ++i)
-      for (Index j = 0; j <= i; ++j) {
-        const auto [column, row] = std::minmax(u[i], u[j]);
-        const auto begin = matrix.row.begin() + matrix.column_start[column];
-        const auto end = matrix.row.begin() + matrix.column_start[column + 1];
-        scatter.position.push_back(static_cast<Index>(std::lower_bound(begin, end, row) - matrix.row.begin()));
-      }
-    scatter.offset.push_back(static_cast<Index>(scatter.position.size()));
-  }
   return result;
 }
 

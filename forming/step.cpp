@@ -156,9 +156,16 @@ void take_flow(const Scene& scene, const FlowPass& pass, double dt, State& state
 
 void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt,
                        State& state) {
+  std::vector<std::size_t> inside;
+  std::vector<Point> points;
   for (std::size_t p = 0; p < scene.probes.size(); ++p)
-    if (scene.probes[p].body == 0)
-      state.probes[p] += dt * sample(mesh, velocity, dim, {state.probes[p]}).row(0).transpose();
+    if (scene.probes[p].body == 0) {
+      inside.push_back(p);
+      points.push_back(state.probes[p]);
+    }
+  const Eigen::MatrixXd moving = sample(mesh, velocity, dim, points);
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    state.probes[inside[i]] += dt * moving.row(static_cast<Index>(i)).transpose();
 }
 
 /// rho rate L^2 / eta: L twice the volume over the surface (a wall's thickness), the viscosity that which the dissipation

@@ -20,6 +20,7 @@ constexpr double bulk_ratio = 1e10;
 /// Viscosity, weights and body force at one quadrature point of a batch.
 struct PointWeights {
   Lanes viscous, squeezed;  ///< viscosity and compliance, each times the volume
+  Lanes ring;               ///< twice the viscous weight over r squared
   std::array<Lanes, dim> force;  ///< N
 };
 using BatchWeights = std::array<PointWeights, cell_points>;
@@ -33,6 +34,7 @@ BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry,
     Lanes eta;
     for (Index lane = 0; lane < lanes; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
     weights[q].viscous = eta * at.volume;
+    weights[q].ring = 2 * weights[q].viscous * at.hoop * at.hoop;
     weights[q].squeezed = at.volume / (bulk_ratio * eta);
     for (int a = 0; a < dim; ++a) weights[q].force[a] = weight[a] * at.volume;
     if (!problem.force) continue;
@@ -44,20 +46,23 @@ BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry,
   return weights;
 }
 
-/// Viscous forces between the velocities of nodes i and j <= i.
-void add_pair(const CellGeometry& geometry, Index batch, const BatchWeights& weights, int i, int j, Lanes* matrix) {
-  Lanes rr = Lanes::Zero(), rz = rr, zr = rr, zz = rr;
+/// The viscous weight times the gradient of a node's shape function, at each quadrature point.
+using WeightedGradient = std::array<std::array<Lanes, dim>, cell_points>;
+
+/// Viscous forces between the velocities of nodes i, whose weighted gradient is given, and j <= i.
+void add_pair(const CellGeometry::AtPoint* at, const BatchWeights& weights, const WeightedGradient& weighted, int i, int j,
+              Lanes* matrix) {
+  Lanes along_r = Lanes::Zero(), along_z = along_r, rz = along_r, zr = along_r, ring = along_r;
   for (int q = 0; q < cell_points; ++q) {
-    const auto& at = geometry.at(batch, q);
+    const auto& gj = at[q].gradient[j];
     const auto& shape = shapes_at_points()[q];
-    const auto& gj = at.gradient[j];
-    const Lanes wr = weights[q].viscous * at.gradient[i][0], wz = weights[q].viscous * at.gradient[i][1];
-    const Lanes along_r = wr * gj[0], along_z = wz * gj[1];
-    rr += 2 * along_r + along_z + (2 * shape[i] * shape[j]) * weights[q].viscous * at.hoop * at.hoop;
-    zz += along_r + 2 * along_z;
-    rz += wz * gj[0];
-    zr += wr * gj[1];
+    along_r += weighted[q][0] * gj[0];
+    along_z += weighted[q][1] * gj[1];
+    rz += weighted[q][1] * gj[0];
+    zr += weighted[q][0] * gj[1];
+    ring += (shape[i] * shape[j]) * weights[q].ring;
   }
+  const Lanes rr = 2 * along_r + along_z + ring, zz = along_r + 2 * along_z;
   matrix[packed(dim * i, dim * j)] = rr;
   matrix[packed(dim * i + 1, dim * j)] = zr;
   matrix[packed(dim * i + 1, dim * j + 1)] = zz;
@@ -165,9 +170,13 @@ CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry,
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
     Lanes* matrix = cells.matrix.data() + std::size_t(batch) * cell_entries;
     Lanes* load = cells.load.data() + std::size_t(batch) * cell_unknowns;
+    const auto* at = &geometry.at(batch, 0);
     const auto weights = batch_weights(problem, geometry, batch, viscosity);
     for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j <= i; ++j) add_pair(geometry, batch, weights, i, j, matrix);
+      WeightedGradient weighted;
+      for (int q = 0; q < cell_points; ++q)
+        for (int a = 0; a < dim; ++a) weighted[q][a] = weights[q].viscous * at[q].gradient[i][a];
+      for (int j = 0; j <= i; ++j) add_pair(at, weights, weighted, i, j, matrix);
       add_node(geometry, batch, weights, i, matrix, load);
     }
     add_pressures(problem, geometry, batch, weights, matrix, load);
