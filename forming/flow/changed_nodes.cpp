@@ -140,7 +140,8 @@ bool add_changes(const Rearrangement& what, const std::vector<Change>& changed, 
   }
   const Eigen::MatrixXd unknowns = conditions.leftCols(count).partialPivLu().solve(-conditions.rightCols(known));
   if (!unknowns.allFinite()) return false;
-  for (Index h = 0; h < count; ++h) columns += effects.handles[h]->response * unknowns.row(h);
+  for (Index column = 0; column < known; ++column)
+    for (Index h = 0; h < count; ++h) columns.col(column) += unknowns(h, column) * effects.handles[h]->response;
   return true;
 }
 

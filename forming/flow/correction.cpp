@@ -2,6 +2,8 @@
 #include "forming/flow/correction.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace parison::flow {
 
@@ -9,8 +11,12 @@ using core::dim;
 
 namespace {
 
-/// More back-substitutions than this cost more than a factorisation.
-constexpr std::size_t most_handles = 40;
+/// More new back-substitutions than this cost more than a factorisation, with 2 k triangles as with 40 k.
+constexpr std::size_t most_new_handles = 40;
+/// Handles that are there cost the dense system alone.
+constexpr std::size_t most_handles = 100;
+/// Of a velocity: nearer to the given one than this is round-off.
+constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
 
 /// The base's velocities that are given and the forces on it, a column for the residual and one for each driven tool.
 struct Loading {
@@ -29,7 +35,9 @@ void load_held_nodes(const Rearrangement& what, const std::vector<Change>& chang
     for (int a = 0; a < dim; ++a) {
       if (!frame.fixed[a]) continue;
       Eigen::RowVectorXd value = frame.given.row(a);
-      value[0] += value.tail(driven).dot(what.from.driven) - frame.frame.col(a).dot(node_velocity(what.from.x, frame.node));
+      const Point now = node_velocity(what.from.x, frame.node);
+      value[0] += value.tail(driven).dot(what.from.driven) - frame.frame.col(a).dot(now);
+      if (std::abs(value[0]) <= round_off * now.norm()) value[0] = 0;
       rows += frame.frame.col(a) * value;
     }
     if (frame.friction_tool < 0 || other_drag[frame.node]) continue;
@@ -92,7 +100,7 @@ std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const 
       for (int a = change.first_axis(); a < dim; ++a, ++needed)
         if (!handles_.count({change.node, a})) unknown.push_back({change.node, a});
   }
-  if (!system_.factorised() || needed > most_handles) {
+  if (!system_.factorised() || unknown.size() > most_new_handles || needed > most_handles) {
     changed.clear();
     unknown.clear();
     if (!renew_base(mesh, cells, held)) return std::nullopt;
