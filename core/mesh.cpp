@@ -30,6 +30,42 @@ std::vector<BoundaryEdge> chained(const std::vector<BoundaryEdge>& edges) {
   return result;
 }
 
+/// A point of the rule with the shape functions there, which are the same in all cells.
+struct RuleShape {
+  std::array<double, 6> shape;
+  std::array<std::array<double, 2>, 6> derivative;
+  double weight;
+};
+
+const std::vector<RuleShape>& rule_shapes() {
+  static const std::vector<RuleShape> shapes = [] {
+    std::vector<RuleShape> made;
+    for (const TriangleRulePoint& at : triangle_rule(6))
+      made.push_back({triangle_shape(at.a, at.b), triangle_shape_derivative(at.a, at.b), at.weight});
+    return made;
+  }();
+  return shapes;
+}
+
+/// Volume of a cell and integral of a field over it.
+std::array<double, 2> integrate(const std::array<Point, 6>& x, const std::array<double, 6>& value, Geometry geometry) {
+  std::array<double, 2> sum{};
+  for (const RuleShape& at : rule_shapes()) {
+    Point position = Point::Zero(), along_a = Point::Zero(), along_b = Point::Zero();
+    double field = 0;
+    for (int k = 0; k < 6; ++k) {
+      position += at.shape[k] * x[k];
+      along_a += at.derivative[k][0] * x[k];
+      along_b += at.derivative[k][1] * x[k];
+      field += at.shape[k] * value[k];
+    }
+    const double volume = at.weight * (along_a[0] * along_b[1] - along_b[0] * along_a[1]) * depth(geometry, position);
+    sum[0] += volume;
+    sum[1] += volume * field;
+  }
+  return sum;
+}
+
 }  // namespace
 
 Index find_piece(const Mesh& mesh, const std::string& name) {
@@ -95,6 +131,20 @@ double volume(const Mesh& mesh, Geometry geometry) {
       sum += share * point.area * point.position[0] * point.normal[0];
     }
   return static_cast<double>(sum);
+}
+
+double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal) {
+  const double base = nodal[0];  // a uniform field has its own value as the mean
+  double content = 0, volume = 0;
+  std::array<Point, 6> x;
+  std::array<double, 6> value;
+  for (const auto& cell : mesh.cells) {
+    for (int k = 0; k < 6; ++k) x[k] = mesh.nodes[cell[k]], value[k] = nodal[cell[k]] - base;
+    const auto [part, integral] = integrate(x, value, geometry);
+    volume += part;
+    content += integral;
+  }
+  return base + content / volume;
 }
 
 }  // namespace parison::core

@@ -44,5 +44,7 @@ Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load)
 
 /// Volume of the body, m3 (of the full revolution, or per metre of depth times 1 m).
 double volume(const Mesh& mesh, Geometry geometry);
+/// Volume mean of a nodal field.
+double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal);
 
 }  // namespace parison::core

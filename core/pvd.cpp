@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "core/files.hpp"
 
 namespace parison::core {
@@ -23,21 +21,24 @@ std::string xml_text(const std::string& text) {
 
 }  // namespace
 
+void PvdCollection::append(const Entry& entry) {
+  lines_ += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", entry.time, xml_text(entry.file));
+}
+
 void PvdCollection::add(double time, const std::string& file) {
-  entries_.push_back({time, file});
+  append({time, file});
   write();
 }
 
-void PvdCollection::set(std::vector<Entry> entries) {
-  entries_ = std::move(entries);
+void PvdCollection::set(const std::vector<Entry>& entries) {
+  lines_.clear();
+  for (const Entry& entry : entries) append(entry);
   write();
 }
 
 void PvdCollection::write() const {
-  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-  for (const Entry& entry : entries_)
-    text += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", entry.time, xml_text(entry.file));
-  replace_file(path_, text + "  </Collection>\n</VTKFile>\n");
+  replace_file(path_, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + lines_ +
+                          "  </Collection>\n</VTKFile>\n");
 }
 
 }  // namespace parison::core

@@ -17,13 +17,13 @@ class PvdCollection {
   /// `file` is relative to the collection's folder; time in s.
   void add(double time, const std::string& file);
   /// Has these entries and no others.
-  void set(std::vector<Entry> entries);
+  void set(const std::vector<Entry>& entries);
 
  private:
+  void append(const Entry& entry);
   void write() const;
 
-  std::string path_;
-  std::vector<Entry> entries_;
+  std::string path_, lines_;
 };
 
 }  // namespace parison::core

@@ -25,7 +25,7 @@ struct VtuFields {
   std::vector<CellConstant> cell;
 };
 
-/// Writes quadratic triangles to a .vtu file, binary and compressed.
+/// Writes quadratic triangles to a .vtu file: binary, values in single precision.
 void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields);
 
 }  // namespace parison::core

@@ -12,7 +12,6 @@
 #include "forming/heat_step.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/sample.hpp"
-#include "remesh/transfer.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -50,7 +49,7 @@ double closed_area(const std::vector<core::InterfacePoint>& interface) {
 double probe_temperature(const Scene& scene, const State& state, std::size_t probe) {
   const BodyState& body = state.bodies.at(scene.probes[probe].body);
   if (body.temperature.size() == 0) return none;
-  return sample(body.mesh, body.temperature, 1, {state.probes.at(probe)})(0, 0);
+  return sample(body.mesh, body.temperature, state.probes.at(probe));
 }
 
 }  // namespace
@@ -65,7 +64,7 @@ GlassFacts glass_facts(const Scene& scene, const State& state) {
   facts.mean = facts.lowest = facts.highest = none;
   facts.energy_imbalance = 0;
   if (!scene.has_heat()) return facts;
-  facts.mean = remesh::mean(mass, scene.geometry, glass.temperature);
+  facts.mean = core::volume_mean(mass, scene.geometry, glass.temperature);
   facts.lowest = glass.temperature.minCoeff();
   facts.highest = glass.temperature.maxCoeff();
   facts.energy_imbalance = energy_imbalance(scene, state);

@@ -11,7 +11,7 @@ namespace parison::forming {
 /// Line of column names of interface.csv.
 std::string interface_header();
 
-/// Lines of interface.csv: one for each interface point, along the glass surface from its start; empty without heat.
+/// Lines of interface.csv, along the glass surface from its start: up to four for each glass edge and tool; empty without heat.
 std::string interface_lines(const Scene& scene, const State& state, const std::vector<core::InterfacePoint>& interface);
 
 }  // namespace parison::forming

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <utility>
 
@@ -92,7 +93,7 @@ ResultFiles::ResultFiles(const Scene& scene, const std::string& directory, const
     std::vector<core::PvdCollection::Entry> entries;
     for (std::size_t i = 0; i < synced_; ++i) entries.push_back({output_times_[i], piece(body, i)});
     collections_.emplace_back(directory + '/' + body_file(scene, body) + ".pvd");
-    collections_.back().set(std::move(entries));
+    collections_.back().set(entries);
   }
 }
 
@@ -119,12 +120,25 @@ void ResultFiles::fields(const State& state, const std::vector<core::InterfacePo
     collections_[body].add(state.time, piece(body, output_times_.size()));
   interface_.append(interface_lines(scene_, state, interface));
   output_times_.push_back(state.time);
+  const bool busy = syncing_.valid() && syncing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  if (busy) return;
+  if (syncing_.valid()) syncing_.get();
+  start_sync();
+}
+
+void ResultFiles::start_sync() {
+  std::vector<std::string> pieces;
+  for (; synced_ < output_times_.size(); ++synced_)
+    for (std::size_t body = 0; body <= scene_.tools.size(); ++body) pieces.push_back(directory_ + '/' + piece(body, synced_));
+  syncing_ = std::async(std::launch::async, [pieces] {
+    for (const std::string& path : pieces) core::sync_to_disk(path);
+  });
 }
 
 WrittenFiles ResultFiles::sync() {
-  for (; synced_ < output_times_.size(); ++synced_)
-    for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
-      core::sync_to_disk(directory_ + '/' + piece(body, synced_));
+  if (syncing_.valid()) syncing_.get();
+  start_sync();
+  syncing_.get();
   for (const auto* file : {&history_, &interface_}) core::sync_to_disk(file->path());
   return {history_.size(), interface_.size(), output_times_};
 }

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -38,13 +39,15 @@ class ResultFiles {
   /// Of an output's VTU file, in the result folder.
   std::string piece(std::size_t body, std::size_t output) const;
   void remove_pieces_from(std::size_t output) const;
+  void start_sync();
 
   const Scene& scene_;
   std::string directory_;
   core::GrowingFile history_, interface_;
   std::vector<core::PvdCollection> collections_;  ///< glass, then the tools
   std::vector<double> output_times_;
-  std::size_t synced_ = 0;  ///< outputs on the disk
+  std::size_t synced_ = 0;     ///< outputs on the disk or on their way
+  std::future<void> syncing_;  ///< brings the pieces of the last outputs to the disk while the run goes on
 };
 
 }  // namespace parison::forming

@@ -10,5 +10,7 @@ namespace parison::forming {
 /// nearest place in it.
 Eigen::MatrixXd sample(const core::Mesh& mesh, const Eigen::VectorXd& field, core::Index components,
                        const std::vector<core::Point>& points);
+/// The same for a scalar field at one point; much faster for one than the other for many.
+double sample(const core::Mesh& mesh, const Eigen::VectorXd& field, const core::Point& point);
 
 }  // namespace parison::forming
