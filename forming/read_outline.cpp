@@ -8,6 +8,7 @@
 
 #include "core/element.hpp"
 #include "forming/scene_reading.hpp"
+#include "forming/section.hpp"
 
 namespace parison::forming {
 namespace {
@@ -131,14 +132,25 @@ std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory
   return parts;
 }
 
+/// Points, an arc, or a stretch of a drawing after a point where it starts.
+std::vector<Segment> read_path_part(const CaseNode& node, const std::string& directory) {
+  if (node.kind != CaseNode::Kind::table) return parse_path(node);
+  std::vector<Segment> parts = read_section(node, directory);
+  if (parts.empty()) core::refuse(node, "the stretch of the drawing has no length, allowed are two different points");
+  parts.insert(parts.begin(), Segment{});
+  parts.front().end = parts[1].start;
+  return parts;
+}
+
 std::vector<Segment> read_path(const CaseTable& piece, const std::string& directory) {
   const auto *path = piece.find("path"), *csv = piece.find("csv");
   if (path && csv) core::refuse(*csv, "path and csv were found, allowed is one of them");
   if (csv) return read_csv(*csv, directory);
-  if (const auto& node = piece.get("path"); node.kind == CaseNode::Kind::text) return parse_path(node);
+  const auto& node = piece.get("path");
+  if (node.kind != CaseNode::Kind::list) return read_path_part(node, directory);
   std::vector<Segment> parts;
   for (const auto& item : core::list(*path))
-    for (const auto& part : parse_path(item)) parts.push_back(part);
+    for (const auto& part : read_path_part(item, directory)) parts.push_back(part);
   return parts;
 }
 
