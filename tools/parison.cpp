@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,9 @@ int run(const std::string& path, const std::string& accuracy, const Overrides& o
 int resume(const std::string& output, const std::string& path, bool error_bars) {
   using namespace parison::forming;
   const CaseOrigin origin = read_origin(find_checkpoint(output));
+  if (path.empty() && !std::filesystem::exists(origin.file))
+    throw parison::core::CaseError(
+        fmt::format("{}: its case \"{}\" is no longer there, allowed is --case with the place it has moved to", output, origin.file));
   const Scene scene = read_scene(path.empty() ? origin.file : path, origin.accuracy, origin.overrides);
   fmt::print("{} at {} accuracy, from the last checkpoint in {}\n", scene.name, scene.accuracy_name, output);
   std::fflush(stdout);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -159,6 +160,11 @@ TEST(InterfaceRows, TheyRunAlongTheContactWithBothTemperaturesAndTheFlux) {
     EXPECT_NEAR(std::stod(fields[10]), 2000 * 600, 2);
   }
   EXPECT_GT(last, 19);
+  const core::Mesh& glass = state.bodies[0].mesh;
+  const auto on_plate = std::count_if(glass.boundary.begin(), glass.boundary.end(),
+                                      [&](const core::BoundaryEdge& edge) { return std::abs(glass.nodes[edge.nodes[2]][1]) < 1e-9; });
+  EXPECT_GT(static_cast<long>(lines.size()), 2 * on_plate);
+  EXPECT_LE(static_cast<long>(lines.size()), 4 * on_plate);
 }
 
 TEST(ThicknessProfile, AShellHasItsThicknessAndItsOuterAreaEverywhere) {
