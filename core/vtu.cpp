@@ -32,8 +32,10 @@ class Arrays {
     const std::size_t offset = data_.size();
     data_.append(reinterpret_cast<const char*>(&size), sizeof size);
     data_.append(reinterpret_cast<const char*>(values.data()), size);
-    return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" NumberOfTuples=\"{}\" format=\"appended\" "
-                       "offset=\"{}\"/>\n", type, name, components, values.size() / components, offset);
+    return fmt::format(
+        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" NumberOfTuples=\"{}\" format=\"appended\" "
+        "offset=\"{}\"/>\n",
+        type, name, components, values.size() / components, offset);
   }
   const std::string& data() const { return data_; }
 

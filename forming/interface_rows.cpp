@@ -23,7 +23,9 @@ double value_at(const Eigen::VectorXd& nodal, const std::array<Index, 3>& nodes,
 }
 
 /// Where a point lies on its glass edge, 0 to 1.
-double share_of_edge(const core::InterfacePoint& point) { return point.slave_shape[1] + 0.5 * point.slave_shape[2]; }
+double share_of_edge(const core::InterfacePoint& point) {
+  return point.slave_shape[1] + 0.5 * point.slave_shape[2];
+}
 
 /// Arc length of interface points from the start of the glass surface.
 class ArcOfPoints {
@@ -54,7 +56,8 @@ bool same_row(const core::InterfacePoint& a, const core::InterfacePoint& b) {
 }
 
 /// Values have the digits of single precision.
-void add_line(const Scene& scene, const State& state, const core::InterfacePoint& point, double arc, fmt::memory_buffer& lines) {
+void add_line(const Scene& scene, const State& state, const core::InterfacePoint& point, double arc,
+              fmt::memory_buffer& lines) {
   const double glass = value_at(state.bodies[0].temperature, point.slave_nodes, point.slave_shape);
   const double tool = value_at(state.bodies.at(point.master_body).temperature, point.master_nodes, point.master_shape);
   long table_holds = 0;

@@ -109,7 +109,9 @@ void ResultFiles::remove_pieces_from(std::size_t output) const {
   }
 }
 
-void ResultFiles::row(const HistoryRow& row) { history_.append(history_line(row)); }
+void ResultFiles::row(const HistoryRow& row) {
+  history_.append(history_line(row));
+}
 
 void ResultFiles::fields(const State& state, const std::vector<core::InterfacePoint>& interface) {
   if (!output_times_.empty() && state.time == output_times_.back()) return;
@@ -129,7 +131,8 @@ void ResultFiles::fields(const State& state, const std::vector<core::InterfacePo
 void ResultFiles::start_sync() {
   std::vector<std::string> pieces;
   for (; synced_ < output_times_.size(); ++synced_)
-    for (std::size_t body = 0; body <= scene_.tools.size(); ++body) pieces.push_back(directory_ + '/' + piece(body, synced_));
+    for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
+      pieces.push_back(directory_ + '/' + piece(body, synced_));
   syncing_ = std::async(std::launch::async, [pieces] {
     for (const std::string& path : pieces) core::sync_to_disk(path);
   });

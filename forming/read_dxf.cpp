@@ -50,7 +50,8 @@ std::vector<Group> read_groups(const CaseNode& file, const std::string& path) {
     const std::string number = trimmed(code);
     const long found = std::strtol(number.c_str(), &end, 10);
     if (number.empty() || *end != '\0')
-      refuse_line(file, path, line, fmt::format("\"{}\" was found, allowed is a group code of an ASCII DXF file", number.substr(0, 40)));
+      refuse_line(file, path, line,
+                  fmt::format("\"{}\" was found, allowed is a group code of an ASCII DXF file", number.substr(0, 40)));
     groups.push_back({static_cast<int>(found), trimmed(value), line + 1});
   }
   return groups;
@@ -64,8 +65,10 @@ std::vector<Entity> read_entities(const CaseNode& file, const std::string& path)
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const Group& group = groups[i];
     if (group.code == 0 && group.value == "ENDSEC") inside = false;
-    if (inside && group.code == 0) entities.push_back({group.value, {}, group.line});
-    else if (inside && !entities.empty()) entities.back().groups.push_back(group);
+    if (inside && group.code == 0)
+      entities.push_back({group.value, {}, group.line});
+    else if (inside && !entities.empty())
+      entities.back().groups.push_back(group);
     if (group.code == 2 && group.value == "ENTITIES" && i > 0 && groups[i - 1].value == "SECTION") inside = true;
   }
   return entities;
@@ -77,17 +80,28 @@ class DxfCurves {
   DxfCurves(const CaseNode& file, std::string path, double unit) : file_(file), path_(std::move(path)), unit_(unit) {}
 
   void add(const Entity& entity) {
-    if (number(entity, 230, 1) < 0) refuse(entity, fmt::format("a {} drawn on the back of its plane was found, allowed is the front", entity.kind));
-    if (entity.kind == "LINE") add_line(point(entity, 10, 20), point(entity, 11, 21));
-    else if (entity.kind == "ARC") add_arc(entity, number(entity, 50), number(entity, 51));
-    else if (entity.kind == "CIRCLE") add_arc(entity, 0, 180), add_arc(entity, 180, 360);
-    else if (entity.kind == "LWPOLYLINE") begin_polyline(entity), add_light_vertices(entity), end_polyline();
-    else if (entity.kind == "POLYLINE") begin_polyline(entity);
-    else if (entity.kind == "VERTEX") add_vertex(point(entity, 10, 20), number(entity, 42, 0));
-    else if (entity.kind == "SEQEND") end_polyline();
+    if (number(entity, 230, 1) < 0)
+      refuse(entity, fmt::format("a {} drawn on the back of its plane was found, allowed is the front", entity.kind));
+    if (entity.kind == "LINE")
+      add_line(point(entity, 10, 20), point(entity, 11, 21));
+    else if (entity.kind == "ARC")
+      add_arc(entity, number(entity, 50), number(entity, 51));
+    else if (entity.kind == "CIRCLE")
+      add_arc(entity, 0, 180), add_arc(entity, 180, 360);
+    else if (entity.kind == "LWPOLYLINE")
+      begin_polyline(entity), add_light_vertices(entity), end_polyline();
+    else if (entity.kind == "POLYLINE")
+      begin_polyline(entity);
+    else if (entity.kind == "VERTEX")
+      add_vertex(point(entity, 10, 20), number(entity, 42, 0));
+    else if (entity.kind == "SEQEND")
+      end_polyline();
     else
-      refuse(entity, fmt::format("a {} was found, allowed are LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE (explode or convert it "
-                                 "in the CAD program, or choose a layer without it)", entity.kind));
+      refuse(
+          entity,
+          fmt::format("a {} was found, allowed are LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE (explode or convert it "
+                      "in the CAD program, or choose a layer without it)",
+                      entity.kind));
   }
   std::vector<Segment> curves;
 
@@ -107,7 +121,8 @@ class DxfCurves {
   double number(const Entity& entity, int code, double otherwise = std::nan("")) const {
     for (const Group& group : entity.groups)
       if (group.code == code) return value_of(group);
-    if (std::isnan(otherwise)) refuse(entity, fmt::format("a {} without group {} was found, allowed is one with it", entity.kind, code));
+    if (std::isnan(otherwise))
+      refuse(entity, fmt::format("a {} without group {} was found, allowed is one with it", entity.kind, code));
     return otherwise;
   }
 
@@ -126,7 +141,8 @@ class DxfCurves {
     arc.is_arc = true;
     arc.centre = point(entity, 10, 20);
     arc.radius = unit_ * number(entity, 40);
-    if (!(arc.radius > 0)) refuse(entity, fmt::format("an {} without a radius was found, allowed are radii above zero", entity.kind));
+    if (!(arc.radius > 0))
+      refuse(entity, fmt::format("an {} without a radius was found, allowed are radii above zero", entity.kind));
     arc.from = from * M_PI / 180;
     arc.to = (to > from ? to : to + 360) * M_PI / 180;
     arc.start = arc.centre + arc.radius * Point(std::cos(arc.from), std::sin(arc.from));
@@ -152,7 +168,9 @@ class DxfCurves {
 
   void begin_polyline(const Entity& entity) {
     const int flags = static_cast<int>(number(entity, 70, 0));
-    if ((flags & ~(1 | 128)) != 0) refuse(entity, fmt::format("a {} that is fitted or in space was found, allowed is a plane one of lines and arcs", entity.kind));
+    if ((flags & ~(1 | 128)) != 0)
+      refuse(entity, fmt::format("a {} that is fitted or in space was found, allowed is a plane one of lines and arcs",
+                                 entity.kind));
     closed_ = (flags & 1) != 0;
     vertices_.clear();
   }
@@ -169,7 +187,8 @@ class DxfCurves {
   }
 
   void end_polyline() {
-    for (std::size_t i = 1; i < vertices_.size(); ++i) add_bulge(vertices_[i - 1].x, vertices_[i].x, vertices_[i - 1].bulge);
+    for (std::size_t i = 1; i < vertices_.size(); ++i)
+      add_bulge(vertices_[i - 1].x, vertices_[i].x, vertices_[i - 1].bulge);
     if (closed_ && vertices_.size() > 1) add_bulge(vertices_.back().x, vertices_.front().x, vertices_.back().bulge);
     vertices_.clear();
   }
@@ -187,7 +206,8 @@ class DxfCurves {
 
 /// What a drawing says beside its curves, and what belongs to the paper.
 bool is_annotation(const Entity& entity) {
-  static const std::vector<std::string> kinds{"TEXT", "MTEXT", "DIMENSION", "LEADER", "MULTILEADER", "POINT", "VIEWPORT", "HATCH", "TOLERANCE"};
+  static const std::vector<std::string> kinds{"TEXT",  "MTEXT",    "DIMENSION", "LEADER",   "MULTILEADER",
+                                              "POINT", "VIEWPORT", "HATCH",     "TOLERANCE"};
   const auto on_paper = [](const Group& group) { return group.code == 67 && group.value == "1"; };
   return std::find(kinds.begin(), kinds.end(), entity.kind) != kinds.end() ||
          std::any_of(entity.groups.begin(), entity.groups.end(), on_paper);

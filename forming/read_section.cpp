@@ -21,13 +21,21 @@ using Chain = std::vector<Segment>;
 
 constexpr double on_drawing = 1e-5;  // a point of the case may lie so far off the curves, m
 
-bool meet(const Point& a, const Point& b) { return (a - b).norm() <= section_joined; }
+bool meet(const Point& a, const Point& b) {
+  return (a - b).norm() <= section_joined;
+}
 
-Chain turned(const Chain& chain) { return core::reversed({chain, {}}).segments; }
+Chain turned(const Chain& chain) {
+  return core::reversed({chain, {}}).segments;
+}
 
-std::string in_mm(const Point& x) { return fmt::format("({:.6g}, {:.6g}) mm", 1e3 * x[0], 1e3 * x[1]); }
+std::string in_mm(const Point& x) {
+  return fmt::format("({:.6g}, {:.6g}) mm", 1e3 * x[0], 1e3 * x[1]);
+}
 
-bool is_closed(const Chain& chain) { return chain.size() > 1 && meet(chain.front().start, chain.back().end); }
+bool is_closed(const Chain& chain) {
+  return chain.size() > 1 && meet(chain.front().start, chain.back().end);
+}
 
 /// Moves the curves that follow the chain's end, one after the other, from `left` to it.
 void extend(const CaseNode& file, Chain& chain, Chain& left) {
@@ -37,7 +45,9 @@ void extend(const CaseNode& file, Chain& chain, Chain& left) {
     const auto next = std::find_if(left.begin(), left.end(), follows);
     if (next == left.end()) return;
     if (std::count_if(left.begin(), left.end(), follows) > 1)
-      core::refuse(file, fmt::format("more than two curves of the drawing meet at {}, allowed is one outline without branches", in_mm(end)));
+      core::refuse(
+          file, fmt::format("more than two curves of the drawing meet at {}, allowed is one outline without branches",
+                            in_mm(end)));
     chain.push_back(meet(next->start, end) ? *next : turned({*next})[0]);
     left.erase(next);
   }
@@ -54,10 +64,15 @@ void extend(const CaseNode& file, Chain& chain, Chain& left) {
         for (const Point& end : {chain.front().start, chain.back().end})
           if ((x - end).norm() < nearest) nearest = (x - end).norm(), where = end;
   if (nearest < a_gap)
-    core::refuse(file, fmt::format("the curves of the drawing leave a gap of {:.3g} mm at {}, allowed are ends that meet to 1e-4 mm",
-                                   1e3 * nearest, in_mm(where)));
-  core::refuse(file, fmt::format("several outlines were found in the drawing, one with {} curves and {} curves beside it, allowed is "
-                                 "one (a layer chooses among those of a DXF file)", chain.size(), left.size()));
+    core::refuse(
+        file,
+        fmt::format("the curves of the drawing leave a gap of {:.3g} mm at {}, allowed are ends that meet to 1e-4 mm",
+                    1e3 * nearest, in_mm(where)));
+  core::refuse(
+      file,
+      fmt::format("several outlines were found in the drawing, one with {} curves and {} curves beside it, allowed is "
+                  "one (a layer chooses among those of a DXF file)",
+                  chain.size(), left.size()));
 }
 
 /// A place on a chain: the number of the segment and how far along it, as one number.
@@ -71,7 +86,8 @@ double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
     if (distance < best) best = distance, place = static_cast<double>(i) + t;
   }
   if (best > 2 * on_drawing)
-    core::refuse(node, fmt::format("{} lies {:.3g} mm off the drawing, allowed are points on it", in_mm(x), 1e3 * best));
+    core::refuse(node,
+                 fmt::format("{} lies {:.3g} mm off the drawing, allowed are points on it", in_mm(x), 1e3 * best));
   return place;
 }
 
@@ -114,7 +130,10 @@ Chain read_drawing(const CaseTable& table, const std::string& directory) {
     core::refuse(file, fmt::format("\"{}\" was found, allowed are drawings named .step, .stp or .dxf", file.text));
   if (is_step) {
     for (const char* key : {"unit", "layer"})
-      if (const auto* node = table.find(key)) core::refuse(*node, fmt::format("a {} was found, allowed is it for DXF files; a STEP file has its own unit and no layers", key));
+      if (const auto* node = table.find(key))
+        core::refuse(
+            *node, fmt::format(
+                       "a {} was found, allowed is it for DXF files; a STEP file has its own unit and no layers", key));
     return read_step(file, path.string());
   }
   const auto unit = core::parse_quantity("1 " + core::text(table.get("unit")), core::dimension::length);
@@ -122,8 +141,9 @@ Chain read_drawing(const CaseTable& table, const std::string& directory) {
   const auto* layer = table.find("layer");
   auto curves = read_dxf(file, path.string(), layer ? core::text(*layer) : "", unit.value);
   if (curves.empty())
-    core::refuse(layer ? *layer : file, fmt::format("no lines or arcs were found in \"{}\", allowed is a DXF file with some{}", path.string(),
-                                                    layer ? " on this layer" : ""));
+    core::refuse(layer ? *layer : file,
+                 fmt::format("no lines or arcs were found in \"{}\", allowed is a DXF file with some{}", path.string(),
+                             layer ? " on this layer" : ""));
   return curves;
 }
 
@@ -148,11 +168,15 @@ std::vector<Segment> read_section(const CaseNode& node, const std::string& direc
   if (via && !is_closed(curves)) core::refuse(*via, "a via was found, allowed is it where the drawn outline is closed");
   if (!last && is_closed(curves)) return stretch(curves, from, from + count);
   if (!last && from != 0 && from != count)
-    core::refuse(first, fmt::format("{} is no end of the drawn line, allowed are its ends, or a \"to\" beside it", first.text));
+    core::refuse(
+        first, fmt::format("{} is no end of the drawn line, allowed are its ends, or a \"to\" beside it", first.text));
   double to = last ? place_on(*last, curves, read_point(*last)) : count - from;
-  if (!is_closed(curves)) return to > from ? stretch(curves, from, to) : stretch(turned(curves), count - from, count - to);
+  if (!is_closed(curves))
+    return to > from ? stretch(curves, from, to) : stretch(turned(curves), count - from, count - to);
   if (!via)
-    core::refuse(*last, "a closed outline has two ways to this point, allowed is a \"via\" beside it: a point on the stretch between the two");
+    core::refuse(*last,
+                 "a closed outline has two ways to this point, allowed is a \"via\" beside it: a point on the stretch "
+                 "between the two");
   double between = place_on(*via, curves, read_point(*via));
   if (to <= from) to += count;
   if (between < from) between += count;

@@ -47,16 +47,21 @@ std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
   gmsh::model::occ::importShapes(path, found, false, "step");
   gmsh::model::occ::synchronize();
   gmsh::model::getEntities(found, 3);
-  if (!found.empty()) core::refuse(file, fmt::format("\"{}\" holds a solid, allowed is a section: curves or a plane face", path));
+  if (!found.empty())
+    core::refuse(file, fmt::format("\"{}\" holds a solid, allowed is a section: curves or a plane face", path));
   gmsh::model::getEntities(found, 1);
-  if (found.empty()) core::refuse(file, fmt::format("no curves were found in \"{}\", allowed is a STEP file with a section", path));
+  if (found.empty())
+    core::refuse(file, fmt::format("no curves were found in \"{}\", allowed is a STEP file with a section", path));
   std::vector<Curve> curves;
   for (const auto& [dimension, tag] : found) {
     std::string kind;
     gmsh::model::getType(dimension, tag, kind);
     if (kind != "Line" && kind != "Circle")
-      core::refuse(file, fmt::format("\"{}\" holds a curve of the kind {}, allowed are lines and circular arcs (convert it in the CAD "
-                                     "program, or give its points as CSV)", path, kind));
+      core::refuse(
+          file,
+          fmt::format("\"{}\" holds a curve of the kind {}, allowed are lines and circular arcs (convert it in the CAD "
+                      "program, or give its points as CSV)",
+                      path, kind));
     add_curve(tag, kind == "Circle", curves);
   }
   return curves;
@@ -71,7 +76,9 @@ std::array<int, 2> find_plane(const CaseNode& file, const std::string& path, con
   if (away[2] < section_joined) return {0, 1};
   if (away[1] < section_joined) return {0, 2};
   if (away[0] < section_joined) return {1, 2};
-  core::refuse(file, fmt::format("the curves of \"{}\" lie in no coordinate plane, allowed are x and y, x and z, or y and z", path));
+  core::refuse(
+      file,
+      fmt::format("the curves of \"{}\" lie in no coordinate plane, allowed are x and y, x and z, or y and z", path));
 }
 
 Segment arc_through(const Point& start, const Point& mid, const Point& end) {
@@ -81,7 +88,9 @@ Segment arc_through(const Point& start, const Point& mid, const Point& end) {
   arc.is_arc = true;
   arc.start = start;
   arc.end = end;
-  arc.centre = start + Point(b[1] * a.squaredNorm() - a[1] * b.squaredNorm(), a[0] * b.squaredNorm() - b[0] * a.squaredNorm()) / (2 * turn);
+  arc.centre =
+      start + Point(b[1] * a.squaredNorm() - a[1] * b.squaredNorm(), a[0] * b.squaredNorm() - b[0] * a.squaredNorm()) /
+                  (2 * turn);
   arc.radius = (start - arc.centre).norm();
   arc.from = std::atan2(start[1] - arc.centre[1], start[0] - arc.centre[0]);
   arc.to = std::atan2(end[1] - arc.centre[1], end[0] - arc.centre[0]);
@@ -106,7 +115,10 @@ std::vector<Segment> read_step(const CaseNode& file, const std::string& path) {
   if (!std::filesystem::is_regular_file(path))
     core::refuse(file, fmt::format("no file \"{}\", allowed is a drawing beside the case file", path));
   if (core::read_text(path).rfind("ISO-10303-21", 0) != 0)
-    core::refuse(file, fmt::format("\"{}\" is no STEP file (its first line does not say ISO-10303-21), allowed is one with a section", path));
+    core::refuse(
+        file,
+        fmt::format("\"{}\" is no STEP file (its first line does not say ISO-10303-21), allowed is one with a section",
+                    path));
   const GmshModel model;
   const auto curves = read_curves(file, path);
   const auto [first, second] = find_plane(file, path, curves);

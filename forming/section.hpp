@@ -13,7 +13,8 @@ namespace parison::forming {
 inline constexpr double section_joined = 1e-7;
 
 /// The curves of a DXF file in the order of the file, m; `layer` empty for all layers, `unit` of a drawing unit in m.
-std::vector<core::Segment> read_dxf(const core::CaseNode& file, const std::string& path, const std::string& layer, double unit);
+std::vector<core::Segment> read_dxf(const core::CaseNode& file, const std::string& path, const std::string& layer,
+                                    double unit);
 
 /// The curves of a section in a STEP file, m; it lies in a coordinate plane.
 std::vector<core::Segment> read_step(const core::CaseNode& file, const std::string& path);
