@@ -37,33 +37,28 @@ struct RuleShape {
   double weight;
 };
 
-const std::vector<RuleShape>& rule_shapes() {
-  static const std::vector<RuleShape> shapes = [] {
-    std::vector<RuleShape> made;
-    for (const TriangleRulePoint& at : triangle_rule(6))
-      made.push_back({triangle_shape(at.a, at.b), triangle_shape_derivative(at.a, at.b), at.weight});
-    return made;
-  }();
-  return shapes;
+std::vector<RuleShape> rule_shapes(int degree) {
+  std::vector<RuleShape> made;
+  for (const TriangleRulePoint& at : triangle_rule(degree))
+    made.push_back({triangle_shape(at.a, at.b), triangle_shape_derivative(at.a, at.b), at.weight});
+  return made;
 }
 
-/// Volume of a cell and integral of a field over it.
-std::array<double, 2> integrate(const std::array<Point, 6>& x, const std::array<double, 6>& value, Geometry geometry) {
-  std::array<double, 2> sum{};
-  for (const RuleShape& at : rule_shapes()) {
-    Point position = Point::Zero(), along_a = Point::Zero(), along_b = Point::Zero();
-    double field = 0;
-    for (int k = 0; k < 6; ++k) {
-      position += at.shape[k] * x[k];
-      along_a += at.derivative[k][0] * x[k];
-      along_b += at.derivative[k][1] * x[k];
-      field += at.shape[k] * value[k];
-    }
-    const double volume = at.weight * (along_a[0] * along_b[1] - along_b[0] * along_a[1]) * depth(geometry, position);
-    sum[0] += volume;
-    sum[1] += volume * field;
+/// Weight times measure of a point of the rule in a cell with these nodes.
+double measure(const RuleShape& at, const std::array<Point, 6>& x, Geometry geometry) {
+  Point position = Point::Zero(), along_a = Point::Zero(), along_b = Point::Zero();
+  for (int k = 0; k < 6; ++k) {
+    position += at.shape[k] * x[k];
+    along_a += at.derivative[k][0] * x[k];
+    along_b += at.derivative[k][1] * x[k];
   }
-  return sum;
+  return at.weight * (along_a[0] * along_b[1] - along_b[0] * along_a[1]) * depth(geometry, position);
+}
+
+std::array<Point, 6> nodes_of(const Mesh& mesh, const std::array<Index, 6>& cell) {
+  std::array<Point, 6> x;
+  for (int k = 0; k < 6; ++k) x[k] = mesh.nodes[cell[k]];
+  return x;
 }
 
 }  // namespace
@@ -134,15 +129,18 @@ double volume(const Mesh& mesh, Geometry geometry) {
 }
 
 double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal) {
+  static const std::vector<RuleShape> rule = rule_shapes(6);
   const double base = nodal[0];  // a uniform field has its own value as the mean
   double content = 0, volume = 0;
-  std::array<Point, 6> x;
-  std::array<double, 6> value;
   for (const auto& cell : mesh.cells) {
-    for (int k = 0; k < 6; ++k) x[k] = mesh.nodes[cell[k]], value[k] = nodal[cell[k]] - base;
-    const auto [part, integral] = integrate(x, value, geometry);
-    volume += part;
-    content += integral;
+    const std::array<Point, 6> x = nodes_of(mesh, cell);
+    for (const RuleShape& at : rule) {
+      const double part = measure(at, x, geometry);
+      double value = 0;
+      for (int k = 0; k < 6; ++k) value += at.shape[k] * (nodal[cell[k]] - base);
+      content += part * value;
+      volume += part;
+    }
   }
   return base + content / volume;
 }
