@@ -112,6 +112,28 @@ struct Bits {
   Bits part(const std::string&) { return *this; }
 };
 
+/// The names of what it visits, in order.
+struct Names {
+  std::string& names;
+  template <typename Value>
+  void operator()(const char* name, const Value&) {
+    names += fmt::format("{}\n", name);
+  }
+  Names part(const std::string& name) {
+    names += name + '/';
+    return *this;
+  }
+};
+
+/// Hash of the list of all values of a state: another list is another layout of the file.
+std::int64_t state_layout() {
+  State state;
+  state.bodies.resize(1);
+  std::string names;
+  visit_state(Names{names}, state);
+  return static_cast<std::int64_t>(core::fingerprint(names));
+}
+
 template <typename Visitor, typename Facts>
 void visit_facts(Visitor visit, Facts& facts) {
   visit("wall_seconds", facts.wall_seconds);
@@ -142,6 +164,9 @@ void require_version(const std::string& path, const Hdf5Group& file) {
   if (version != format_version)
     throw core::CaseError(fmt::format("{}: a checkpoint of version {} was found, allowed is version {}", path, version,
                                       format_version));
+  if (!file.has("layout") || file.read_integer("layout") != state_layout())
+    throw core::CaseError(fmt::format(
+        "{}: a checkpoint whose state holds other values was found, allowed is one of this version of the program", path));
 }
 
 void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
@@ -168,6 +193,7 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
   const std::string made = directory + "/checkpoint_new.h5", last = last_path(directory);
   core::write_hdf5(made, [&](core::Hdf5Group& file) {
     file.write("version", format_version);
+    file.write("layout", state_layout());
     file.write("case", scene.name);
     file.write("case_file", std::filesystem::absolute(scene.file).string());
     file.write("accuracy", scene.accuracy_name);

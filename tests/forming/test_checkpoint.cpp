@@ -209,8 +209,17 @@ TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
   fine.accuracy_name = "fine";
   EXPECT_EQ(complaint_of_reading(path, fine),
             path + ": a checkpoint at draft accuracy was found, allowed is one at fine accuracy");
+  const std::string kept = path + ".kept";
+  std::filesystem::copy_file(path, kept);
   core::write_hdf5(path, [](core::Hdf5Group& file) { file.write("version", std::int64_t{99}); });
   EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 4");
+  const std::int64_t version = core::open_hdf5(kept).read_integer("version");
+  core::write_hdf5(path, [&](core::Hdf5Group& file) {
+    file.write("version", version);
+    file.write("layout", core::open_hdf5(kept).read_integer("layout") + 1);
+  });
+  EXPECT_EQ(complaint_of_reading(path, scene),
+            path + ": a checkpoint whose state holds other values was found, allowed is one of this version of the program");
 }
 
 TEST(Checkpoint, TheCaseSaysHowOftenTheyAreWritten) {
