@@ -127,6 +127,20 @@ void Cholesky::analyse(const SymmetricMatrix& matrix) {
   common.supernodal = chosen;
 }
 
+void Cholesky::analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
+  auto& common = data_->common;
+  data_->upper = true;
+  data_->permuted = permute(matrix, order.data(), true);
+  cholmod_free_factor(&data_->factor, &common);
+  common.method[0].ordering = CHOLMOD_NATURAL;
+  common.postorder = 0;
+  const int chosen = std::exchange(common.supernodal, CHOLMOD_SIMPLICIAL);
+  cholmod_sparse sparse = view(data_->permuted, 1);
+  data_->factor = cholmod_analyze(&sparse, &common);
+  common.supernodal = chosen;
+  if (!data_->factor) throw std::bad_alloc();
+}
+
 bool Cholesky::factorise(const SymmetricMatrix& matrix) {
   assert(data_->factor);
   auto& permuted = data_->permuted;

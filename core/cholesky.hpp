@@ -19,6 +19,8 @@ class Cholesky {
 
   /// Symbolic analysis (AMD).
   void analyse(const SymmetricMatrix& matrix);
+  /// The same with a given order of elimination; the factor is simplicial.
+  void analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order);
   /// Numeric factorisation; false when the matrix is not positive definite, or a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;

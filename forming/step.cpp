@@ -286,7 +286,7 @@ bool pass_once(const Scene& scene, const State& state, Middle& foretold, double 
 }  // namespace
 
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
-  workspace.heat = {};  // its factor and its pattern come from earlier steps
+  workspace.heat.factored_step = 0;  // its factor comes from earlier steps
   workspace.table_holds = state.totals.table_holds;
   StepResult result;
   Middle foretold;

@@ -13,7 +13,7 @@ namespace parison::forming {
 /// here, but for `standing`: no checkpoint is written while that is in use.
 struct Workspace {
   std::optional<flow::Solver> flow;  ///< pattern and its analysis, until the glass mesh is renewed
-  thermal::StepMatrix heat;          ///< within one step
+  thermal::StepMatrix heat;          ///< pattern and its analysis from step to step, the factor within one
   /// Heat of a stage in which nothing moves: the integrator with what it looks at, and its start.
   struct Standing {
     std::vector<core::Mesh> meshes;

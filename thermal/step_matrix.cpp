@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "thermal/elimination.hpp"
 #include "thermal/linearise.hpp"
 #include "thermal/shapes.hpp"
 
@@ -67,10 +68,13 @@ void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Inde
 
 void prepare(StepMatrix& matrix, const HeatSystem& system) {
   std::vector<Index> topology = list_topology(system);
+  const auto& segments = system.interface.segments;
+  std::vector<Index> contacts;
+  for (const HeatSegment& segment : segments)
+    contacts.insert(contacts.end(), segment.unknowns.begin(), segment.unknowns.end());
   if (system.is_prescribed != matrix.is_prescribed) matrix.factored_step = 0;
   matrix.is_prescribed = system.is_prescribed;
-  const auto& segments = system.interface.segments;
-  if (topology == matrix.topology && find_cliques(matrix, segments)) return;
+  if (topology == matrix.topology && contacts == matrix.contact_topology) return;
   core::Cliques cliques;
   const Index per_cell = cell_unknowns(system);
   const std::size_t in_cells = per_cell * system.cells.size();
@@ -82,8 +86,9 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
       cliques.add(segment.unknowns.data(), 6);
   find_cliques(matrix, segments);
   matrix.assembly = core::make_assembly(system.size(), cliques);
-  matrix.cholesky.analyse(matrix.assembly.matrix);
+  matrix.cholesky.analyse(matrix.assembly.matrix, elimination_order(system, segments));
   matrix.topology = std::move(topology);
+  matrix.contact_topology = std::move(contacts);
   matrix.factored_step = 0;
 }
 

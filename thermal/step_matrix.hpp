@@ -17,7 +17,8 @@ using ContactKey = std::array<Index, 4>;
 /// positive: a conductance that rises with the slave's temperature, in the slave's own block. Newton with it is a
 /// modified Newton; solve_stage has the full derivative.
 struct StepMatrix {
-  std::vector<Index> topology;  ///< unknowns of all cells and boundary edges
+  std::vector<Index> topology;          ///< unknowns of all cells and boundary edges
+  std::vector<Index> contact_topology;  ///< unknowns of the interface's segments
   std::map<ContactKey, Index> contact_clique;
   std::vector<Index> segment_clique;  ///< of each segment of the interface
   std::vector<char> is_prescribed;
@@ -31,8 +32,8 @@ struct StepMatrix {
 /// Adds a dense symmetric matrix, row-major count x count, without the rows and columns of prescribed unknowns.
 void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Index count, const Index* unknowns,
                 double* local);
-/// Makes pattern and analysis anew where the cells changed or new edges face each other; drops the factor then, and
-/// where other unknowns are prescribed.
+/// Makes pattern and analysis anew where the cells changed or other edges face each other, so that they are a function
+/// of the system alone; drops the factor then, and where other unknowns are prescribed.
 void prepare(StepMatrix& matrix, const HeatSystem& system);
 /// Assembles and factorises at a temperature; false when the matrix is not positive definite.
 [[nodiscard]] bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature,
