@@ -41,11 +41,6 @@ struct History {
   }
 };
 
-Eigen::VectorXd residual(const HeatSystem& system, const StageEquation& equation, const Response& response) {
-  Eigen::VectorXd r = response.content - equation.step * response.power - equation.target;
-  for (const auto& [unknown, value] : system.prescribed) r[unknown] = 0;
-  return r;
-}
 
 /// Newton's update with the full derivative, slopes of conductivity and conductance included: GMRES, with the factor as
 /// preconditioner and its update `plain` as the right hand side.
@@ -69,13 +64,19 @@ struct Iterate {
   double scaled = 0;         ///< residual over the matrix's diagonal, largest, K
 };
 
+void set_residual(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
+                  const Eigen::VectorXd& content, const Eigen::VectorXd& power, Iterate& at) {
+  at.residual = content - equation.step * power - equation.target;
+  for (const auto& [unknown, value] : system.prescribed) at.residual[unknown] = 0;
+  at.scaled = at.residual.cwiseQuotient(matrix.diagonal).lpNorm<Eigen::Infinity>();
+  if (!at.residual.allFinite()) at.scaled = std::numeric_limits<double>::quiet_NaN();
+}
+
 void move_to(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
              Eigen::VectorXd temperature, Iterate& at) {
   at.stage.temperature = std::move(temperature);
   at.stage.response = evaluate(system, at.stage.temperature);
-  at.residual = residual(system, equation, at.stage.response);
-  at.scaled = at.residual.cwiseQuotient(matrix.diagonal).lpNorm<Eigen::Infinity>();
-  if (!at.residual.allFinite()) at.scaled = std::numeric_limits<double>::quiet_NaN();
+  set_residual(system, matrix, equation, at.stage.response.content, at.stage.response.power, at);
 }
 
 /// Whether the residual fell so far since an update of `size` K that the error stands below the tolerance: it falls as
@@ -132,13 +133,15 @@ void solve_by_full_derivative(const HeatSystem& system, const StepMatrix& matrix
 }  // namespace
 
 StageSolution solve_stage(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
-                          const Eigen::VectorXd& guess, double tolerance) {
+                          const StageGuess& guess, double tolerance) {
   Iterate at;
-  move_to(system, matrix, equation, guess, at);
+  at.stage.temperature = guess.temperature;
+  set_residual(system, matrix, equation, guess.content, guess.power, at);
+  if (!(at.scaled > 0)) move_to(system, matrix, equation, guess.temperature, at);
   at.stage.converged = at.scaled == 0;
   if (at.stage.converged || !std::isfinite(at.scaled)) return std::move(at.stage);
   if (solve_by_factor(system, matrix, equation, tolerance, at)) return std::move(at.stage);
-  if (!std::isfinite(at.scaled)) move_to(system, matrix, equation, guess, at);
+  if (!std::isfinite(at.scaled)) move_to(system, matrix, equation, guess.temperature, at);
   solve_by_full_derivative(system, matrix, equation, tolerance, at);
   return std::move(at.stage);
 }

@@ -10,6 +10,11 @@ struct StageEquation {
   Eigen::VectorXd target;  ///< J
 };
 
+/// Where the solution of a stage starts: content and power there may be extrapolated like the temperature.
+struct StageGuess {
+  Eigen::VectorXd temperature, content, power;
+};
+
 struct StageSolution {
   bool converged = false;
   Eigen::VectorXd temperature;
@@ -21,6 +26,6 @@ struct StageSolution {
 /// Modified Newton with the matrix's present factor, accelerated by Anderson's method; where that contracts slowly,
 /// Newton's method with the full derivative. Ends when the residual stands for less than `tolerance` K at every node.
 StageSolution solve_stage(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
-                          const Eigen::VectorXd& guess, double tolerance);
+                          const StageGuess& guess, double tolerance);
 
 }  // namespace parison::thermal

@@ -35,18 +35,34 @@ struct Moment {
   Eigen::VectorXd content;  ///< J
 };
 
+/// Change with time over the last part of a substep, per second.
+struct Slope {
+  Eigen::VectorXd temperature, content, power;
+};
+
 struct Attempt {
   bool solved = false;
   double error = 0;  ///< K
   Response middle;
   Moment end;
-  Eigen::VectorXd slope;  ///< K/s over the last part
+  Slope slope;
 };
 
+Slope slope_between(const Eigen::VectorXd& first, const Response& before, const Eigen::VectorXd& second,
+                    const Response& after, double duration) {
+  return {(second - first) / duration, (after.content - before.content) / duration,
+          (after.power - before.power) / duration};
+}
+
+StageGuess extrapolate(const Moment& start, const Slope& slope, double duration) {
+  return {start.temperature + duration * slope.temperature, start.response.content + duration * slope.content,
+          start.response.power + duration * slope.power};
+}
+
 /// Solves a stage with the factor at hand, or with a new one where that does not serve.
-StageSolution solve(Run& run, const StageEquation& equation, const Eigen::VectorXd& guess) {
+StageSolution solve(Run& run, const StageEquation& equation, const StageGuess& guess) {
   bool fresh = false;
-  const auto renew = [&] { return fresh = factorise(run.matrix, run.system, guess, equation.step); };
+  const auto renew = [&] { return fresh = factorise(run.matrix, run.system, guess.temperature, equation.step); };
   if (!(std::abs(run.matrix.factored_step / equation.step - 1) <= reuse_band) && !renew()) return {};
   StageSolution solution = solve_stage(run.system, run.matrix, equation, guess, run.options.newton_tolerance);
   run.solves += solution.solves;
@@ -57,15 +73,16 @@ StageSolution solve(Run& run, const StageEquation& equation, const Eigen::Vector
   return solution;
 }
 
-Attempt attempt(Run& run, const Moment& start, const Eigen::VectorXd& slope, double dt) {
+Attempt attempt(Run& run, const Moment& start, const Slope& slope, double dt) {
   Attempt result;
   const double step = implicit * dt;
   const Eigen::VectorXd& before = start.response.power;
-  StageSolution half = solve(run, {step, start.content + step * before}, start.temperature + middle * dt * slope);
+  StageSolution half = solve(run, {step, start.content + step * before}, extrapolate(start, slope, middle * dt));
   if (!half.converged) return result;
   const Eigen::VectorXd target = start.content + dt * (weight[0] * before + weight[1] * half.response.power);
-  const Eigen::VectorXd guess = start.temperature + (half.temperature - start.temperature) / middle;
-  StageSolution full = solve(run, {step, target}, guess);
+  const Slope first =
+      slope_between(start.temperature, start.response, half.temperature, half.response, middle * dt);
+  StageSolution full = solve(run, {step, target}, extrapolate(start, first, dt));
   if (!full.converged) return result;
 
   const Eigen::VectorXd& after = full.response.power;
@@ -75,7 +92,8 @@ Attempt attempt(Run& run, const Moment& start, const Eigen::VectorXd& slope, dou
   result.error = run.matrix.cholesky.solve(error).lpNorm<Eigen::Infinity>();
   ++run.solves;
   result.solved = std::isfinite(result.error);
-  result.slope = (full.temperature - half.temperature) / ((1 - middle) * dt);
+  result.slope =
+      slope_between(half.temperature, half.response, full.temperature, full.response, (1 - middle) * dt);
   result.middle = std::move(half.response);
   result.end = {std::move(full.temperature), {}, target + step * after};
   result.end.response = std::move(full.response);
@@ -132,7 +150,8 @@ std::string describe_failure(const Attempt& tried, double substep, const StepOpt
 /// Substeps over dt from `start`, which ends at the last accepted one; counts, ledger and reason go into the outcome.
 void integrate(Run& run, Moment& start, double dt, StepOutcome& outcome) {
   const StepOptions& options = run.options;
-  Eigen::VectorXd slope = Eigen::VectorXd::Zero(run.system.size());
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(run.system.size());
+  Slope slope{none, none, none};
   double remaining = dt, wanted = options.first_substep > 0 ? options.first_substep : dt;
   bool rejected_before = false;
   while (remaining > 0) {

@@ -77,9 +77,10 @@ StageSolution collapse(double power, double step) {
   StepMatrix matrix;
   prepare(matrix, system);
   const Eigen::VectorXd start = join(system, pair.start);
-  const StageEquation equation{step, evaluate(system, start).content};
+  const Response at_start = evaluate(system, start);
+  const StageEquation equation{step, at_start.content};
   EXPECT_TRUE(factorise(matrix, system, start, step));
-  StageSolution stage = solve_stage(system, matrix, equation, start, 1e-6);
+  StageSolution stage = solve_stage(system, matrix, equation, {start, at_start.content, at_start.power}, 1e-6);
   EXPECT_TRUE(stage.converged) << "power " << power << ", step " << step;
   const Response response = evaluate(system, stage.temperature);
   const Eigen::VectorXd left = response.content - step * response.power - equation.target;

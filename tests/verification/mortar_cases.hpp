@@ -118,7 +118,8 @@ inline Solved solve(const Pair& pair, const std::vector<Eigen::VectorXd>& start,
   thermal::StageSolution stage;
   for (int round = 0; round < 3; ++round) {  // each with a factor at the temperatures of the one before
     EXPECT_TRUE(factorise(matrix, system, guess, step));
-    stage = solve_stage(system, matrix, {step, target}, guess, tolerance);
+    const thermal::Response at_guess = thermal::evaluate(system, guess);
+    stage = solve_stage(system, matrix, {step, target}, {guess, at_guess.content, at_guess.power}, tolerance);
     guess = stage.temperature;
   }
   EXPECT_TRUE(stage.converged);
