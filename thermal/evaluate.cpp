@@ -22,8 +22,8 @@ void add_cell(const BodyLaws& laws, const HeatCell& cell, const Eigen::VectorXd&
   else
     stored = laws.enthalpy.enthalpy(at);
   stored *= cell.mass;
-  scatter<N>(shapes.value.transpose() * stored.matrix(), cell.unknowns, response.content);
-  scatter<N>(shapes.slope_a.transpose() * flow_a.matrix() + shapes.slope_b.transpose() * flow_b.matrix(),
+  scatter<N>(shapes.value_back * stored.matrix(), cell.unknowns, response.content);
+  scatter<N>(shapes.slope_a_back * flow_a.matrix() + shapes.slope_b_back * flow_b.matrix(),
              cell.unknowns, response.power);
 }
 

@@ -28,8 +28,8 @@ void apply_cell(const HeatCell& cell, const CellSlopes& slopes, double step, con
   const PointArray flow_a = step * (k * (cell.aa * along_a + cell.ab * along_b) + slopes.flow_a * at);
   const PointArray flow_b = step * (k * (cell.ab * along_a + cell.bb * along_b) + slopes.flow_b * at);
   const PointArray stored = slopes.capacity * at;
-  scatter<N>(shapes.value.transpose() * stored.matrix() + shapes.slope_a.transpose() * flow_a.matrix() +
-                 shapes.slope_b.transpose() * flow_b.matrix(),
+  scatter<N>(shapes.value_back * stored.matrix() + shapes.slope_a_back * flow_a.matrix() +
+                 shapes.slope_b_back * flow_b.matrix(),
              cell.unknowns, result);
 }
 

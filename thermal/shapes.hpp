@@ -15,6 +15,7 @@ using PointArray = Eigen::Array<double, 6, 1>;
 template <int N>
 struct CellShapes {
   Eigen::Matrix<double, 6, N> value, slope_a, slope_b;
+  Eigen::Matrix<double, N, 6> value_back, slope_a_back, slope_b_back;  ///< transposed: points into unknowns
 };
 /// Quadratic on a cell's 6 nodes, or linear on its 3 vertices.
 template <int N>

@@ -40,7 +40,7 @@ std::vector<Index> list_topology(const HeatSystem& system) {
 
 template <int N>
 void add_cells(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
-  const auto& [value, slope_a, slope_b] = cell_shapes<N>();
+  const auto& [value, slope_a, slope_b, value_back, slope_a_back, slope_b_back] = cell_shapes<N>();
   for (Index c = 0; c < static_cast<Index>(system.cells.size()); ++c) {
     const HeatCell& cell = system.cells[c];
     const PointArray conduction = step * slopes.cells[c].conductivity;
@@ -50,7 +50,7 @@ void add_cells(StepMatrix& matrix, const HeatSystem& system, const Linearisation
     const Eigen::Matrix<double, 6, N> flow_b = ab.matrix().asDiagonal() * slope_a + bb.matrix().asDiagonal() * slope_b;
     std::array<double, N * N> local;
     Eigen::Map<Eigen::Matrix<double, N, N>>(local.data()) =
-        value.transpose() * stored + slope_a.transpose() * flow_a + slope_b.transpose() * flow_b;
+        value_back * stored + slope_a_back * flow_a + slope_b_back * flow_b;
     add_clique(matrix, system, c, N, cell.unknowns.data(), local.data());
   }
 }
