@@ -18,7 +18,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 4;
+constexpr std::int64_t format_version = 5;
 
 void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
   std::vector<double> values;
@@ -139,6 +139,7 @@ void visit_facts(Visitor visit, Facts& facts) {
   visit("wall_seconds", facts.wall_seconds);
   visit("cpu_seconds", facts.cpu_seconds);
   for (const char* part : timed_parts) visit(part, facts.timing[part]);
+  visit_effort(visit.part("effort"), facts.effort);
   for (std::size_t i = 0; i < facts.stages.size(); ++i) {
     auto& record = facts.stages[i];
     Visitor stage = visit.part(fmt::format("stage_{}", i));
@@ -146,6 +147,7 @@ void visit_facts(Visitor visit, Facts& facts) {
     stage("start", record.start);
     stage("end", record.end);
     stage("end_reason", record.end_reason);
+    visit_work(stage.part("work"), record.work);
   }
 }
 

@@ -85,6 +85,11 @@ HistoryRow history_row(const Scene& scene, const State& state, const StepReport&
   row.energy_imbalance = facts.energy_imbalance;
   const bool knows_pressed = scene.has_flow() && !state.contact.tool.empty();
   row.contact_area = knows_pressed ? pressed_area(scene, state) : closed_area(report.interface);
+  row.sweeps = report.sweeps;
+  row.flow_solves = report.flow_solves;
+  row.contact_changes = report.contact_changes;
+  row.heat_substeps = report.heat_substeps;
+  row.limited_by = step_limits[static_cast<std::size_t>(report.limit)];
   for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
     row.tool_force.push_back(state.bodies.at(tool + 1).force);
     row.tool_position.push_back(state.bodies[tool + 1].offset);
@@ -101,7 +106,7 @@ std::string history_header(const Scene& scene) {
   for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_force_N");
   for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_position_m");
   for (const Probe& probe : scene.probes) line += ',' + core::csv_text(probe.name + "_C");
-  return line + '\n';
+  return line + ",sweeps,flow_solves,contact_changes,heat_substeps,limited_by\n";
 }
 
 std::string history_line(const HistoryRow& row) {
@@ -113,7 +118,8 @@ std::string history_line(const HistoryRow& row) {
   for (const double value : row.tool_force) line += fmt::format(",{:.10g}", value);
   for (const double value : row.tool_position) line += fmt::format(",{:.10g}", value);
   for (const double value : row.probe) line += fmt::format(",{:.10g}", celsius(value));
-  return line + '\n';
+  for (const Index count : {row.sweeps, row.flow_solves, row.contact_changes, row.heat_substeps}) line += fmt::format(",{}", count);
+  return line + ',' + row.limited_by + '\n';
 }
 
 }  // namespace parison::forming

@@ -42,11 +42,19 @@ bool renew(Progress& run, RemeshReason why) {
 /// A step that converged and kept within its allowance; false when the smallest one did not.
 bool step_once(Progress& run, StepReport& report) {
   State& state = run.outcome.state;
-  for (double dt = landing_step(run.scene, state, state.next_step);;) {
+  auto limit = static_cast<StepLimit>(state.next_limit);
+  double dt = landing_step(run.scene, state, state.next_step);
+  if (dt < state.next_step) limit = StepLimit::landing;
+  for (;;) {
     auto result = coupled_step(run.scene, state, dt, run.workspace);
+    result.report.limit = limit;
     for (const auto& [part, seconds] : result.report.seconds) run.outcome.facts.timing[part] += seconds;
-    if (result.converged && !overshot(run.scene, result.report)) {
-      result.state.next_step = wished_step(run.scene, result.report, state.next_step);
+    const bool taken = result.converged && !overshot(run.scene, result.report);
+    add_step(result.report, taken, run.outcome.facts.effort);
+    const WishedStep wish = wished_step(run.scene, result.report, taken ? state.next_step : dt);
+    if (taken) {
+      result.state.next_step = wish.dt;
+      result.state.next_limit = static_cast<Index>(wish.limit);
       state = std::move(result.state);
       report = std::move(result.report);
       run.outcome.facts.reason.clear();
@@ -55,9 +63,11 @@ bool step_once(Progress& run, StepReport& report) {
     ++state.totals.rejected;
     run.workspace.standing.reset();
     run.outcome.facts.reason = result.converged ? "the step deforms the glass too much" : result.reason;
-    dt = result.converged ? std::max(shorten * dt, wished_step(run.scene, result.report, dt)) : shorten * dt;
+    dt = result.converged ? std::max(shorten * dt, wish.dt) : shorten * dt;
     if (dt < run.scene.accuracy.smallest_step) return false;
+    limit = result.converged ? wish.limit : StepLimit::failure;
     state.next_step = dt;
+    state.next_limit = static_cast<Index>(limit);
   }
 }
 
@@ -89,6 +99,7 @@ bool begin_stage(Progress& run, Index stage) {
   State& state = run.outcome.state;
   state = start_stage(run.scene, state, stage);
   state.next_step = run.scene.accuracy.first_step;
+  state.next_limit = static_cast<Index>(StepLimit::first);
   run.workspace.standing.reset();
   const bool good = can_begin(run);
   if (stage == 0) write_fields(run);
@@ -101,7 +112,7 @@ void end_stage(Progress& run, bool good) {
   RunFacts& facts = run.outcome.facts;
   const bool full = state.stage_time >= stage.duration - 1e-9;
   const char* reason = facts.stopped ? "stop" : !good ? "failure" : full ? "duration" : "tools at rest";
-  facts.stages.push_back({stage.name, state.stage_start, state.time, reason});
+  facts.stages.push_back({stage.name, state.stage_start, state.time, reason, state.totals.work});
 }
 
 /// One step of the stage, after a new mesh where that is needed; false when none can be made.
@@ -170,6 +181,9 @@ void warn(Progress& run) {
     warnings.push_back(fmt::format("inertia was left out, but the Reynolds number reached {:.2g}", totals.largest_reynolds));
   if (totals.table_holds > 0)
     warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.table_holds));
+  if (const long latched = run.outcome.facts.effort.latched_contacts; latched > 0)
+    warnings.push_back(fmt::format(
+        "in all steps together {} contacts stayed closed although they pull, as they kept opening and closing", latched));
 }
 
 /// The stages from the present one on, which has begun if `good`; false when one cannot end.

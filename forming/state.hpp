@@ -43,6 +43,16 @@ struct ContactState {
 enum class RemeshReason { stage_start, quality, failed_step };
 inline constexpr std::array remesh_reasons{"stage_start", "quality", "failed_step"};
 
+/// Mechanical work on the glass since the start and where it went, J. Remeshing moves nodes without forces and is no part of it.
+struct Work {
+  double tools = 0, gravity = 0, air = 0;  ///< done on the glass
+  double dissipation = 0;                  ///< viscous
+  double friction = 0;                     ///< lost where the glass slides along tools
+  double arrival = 0;                      ///< lost where it came to rest on a tool before a step was over
+  double surface = 0;                      ///< stored in open surface by its tension
+  double corrections = 0;                  ///< taken by leading volume and penetrated nodes back; counts as unexplained
+};
+
 /// What remeshing did by itself since the start.
 struct RemeshLedger {
   std::array<Index, remesh_reasons.size()> count{};  ///< by RemeshReason
@@ -65,8 +75,13 @@ struct Totals {
   double largest_drift = 0;  ///< of the glass volume at any step, relative to the start, without sign
   double largest_reynolds = 0;
   double largest_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative
+  Work work;
   RemeshLedger remeshing;
 };
+
+/// What kept a step from being longer, and the names of these limits.
+enum class StepLimit { first, growth, largest, strain, temperature, motion, landing, failure };
+inline constexpr std::array step_limits{"first", "growth", "largest", "strain", "temperature", "motion", "landing", "failure"};
 
 /// Everything that changes during a run.
 struct State {
@@ -76,6 +91,7 @@ struct State {
   double stage_start = 0;  ///< time of the stage's start, s
   bool has_moved = false;  ///< a tool was faster in this stage than the speed that ends it
   double next_step = 0;   ///< what the step control wishes, s
+  Index next_limit = 0;   ///< the StepLimit of that
   double heat_substep = 0;  ///< what the heat solver wishes, s
   double last_step = 0;   ///< s, 0 when there is no velocity to extrapolate from
   std::vector<BodyState> bodies;  ///< glass, then the tools in the scene's order
@@ -95,7 +111,9 @@ struct State {
 /// What one step did, beyond the new state.
 struct StepReport {
   double dt = 0;
-  int contact_iterations = 0, heat_substeps = 0;
+  Index sweeps = 0, flow_solves = 0, flow_factorisations = 0, contact_changes = 0, heat_substeps = 0;  ///< in all sweeps
+  Index latched_contacts = 0;  ///< that pull but stay closed, in the last sweep
+  StepLimit limit = StepLimit::first;
   double temperature_change = 0;  ///< largest of the glass surface, K
   double unsettled_motion = 0;    ///< by which the last sweep still moved the mid-step mesh, m
   double strain = 0;              ///< largest rate of deformation times dt
@@ -108,6 +126,8 @@ struct HistoryRow {
   double time, dt, volume, glass_mean, heat_to_tools, heat_to_air, dissipation, energy_imbalance, contact_area;
   std::string stage;
   std::vector<double> tool_force, tool_position, probe;  ///< N, m, K
+  Index sweeps, flow_solves, contact_changes, heat_substeps;
+  std::string limited_by;
 };
 
 }  // namespace parison::forming

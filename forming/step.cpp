@@ -13,6 +13,7 @@
 #include "forming/initial_state.hpp"
 #include "forming/sample.hpp"
 #include "forming/surface_change.hpp"
+#include "forming/work.hpp"
 #include "remesh/quality.hpp"
 
 namespace parison::forming {
@@ -217,13 +218,19 @@ bool goes_too_deep(const Scene& scene, const State& before, double dt, const Flo
 bool sweep_flow(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
                 StepResult& result, bool& settled) {
   auto pass = solve_flow(scene, state, result.state.contact.closed, foretold, dt, workspace);
-  result.report.contact_iterations += pass.solution.iterations;
+  ++result.report.sweeps;
+  result.report.flow_solves += pass.solution.iterations;
+  result.report.flow_factorisations += pass.solution.factorisations;
+  result.report.contact_changes += pass.solution.contact_changes;
+  result.report.latched_contacts = pass.solution.latched;
   if (!pass.solution.converged) {
     result.reason = pass.solution.reason;
     return false;
   }
   take_flow(scene, pass, dt, result.state);
   result.report.strain = pass.solution.high_rate * dt;
+  result.state.totals.work = state.totals.work;
+  book_work(scene, state, pass.solution, dt, result.state.totals.work);
   auto& largest = result.state.totals.largest_reynolds;
   largest = std::max(largest, reynolds(scene, pass.solution, state.bodies[0].mesh));
   double& unsettled = result.report.unsettled_motion;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace parison::forming {
 
@@ -14,11 +15,11 @@ constexpr double aim = 0.9;           ///< of what a step may do
 constexpr double repeat_above = 2.0;  ///< times what a step should do
 constexpr double same_time = 1e-9;    ///< s
 
-/// How much of its allowance the last step used.
-double load(const Scene& scene, const StepReport& report) {
-  return std::max({report.strain / scene.accuracy.strain_per_step,
-                   report.temperature_change / scene.accuracy.temperature_per_step,
-                   report.unsettled_motion / scene.accuracy.motion_tolerance});
+/// How much of its allowance a step used, and of which.
+std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) {
+  return std::max({std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
+                   std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
+                   std::pair(report.unsettled_motion / scene.accuracy.motion_tolerance, StepLimit::motion)});
 }
 
 double next_output(const Scene& scene, double time) {
@@ -32,15 +33,17 @@ double next_output(const Scene& scene, double time) {
 
 }  // namespace
 
-double wished_step(const Scene& scene, const StepReport& report, double allowed) {
-  const double used = load(scene, report);
-  double wish = most_growth * std::max(report.dt, allowed);
-  if (used > 0) wish = std::min(wish, report.dt * aim / used);
-  return std::clamp(wish, scene.accuracy.smallest_step, scene.accuracy.largest_step);
+WishedStep wished_step(const Scene& scene, const StepReport& report, double allowed) {
+  const auto [used, by] = load(scene, report);
+  WishedStep wish{most_growth * std::max(report.dt, allowed), StepLimit::growth};
+  if (used > 0 && report.dt * aim / used < wish.dt) wish = {report.dt * aim / used, by};
+  if (wish.dt > scene.accuracy.largest_step) wish = {scene.accuracy.largest_step, StepLimit::largest};
+  wish.dt = std::max(wish.dt, scene.accuracy.smallest_step);
+  return wish;
 }
 
 bool overshot(const Scene& scene, const StepReport& report) {
-  return load(scene, report) > repeat_above;
+  return load(scene, report).first > repeat_above;
 }
 
 double landing_step(const Scene& scene, const State& state, double wish) {

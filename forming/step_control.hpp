@@ -7,9 +7,14 @@
 
 namespace parison::forming {
 
-/// Step that the next step may have, s, from what the last one did to the mesh and the surface temperature; `allowed` is
-/// what that one was allowed, before it was shortened to land on an output time.
-double wished_step(const Scene& scene, const StepReport& report, double allowed);
+struct WishedStep {
+  double dt;  ///< s
+  StepLimit limit;
+};
+
+/// Step that the next step may have, from what the last one did to the mesh and the surface temperature; `allowed`, s, is what
+/// that one was allowed, before it was shortened to land on an output time.
+WishedStep wished_step(const Scene& scene, const StepReport& report, double allowed);
 
 /// Whether a step did so much more than it should that it is to be repeated shorter.
 bool overshot(const Scene& scene, const StepReport& report);

@@ -15,6 +15,7 @@
 #include "forming/error_bars.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/renew.hpp"
+#include "forming/summary_parts.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -143,6 +144,7 @@ void add_stages(JsonWriter& json, const RunFacts& run) {
     json.add("start_s", stage.start);
     json.add("end_s", stage.end);
     json.add("end_reason", stage.end_reason);
+    add_work(json, stage.work);
     json.close();
   }
   json.close();
@@ -163,6 +165,9 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_run(json, scene, state, summary);
   add_numerics(json, scene.accuracy);
   add_balance(json, state, summary);
+  add_work(json, state.totals.work);
+  json.add("largest_work_imbalance", largest_work_imbalance(summary.run));
+  add_effort(json, summary.run.effort);
   add_remeshing(json, state, summary);
   add_bodies(json, summary);
   add_stages(json, summary.run);

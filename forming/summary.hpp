@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "forming/effort.hpp"
 #include "forming/history.hpp"
 #include "forming/quantities.hpp"
 #include "forming/scene.hpp"
@@ -18,6 +19,7 @@ struct StageRecord {
   std::string name;
   double start, end;       ///< s since the start of the run
   std::string end_reason;  ///< such as "duration" or "plunger below 0.5 mm/s"
+  Work work = {};          ///< since the start of the run
 };
 
 /// What the time of a run is booked under.
@@ -33,6 +35,7 @@ struct RunFacts {
   std::map<std::string, double> timing;  ///< s by part
   std::vector<std::string> warnings;
   std::vector<StageRecord> stages;
+  Effort effort;
 };
 
 struct RunOutcome {

@@ -33,6 +33,18 @@ void visit_remeshing(Visitor visit, Ledger& remeshing) {
 }
 
 template <typename Visitor, typename Sums>
+void visit_work(Visitor visit, Sums& work) {
+  visit("tools", work.tools);
+  visit("gravity", work.gravity);
+  visit("air", work.air);
+  visit("dissipation", work.dissipation);
+  visit("friction", work.friction);
+  visit("arrival", work.arrival);
+  visit("surface", work.surface);
+  visit("corrections", work.corrections);
+}
+
+template <typename Visitor, typename Sums>
 void visit_totals(Visitor visit, Sums& totals) {
   visit("to_air", totals.to_air);
   visit("to_tools", totals.to_tools);
@@ -45,6 +57,7 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("largest_drift", totals.largest_drift);
   visit("largest_reynolds", totals.largest_reynolds);
   visit("largest_flux_mismatch", totals.largest_flux_mismatch);
+  visit_work(visit.part("work"), totals.work);
   visit_remeshing(visit.part("remeshing"), totals.remeshing);
 }
 
@@ -56,6 +69,7 @@ void visit_state(Visitor visit, Whole& state) {
   visit("stage_start", state.stage_start);
   visit("has_moved", state.has_moved);
   visit("next_step", state.next_step);
+  visit("next_limit", state.next_limit);
   visit("heat_substep", state.heat_substep);
   visit("last_step", state.last_step);
   visit("mass_nodes", state.mass_nodes);

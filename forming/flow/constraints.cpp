@@ -25,8 +25,6 @@ bool add_equality(std::vector<NodeEquality>& list, const NodeEquality& wish) {
   return true;
 }
 
-Point perpendicular(const Point& n) { return {-n[1], n[0]}; }
-
 /// Equalities of symmetry planes and fixed pieces, per node.
 void add_piece_equalities(const Problem& problem, std::vector<std::vector<NodeEquality>>& of_node) {
   const auto& mesh = *problem.mesh;
@@ -41,11 +39,6 @@ void add_piece_equalities(const Problem& problem, std::vector<std::vector<NodeEq
       if (fixed) add_equality(of_node[node], {at.tangent, velocity.dot(at.tangent)});
     }
   }
-}
-
-bool sticks(const Problem& problem, const ContactCandidate& candidate) {
-  const auto law = problem.tools[candidate.tool].friction.law;
-  return law == Friction::Law::stick || law == Friction::Law::grip;
 }
 
 NodeFrame make_frame(const Problem& problem, Index node, const std::vector<NodeEquality>& equalities,
@@ -85,6 +78,11 @@ NodeFrame make_frame(const Problem& problem, Index node, const std::vector<NodeE
 }
 
 }  // namespace
+
+bool sticks(const Problem& problem, const ContactCandidate& candidate) {
+  const auto law = problem.tools[candidate.tool].friction.law;
+  return law == Friction::Law::stick || law == Friction::Law::grip;
+}
 
 std::vector<Index> driven_tools(const Problem& problem) {
   std::vector<Index> driven;

@@ -33,6 +33,12 @@ struct Held {
   const NodeFrame* find(Index node) const { return frame_of[node] < 0 ? nullptr : &frames[frame_of[node]]; }
 };
 
+/// A direction along a surface: its normal turned left.
+inline Point perpendicular(const Point& normal) { return {-normal[1], normal[0]}; }
+
+/// Whether a contact holds the glass along the tool's surface.
+bool sticks(const Problem& problem, const ContactCandidate& candidate);
+
 /// Tools whose velocity is an unknown, as indices into Problem::tools.
 std::vector<Index> driven_tools(const Problem& problem);
 

@@ -12,7 +12,7 @@ using core::dim;
 ContactForces contact_forces(const Problem& problem, const std::vector<NodeFrame>& frames,
                              const Eigen::VectorXd& reaction) {
   const auto count = static_cast<Index>(problem.candidates.size());
-  ContactForces forces{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
+  ContactForces forces{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
   const Point axis = core::axis_direction();
   for (const auto& frame : frames) {
     const Point total = node_velocity(reaction, frame.node);
@@ -21,6 +21,7 @@ ContactForces contact_forces(const Problem& problem, const std::vector<NodeFrame
       if (equalities[0].candidate < 0) continue;
       forces.normal[equalities[0].candidate] = total.dot(equalities[0].normal);
       forces.axial[equalities[0].candidate] = total.dot(axis);
+      forces.sideways[equalities[0].candidate] = total.dot(perpendicular(equalities[0].normal));
       continue;
     }
     core::Tensor normals;

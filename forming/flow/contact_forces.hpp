@@ -4,9 +4,10 @@
 
 namespace parison::flow {
 
-/// What the contacts do to the glass: per candidate the normal force, N (positive presses), and the whole force along the axis, N.
+/// What the contacts do to the glass: per candidate the normal force, N (positive presses), the whole force along the axis, N,
+/// and that along the surface (the normal turned left), N, which a node in a corner does not have.
 struct ContactForces {
-  Eigen::VectorXd normal, axial;
+  Eigen::VectorXd normal, axial, sideways;
 };
 
 /// Splits the nodal reactions (two per node, N) of constrained nodes among their contacts.

@@ -23,33 +23,37 @@ std::vector<bool> first_set(const Problem& problem, const std::vector<bool>& war
   return active;
 }
 
-bool update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active, std::vector<int>& releases) {
+SetChange update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active, std::vector<int>& releases) {
   const Eigen::VectorXd pressed = shared_forces(problem, active, instant.forces.normal);
   const double force_noise = 1e-6 * instant.forces.normal.lpNorm<Eigen::Infinity>();
   const double speed_noise =
       1e-9 * instant.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + standstill;
   const Point axis = core::axis_direction();
-  bool changed = false;
+  SetChange change;
   for (std::size_t i = 0; i < active.size(); ++i) {
     const auto& candidate = problem.candidates[i];
     if (active[i]) {
-      if (candidate.held || releases[i] >= most_releases) continue;
+      if (candidate.held) continue;
       // A vertex carries its neighbours' share: its own quadratic weight may vanish or oscillate.
       const double force = candidate.node < problem.mesh->vertex_count && instant.forces.normal[i] < 0
                                ? pressed[candidate.node]
                                : instant.forces.normal[i];
       if (force >= -force_noise) continue;
+      if (releases[i] >= most_releases) {
+        ++change.latched;
+        continue;
+      }
       active[i] = false;
       ++releases[i];
-      changed = true;
+      ++change.changed;
     } else {
       const Point relative = node_velocity(instant.unknowns, candidate.node) - instant.tool_velocity[candidate.tool] * axis;
       if (candidate.normal.dot(relative) >= candidate.rate - speed_noise) continue;
       active[i] = true;
-      changed = true;
+      ++change.changed;
     }
   }
-  return changed;
+  return change;
 }
 
 Eigen::VectorXd friction_drag(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area,

@@ -65,6 +65,8 @@ struct Solution {
   std::string reason;
   int iterations = 0;                 ///< of the contact set, refinements included
   int factorisations = 0;
+  int contact_changes = 0;            ///< contacts that an iteration closed or opened
+  int latched = 0;                    ///< contacts that pull but stay closed, as they were released too often
   Eigen::VectorXd velocity;           ///< m/s, two per node
   Eigen::VectorXd pressure;           ///< Pa, per vertex
   Eigen::VectorXd contact_pressure;   ///< Pa, per node, 0 where nothing presses
@@ -72,6 +74,10 @@ struct Solution {
   std::vector<double> tool_velocity;  ///< along the axis, m/s
   std::vector<double> tool_force;     ///< of the tool on the glass along the axis, N
   std::vector<double> dissipation;    ///< W at each quadrature point: cells x triangle_rule(4)
+  double friction_power = 0;          ///< that the glass loses by sliding along tools, W
+  double arrival_power = 0;           ///< that it loses by coming to rest on tools before the step is over, W
+  double correction_power = 0;        ///< that leading volume and penetrated nodes back takes, W
+  std::vector<bool> exposed;          ///< per boundary edge: not wholly pressed, so that air and surface tension act on it
   double mean_rate = 0;               ///< root mean square of the rate of deformation over the volume, 1/s
   double high_rate = 0;               ///< rate of deformation sqrt(2 D:D) exceeded in `high_rate_share` of the volume, 1/s
 };

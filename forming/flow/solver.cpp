@@ -5,6 +5,7 @@
 
 #include "forming/flow/contact_set.hpp"
 #include "forming/flow/correction.hpp"
+#include "forming/flow/losses.hpp"
 #include "forming/flow/support.hpp"
 #include "forming/flow/surface.hpp"
 
@@ -72,9 +73,11 @@ Instant advance(const Problem& problem, const CellMatrices& cells, const Held& h
 }
 
 /// The result from the last iterate.
-void report(const Problem& problem, const Discrete& discrete, const Instant& instant, const Eigen::VectorXd& area,
-            Solution& result) {
-  const Index vertices = problem.mesh->vertex_count;
+void report(const Problem& problem, const Discrete& discrete, const Held& held, const Instant& instant, Solution& result) {
+  const auto& mesh = *problem.mesh;
+  const Index vertices = mesh.vertex_count;
+  const auto pressed = pressed_nodes(problem, result.active);
+  const Eigen::VectorXd area = contact_areas(mesh, discrete.surface, pressed);
   result.velocity = instant.unknowns.head(instant.unknowns.size() - vertices);
   result.pressure = instant.unknowns.tail(vertices);
   result.contact_pressure = contact_pressure(problem, result.active, instant.forces.normal, area);
@@ -83,6 +86,12 @@ void report(const Problem& problem, const Discrete& discrete, const Instant& ins
   for (std::size_t i = 0; i < problem.candidates.size(); ++i)
     result.tool_force[problem.candidates[i].tool] += instant.forces.axial[i];
   evaluate_dissipation(problem, discrete.geometry, discrete.viscosity, result);
+  result.friction_power = friction_power(held, instant);
+  result.arrival_power = arrival_power(problem, result.active, instant.forces);
+  result.correction_power =
+      correction_power(problem, result.active, instant.forces, result.pressure, discrete.load.tail(vertices));
+  for (const auto& edge : mesh.boundary)
+    result.exposed.push_back(!(pressed[edge.nodes[0]] && pressed[edge.nodes[1]] && pressed[edge.nodes[2]]));
   result.converged = true;
 }
 
@@ -118,14 +127,14 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
                   Eigen::VectorXd::Zero(Index(driven_tools(problem).size()))};
   const bool linear = is_linear(problem);
   std::optional<Instant> instant;
-  Eigen::VectorXd area;
+  Held held;
   for (bool settled = false, refined = false; !settled;) {
     if (result.iterations++ == most_iterations) return failed(std::move(result), "the contact set did not settle");
     const auto pressed = pressed_nodes(problem, result.active);
-    area = contact_areas(mesh, discrete.surface, pressed);
+    const Eigen::VectorXd area = contact_areas(mesh, discrete.surface, pressed);
     Eigen::VectorXd load = discrete.load;
     load.head(velocities) += surface_load(mesh, discrete.surface, pressed);
-    Held held = hold_nodes(problem, result.active);
+    held = hold_nodes(problem, result.active);
     if (!support(problem, load, result.active, held))
       return failed(std::move(result), "the glass is not held: no tool, symmetry plane or fixed piece carries it");
     held.drag = friction_drag(problem, result.active, area, instant ? &*instant : nullptr);
@@ -142,14 +151,17 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
       iterate.force = product(mesh, discrete.cells, iterate.x);
       corrector.forget();
     }
-    if (update_set(problem, *instant, result.active, releases) || !steady)
+    const auto change = update_set(problem, *instant, result.active, releases);
+    result.contact_changes += change.changed;
+    result.latched = change.latched;
+    if (change.changed > 0 || !steady)
       refined = false;
     else if (!refined && imbalance(problem, discrete.cells, held, load, iterate) > balanced)
       refined = true;
     else
       settled = true;
   }
-  report(problem, discrete, *instant, area, result);
+  report(problem, discrete, held, *instant, result);
   return result;
 }
 

@@ -73,6 +73,7 @@ Instant balance_tools(const Problem& problem, const std::vector<NodeFrame>& fram
     instant.unknowns += velocity[k] * solution.col(1 + k);
     instant.forces.normal += velocity[k] * parts[1 + k].normal;
     instant.forces.axial += velocity[k] * parts[1 + k].axial;
+    instant.forces.sideways += velocity[k] * parts[1 + k].sideways;
     instant.tool_velocity[driven[k]] = velocity[k];
   }
   return instant;

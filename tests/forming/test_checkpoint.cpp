@@ -36,7 +36,9 @@ State busy_state(const Scene& scene) {
                         &totals.remeshing.heat, &totals.remeshing.largest_heat, &totals.remeshing.volume,
                         &totals.remeshing.largest_volume, &totals.remeshing.worst_quality,
                         &totals.remeshing.lowest_median, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds,
-                        &totals.largest_flux_mismatch})
+                        &totals.largest_flux_mismatch, &totals.work.tools, &totals.work.gravity, &totals.work.air,
+                        &totals.work.dissipation, &totals.work.friction, &totals.work.arrival,
+                        &totals.work.surface, &totals.work.corrections})
     fresh(*value);
   for (BodyState& body : state.bodies) {
     for (double* value : {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.hottest_surface})
@@ -51,6 +53,7 @@ State busy_state(const Scene& scene) {
   state.contact.tool[3] = 1;
   state.contact.closed = {{3, 5}, {1, 0}, {Point(0.6, 0.8), Point(-1, 0)}};
   state.stage = 1;
+  state.next_limit = 5;
   state.has_moved = true;
   totals.steps = 7, totals.rejected = 8, totals.remeshing.count = {9, 10, 11}, totals.table_holds = 1L << 40;
   state.bodies[0].mesh.pieces.push_back("inner, by name");
@@ -93,6 +96,9 @@ void expect_same_totals(const Totals& a, const Totals& b) {
   EXPECT_TRUE(same(a.largest_drift, b.largest_drift));
   EXPECT_TRUE(same(a.largest_reynolds, b.largest_reynolds));
   EXPECT_TRUE(same(a.largest_flux_mismatch, b.largest_flux_mismatch));
+  for (double Work::*part : {&Work::tools, &Work::gravity, &Work::air, &Work::dissipation, &Work::friction, &Work::arrival,
+                              &Work::surface, &Work::corrections})
+    EXPECT_TRUE(same(a.work.*part, b.work.*part));
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.rejected, b.rejected);
   EXPECT_EQ(a.table_holds, b.table_holds);
@@ -113,7 +119,9 @@ RunFacts some_facts() {
   facts.wall_seconds = 1.5;
   facts.cpu_seconds = 1.25;
   facts.timing["heat"] = 0.75;
-  facts.stages = {{"rest", 0, 1 / 3.0, "duration"}};
+  facts.stages = {{"rest", 0, 1 / 3.0, "duration", {1, 2, 3, 4, 5, 6, 1 / 7.0, 8}}};
+  facts.effort.flow_solves = 1L << 33;
+  facts.effort.limited_by.back() = 3;
   return facts;
 }
 
@@ -130,6 +138,7 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_TRUE(same(read.stage_start, state.stage_start));
   EXPECT_EQ(read.has_moved, state.has_moved);
   EXPECT_TRUE(same(read.next_step, state.next_step));
+  EXPECT_EQ(read.next_limit, state.next_limit);
   EXPECT_TRUE(same(read.heat_substep, state.heat_substep));
   EXPECT_TRUE(same(read.last_step, state.last_step));
   EXPECT_TRUE(same(read.mass_nodes, state.mass_nodes));
@@ -158,6 +167,9 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_EQ(facts.stages[0].name, "rest");
   EXPECT_EQ(facts.stages[0].end, 1 / 3.0);
   EXPECT_EQ(facts.stages[0].end_reason, "duration");
+  EXPECT_EQ(facts.stages[0].work.surface, 1 / 7.0);
+  EXPECT_EQ(facts.effort.flow_solves, 1L << 33);
+  EXPECT_EQ(facts.effort.limited_by.back(), 3);
 }
 
 TEST(Checkpoint, AFingerprintTellsStatesApartThatDifferInOneBit) {
@@ -212,7 +224,7 @@ TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
   const std::string kept = path + ".kept";
   std::filesystem::copy_file(path, kept);
   core::write_hdf5(path, [](core::Hdf5Group& file) { file.write("version", std::int64_t{99}); });
-  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 4");
+  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 5");
   const std::int64_t version = core::open_hdf5(kept).read_integer("version");
   core::write_hdf5(path, [&](core::Hdf5Group& file) {
     file.write("version", version);

@@ -50,7 +50,8 @@ std::vector<std::string> fields_of(const std::string& line) {
 TEST(History, TheColumnsAreThoseOfTheReadme) {
   EXPECT_EQ(history_header(scene_of(small_scene)),
             "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
-            "contact_area_m2,plate_force_N,plunger_force_N,plate_position_m,plunger_position_m,centre_C\n");
+            "contact_area_m2,plate_force_N,plunger_force_N,plate_position_m,plunger_position_m,centre_C,sweeps,flow_solves,"
+            "contact_changes,heat_substeps,limited_by\n");
 }
 
 TEST(History, ARowSaysWhatTheStateHolds) {
@@ -60,6 +61,8 @@ TEST(History, ARowSaysWhatTheStateHolds) {
   state.bodies[2].force = -4.5;
   StepReport report;
   report.dt = 0.125;
+  report.flow_solves = 7;
+  report.limit = StepLimit::landing;
   const auto fields = fields_of(lines_of(history_line(history_row(scene, state, report)))[0]);
   ASSERT_EQ(fields.size(), fields_of(history_header(scene)).size());
   EXPECT_EQ(fields[0], "0.25");
@@ -70,6 +73,8 @@ TEST(History, ARowSaysWhatTheStateHolds) {
   EXPECT_EQ(fields[11], "-4.5");
   EXPECT_EQ(fields[13], "0.01");
   EXPECT_NEAR(std::stod(fields[14]), 1000, 1e-6);
+  EXPECT_EQ(fields[16], "7");
+  EXPECT_EQ(fields[19], "landing");
 }
 
 TEST(History, TheContactAreaIsThatOfTheEdgesPressedAtAllTheirNodes) {

@@ -17,7 +17,7 @@ inline State advance_to(const Scene& scene, State state, double time, Workspace&
     auto result = coupled_step(scene, state, dt, workspace);
     EXPECT_TRUE(result.converged) << result.reason;
     if (!result.converged) break;
-    result.state.next_step = wished_step(scene, result.report, state.next_step);
+    result.state.next_step = wished_step(scene, result.report, state.next_step).dt;
     state = std::move(result.state);
   }
   return state;

@@ -26,7 +26,7 @@ inline State steps_to(const Scene& scene, State state, double time,
     auto result = coupled_step(scene, state, dt, workspace);
     EXPECT_TRUE(result.converged) << result.reason;
     if (!result.converged) break;
-    const double wish = wished_step(scene, result.report, state.next_step);
+    const double wish = wished_step(scene, result.report, state.next_step).dt;
     if (!overshot(scene, result.report)) {
       if (look) look(state, result.state);
       state = std::move(result.state);

@@ -79,7 +79,7 @@ forming::StepResult forming::timed_step(const Scene& scene, const State& state, 
   const double cpu = bench::cpu_seconds() - start;
   const double wall = std::chrono::duration<double>(Clock::now() - wall_start).count();
   ledger.table << state.time << ',' << result.converged << ',' << state.bodies[0].mesh.cell_count() << ','
-               << result.report.contact_iterations << ',' << cpu;
+               << result.report.flow_solves << ',' << cpu;
   // The report's seconds are those of the wall clock: each part has its share of the CPU time.
   for (const char* part : {"flow", "heat", "contact"}) ledger.table << ',' << result.report.seconds[part] * cpu / wall;
   if (result.converged && ledger.seen++ % ledger.every == 0)

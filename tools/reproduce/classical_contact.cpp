@@ -42,7 +42,7 @@ bool run_stage(const Scene& scene, const std::string& directory) {
     if (!heat.converged) return false;
     state.time += report.dt;
     state.stage_time += report.dt;
-    state.next_step = wished_step(scene, report, state.next_step);
+    state.next_step = wished_step(scene, report, state.next_step).dt;
     files.row(history_row(scene, state, report));
     if (output_due(scene, state)) files.fields(state, report.interface);
   }

@@ -47,7 +47,7 @@ def call(command, log):
 def columns(path):
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
-    return {name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name not in ("stage", "tool")}
+    return {name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name not in ("stage", "tool", "limited_by")}
 
 
 def file_of(run, name):

@@ -58,6 +58,42 @@ TEST(StiffSkin, layers_of_ten_and_twelve_decades_flow_exactly) {
   }
 }
 
+/// Glass between 565 degC on a fixed floor and 1200 degC at its top, pulled sideways by a unit force: its own law takes the viscosity
+/// from 1e12 to 1e2 Pa.s. Largest error of a node's velocity, relative to the exact one there.
+double skin_error(Index n) {
+  constexpr double cold = 838, hot = 1473;
+  FlowProblem flow(tests::structured(2, n, [](double s, double t) { return Point(0.1 * s, t); }), Geometry::planar);
+  flow.material.viscosity = {-2.309, 3922, 564.15, std::nullopt};
+  for (Index k = 0; k < flow.mesh.node_count(); ++k) flow.temperature[k] = cold + (hot - cold) * flow.mesh.nodes[k][1];
+  const auto rate = [&](double y) { return (1 - y) / flow.material.viscosity(cold + (hot - cold) * y); };
+  constexpr int parts = 4096;  // of the height, each with Simpson's rule; even mesh nodes lie on their ends
+  std::vector<double> exact(parts + 1, 0.0);
+  for (int i = 0; i < parts; ++i) {
+    const double a = double(i) / parts, h = 1.0 / parts;
+    exact[i + 1] = exact[i] + h / 6 * (rate(a) + 4 * rate(a + 0.5 * h) + rate(a + h));
+  }
+  const auto speed = [&](double y) { return exact[std::size_t(std::lround(y * parts))]; };
+  flow.hold_all(PieceCondition::Kind::fixed);
+  for (auto& piece : flow.problem.pieces) piece.velocity = [=](const Point& x) { return Point(speed(x[1]), 0); };
+  flow.piece("top").kind = PieceCondition::Kind::symmetry;
+  flow.problem.force = [](const Point&) { return Point(1, 0); };
+  const auto solution = flow.solve();
+  EXPECT_TRUE(solution.converged) << solution.reason;
+  double worst = 0;
+  for (Index k = 0; k < flow.mesh.node_count(); ++k)
+    if (const double v = speed(flow.mesh.nodes[k][1]); v > 0)
+      worst = std::max(worst, (node_velocity(solution.velocity, k) - Point(v, 0)).norm() / v);
+  return worst;
+}
+
+TEST(StiffSkin, every_layer_of_a_skin_from_1e12_to_1e2_by_its_temperature_has_its_own_speed) {
+  const double coarse = skin_error(128), fine = skin_error(256);
+  std::printf("skin by temperature: 128 layers off by %.2e of each node's own speed, 256 by %.2e, order %.2f\n", coarse, fine,
+              std::log2(coarse / fine));
+  EXPECT_LT(fine, 5e-3);
+  EXPECT_GT(std::log2(coarse / fine), 1.9);  // speeds vanish towards the floor: an order less
+}
+
 double free_area(const FlowProblem& flow, const core::Mesh& mesh) {
   double area = 0;
   for (const auto& edge : mesh.boundary)
@@ -129,6 +165,41 @@ TEST(StiffSkin, work_done_on_the_glass_is_dissipated_at_any_range_of_viscosity) 
     EXPECT_LT(std::abs((tools + loads) / dissipated - 1), 1e-6);
     EXPECT_GT(std::abs(loads), 1e-3 * dissipated);
   }
+}
+
+/// Power of the tools less what the glass loses, relative to that.
+double power_left(const FlowProblem& flow, const Solution& solution) {
+  double lost = solution.friction_power + solution.arrival_power, tools = 0;
+  for (const double w : solution.dissipation) lost += w;
+  for (std::size_t t = 0; t < flow.problem.tools.size(); ++t) tools += solution.tool_force[t] * solution.tool_velocity[t];
+  return (tools + loads_power(flow, solution)) / lost - 1;
+}
+
+TEST(Balance, what_slides_along_plates_loses_the_rest_of_their_work) {
+  for (const double drag : {1e3, 1e6, 1e9}) {
+    FlowProblem flow = skinned_disc(1);
+    for (auto& tool : flow.problem.tools) tool.friction = {Friction::Law::navier, drag, std::nullopt};
+    const auto solution = flow.solve();
+    ASSERT_TRUE(solution.converged) << solution.reason;
+    std::printf("drag %.0e Pa.s/m: friction %.3e W, off by %.1e\n", drag, solution.friction_power, power_left(flow, solution));
+    EXPECT_GT(solution.friction_power, 0);
+    EXPECT_LT(std::abs(power_left(flow, solution)), 1e-6);
+  }
+}
+
+TEST(Balance, what_lands_on_a_plate_loses_its_force_times_the_way) {
+  FlowProblem flow = skinned_disc(1);
+  for (auto& candidate : flow.problem.candidates) {  // of a domed plate
+    if (candidate.tool == 0) continue;
+    candidate.share = 1 - flow.mesh.nodes[candidate.node][0] / 0.02;
+    candidate.rate = -0.05 * (1 - candidate.share);
+    candidate.until = Point(0.1, -0.05);
+  }
+  const auto solution = flow.solve();
+  ASSERT_TRUE(solution.converged) << solution.reason;
+  std::printf("domed plate: arrival %.3e W, off by %.1e\n", solution.arrival_power, power_left(flow, solution));
+  EXPECT_GT(solution.arrival_power, 0);
+  EXPECT_LT(std::abs(power_left(flow, solution)), 1e-6);
 }
 
 }  // namespace
