@@ -18,7 +18,7 @@ Eigen::VectorXd unbalanced(const Problem& problem, const Held& held, const Eigen
     const double wall =
         k == tools.end() ? problem.tools[frame.friction_tool].velocity : iterate.driven[k - tools.begin()];
     const double slip = along.dot(node_velocity(iterate.x, frame.node) - wall * core::axis_direction());
-    residual.segment<dim>(dim * frame.node) -= held.drag[frame.node] * slip * along;
+    residual.segment<dim>(dim * frame.node) -= (held.drag[frame.node] * slip + held.pull[frame.node]) * along;
   }
   return residual;
 }

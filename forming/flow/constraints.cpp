@@ -106,7 +106,7 @@ Held hold_nodes(const Problem& problem, const std::vector<bool>& active) {
   }
   Held held;
   held.frame_of.assign(of_node.size(), -1);
-  held.drag = Eigen::VectorXd::Zero(problem.mesh->node_count());
+  held.drag = held.pull = Eigen::VectorXd::Zero(problem.mesh->node_count());
   for (Index node = 0; node < problem.mesh->node_count(); ++node) {
     if (of_node[node].empty()) continue;
     held.frame_of[node] = static_cast<Index>(held.frames.size());

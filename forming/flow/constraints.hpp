@@ -28,7 +28,8 @@ struct NodeFrame {
 struct Held {
   std::vector<NodeFrame> frames;
   std::vector<Index> frame_of;  ///< per node, -1 where free
-  Eigen::VectorXd drag;         ///< per node, N.s/m, along the last column of the frame where friction acts
+  /// Per node, along the last column of the frame where friction acts: friction = drag x slip + pull, N.s/m and N.
+  Eigen::VectorXd drag, pull;
 
   const NodeFrame* find(Index node) const { return frame_of[node] < 0 ? nullptr : &frames[frame_of[node]]; }
 };
@@ -42,7 +43,7 @@ bool sticks(const Problem& problem, const ContactCandidate& candidate);
 /// Tools whose velocity is an unknown, as indices into Problem::tools.
 std::vector<Index> driven_tools(const Problem& problem);
 
-/// The nodes held by symmetry, fixed pieces and the active candidates; no drag yet.
+/// The nodes held by symmetry, fixed pieces and the active candidates; no friction yet.
 Held hold_nodes(const Problem& problem, const std::vector<bool>& active);
 
 /// Sees to it that no translation is left free, closing the contact that the glass would fall on under `load`; false when it

@@ -2,6 +2,8 @@
 #include "forming/flow/contact_set.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace parison::flow {
 
@@ -13,6 +15,10 @@ namespace {
 constexpr double standstill = 1e-8;
 /// A contact released this often in one solve stays closed: the set would cycle.
 constexpr int most_releases = 3;
+/// A node whose slip turned round this often takes the secant of its friction.
+constexpr int most_reversals = 3;
+/// Slope of Coulomb's limit against its secant: none would leave glass unheld that slides everywhere.
+constexpr double least_slope = 1e-3;
 
 }  // namespace
 
@@ -56,21 +62,27 @@ SetChange update_set(const Problem& problem, const Instant& instant, std::vector
   return change;
 }
 
-Eigen::VectorXd friction_drag(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area,
-                              const Instant* last) {
-  Eigen::VectorXd drag = Eigen::VectorXd::Zero(area.size());
-  for (std::size_t i = 0; i < active.size(); ++i) {
-    if (!active[i]) continue;
-    const auto& candidate = problem.candidates[i];
-    const auto& friction = problem.tools[candidate.tool].friction;
-    drag[candidate.node] = candidate.share * friction.coefficient * area[candidate.node];
-    if (!friction.coulomb || !last) continue;
-    Point slip = node_velocity(last->unknowns, candidate.node) - last->tool_velocity[candidate.tool] * core::axis_direction();
-    slip -= slip.dot(candidate.normal) * candidate.normal;
-    const double cap = *friction.coulomb * std::max(0.0, last->forces.normal[i]);
-    if (drag[candidate.node] * slip.norm() > cap) drag[candidate.node] = cap / slip.norm();
+void add_friction(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area, const Instant* last,
+                  Sliding& sliding, Held& held) {
+  for (const auto& frame : held.frames) {
+    if (frame.friction_tool < 0) continue;
+    const Index node = frame.node, i = frame.equalities[0].candidate;
+    const auto& friction = problem.tools[frame.friction_tool].friction;
+    const double navier = problem.candidates[i].share * friction.coefficient * area[node];
+    held.drag[node] = navier;
+    if (!friction.coulomb || !last || !active[i]) continue;
+    const Point relative = node_velocity(last->unknowns, node) - last->tool_velocity[frame.friction_tool] * core::axis_direction();
+    const double slip = frame.frame.col(dim - 1).dot(relative), cap = *friction.coulomb * std::max(0.0, last->forces.normal[i]);
+    const int sense = navier * std::abs(slip) <= cap ? 0 : slip > 0 ? 1 : -1, before = std::exchange(sliding.sense[i], sense);
+    if (sense == 0) continue;
+    if (sense == -before) {
+      sliding.sense[i] = 0;
+      if (sliding.reversals[i]++ < most_reversals) continue;
+    }
+    const double secant = cap / std::abs(slip);
+    held.drag[node] = sliding.reversals[i] < most_reversals ? least_slope * secant : secant;
+    held.pull[node] = sense * cap - held.drag[node] * slip;
   }
-  return drag;
 }
 
 }  // namespace parison::flow

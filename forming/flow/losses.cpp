@@ -12,7 +12,7 @@ double friction_power(const Held& held, const Instant& instant) {
     const Point relative =
         node_velocity(instant.unknowns, frame.node) - instant.tool_velocity[frame.friction_tool] * core::axis_direction();
     const double slip = frame.frame.col(dim - 1).dot(relative);
-    power += held.drag[frame.node] * slip * slip;
+    power += (held.drag[frame.node] * slip + held.pull[frame.node]) * slip;
   }
   return power;
 }

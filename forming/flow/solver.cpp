@@ -8,6 +8,7 @@
 #include "forming/flow/losses.hpp"
 #include "forming/flow/support.hpp"
 #include "forming/flow/surface.hpp"
+#include "forming/flow/thinning.hpp"
 
 namespace parison::flow {
 
@@ -26,7 +27,8 @@ struct Discrete {
   CellGeometry geometry;
   std::vector<SurfaceEdge> surface;
   std::vector<double> viscosity;
-  CellMatrices cells;
+  CellMatrices cells;    ///< that give the forces of a flow
+  CellMatrices tangent;  ///< that give their changes, where the viscosity depends on the flow
   Eigen::VectorXd load;  ///< of gravity and the wanted change of volume, on every unknown
 };
 
@@ -38,7 +40,7 @@ void find_cells(const Problem& problem, const Eigen::VectorXd& velocity, Discret
 
 Discrete discretise(const Problem& problem) {
   const auto& mesh = *problem.mesh;
-  Discrete discrete{cell_geometry(mesh, problem.geometry), surface_edges(problem), {}, {}, {}};
+  Discrete discrete{cell_geometry(mesh, problem.geometry), surface_edges(problem), {}, {}, {}, {}};
   find_cells(problem, {}, discrete);
   discrete.load = cell_loads(mesh, discrete.cells);
   // Held glass cannot take part in a change of volume.
@@ -125,7 +127,11 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   corrector.factorisations = 0;
   Iterate iterate{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size),
                   Eigen::VectorXd::Zero(Index(driven_tools(problem).size()))};
-  const bool linear = is_linear(problem);
+  const bool linear = is_linear(problem), thinning = problem.material->shear_thinning.has_value();
+  if (thinning) discrete.tangent = discrete.cells;
+  const CellMatrices& tangent = thinning ? discrete.tangent : discrete.cells;
+  NewtonGuard guard;
+  Sliding sliding(result.active.size());
   std::optional<Instant> instant;
   Held held;
   for (bool settled = false, refined = false; !settled;) {
@@ -137,18 +143,23 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     held = hold_nodes(problem, result.active);
     if (!support(problem, load, result.active, held))
       return failed(std::move(result), "the glass is not held: no tool, symmetry plane or fixed piece carries it");
-    held.drag = friction_drag(problem, result.active, area, instant ? &*instant : nullptr);
-    auto correction = corrector.correct(problem, discrete.cells, held, load, iterate);
+    add_friction(problem, result.active, area, instant ? &*instant : nullptr, sliding, held);
+    auto correction = corrector.correct(problem, tangent, held, load, iterate);
     result.factorisations = corrector.factorisations;
     if (!correction || !correction->allFinite())
       return failed(std::move(result), "the flow matrix is singular: the glass is not held");
     const Eigen::VectorXd before = iterate.x.head(velocities);
-    instant = advance(problem, discrete.cells, held, load, std::move(*correction), iterate);
-    const bool steady =
-        linear || (iterate.x.head(velocities) - before).norm() <= same_flow * iterate.x.head(velocities).norm();
-    if (problem.material->shear_thinning && !steady) {
+    instant = advance(problem, tangent, held, load, std::move(*correction), iterate);
+    const double moved = (iterate.x.head(velocities) - before).norm() / iterate.x.head(velocities).norm();
+    const bool steady = linear || !(moved > same_flow);
+    if (thinning) {
       find_cells(problem, iterate.x.head(velocities), discrete);
       iterate.force = product(mesh, discrete.cells, iterate.x);
+    }
+    if (thinning && !steady) {
+      discrete.tangent = discrete.cells;
+      if (guard.trusts(moved))
+        add_thinning_derivative(problem, discrete.geometry, discrete.viscosity, iterate.x.head(velocities), discrete.tangent);
       corrector.forget();
     }
     const auto change = update_set(problem, *instant, result.active, releases);

@@ -5,7 +5,9 @@
 #include <set>
 
 #include "core/element.hpp"
+#include "forming/flow/cell_product.hpp"
 #include "forming/flow/solver.hpp"
+#include "forming/flow/thinning.hpp"
 #include "structured.hpp"
 
 namespace parison::flow {
@@ -129,6 +131,7 @@ TEST(Flow, friction_stops_at_coulombs_share_of_the_pressure) {
       if (flow.mesh.nodes[node][1] > 1e-9) flow.problem.candidates.push_back({node, 0, Point(-1, 0), 0.0});
     const auto solution = flow.solve();
     EXPECT_TRUE(solution.converged) << solution.reason;
+    std::printf("Coulomb %.2f: %d solves, %d factorisations\n", coulomb, solution.iterations, solution.factorisations);
     double pressed = 0;
     for (const auto& edge : flow.mesh.boundary)
       if (flow.mesh.pieces[edge.piece] == "right")
@@ -140,6 +143,53 @@ TEST(Flow, friction_stops_at_coulombs_share_of_the_pressure) {
   };
   EXPECT_NEAR(friction_over_pressure(0.02), 0.02, 0.002);
   EXPECT_NEAR(friction_over_pressure(0.05), 0.05, 0.005);
+  EXPECT_NEAR(friction_over_pressure(0.1), 0.1, 0.01);
+}
+
+TEST(Flow, forces_of_thinning_glass_change_as_their_derivative_says) {
+  FlowCase flow = disc_case(Friction::Law::slip, 2);
+  flow.material.shear_thinning = Carreau{0.8, 0.4};
+  const auto geometry = cell_geometry(flow.mesh, flow.problem.geometry);
+  const auto forces = [&](const Eigen::VectorXd& x) {
+    const auto viscosity = viscosity_field(flow.problem, geometry, x.head(core::dim * flow.mesh.node_count()));
+    return Eigen::VectorXd(product(flow.mesh, cell_matrices(flow.problem, geometry, viscosity), x));
+  };
+  const Index velocities = core::dim * flow.mesh.node_count();
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(velocities + flow.mesh.vertex_count), way = x;
+  for (Index n = 0; n < flow.mesh.node_count(); ++n) {
+    const Point at = flow.mesh.nodes[n] / 0.01;
+    x.segment<2>(2 * n) = Point(0.01 * at[0] * std::cos(at[1]), -0.02 * at[1] * (1 + at[0]));
+    way.segment<2>(2 * n) = Point(0.01 * at[0] * at[1], 0.02 * std::sin(at[0] - at[1]));
+  }
+  const auto viscosity = viscosity_field(flow.problem, geometry, x.head(velocities));
+  auto cells = cell_matrices(flow.problem, geometry, viscosity);
+  const Eigen::VectorXd secant = product(flow.mesh, cells, way);
+  add_thinning_derivative(flow.problem, geometry, viscosity, x.head(velocities), cells);
+  const Eigen::VectorXd derivative = product(flow.mesh, cells, way);
+  const double h = 1e-4;
+  const Eigen::VectorXd difference = (forces(x + h * way) - forces(x - h * way)) / (2 * h);
+  EXPECT_LT((difference - derivative).norm(), 1e-7 * derivative.norm());
+  EXPECT_GT((difference - secant).norm(), 0.1 * derivative.norm());
+}
+
+/// A sticking disc pressed by a driven tool: rates over some decades, and the force that the tool is given.
+TEST(Flow, shear_thinning_of_a_sticking_squeeze_takes_few_iterations_and_dissipates_the_tools_work) {
+  for (const double time : {0.01, 0.1, 1.0, 10.0}) {
+    FlowCase flow = disc_case(Friction::Law::stick, 8);
+    flow.material.shear_thinning = Carreau{time, 0.3};
+    flow.problem.tools[1].force = -20;
+    flow.problem.tools[1].speed_limit = 1e12;
+    const auto solution = flow.solve();
+    ASSERT_TRUE(solution.converged) << solution.reason;
+    double lost = 0;
+    for (const double w : solution.dissipation) lost += w;
+    const double work = solution.tool_force[1] * solution.tool_velocity[1];
+    std::printf("Carreau, %.1g s, exponent 0.3: plunger %.4e m/s, %d solves, %d factorisations; work against dissipation %.1e\n", time,
+                solution.tool_velocity[1], solution.iterations, solution.factorisations, lost / work - 1);
+    EXPECT_NEAR(solution.tool_force[1], -20, 1e-9);
+    EXPECT_NEAR(lost, work, 1e-8 * work);
+    EXPECT_LE(solution.factorisations, 12);
+  }
 }
 
 TEST(Flow, a_tool_driven_by_force_moves_at_the_speed_that_balances_it) {

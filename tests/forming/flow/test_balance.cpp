@@ -187,6 +187,19 @@ TEST(Balance, what_slides_along_plates_loses_the_rest_of_their_work) {
   }
 }
 
+TEST(Balance, friction_at_coulombs_limit_loses_the_rest_of_the_tools_work) {
+  for (const double coulomb : {0.02, 0.2}) {
+    FlowProblem flow = skinned_disc(1);
+    for (auto& tool : flow.problem.tools) tool.friction = {Friction::Law::navier, 1e8, coulomb};
+    const auto solution = flow.solve();
+    ASSERT_TRUE(solution.converged) << solution.reason;
+    std::printf("Coulomb %.2f: friction %.3e W, off by %.1e; %d solves\n", coulomb, solution.friction_power,
+                power_left(flow, solution), solution.iterations);
+    EXPECT_LT(solution.iterations, 25);
+    EXPECT_LT(std::abs(power_left(flow, solution)), 1e-6);
+  }
+}
+
 TEST(Balance, what_lands_on_a_plate_loses_its_force_times_the_way) {
   FlowProblem flow = skinned_disc(1);
   for (auto& candidate : flow.problem.candidates) {  // of a domed plate
