@@ -17,7 +17,7 @@ namespace dimension = core::dimension;
 
 constexpr std::array preset_names{"draft", "standard", "fine"};
 constexpr const char* coarser_word = " coarser ";
-constexpr std::array passes{1, 2, 2};
+constexpr std::array passes{1, 1, 1};
 constexpr std::array temperature_orders{2, 2, 2};
 constexpr double coarsest = -2, finest = 3;  ///< levels that a target may ask for
 
@@ -57,20 +57,20 @@ double read_target(const std::string& text) {
 const std::vector<Setting>& settings() {
   using A = Accuracy;
   static const std::vector<Setting> all = {
-      {"surface_size", &A::surface_size, dimension::length, "mm", 1e-3, 1, {1e-3, 0.5e-3, 0.25e-3}},
-      {"skin_size", &A::skin_size, dimension::length, "mm", 1e-3, 1, {0.4e-3, 0.2e-3, 0.1e-3}},
-      {"elements_across", &A::elements_across, dimension::none, "", 1, -0.6, {3, 4.5, 6.75}},
+      {"surface_size", &A::surface_size, dimension::length, "mm", 1e-3, 1, {1.6e-3, 1e-3, 0.6e-3}},
+      {"skin_size", &A::skin_size, dimension::length, "mm", 1e-3, 1, {0.7e-3, 0.3e-3, 0.18e-3}},
+      {"elements_across", &A::elements_across, dimension::none, "", 1, -0.6, {2, 3, 4.5}},
       {"glass_growth", &A::glass_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}},
-      {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {1.5e-3, 0.75e-3, 0.375e-3}},
+      {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}},
       {"tool_growth", &A::tool_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}},
-      {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}},
-      {"temperature_tolerance", &A::temperature_tolerance, dimension::temperature_difference, "K", 1, 2, {1, 0.2, 0.04}},
+      {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.6, 0.15, 0.075}},
+      {"temperature_tolerance", &A::temperature_tolerance, dimension::temperature_difference, "K", 1, 2, {1, 0.2, 0.05}},
       {"temperature_per_step", &A::temperature_per_step, dimension::temperature_difference, "K", 1, 1, {40, 20, 10}},
       {"largest_step", &A::largest_step, dimension::time, "s", 1, 1, {0.1, 0.05, 0.025}},
       {"first_step", &A::first_step, dimension::time, "s", 1, 0, {1e-3, 1e-3, 1e-3}},
       {"smallest_step", &A::smallest_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}},
       {"motion_tolerance", &A::motion_tolerance, dimension::length, "mm", 1e-3, 2, {0.1e-3, 0.025e-3, 6.25e-6}},
-      {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.15, 0.2, 0.2}}};
+      {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.15, 0.15, 0.15}}};
   return all;
 }
 

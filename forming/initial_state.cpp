@@ -71,10 +71,11 @@ State initial_state(const Scene& scene) {
   for (Index b = 0; b < bodies; ++b) {
     const Body& body = body_of(scene, b);
     BodyState start;
-    // Glass that stands is never meshed again.
-    const double contact_size = scene.has_flow() ? accuracy.surface_size : accuracy.skin_size;
-    start.mesh = b == 0 ? mesh_of(body, inner_glass_size * accuracy.surface_size, contact_size, accuracy.glass_growth)
-                        : mesh_of(body, coarse_tool_size, accuracy.tool_contact_size, accuracy.tool_growth);
+    // Where nothing flows the first meshes serve the whole run.
+    const double share = scene.has_flow() ? 1.0 : standing_share;
+    const double contact_size = scene.has_flow() ? accuracy.surface_size : share * accuracy.skin_size;
+    start.mesh = b == 0 ? mesh_of(body, inner_glass_size * share * accuracy.surface_size, contact_size, accuracy.glass_growth)
+                        : mesh_of(body, coarse_tool_size, share * accuracy.tool_contact_size, accuracy.tool_growth);
     if (body.thermal) start.temperature.setConstant(start.mesh.node_count(), body.initial_temperature);
     if (scene.has_flow() && b == 0 && !body.thermal)
       start.temperature.setConstant(start.mesh.node_count(), body.initial_temperature);

@@ -5,6 +5,9 @@
 
 namespace parison::forming {
 
+/// Edge lengths where nothing flows, of those where glass is meshed again and again: the first mesh serves the whole run.
+inline constexpr double standing_share = 0.5;
+
 /// Meshes every body of the scene and sets its start: time 0, first stage, uniform temperatures.
 State initial_state(const Scene& scene);
 

@@ -251,7 +251,8 @@ bool find_velocities(const Scene& scene, const State& state, Middle& foretold, d
   }
   const Timer timer(result.report, "flow");
   bool settled = false;
-  for (int sweep = 0; sweep < most_sweeps && !settled; ++sweep)
+  const int least_sweeps = state.last_step > 0 ? 1 : 2;  // a stage's first step knows no velocity
+  for (int sweep = 0; sweep < least_sweeps || (sweep < most_sweeps && !settled); ++sweep)
     if (!sweep_flow(scene, state, foretold, dt, workspace, result, settled)) return false;
   move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
   return true;

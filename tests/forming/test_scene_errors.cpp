@@ -210,7 +210,7 @@ TEST(SceneErrors, NumericsThatContradictEachOther) {
             "largest_step");
   EXPECT_EQ(numerics("largest_step = \"0.1 ms\"").rfind("numerics.largest_step: first_step = 0.001 and", 0), 0u);
   EXPECT_EQ(numerics("smallest_step = \"2 ms\"").rfind("numerics.smallest_step: smallest_step = 0.002 and", 0), 0u);
-  EXPECT_EQ(numerics("surface_size = \"0.3 mm\"").rfind("numerics.surface_size: skin_size = 0.0004 and", 0), 0u);
+  EXPECT_EQ(numerics("surface_size = \"0.3 mm\"").rfind("numerics.surface_size: skin_size = 0.0007 and", 0), 0u);
   EXPECT_EQ(numerics("temperature_order = 3"), "numerics.temperature_order: 3 was found, allowed are 1 and 2");
   EXPECT_EQ(numerics("first_step = \"10 us\"\nlargest_step = \"0.1 ms\""), "");
 }

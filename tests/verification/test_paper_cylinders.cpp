@@ -49,8 +49,8 @@ Scene cylinders(const Meshes& meshes) {
     steel.mesh.mapped->along_first = meshes.steel;
   } else {
     const auto& a = scene.accuracy;
-    glass.mesh = {4 * a.surface_size, a.skin_size, a.glass_growth, {}};
-    steel.mesh = {8e-3, a.tool_contact_size, a.tool_growth, {}};
+    glass.mesh = {4 * standing_share * a.surface_size, standing_share * a.skin_size, a.glass_growth, {}};
+    steel.mesh = {8e-3, standing_share * a.tool_contact_size, a.tool_growth, {}};
   }
   scene.probes.clear();
   if (meshes.steel_is_slave) std::swap(glass, steel);
