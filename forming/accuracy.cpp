@@ -58,7 +58,7 @@ const std::vector<Setting>& settings() {
   using A = Accuracy;
   static const std::vector<Setting> all = {
       {"surface_size", &A::surface_size, dimension::length, "mm", 1e-3, 1, {1.6e-3, 1e-3, 0.6e-3}},
-      {"skin_size", &A::skin_size, dimension::length, "mm", 1e-3, 1, {0.7e-3, 0.3e-3, 0.18e-3}},
+      {"skin_size", &A::skin_size, dimension::length, "mm", 1e-3, 1, {0.7e-3, 0.4e-3, 0.22e-3}},
       {"elements_across", &A::elements_across, dimension::none, "", 1, -0.6, {2, 3, 4.5}},
       {"glass_growth", &A::glass_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}},
       {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}},
