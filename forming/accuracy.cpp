@@ -75,7 +75,7 @@ const std::vector<Setting>& settings() {
 }
 
 const ErrorModel& error_model() {
-  static const ErrorModel model{{0.015, 1}, {0.003, 1}};
+  static const ErrorModel model{{0.0098, 1.17}, {0.0012, 1.16}};
   return model;
 }
 
