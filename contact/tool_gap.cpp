@@ -183,10 +183,11 @@ void merge_constraints(std::vector<GapConstraint>& constraints) {
   constraints = kept;
 }
 
-double signed_gap(const Profile& tool, const std::vector<bool>& contact_pieces, const Point& x) {
-  double best = std::numeric_limits<double>::infinity();
+double signed_gap(const Profile& tool, const std::vector<bool>& contact_pieces, const Point& x, double reach) {
+  double best = reach;
   for (const auto& segment : tool.segments)
     if (contact_pieces[segment.piece]) best = core::distance(segment, x, best);
+  if (best >= reach) return std::numeric_limits<double>::infinity();
   return core::contains(tool, x) ? -best : best;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <vector>
 
 #include "core/profile.hpp"
@@ -24,7 +25,9 @@ std::vector<GapConstraint> gap_constraints(const core::Profile& tool, const std:
 /// several.
 void merge_constraints(std::vector<GapConstraint>& constraints);
 
-/// Distance from x to the contact pieces, m, negative inside the tool; +infinity without contact pieces.
-double signed_gap(const core::Profile& tool, const std::vector<bool>& contact_pieces, const core::Point& x);
+/// Distance from x to the contact pieces, m, negative inside the tool; +infinity without contact pieces and where they are
+/// further away than `reach`.
+double signed_gap(const core::Profile& tool, const std::vector<bool>& contact_pieces, const core::Point& x,
+                  double reach = std::numeric_limits<double>::infinity());
 
 }  // namespace parison::contact

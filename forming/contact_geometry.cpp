@@ -155,8 +155,7 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
   const auto may_touch = touching_nodes(scene, glass);
   for (Index node = 0; node < glass.node_count(); ++node) {
     if (!may_touch[node]) continue;
-    const double gap = contact::signed_gap(body.profile, contact, glass.nodes[node] - displacement);
-    if (gap <= reach) gaps[node] = gap;
+    gaps[node] = contact::signed_gap(body.profile, contact, glass.nodes[node] - displacement, reach);
   }
   return gaps;
 }
