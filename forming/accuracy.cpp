@@ -63,7 +63,7 @@ const std::vector<Setting>& settings() {
       {"glass_growth", &A::glass_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}},
       {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}},
       {"tool_growth", &A::tool_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}},
-      {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.5, 0.15, 0.075}},
+      {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}},
       {"temperature_tolerance", &A::temperature_tolerance, dimension::temperature_difference, "K", 1, 2, {1, 0.2, 0.05}},
       {"temperature_per_step", &A::temperature_per_step, dimension::temperature_difference, "K", 1, 1, {40, 20, 10}},
       {"largest_step", &A::largest_step, dimension::time, "s", 1, 1, {0.1, 0.05, 0.025}},
