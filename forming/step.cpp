@@ -5,37 +5,17 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/element.hpp"
 #include "forming/contact_geometry.hpp"
 #include "forming/foretell.hpp"
 #include "forming/heat_step.hpp"
-#include "forming/thermal_interface.hpp"
-#include "forming/initial_state.hpp"
-#include "forming/sample.hpp"
 #include "forming/surface_change.hpp"
-#include "forming/work.hpp"
+#include "forming/sweep.hpp"
+#include "forming/thermal_interface.hpp"
 #include "remesh/quality.hpp"
 
 namespace parison::forming {
 
-using core::dim;
-
 namespace {
-
-/// Time over which the flow takes back a drift of the glass volume, at least one step, s.
-constexpr double volume_recovery_time = 5e-3;
-
-/// Flow sweeps in one step, at the most.
-constexpr int most_sweeps = 4;
-
-/// What a sweep may leave deeper in a tool than the step found it, m.
-constexpr double most_depth = 2e-6;
-
-/// The middle of a step as it is known before the step is solved.
-struct Middle {
-  Eigen::VectorXd velocity, temperature;  ///< of the glass nodes, m/s, K
-  std::vector<flow::ContactCandidate> bounds;  ///< of earlier sweeps, for nodes that later bounds did not keep out
-};
 
 /// Adds the seconds until its end to a part's account.
 class Timer {
@@ -55,134 +35,6 @@ void move_nodes(core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt) {
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
 }
 
-std::vector<flow::PieceCondition> piece_conditions(const Scene& scene, const State& state) {
-  std::vector<flow::PieceCondition> conditions;
-  const auto& pressure = scene.stages[state.stage].pressure;
-  for (const auto& name : state.bodies[0].mesh.pieces) {
-    flow::PieceCondition condition;
-    const PieceKind kind = piece_kind(scene.glass, name);
-    if (kind == PieceKind::symmetry) condition.kind = flow::PieceCondition::Kind::symmetry;
-    if (kind == PieceKind::fixed) condition.kind = flow::PieceCondition::Kind::fixed;
-    if (const auto found = pressure.find(name); found != pressure.end()) condition.pressure = found->second;
-    conditions.push_back(condition);
-  }
-  return conditions;
-}
-
-struct FlowPass {
-  std::vector<flow::ContactCandidate> candidates;
-  flow::Solution solution;
-};
-
-/// The candidates that were closed in the last solve, or, where a new mesh or stage knows only the tool of each node, its
-/// nearest one; and those that `guess` would carry through.
-std::vector<bool> likely_contacts(const State& state, const ContactState::Closed& closed, const flow::Problem& problem,
-                                  const Eigen::VectorXd& guess) {
-  constexpr double near_direction = 0.94;
-  std::vector<std::vector<std::size_t>> of_node(problem.mesh->nodes.size());
-  for (std::size_t i = 0; i < closed.node.size(); ++i) of_node[closed.node[i]].push_back(i);
-  std::vector<bool> likely;
-  Index last_node = -1;
-  for (const auto& candidate : problem.candidates) {
-    const auto& known = of_node[candidate.node];
-    bool was = std::any_of(known.begin(), known.end(), [&](std::size_t i) {
-      return closed.tool[i] == candidate.tool && closed.normal[i].dot(candidate.normal) > near_direction;
-    });
-    if (closed.node.empty())
-      was = (state.contact.tool[candidate.node] == candidate.tool && candidate.node != last_node) ||
-            (state.last_step == 0 && candidate.rate >= 0);
-    const double tool_speed = state.bodies[1 + candidate.tool].velocity;
-    const Point relative = flow::node_velocity(guess, candidate.node) - tool_speed * core::axis_direction();
-    likely.push_back(was || (state.last_step > 0 && candidate.normal.dot(relative) < candidate.rate));
-    last_node = candidate.node;
-  }
-  return likely;
-}
-
-/// Adds the bounds that point another way than the node's own, beside those.
-void keep_bounds(const std::vector<flow::ContactCandidate>& bounds, std::vector<flow::ContactCandidate>& candidates) {
-  for (const auto& bound : bounds) {
-    const auto of_node = [&](const auto& c) { return c.node == bound.node; };
-    const auto first = std::find_if(candidates.begin(), candidates.end(), of_node);
-    const auto last = std::find_if_not(first, candidates.end(), of_node);
-    if (std::none_of(first, last, [&](const auto& c) { return c.normal.dot(bound.normal) > same_direction; }))
-      candidates.insert(last, bound);
-  }
-}
-
-/// Flow of the step seen from its middle.
-FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::Closed& closed, const Middle& foretold,
-                    double dt, Workspace& workspace) {
-  const core::Mesh middle = middle_mesh(state, foretold.velocity, dt);
-  flow::Problem problem{};
-  problem.mesh = &middle;
-  problem.geometry = scene.geometry;
-  problem.material = &*scene.glass.flow;
-  problem.temperature = &foretold.temperature;
-  problem.gravity = scene.stages[state.stage].gravity;
-  const double excess = core::volume(state.bodies[0].mesh, scene.geometry) / state.first_volume - 1;
-  problem.volume_rate = -excess / std::max(dt, volume_recovery_time);
-  problem.pieces = piece_conditions(scene, state);
-  problem.tools = tool_motions(scene, state, dt);
-  problem.candidates = contact_candidates(scene, state, foretold.velocity, dt);
-  keep_bounds(foretold.bounds, problem.candidates);
-  const auto warm = likely_contacts(state, closed, problem, foretold.velocity);
-  if (!workspace.flow) workspace.flow.emplace(middle);
-  auto solution = workspace.flow->solve(problem, warm);
-  return {std::move(problem.candidates), std::move(solution)};
-}
-
-/// Puts the flow's velocities and contact into the state.
-void take_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
-  const auto& [candidates, solution] = pass;
-  state.velocity = solution.velocity;
-  state.last_step = dt;
-  std::fill(state.contact.tool.begin(), state.contact.tool.end(), -1);
-  for (std::size_t i = candidates.size(); i-- > 0;)
-    if (solution.active[i]) state.contact.tool[candidates[i].node] = candidates[i].tool;
-  state.contact.closed = {};
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (solution.active[i]) {
-      state.contact.closed.node.push_back(candidates[i].node);
-      state.contact.closed.tool.push_back(candidates[i].tool);
-      state.contact.closed.normal.push_back(candidates[i].normal);
-    }
-  state.contact.pressure = solution.contact_pressure;
-  for (const auto& tool : scene.stages[state.stage].tools) {
-    auto& body = state.bodies[1 + tool.tool];
-    body.velocity = solution.tool_velocity[tool.tool];
-    body.force = solution.tool_force[tool.tool];
-  }
-}
-
-void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt,
-                       State& state) {
-  std::vector<std::size_t> inside;
-  std::vector<Point> points;
-  for (std::size_t p = 0; p < scene.probes.size(); ++p)
-    if (scene.probes[p].body == 0) {
-      inside.push_back(p);
-      points.push_back(state.probes[p]);
-    }
-  const Eigen::MatrixXd moving = sample(mesh, velocity, dim, points);
-  for (std::size_t i = 0; i < inside.size(); ++i)
-    state.probes[inside[i]] += dt * moving.row(static_cast<Index>(i)).transpose();
-}
-
-/// rho rate L^2 / eta: L twice the volume over the surface (a wall's thickness), the viscosity that which the dissipation
-/// shows at the mean rate of deformation.
-double reynolds(const Scene& scene, const flow::Solution& solution, const core::Mesh& mesh) {
-  double dissipation = 0, surface = 0;
-  for (const double w : solution.dissipation) dissipation += w;
-  const auto symmetry = symmetry_pieces(scene.glass, mesh);
-  for (const auto& edge : mesh.boundary)
-    if (!symmetry[edge.piece])
-      for (const auto& at : core::edge_rule(2)) surface += core::map_edge_point(mesh, edge.nodes, scene.geometry, at).area;
-  const double volume = core::volume(mesh, scene.geometry), length = 2 * volume / surface;
-  const double rate = solution.mean_rate, viscosity = dissipation / (rate * rate * volume);
-  return dissipation > 0 ? scene.glass.flow->density * rate * length * length / viscosity : 0;
-}
-
 /// Velocities of tools that move by position where nothing flows.
 void take_motions(const Scene& scene, double dt, State& state) {
   const auto motions = tool_motions(scene, state, dt);
@@ -199,50 +51,7 @@ void move_bodies(const Scene& scene, double dt, State& state) {
   }
 }
 
-/// Whether the velocities carry glass into a tool, where the next sweep will see other bounds; those of this sweep are then
-/// kept beside them, so that a node does not go to and fro in a hollow of the tools.
-bool goes_too_deep(const Scene& scene, const State& before, double dt, const FlowPass& pass, const State& swept,
-                   Middle& foretold) {
-  std::vector<bool> deep(before.bodies[0].mesh.nodes.size(), false);
-  const double allowed = std::max(most_depth, deepest_penetration(scene, before));
-  bool any = false;
-  for (const auto& inside : penetrations(scene, swept, dt))
-    if (inside.depth > allowed) any = deep[inside.node] = true;
-  for (const auto& bound : pass.candidates)
-    if (deep[bound.node]) foretold.bounds.push_back(bound);
-  return any;
-}
-
-/// One sweep: velocities of the glass and the tools by the flow, seen from the middle as it is foretold, which is foretold
-/// anew. An unsuccessful solve is told in `result.reason`.
-bool sweep_flow(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
-                StepResult& result, bool& settled) {
-  auto pass = solve_flow(scene, state, result.state.contact.closed, foretold, dt, workspace);
-  ++result.report.sweeps;
-  result.report.flow_solves += pass.solution.iterations;
-  result.report.flow_factorisations += pass.solution.factorisations;
-  result.report.contact_changes += pass.solution.contact_changes;
-  result.report.latched_contacts = pass.solution.latched;
-  if (!pass.solution.converged) {
-    result.reason = pass.solution.reason;
-    return false;
-  }
-  take_flow(scene, pass, dt, result.state);
-  result.report.strain = pass.solution.high_rate * dt;
-  result.state.totals.work = state.totals.work;
-  book_work(scene, state, pass.solution, dt, result.state.totals.work);
-  auto& largest = result.state.totals.largest_reynolds;
-  largest = std::max(largest, reynolds(scene, pass.solution, state.bodies[0].mesh));
-  double& unsettled = result.report.unsettled_motion;
-  unsettled = 0.5 * dt * (result.state.velocity - foretold.velocity).lpNorm<Eigen::Infinity>();
-  settled = !goes_too_deep(scene, state, dt, pass, result.state, foretold) && unsettled <= scene.accuracy.motion_tolerance;
-  foretold.velocity = result.state.velocity;
-  result.dissipation = std::move(pass.solution.dissipation);
-  return true;
-}
-
-/// Velocities of the step: by the flow, swept until the mesh in the step's middle settles and the contact holds, or as the
-/// tools are told.
+/// Velocities of the step: by the flow, or as the tools are told.
 bool find_velocities(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
                      StepResult& result) {
   if (!scene.has_flow()) {
@@ -250,12 +59,7 @@ bool find_velocities(const Scene& scene, const State& state, Middle& foretold, d
     return true;
   }
   const Timer timer(result.report, "flow");
-  bool settled = false;
-  const int least_sweeps = state.last_step > 0 ? 1 : 2;  // a stage's first step knows no velocity
-  for (int sweep = 0; sweep < least_sweeps || (sweep < most_sweeps && !settled); ++sweep)
-    if (!sweep_flow(scene, state, foretold, dt, workspace, result, settled)) return false;
-  move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
-  return true;
+  return sweep_until_settled(scene, state, foretold, dt, workspace, result);
 }
 
 /// Whether every cell of the glass has kept its sense.
