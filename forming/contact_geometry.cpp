@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact/tool_gap.hpp"
+#include "contact/tool_joint.hpp"
 #include "core/profile.hpp"
 #include "forming/initial_state.hpp"
 
@@ -27,17 +28,29 @@ struct ToolConstraint {
   contact::GapConstraint constraint;
 };
 
-/// The nearest constraints of a node over all tools in place: the union of the tools counts.
-std::vector<ToolConstraint> node_constraints(const Scene& scene, const std::vector<Index>& tools,
-                                             const std::vector<double>& offset, const Point& x, double reach) {
-  std::vector<ToolConstraint> found;
-  for (const Index tool : tools) {
-    const Body& body = scene.tools[tool];
-    const auto contact = contact_pieces(body);
-    const Point local = x - offset[tool] * core::axis_direction();
-    for (const auto& constraint : contact::gap_constraints(body.profile, contact, local, reach))
-      found.push_back({tool, constraint});
+/// The tools in place as they stand with `offset` (one for each tool of the scene), and where they meet.
+struct PlacedTools {
+  PlacedTools(const Scene& scene, const std::vector<Index>& tools, const std::vector<double>& offset) : index(tools) {
+    for (const Index tool : tools)
+      placed.push_back({&scene.tools[tool].profile, contact_pieces(scene.tools[tool]), offset[tool]});
+    joints = contact::tool_joints(placed);
   }
+  std::vector<Index> index;
+  std::vector<contact::PlacedTool> placed;
+  std::vector<contact::ToolJoint> joints;
+};
+
+/// The nearest constraints of a node over all tools in place: the union of the tools counts.
+std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Point& x, double reach) {
+  std::vector<ToolConstraint> found;
+  for (std::size_t t = 0; t < tools.placed.size(); ++t) {
+    const auto& [profile, pieces, offset] = tools.placed[t];
+    for (const auto& constraint : contact::gap_constraints(*profile, pieces, x - offset * core::axis_direction(), reach))
+      found.push_back({tools.index[t], constraint});
+  }
+  for (const auto& joint : tools.joints)
+    for (const auto& [tool, constraint] : contact::joint_constraints(joint, x, reach))
+      found.push_back({tools.index[tool], constraint});
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.constraint.gap < b.constraint.gap; });
   std::vector<ToolConstraint> kept;
@@ -119,6 +132,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   }
   const core::Mesh& glass = state.bodies[0].mesh;
   const auto tools = tools_in_place(scene, state);
+  const PlacedTools placed(scene, tools, offset);
   const Point axis = core::axis_direction();
   std::vector<flow::ContactCandidate> candidates;
   const auto may_touch = touching_nodes(scene, glass);
@@ -130,7 +144,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       fastest = std::max({fastest, std::abs(speed[tool]), motions[tool].force ? motions[tool].speed_limit : 0.0});
     const Point reached = glass.nodes[node] + dt * v;
     for (const auto& [tool, constraint] :
-         node_constraints(scene, tools, offset, reached, near + 2 * dt * fastest)) {
+         node_constraints(placed, reached, near + 2 * dt * fastest)) {
       const bool held = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
       const Point relative = v - speed[tool] * axis;
       const double approach = constraint.normal.dot(relative);
@@ -161,16 +175,16 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
 }
 
 void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {
-  const auto tools = tools_in_place(scene, state);
   std::vector<double> offset;
   for (std::size_t b = 1; b < state.bodies.size(); ++b) offset.push_back(state.bodies[b].offset);
+  const PlacedTools tools(scene, tools_in_place(scene, state), offset);
   const auto on_line = symmetry_pieces(scene.glass, mesh);
   std::vector<bool> held(mesh.nodes.size(), false);
   for (const auto& edge : mesh.boundary)
     if (on_line[edge.piece])
       for (const Index node : edge.nodes) held[node] = true;
   for (const Index node : surface_nodes(mesh))
-    for (const auto& [tool, constraint] : node_constraints(scene, tools, offset, mesh.nodes[node], near))
+    for (const auto& [tool, constraint] : node_constraints(tools, mesh.nodes[node], near))
       if (constraint.gap < 0 && !held[node]) mesh.nodes[node] -= constraint.gap * constraint.normal;
 }
 
@@ -180,12 +194,14 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
   const auto surface = surface_nodes(glass);
   for (const Index tool : tools_in_place(scene, state)) {
     const auto& profile = scene.tools[tool].profile;
+    const auto contact = contact_pieces(scene.tools[tool]);
     const BodyState& body = state.bodies[1 + tool];
     const Point moved = (body.offset + ahead * body.velocity) * core::axis_direction();
     for (const Index node : surface) {
       Point local = glass.nodes[node] - moved;
       if (ahead > 0 && scene.has_flow()) local += ahead * flow::node_velocity(state.velocity, node);
-      if (core::contains(profile, local)) found.push_back({node, core::distance(profile, local)});
+      const double depth = core::contains(profile, local) ? -contact::signed_gap(profile, contact, local) : 0;
+      if (depth > 0 && std::isfinite(depth)) found.push_back({node, depth});
     }
   }
   return found;

@@ -29,7 +29,7 @@ inline constexpr double same_direction = 0.9986;
 /// A glass node inside a tool in place.
 struct Penetration {
   Index node;
-  double depth;  ///< m
+  double depth;  ///< from the contact pieces, m
 };
 /// All of them after a time `ahead` with the present velocities.
 std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead);

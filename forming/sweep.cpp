@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/sweep.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "core/element.hpp"
@@ -22,8 +24,11 @@ constexpr double volume_recovery_time = 5e-3;
 /// Flow sweeps in one step, at the most.
 constexpr int most_sweeps = 4;
 
-/// What a sweep may leave deeper in a tool than the step found it, m.
-constexpr double most_depth = 2e-6;
+/// What a sweep may leave deeper in a tool than the step found it, m; and what the last sweep may.
+constexpr double most_depth = 2e-6, most_last_depth = 5e-6;
+
+/// Steps no longer than this, of the first step of a stage, are taken with whatever depth they leave.
+constexpr double least_step = 0.1;
 
 std::vector<flow::PieceCondition> piece_conditions(const Scene& scene, const State& state) {
   std::vector<flow::PieceCondition> conditions;
@@ -153,24 +158,26 @@ double reynolds(const Scene& scene, const flow::Solution& solution, const core::
   return dissipation > 0 ? scene.glass.flow->density * rate * length * length / viscosity : 0;
 }
 
-/// Whether the velocities carry glass into a tool, where the next sweep will see other bounds; those of this sweep are then
-/// kept beside them, so that a node does not go to and fro in a hollow of the tools.
-bool goes_too_deep(const Scene& scene, const State& before, double dt, const FlowPass& pass, const State& swept,
-                   Middle& foretold) {
+/// How deep the velocities carry glass into a tool, beyond what `before` holds, m; where that is too deep the next sweep will
+/// see other bounds. Those of this sweep are then kept beside them, so that a node does not go to and fro in a hollow of the tools.
+double depth_gained(const Scene& scene, const State& before, double dt, const FlowPass& pass, const State& swept,
+                    Middle& foretold) {
   std::vector<bool> deep(before.bodies[0].mesh.nodes.size(), false);
-  const double allowed = std::max(most_depth, deepest_penetration(scene, before));
-  bool any = false;
-  for (const auto& inside : penetrations(scene, swept, dt))
-    if (inside.depth > allowed) any = deep[inside.node] = true;
+  const double known = deepest_penetration(scene, before), allowed = std::max(most_depth, known);
+  double deepest = known;
+  for (const auto& inside : penetrations(scene, swept, dt)) {
+    deepest = std::max(deepest, inside.depth);
+    if (inside.depth > allowed) deep[inside.node] = true;
+  }
   for (const auto& bound : pass.candidates)
     if (deep[bound.node]) foretold.bounds.push_back(bound);
-  return any;
+  return deepest > allowed ? deepest - known : 0;
 }
 
 /// One sweep: velocities of the glass and the tools by the flow, seen from the middle as it is foretold, which is foretold
 /// anew. An unsuccessful solve is told in `result.reason`.
 bool sweep_flow(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
-                StepResult& result, bool& settled) {
+                StepResult& result, double& gained) {
   auto pass = solve_flow(scene, state, result.state.contact.closed, foretold, dt, workspace);
   ++result.report.sweeps;
   result.report.flow_solves += pass.solution.iterations;
@@ -189,7 +196,7 @@ bool sweep_flow(const Scene& scene, const State& state, Middle& foretold, double
   largest = std::max(largest, reynolds(scene, pass.solution, state.bodies[0].mesh));
   double& unsettled = result.report.unsettled_motion;
   unsettled = 0.5 * dt * (result.state.velocity - foretold.velocity).lpNorm<Eigen::Infinity>();
-  settled = !goes_too_deep(scene, state, dt, pass, result.state, foretold) && unsettled <= scene.accuracy.motion_tolerance;
+  gained = depth_gained(scene, state, dt, pass, result.state, foretold);
   foretold.velocity = result.state.velocity;
   result.dissipation = std::move(pass.solution.dissipation);
   return true;
@@ -199,10 +206,15 @@ bool sweep_flow(const Scene& scene, const State& state, Middle& foretold, double
 
 bool sweep_until_settled(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
                          StepResult& result) {
-  bool settled = false;
+  double gained = 0;
+  const auto settled = [&] { return gained == 0 && result.report.unsettled_motion <= scene.accuracy.motion_tolerance; };
   const int least_sweeps = state.last_step > 0 ? 1 : 2;  // a stage's first step knows no velocity
-  for (int sweep = 0; sweep < least_sweeps || (sweep < most_sweeps && !settled); ++sweep)
-    if (!sweep_flow(scene, state, foretold, dt, workspace, result, settled)) return false;
+  for (int sweep = 0; sweep < least_sweeps || (sweep < most_sweeps && !settled()); ++sweep)
+    if (!sweep_flow(scene, state, foretold, dt, workspace, result, gained)) return false;
+  if (gained > most_last_depth && dt > least_step * scene.accuracy.first_step) {
+    result.reason = fmt::format("the step carries glass {:.2g} um into a tool", 1e6 * gained);
+    return false;
+  }
   move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
   return true;
 }
