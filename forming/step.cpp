@@ -102,7 +102,8 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   workspace.table_holds = state.totals.table_holds;
   StepResult result;
   Middle foretold;
-  if (scene.has_flow()) foretold = {foretold_velocity(state, 0.5 * dt), foretold_temperature(scene, state, 0.5 * dt), {}};
+  if (scene.has_flow())
+    foretold = {foretold_velocity(state, 0.5 * dt), foretold_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
   result.state = state;
   const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
   for (int pass = 0; pass < passes; ++pass) {

@@ -7,6 +7,7 @@ namespace parison::forming {
 /// The middle of a step as it is known before the step is solved.
 struct Middle {
   Eigen::VectorXd velocity, temperature;  ///< of the glass nodes, m/s, K
+  bool trusted = false;  ///< the velocity: it comes from a sweep, or a smooth motion foretells it
   std::vector<flow::ContactCandidate> bounds;  ///< of earlier sweeps, for nodes that later bounds did not keep out
 };
 
