@@ -2,6 +2,7 @@
 #include "contact/box_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace parison::contact {
@@ -47,17 +48,17 @@ void BoxTree::divide(Index begin, Index end) {
 Index BoxTree::query(const Box& box, std::vector<Index>& found) const {
   Index looked_at = 0;
   const auto first_new = static_cast<std::ptrdiff_t>(found.size());
-  std::vector<Index> open;
-  if (!branches_.empty()) open.push_back(0);
-  while (!open.empty()) {
-    const Index self = open.back();
+  std::array<Index, 64> open;  // one for each level
+  int left = 0;
+  if (!branches_.empty()) open[left++] = 0;
+  while (left > 0) {
+    const Index self = open[--left];
     const Branch& branch = branches_[self];
-    open.pop_back();
     ++looked_at;
     if (!overlap(branch.box, box)) continue;
     if (branch.second >= 0) {
-      open.push_back(branch.second);
-      open.push_back(self + 1);
+      open[left++] = branch.second;
+      open[left++] = self + 1;
       continue;
     }
     for (Index i = branch.begin; i < branch.end; ++i, ++looked_at)

@@ -32,6 +32,10 @@ Box bounds(const SurfaceEdge& edge) {
 Target make_target(const std::vector<Master>& masters) {
   std::vector<MasterEdge> edges;
   std::vector<Box> boxes;
+  std::size_t count = 0;
+  for (const Master& master : masters) count += master.surface.edges.size();
+  edges.reserve(count);
+  boxes.reserve(count);
   for (std::size_t m = 0; m < masters.size(); ++m)
     for (const auto& edge : masters[m].surface.edges) {
       edges.push_back({edge, static_cast<Index>(m)});
@@ -138,10 +142,13 @@ std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Ei
   const Target target = make_target(masters);
   std::vector<core::InterfacePoint> points;
   points.reserve(16 * slave.edges.size());
+  std::vector<Index> near;
   for (const auto& edge : make_rays(slave)) {
-    EdgeView view{edge, target.edges, {}, sight_range(edge.edge, masters)};
-    target.tree.query(inflated(bounds(edge.edge), view.range), view.near);
-    if (view.near.empty()) continue;
+    const double range = sight_range(edge.edge, masters);
+    near.clear();
+    target.tree.query(inflated(bounds(edge.edge), range), near);
+    if (near.empty()) continue;
+    const EdgeView view{edge, target.edges, near, range};
     for (const Stretch& stretch : make_stretches(view, make_segments(view, interface_nodes(view)), masters))
       add_points(view, stretch, masters[target.edges[stretch.edge].master], pressure, points);
   }

@@ -11,10 +11,10 @@ namespace parison::contact {
 namespace {
 
 constexpr double smooth_cosine = 0.5;   ///< ends whose normals differ by more than 60 degrees make a corner
-constexpr double end_tolerance = 1e-9;  ///< a ray this close to a master edge's end, in edge lengths, meets it
 
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
+/// Along the ray that leaves at s, of no certain length.
+Point direction(const RayEdge& slave, double s) {
+  return normal(slave.edge, s) + (1 - s) * slave.first_turn + s * slave.last_turn;
 }
 
 /// Slope, against the edge, of a surface that is square to the turned normal at an end.
@@ -24,8 +24,8 @@ double rise(const SurfaceEdge& edge, double end, const Point& turn) {
 }
 
 void finish(RayEdge& slave) {
-  slave.first = ray(slave, 0);
-  slave.last = ray(slave, 1);
+  slave.first = {slave.edge.x[0], direction(slave, 0).normalized()};
+  slave.last = {slave.edge.x[1], direction(slave, 1).normalized()};
   slave.first_rise = rise(slave.edge, 0, slave.first_turn);
   slave.last_rise = rise(slave.edge, 1, slave.last_turn);
   if (slave.first_free) slave.first_rise = -slave.last_rise;
@@ -46,12 +46,13 @@ double quadratic_root(double first, double mid, double last) {
 std::vector<RayEdge> make_rays(const Surface& slave) {
   std::vector<RayEdge> rays;
   rays.reserve(slave.edges.size());
+  const Ray none{Point::Zero(), Point::Zero()};
   Index last_node = -1;
   for (const auto& edge : slave.edges) last_node = std::max({last_node, edge.nodes[0], edge.nodes[1]});
   std::vector<Index> starting_at(last_node + 1, -1);
   for (const auto& edge : slave.edges) {
     starting_at[edge.nodes[0]] = static_cast<Index>(rays.size());
-    rays.push_back({edge, Point::Zero(), Point::Zero(), true, true, {}, {}, 0, 0});
+    rays.push_back({edge, Point::Zero(), Point::Zero(), true, true, none, none, 0, 0});
   }
   for (auto& before : rays) {
     const Index next = starting_at[before.edge.nodes[1]];
@@ -69,8 +70,9 @@ std::vector<RayEdge> make_rays(const Surface& slave) {
 }
 
 Ray ray(const RayEdge& slave, double s) {
-  const Point along = normal(slave.edge, s) + (1 - s) * slave.first_turn + s * slave.last_turn;
-  return {position(slave.edge, s), along.normalized()};
+  if (s == 0) return slave.first;
+  if (s == 1) return slave.last;
+  return {position(slave.edge, s), direction(slave, s).normalized()};
 }
 
 double bulge(const RayEdge& slave, double s) {
@@ -78,23 +80,21 @@ double bulge(const RayEdge& slave, double s) {
 }
 
 std::optional<Hit> hit_master(const Ray& ray, const SurfaceEdge& master) {
-  const auto aside = [&](const Point& x) { return cross(ray.along, x - ray.from); };
-  const double first = aside(master.x[0]), last = aside(master.x[1]);
+  if (passes_by(ray, master)) return std::nullopt;
+  const double first = aside(ray, master.x[0]), last = aside(ray, master.x[1]);
   double t;
-  if ((first > 0) == (last > 0) && first != 0 && last != 0) {
+  if (first * last >= 0)
     t = std::abs(first) < std::abs(last) ? 0 : 1;
-    if (std::abs(t == 0 ? first : last) > end_tolerance * (master.x[1] - master.x[0]).norm()) return std::nullopt;
-  } else {
-    t = first == 0 ? 0 : last == 0 ? 1 : quadratic_root(first, aside(master.x[2]), last);
-  }
+  else
+    t = quadratic_root(first, aside(ray, master.x[2]), last);
   return Hit{t, ray.along.dot(position(master, t) - ray.from)};
 }
 
 std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x) {
-  const auto aside = [&](const Ray& ray) { return cross(ray.along, x - ray.from); };
-  const double first = aside(slave.first), last = aside(slave.last);
+  const double first = aside(slave.first, x), last = aside(slave.last, x);
   if (!((first > 0 && last < 0) || (first < 0 && last > 0))) return std::nullopt;
-  return find_root([&](double s) { return aside(ray(slave, s)); }, 0, first, 1, last);
+  const auto beside = [&](double s) { return aside({position(slave.edge, s), direction(slave, s)}, x); };
+  return find_root(beside, 0, first, 1, last);
 }
 
 }  // namespace parison::contact

@@ -1,5 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -40,10 +42,26 @@ struct Hit {
   double distance;  ///< along the ray, m; negative where the bodies overlap
 };
 
+/// Whether both ends of a master edge lie on one side of a ray's line, neither at it.
+bool passes_by(const Ray& ray, const SurfaceEdge& master);
 /// A point of the slave seen on the master: none when its ray passes the edge by.
 std::optional<Hit> hit_master(const Ray& ray, const SurfaceEdge& master);
 
 /// A node of the master seen on the slave: the s in (0, 1) whose ray passes through x, if any.
 std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x);
+
+/// How far a point lies to the left of a ray's line, m.
+inline double aside(const Ray& ray, const Point& x) {
+  const Point off = x - ray.from;
+  return ray.along[0] * off[1] - ray.along[1] * off[0];
+}
+
+inline bool passes_by(const Ray& ray, const SurfaceEdge& master) {
+  constexpr double end_tolerance = 1e-9;  // a ray this close to the edge's end, in edge lengths, meets it
+  const double first = aside(ray, master.x[0]), last = aside(ray, master.x[1]);
+  if (!(first * last > 0)) return false;
+  const double nearest = std::min(std::abs(first), std::abs(last));
+  return nearest * nearest > end_tolerance * end_tolerance * (master.x[1] - master.x[0]).squaredNorm();
+}
 
 }  // namespace parison::contact

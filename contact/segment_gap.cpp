@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/root.hpp"
 
@@ -13,12 +14,7 @@ namespace {
 constexpr double touching = 1e-9;  ///< of the hand-over width: gaps this near to an end of the hand-over are at it
 constexpr double nearly_closed = 0.02;
 
-/// Gap to the segment's master at one of the slave's nodes: its own; where out of reach, how far the mesh is, and open
-/// where that lies behind the slave.
-double gap_of_slave_node(const Master& master, Index node, double distance) {
-  if (std::isfinite(master.gap[node])) return master.gap[node];
-  return distance < -master.handover_width ? master.handover_width : distance;
-}
+constexpr double out_of_reach = std::numeric_limits<double>::infinity();
 
 /// Whether the gap passes a level between a segment's ends.
 bool passes(const SegmentGap& gap, double level, double width) {
@@ -37,10 +33,14 @@ double closure(double gap, double width) {
 
 SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const Master& master)
     : slave_(view.slave), begin_(segment.begin.slave_s), end_(segment.end.slave_s) {
+  // A node of the slave has its own gap; out of reach, it is how far the mesh is, and open where that lies behind the slave.
   const auto at = [&](const InterfaceNode& node) {
+    const bool of_slave = node.slave_node >= 0;
+    const double known = of_slave ? master.gap[slave_.edge.nodes[node.slave_node]] : out_of_reach;
+    if (std::isfinite(known)) return known;
     const auto hit = hit_master(ray(slave_, node.slave_s), view.masters[segment.edge].edge);
     const double distance = hit ? hit->distance : view.range;
-    return node.slave_node < 0 ? distance : gap_of_slave_node(master, slave_.edge.nodes[node.slave_node], distance);
+    return of_slave && distance < -master.handover_width ? master.handover_width : distance;
   };
   first_ = at(segment.begin);
   last_ = at(segment.end);

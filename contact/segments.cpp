@@ -14,9 +14,24 @@ constexpr double just_inside = 1e-6;      ///< of a segment's length: where its 
 constexpr int halvings = 50;
 constexpr int most_cuts = 4;              ///< between two nodes; what is left after them goes to the last edge seen
 
+bool faces(const Ray& from, const SurfaceEdge& master, const Hit& hit) {
+  return from.along.dot(normal(master, hit.s)) < opposing_cosine;
+}
+
 Index edge_seen(const EdgeView& view, double s) {
   const auto sight = see_master(view, s);
   return sight ? sight->edge : -1;
+}
+
+/// The edge seen at the far end of an interval between neighbouring nodes, from what is seen at its near end: an edge that
+/// is met alone there is met alone all along.
+Index edge_seen_too(const EdgeView& view, const std::optional<Sight>& near_end, double s) {
+  if (!near_end || !near_end->alone) return edge_seen(view, s);
+  const Ray from = ray(view.slave, s);
+  const SurfaceEdge& master = view.masters[near_end->edge].edge;
+  const auto hit = hit_master(from, master);
+  const bool seen = hit && std::abs(hit->distance) <= view.range && faces(from, master, *hit);
+  return seen ? near_end->edge : edge_seen(view, s);
 }
 
 /// Where, between two points, the edge that is seen ceases to be the one seen from `begin`.
@@ -32,14 +47,18 @@ double end_of_sight(const EdgeView& view, double begin, double end, Index seen) 
 
 std::optional<Sight> see_master(const EdgeView& view, double s) {
   std::optional<Sight> nearest;
+  int met = 0;
   const Ray from = ray(view.slave, s);
   for (const Index m : view.near) {
     const SurfaceEdge& master = view.masters[m].edge;
+    if (passes_by(from, master)) continue;
+    ++met;
     const auto hit = hit_master(from, master);
-    if (!hit || std::abs(hit->distance) > view.range) continue;
-    if (from.along.dot(normal(master, hit->s)) >= opposing_cosine) continue;
-    if (!nearest || std::abs(hit->distance) < std::abs(nearest->hit.distance)) nearest = Sight{m, *hit};
+    const double away = std::abs(hit->distance);
+    if (away > view.range || (nearest && away >= std::abs(nearest->hit.distance))) continue;
+    if (faces(from, master, *hit)) nearest = Sight{m, *hit, false};
   }
+  if (nearest) nearest->alone = met == 1;
   return nearest;
 }
 
@@ -54,10 +73,17 @@ std::optional<InterfaceNode> node_from_master(const EdgeView& view, const Point&
 }
 
 std::vector<InterfaceNode> interface_nodes(const EdgeView& view) {
-  std::vector<InterfaceNode> nodes{node_from_slave(0), node_from_slave(2), node_from_slave(1)};
+  std::vector<InterfaceNode> nodes;
+  nodes.reserve(view.near.size() + 4);
+  for (const int node : {0, 2, 1}) nodes.push_back(node_from_slave(node));
+  const Point* before = nullptr;
   for (const Index edge : view.near)
     for (const int end : {0, 1}) {
-      const auto found = node_from_master(view, view.masters[edge].edge.x[end]);
+      const Point& node = view.masters[edge].edge.x[end];
+      const bool joined = before && *before == node;
+      before = &node;
+      if (joined) continue;
+      const auto found = node_from_master(view, node);
       const auto known = [&](const InterfaceNode& n) { return std::abs(n.slave_s - found->slave_s) < coincident; };
       if (found && std::none_of(nodes.begin(), nodes.end(), known)) nodes.push_back(*found);
     }
@@ -67,15 +93,17 @@ std::vector<InterfaceNode> interface_nodes(const EdgeView& view) {
 
 std::vector<Segment> make_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes) {
   std::vector<Segment> segments;
+  segments.reserve(nodes.size());
   const auto add = [&](const InterfaceNode& begin, const InterfaceNode& end, Index edge) {
     if (edge >= 0 && end.slave_s > begin.slave_s) segments.push_back({begin, end, edge});
   };
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     const double inside = just_inside * (nodes[i].slave_s - nodes[i - 1].slave_s);
     const double last_s = nodes[i].slave_s - inside;
-    const Index last = edge_seen(view, last_s);
     InterfaceNode from = nodes[i - 1];
-    Index seen = edge_seen(view, from.slave_s + inside);
+    const auto first = see_master(view, from.slave_s + inside);
+    const Index last = edge_seen_too(view, first, last_s);
+    Index seen = first ? first->edge : -1;
     for (int cuts = 0; cuts < most_cuts && seen != last; ++cuts) {
       const double cut = end_of_sight(view, from.slave_s + inside, last_s, seen);
       add(from, {cut, -1}, seen);

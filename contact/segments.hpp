@@ -17,7 +17,7 @@ struct MasterEdge {
 struct EdgeView {
   const RayEdge& slave;
   const std::vector<MasterEdge>& masters;
-  std::vector<Index> near;  ///< into masters
+  const std::vector<Index>& near;  ///< into masters
   double range;             ///< how far a master may lie along a ray, m
 };
 
@@ -25,6 +25,7 @@ struct EdgeView {
 struct Sight {
   Index edge;  ///< into EdgeView::masters
   Hit hit;
+  bool alone;  ///< the ray meets no other edge near
 };
 /// The nearest edge, of all masters, that the slave point sees and that looks back at it.
 std::optional<Sight> see_master(const EdgeView& view, double s);

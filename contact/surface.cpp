@@ -15,9 +15,4 @@ Surface make_surface(Index body, const core::Mesh& mesh, const std::vector<bool>
   return surface;
 }
 
-Point normal(const SurfaceEdge& edge, double s) {
-  const Point along = slope(edge, s).normalized();
-  return {along[1], -along[0]};
-}
-
 }  // namespace parison::contact

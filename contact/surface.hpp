@@ -36,6 +36,9 @@ inline Point slope(const SurfaceEdge& edge, double s) {
   return (4 * s - 3) * edge.x[0] + (4 * s - 1) * edge.x[1] + 4 * (1 - 2 * s) * edge.x[2];
 }
 /// Outward unit normal.
-Point normal(const SurfaceEdge& edge, double s);
+inline Point normal(const SurfaceEdge& edge, double s) {
+  const Point along = slope(edge, s).normalized();
+  return {along[1], -along[0]};
+}
 
 }  // namespace parison::contact
