@@ -14,7 +14,8 @@ constexpr double smooth_cosine = 0.5;   ///< ends whose normals differ by more t
 
 /// Along the ray that leaves at s, of no certain length.
 Point direction(const RayEdge& slave, double s) {
-  return normal(slave.edge, s) + (1 - s) * slave.first_turn + s * slave.last_turn;
+  const Point along = slope(slave.edge, s);
+  return Point(along[1], -along[0]) + along.norm() * ((1 - s) * slave.first_turn + s * slave.last_turn);
 }
 
 /// Slope, against the edge, of a surface that is square to the turned normal at an end.
@@ -94,7 +95,7 @@ std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x)
   const double first = aside(slave.first, x), last = aside(slave.last, x);
   if (!((first > 0 && last < 0) || (first < 0 && last > 0))) return std::nullopt;
   const auto beside = [&](double s) { return aside({position(slave.edge, s), direction(slave, s)}, x); };
-  return find_root(beside, 0, first, 1, last);
+  return find_root(beside, 0, beside(0), 1, beside(1));
 }
 
 }  // namespace parison::contact

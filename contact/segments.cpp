@@ -8,14 +8,16 @@ namespace parison::contact {
 
 namespace {
 
-constexpr double opposing_cosine = -0.3;  ///< bodies face each other where their outward normals' product is below this
+constexpr double opposing_cosine = 0.3;   ///< bodies face each other where their outward normals' product is below its negative
 constexpr double coincident = 1e-12;      ///< nodes closer than this on an edge are one
 constexpr double just_inside = 1e-6;      ///< of a segment's length: where its ends are looked at
 constexpr int halvings = 50;
 constexpr int most_cuts = 4;              ///< between two nodes; what is left after them goes to the last edge seen
 
 bool faces(const Ray& from, const SurfaceEdge& master, const Hit& hit) {
-  return from.along.dot(normal(master, hit.s)) < opposing_cosine;
+  const Point along = slope(master, hit.s);
+  const double opposed = from.along[1] * along[0] - from.along[0] * along[1];  // to the outward normal, times its length
+  return opposed > 0 && opposed * opposed > opposing_cosine * opposing_cosine * along.squaredNorm();
 }
 
 Index edge_seen(const EdgeView& view, double s) {

@@ -119,6 +119,13 @@ bool far_from(const Segment& segment, const Point& x, double reach) {
   return (x - middle).squaredNorm() > (size + most) * (size + most);
 }
 
+/// Whether x is surely further than a distance from a segment: off the square round its ends, which holds its arc too.
+bool is_beyond(const Segment& segment, const Point& x, double distance) {
+  if (segment.is_arc && std::abs(segment.to - segment.from) > M_PI) return false;
+  const double across = (segment.end - segment.start).lpNorm<1>();
+  return (2 * x - segment.start - segment.end).lpNorm<Eigen::Infinity>() > across + 2 * distance;
+}
+
 void add_segment(const Query& query, Index i, std::vector<GapConstraint>& found) {
   if (!query.in_contact(i) || far_from(query.segment(i), query.x, query.reach) || !projects_on(query, i)) return;
   const double t = core::projected_parameter(query.segment(i), query.x);
@@ -186,7 +193,7 @@ void merge_constraints(std::vector<GapConstraint>& constraints) {
 double signed_gap(const Profile& tool, const std::vector<bool>& contact_pieces, const Point& x, double reach) {
   double best = reach;
   for (const auto& segment : tool.segments)
-    if (contact_pieces[segment.piece]) best = core::distance(segment, x, best);
+    if (contact_pieces[segment.piece] && !is_beyond(segment, x, best)) best = core::distance(segment, x, best);
   if (best >= reach) return std::numeric_limits<double>::infinity();
   return core::contains(tool, x) ? -best : best;
 }
