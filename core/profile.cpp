@@ -107,8 +107,23 @@ bool contains(const Profile& profile, const Point& x) {
   return turns > 0;
 }
 
+namespace {
+
+/// Whether a point, seen from the centre, lies between the ends of an arc of less than half a turn.
+bool faces_minor_arc(const Segment& arc, const Point& arm) {
+  const double turn = arc.to - arc.from, side = turn > 0 ? 1 : -1;
+  return std::abs(turn) < M_PI && side * cross(arc.start - arc.centre, arm) >= 0 &&
+         side * cross(arm, arc.end - arc.centre) >= 0;
+}
+
+}  // namespace
+
 double distance(const Segment& segment, const Point& x, double known) {
-  if (segment.is_arc && std::abs((x - segment.centre).norm() - segment.radius) >= known) return known;
+  if (segment.is_arc) {
+    const Point arm = x - segment.centre;
+    const double off = std::abs(arm.norm() - segment.radius);
+    if (off >= known || faces_minor_arc(segment, arm)) return std::min(known, off);
+  }
   return std::min(known, (x - point_at(segment, closest_parameter(segment, x))).norm());
 }
 
