@@ -114,8 +114,8 @@ void add_points(const EdgeView& view, const Stretch& stretch, const Master& mast
   const SurfaceEdge& facing = view.masters[stretch.edge].edge;
   const double share = stretch.end() - stretch.begin();
   const int closed_points = is_even(slave, share) && is_even(facing, 1) ? even_points : bent_points;
-  const std::vector<double> whole{stretch.begin(), stretch.end()};
-  const auto ends = stretch.closing != Closing::open ? whole : cut_at_handover(stretch.gaps.front(), master.handover_width);
+  const auto ends = stretch.closing != Closing::open ? std::vector<double>{stretch.begin(), stretch.end()}
+                                                     : cut_at_handover(stretch.gaps.front(), master.handover_width);
   for (std::size_t part = 1; part < ends.size(); ++part) {
     const double begin = ends[part - 1], length = ends[part] - begin;
     const bool closed = stretch.closing != Closing::open ||

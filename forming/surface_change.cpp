@@ -27,11 +27,17 @@ Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::Inte
   long table_holds = 0;
   Eigen::ArrayXd h(temperature.size()), times(temperature.size());
   interface_law(scene, interface, table_holds)(interface, temperature, h, nullptr);
-  for (std::size_t p = 0; p < interface.size(); ++p) {
-    const auto T = thermal::PointArray::Constant(temperature[p]);
-    const double closed = interface[p].closure * h[p];
-    times[p] = conductivity(T, thermal::PointArray::Ones())[0] * glass.density * glass.heat_capacity(temperature[p]) /
-               (closed * closed);
+  const thermal::Enthalpy enthalpy(glass.heat_capacity);
+  const Eigen::Index count = temperature.size(), batch = thermal::PointArray::SizeAtCompileTime;
+  for (Eigen::Index first = 0; first < count; first += batch) {
+    const Eigen::Index used = std::min(batch, count - first);
+    thermal::PointArray T = thermal::PointArray::Constant(temperature[first]);
+    T.head(used) = temperature.segment(first, used);
+    const thermal::PointArray stored = conductivity(T, thermal::PointArray::Ones()) * glass.density * enthalpy.capacity(T);
+    for (Eigen::Index i = 0; i < used; ++i) {
+      const double closed = interface[first + i].closure * h[first + i];
+      times[first + i] = stored[i] / (closed * closed);
+    }
   }
   return times;
 }
