@@ -9,61 +9,91 @@
 #include <map>
 
 #include "core/files.hpp"
+#include "forming/accuracy.hpp"
 #include "forming/checkpoint.hpp"
 
 namespace parison::forming {
 namespace {
 
-constexpr double safety = 1;
-constexpr double order = 1;
-/// A difference may vanish by chance: none is taken for smaller than this share of what is usual among its kind.
-constexpr double least_of_kind = 0.5;
+/// Half width that holds 90 % of a normal scatter, in its root mean square.
+constexpr double scatter = 1.64;
+/// No bar is narrower: share of the quantity's scale, for a tool's heat of all heat into the tools.
+constexpr double resolution = 1e-4;
 constexpr double neighbourhood = 0.1;  ///< of the arc
-constexpr double round_off = 1e-9;
+constexpr double spacing = 1.0 / (profile_points - 1);
 
-/// From the difference of both runs to the error of the finer one.
-double richardson() { return safety / (std::pow(companion_factor, order) - 1); }
+/// From the difference of both runs to the error of the finer one, by the order that the dial's ladder showed.
+double richardson() { return 1 / (std::pow(companion_factor, error_model().thickness.order) - 1); }
+
+bool is_heat(const Quantity& quantity) { return quantity.name.rfind("heat_", 0) == 0; }
 
 /// What a quantity is alike with: the first word of its name.
 std::string kind(const Quantity& quantity) { return quantity.name.substr(0, quantity.name.find('_')); }
 
 bool is_thinnest(const Quantity& quantity) { return quantity.name.rfind("thickness_min", 0) == 0; }
 
-/// As shares; no run tells to the last bit.
-double share_between(const Quantity& a, const Quantity& b) {
-  return std::max(std::abs(a.value - b.value) / b.scale, round_off);
+/// The differences of a kind have one size in common when taken as shares of this: what one tool gets too much another lacks.
+double size_of_kind(const Quantities& run, const Quantity& quantity) {
+  if (!is_heat(quantity)) return quantity.scale;
+  double whole = 0;
+  for (const Quantity& other : run.values)
+    if (is_heat(other)) whole += other.scale;
+  return whole;
 }
 
-/// Root mean square of the differences of each kind, as shares.
-std::map<std::string, double> usual_differences(const Quantities& run, const Quantities& companion) {
-  std::map<std::string, double> sum, count;
+struct Usual {
+  double square = 0;
+  int count = 0;
+  double root() const { return std::sqrt(square / count); }
+};
+
+/// Differences of each kind, in the quantities' units.
+std::map<std::string, Usual> usual_differences(const Quantities& run, const Quantities& companion) {
+  std::map<std::string, Usual> usual;
   for (const Quantity& quantity : run.values)
     if (const Quantity* other = companion.find(quantity.name); other && !is_thinnest(quantity)) {
-      sum[kind(quantity)] += std::pow(share_between(*other, quantity), 2);
-      count[kind(quantity)] += 1;
+      usual[kind(quantity)].square += std::pow(other->value - quantity.value, 2);
+      ++usual[kind(quantity)].count;
     }
-  for (auto& [of, value] : sum) value = std::sqrt(value / count[of]);
-  return sum;
+  return usual;
 }
 
-/// Wall thickness near a place of the profile may be as wrong as where it is worst around it.
-double largest_near(const std::vector<double>& profile, const std::vector<double>& other, int at) {
-  const int reach = static_cast<int>(std::lround(neighbourhood * (profile_points - 1)));
-  double largest = round_off * profile[at];
+/// How far the mean of the profile may be off: its difference wavers, and each wave adds by chance.
+double chance_of_mean(const Quantities& run, const Quantities& companion) {
+  double square = 0, last = 0;
+  int count = 0, waves = 1;
+  for (std::size_t i = 0; i < run.profile.size() && i < companion.profile.size(); ++i) {
+    const double difference = companion.profile[i] - run.profile[i];
+    if (!std::isfinite(difference)) continue;
+    waves += last * difference < 0;
+    if (difference != 0) last = difference;
+    square += difference * difference;
+    ++count;
+  }
+  return count ? std::sqrt(square / count / waves) : 0;
+}
+
+/// How wrong the wall usually is near a place of the profile, mm.
+double usual_near(const std::vector<double>& profile, const std::vector<double>& other, int at) {
+  const int reach = static_cast<int>(std::lround(neighbourhood / spacing));
+  double square = 0;
+  int count = 0;
   for (int i = std::max(0, at - reach); i <= std::min(profile_points - 1, at + reach); ++i)
-    largest = std::fmax(largest, std::abs(profile[i] - other[i]));
-  return largest;
+    if (const double difference = profile[i] - other[i]; std::isfinite(difference)) square += difference * difference, ++count;
+  return count ? std::sqrt(square / count) : 0;
 }
 
 /// The thinnest wall and its place, which lies where the wall is as thin to within the error of its thickness.
 void add_thinnest(Quantities& run, const Quantities& companion) {
-  const double spacing = 1.0 / (profile_points - 1);
   double error = 0;
   for (Quantity& quantity : run.values) {
     if (!is_thinnest(quantity) || companion.profile.empty()) continue;
     if (quantity.name == "thickness_min") {
       const int at = static_cast<int>(std::lround(run.find("thickness_min_at")->value / spacing));
-      quantity.error = error = richardson() * largest_near(run.profile, companion.profile, at);
+      const Quantity* other = companion.find(quantity.name);
+      const double own = other ? std::abs(other->value - quantity.value) : 0;
+      error = richardson() * std::max(own, usual_near(run.profile, companion.profile, at));
+      quantity.error = error = std::max(error, resolution * quantity.scale);
       continue;
     }
     const int at = static_cast<int>(std::lround(quantity.value / spacing));
@@ -80,22 +110,36 @@ bool is_complete(const std::string& directory) {
   return std::filesystem::exists(path) && core::read_json(core::read_text(path), path).flag_of("completed");
 }
 
+/// Error of the heat into all tools that the dial's law expects of glass that flows, a share; the law says nothing of other
+/// scenes, whose meshes and steps are often their own.
+double expected_heat(const Scene& scene) {
+  const ErrorLaw& law = error_model().heat;
+  const double level = scene.accuracy_choice.level - std::log2(scene.accuracy_choice.coarser);
+  return scene.has_flow() ? law.at_draft * std::exp2(-law.order * level) : 0;
+}
+
 bool has_checkpoint(const std::string& directory) { return std::filesystem::exists(directory + "/checkpoint.h5"); }
 
 }  // namespace
 
-ErrorBars error_bars(const Quantities& run, const Quantities& companion) {
+ErrorBars error_bars(const Quantities& run, const Quantities& companion, double expected_heat) {
   ErrorBars bars{run, 0, 0, 0, 0};
   auto usual = usual_differences(run, companion);
-  for (Quantity& quantity : bars.quantities.values)
-    if (const Quantity* other = companion.find(quantity.name); other && !is_thinnest(quantity))
-      quantity.error = richardson() * quantity.scale *
-                       std::max(share_between(*other, quantity), least_of_kind * usual[kind(quantity)]);
+  for (Quantity& quantity : bars.quantities.values) {
+    const Quantity* other = companion.find(quantity.name);
+    if (!other || is_thinnest(quantity)) continue;
+    const double size = size_of_kind(run, quantity);
+    const Usual& alike = usual[kind(quantity)];
+    const double chance = quantity.name == "thickness_mean" ? chance_of_mean(run, companion) : alike.root();
+    quantity.error = std::max(richardson() * std::max(std::abs(other->value - quantity.value), chance), resolution * size);
+    if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected_heat / alike.count * size);
+  }
   add_thinnest(bars.quantities, companion);
   const ProfileDifference profile = compare_profiles(companion.profile, run.profile);
   bars.profile_mean = richardson() * profile.mean;
   bars.profile_largest = richardson() * profile.largest;
-  bars.heat = richardson() * heat_difference(companion, run);
+  // Not a number where no tool receives heat.
+  bars.heat = std::max({richardson() * heat_difference(companion, run), scatter * expected_heat, resolution});
   return bars;
 }
 
@@ -110,7 +154,7 @@ std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& r
     if (!outcome.facts.completed) return {};
   }
   const core::JsonValue summary = core::read_json(core::read_text(path), path);
-  ErrorBars bars = error_bars(run, read_quantities(summary));
+  ErrorBars bars = error_bars(run, read_quantities(summary), expected_heat(scene));
   bars.companion_cpu_seconds = summary.number_of("cpu_seconds");
   return bars;
 }

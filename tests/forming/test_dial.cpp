@@ -82,15 +82,26 @@ TEST(Dial, AProfileIsComparedAwayFromWhereTheWallEnds) {
   EXPECT_TRUE(std::isnan(compare_profiles({}, b).mean));
 }
 
-TEST(Dial, ABarIsTheErrorWhereErrorsFallWithTheFirstPower) {
-  Quantities run{{{"heat_a", "J", 101, 101}, {"heat_b", "J", 50.5, 50.5}}, {}};
-  Quantities companion{{{"heat_a", "J", 101.5, 101.5}, {"heat_b", "J", 50.75, 50.75}}, {}};
-  const ErrorBars bars = error_bars(run, companion);  // exact 100 and 50
-  EXPECT_NEAR(bars.quantities.values[0].error, 1, 1e-9);
-  EXPECT_NEAR(bars.quantities.values[1].error, 0.5, 1e-9);
-  EXPECT_NEAR(bars.heat, 1.5 / 151.5, 1e-9);
-  companion.values[1].value = 50.5;  // no difference by chance
-  EXPECT_GT(error_bars(run, companion).quantities.values[1].error, 0.1);
+TEST(Dial, ABarHoldsErrorsOfTheLaddersAndOfSecondOrderAndIsAtMostFiveTimesAsWide) {
+  for (const double order : {error_model().thickness.order, 2.0}) {
+    const double grows = std::pow(companion_factor, order);
+    Quantities run{{{"heat_a", "J", 101, 101}, {"heat_b", "J", 50.8, 50.8}, {"time_a", "s", 1.02, 1}}, {}};
+    Quantities companion{{{"heat_a", "J", 100 + grows, 100}, {"heat_b", "J", 50 + 0.8 * grows, 50}, {"time_a", "s", 1 + 0.02 * grows, 1}}, {}};
+    const double errors[] = {1, 0.8, 0.02};
+    const ErrorBars bars = error_bars(run, companion);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_GE(bars.quantities.values[i].error, 0.999 * errors[i]);
+      EXPECT_LT(bars.quantities.values[i].error, 5 * errors[i]);
+    }
+    companion.values[1].value = 50.8;  // no difference by chance
+    EXPECT_GT(error_bars(run, companion).quantities.values[1].error, 0.4);
+  }
+}
+
+TEST(Dial, ATooSmallDifferenceDoesNotMakeABarNarrowerThanWhatIsKnownBeforehand) {
+  const Quantities run{{{"heat_a", "J", 100, 100}, {"heat_b", "J", 50, 50}}, {}};
+  EXPECT_NEAR(error_bars(run, run).quantities.values[0].error, 1e-4 * 150, 1e-12);
+  EXPECT_GT(error_bars(run, run, 0.01).quantities.values[0].error, 0.01 * 150 / 2);
 }
 
 TEST(Dial, BarsOfASmallSceneHoldTheErrorAgainstAFinerRun) {
