@@ -75,10 +75,10 @@ def new_path(name):
     return Path(_folder.name) / f"{_count}_{name}"
 
 
-def parison(case, accuracy):
+def parison(case, accuracy, *arguments):
     """Runs a case with the command; its measurements, its result folder."""
     out = new_path("run")
-    done = run([BUILD / "parison", "run", case, "--accuracy", accuracy, "--output", out], f"{out}.log")
+    done = run([BUILD / "parison", "run", case, "--accuracy", accuracy, "--output", out, *arguments], f"{out}.log")
     if done.code:
         raise RuntimeError(f"parison run {case} ended with {done.code}:\n" + Path(f"{out}.log").read_text()[-800:])
     return done, out

@@ -1,12 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sections that run the bundled jar: its run time and shares, the flow step, the interface."""
+"""Sections that run the bundled jar: its run time, errors and shares, the flow step, the interface, solvers and threads."""
+import json
 import math
+import os
+import re
 from functools import lru_cache
 
-from benchmarks.common import ROOT, Figure, build, parison, read_summary, sampled, step_bench
+from benchmarks import bars, references
+from benchmarks.common import (BUILD, ROOT, Figure, Skipped, build, new_path, parison, read_summary, run, sampled,
+                               step_bench)
 
 CASE = ROOT / "cases/jar"
 EVERY = 4  # steps from one bare factorisation to the next
+ERRORS = {"draft": (3, 8, 2), "standard": (1, 2.5, 0.5)}  # wanted: wall in the mean, wall at the most, heat; %
+LADDER = ROOT / "results/tradeoff/tradeoff.json"
 
 
 @lru_cache
@@ -72,3 +79,50 @@ def interface(options):
                  100 * watched / whole, unit="%")
     yield Figure(f"{key}.milliseconds", "interface built, assembled and watched, a step",
                  1e3 * (built + assembled + watched) / len(rows), unit="ms")
+
+
+def errors(options):
+    reference = references.of_case("jar")
+    for accuracy, wanted in ERRORS.items():
+        _, summary = whole_run(accuracy)
+        wall, heat = bars.profile_errors(summary, reference), bars.heat_error(summary, reference)
+        for (key, what), value, target in zip((("wall_mean", "wall thickness, mean"), ("wall_largest", "wall thickness, largest"),
+                                               ("heat", "heat into tools")), (*wall, heat), wanted):
+            yield Figure(f"errors.{accuracy}.{key}", f"jar at {accuracy} against fine: {what}", 100 * value, target, unit="%")
+
+
+def ladder(options):
+    if not LADDER.exists():
+        raise Skipped("no ladder has run; `build/parison tradeoff cases/jar --output results/tradeoff` runs it in some minutes.")
+    rungs = [rung for rung in json.loads(LADDER.read_text())["rungs"] if rung["preset"] and rung["completed"]]
+    for rung in rungs:
+        if rung["cpu_over_best_line"] is not None:
+            yield Figure(f"ladder.{rung['name']}", f"{rung['name']}: CPU time over the best line of the last ladder",
+                         rung["cpu_over_best_line"], 1.2)
+
+
+def solver_share(accuracy, threads):
+    """Wall time of the jar's run and its CPU seconds: whole, factorising, solving."""
+    build("solver_share")
+    log = new_path("solver_share.log")
+    done = run([BUILD / "tools/benchmarks/solver_share", CASE, accuracy, new_path("run"), threads], log)
+    spent = re.search(r"whole (\S+) factorising (\S+) solving (\S+)", log.read_text())
+    if done.code or not spent:
+        raise RuntimeError(f"solver_share ended with {done.code}:\n" + log.read_text()[-800:])
+    return done.wall, [float(seconds) for seconds in spent.groups()]
+
+
+def solver(options):
+    _, (whole, factorising, solving) = solver_share("standard", 1)
+    yield Figure("solver.outside", "jar at standard: share outside factorisation and back-substitution",
+                 100 * (whole - factorising - solving) / whole, 35, unit="%")
+    yield Figure("solver.factorising", "  share of numeric factorisation", 100 * factorising / whole, unit="%")
+    yield Figure("solver.solving", "  share of back-substitution", 100 * solving / whole, unit="%")
+
+
+def threads(options):
+    cores, load = len(os.sched_getaffinity(0)), os.getloadavg()[0]
+    if cores < 2 or cores - load < 1.7:
+        raise Skipped(f"two threads against one need two idle cores: {cores} here, with a load of {load:.1f}.")
+    walls = {count: min(solver_share("standard", count)[0] for _ in range(2)) for count in (1, 2)}
+    yield Figure("threads.two", "jar at standard: wall time with one BLAS thread over that with two", walls[1] / walls[2], 1.4, True)
