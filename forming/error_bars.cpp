@@ -73,6 +73,18 @@ double chance_of_mean(const Quantities& run, const Quantities& companion) {
   return count ? std::sqrt(square / count / waves) : 0;
 }
 
+/// The mean runs over whole places: what one more or less at each end of a stretch of wall changes, mm.
+double step_of_mean(const Quantities& run, double mean) {
+  double square = 0;
+  int count = 0;
+  for (std::size_t i = 0; i + 1 < run.profile.size(); ++i) {
+    const double here = run.profile[i], next = run.profile[i + 1];
+    count += std::isfinite(here);
+    if (std::isfinite(here) != std::isfinite(next)) square += std::pow((std::isfinite(here) ? here : next) - mean, 2);
+  }
+  return count ? std::sqrt(square) / count : 0;
+}
+
 /// How wrong the wall usually is near a place of the profile, mm.
 double usual_near(const std::vector<double>& profile, const std::vector<double>& other, int at) {
   const int reach = static_cast<int>(std::lround(neighbourhood / spacing));
@@ -130,7 +142,9 @@ ErrorBars error_bars(const Quantities& run, const Quantities& companion, double 
     if (!other || is_thinnest(quantity)) continue;
     const double size = size_of_kind(run, quantity);
     const Usual& alike = usual[kind(quantity)];
-    const double chance = quantity.name == "thickness_mean" ? chance_of_mean(run, companion) : alike.root();
+    const double chance = quantity.name == "thickness_mean"
+                              ? std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
+                              : alike.root();
     quantity.error = std::max(richardson() * std::max(std::abs(other->value - quantity.value), chance), resolution * size);
     if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected_heat / alike.count * size);
   }

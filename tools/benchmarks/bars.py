@@ -5,10 +5,10 @@ import math
 from benchmarks import references
 from benchmarks.common import ROOT, Figure, Skipped, build, parison, read_summary
 
-# Case, accuracies that differ in it, its reference.
+# Each case at the accuracies that differ in it: the first two bring meshes and steps of their own.
 SCENES = (
-    ("shell_inflation", ("standard", "standard coarser 1.5")),
-    ("contact_cylinders", ("standard", "standard coarser 1.5")),
+    ("shell_inflation", ("standard",)),
+    ("contact_cylinders", ("standard",)),
     ("tumbler", ("draft", "standard")),
     ("jar", ("draft", "standard")),
 )
