@@ -32,7 +32,7 @@ std::string kind(const Quantity& quantity) { return quantity.name.substr(0, quan
 
 bool is_thinnest(const Quantity& quantity) { return quantity.name.rfind("thickness_min", 0) == 0; }
 
-/// The differences of a kind have one size in common when taken as shares of this: what one tool gets too much another lacks.
+/// The differences of a kind are alike as shares of this. Heats: of all of it, as what one tool gets too much another lacks.
 double size_of_kind(const Quantities& run, const Quantity& quantity) {
   if (!is_heat(quantity)) return quantity.scale;
   double whole = 0;
@@ -47,12 +47,12 @@ struct Usual {
   double root() const { return std::sqrt(square / count); }
 };
 
-/// Differences of each kind, in the quantities' units.
+/// Differences of each kind, as shares.
 std::map<std::string, Usual> usual_differences(const Quantities& run, const Quantities& companion) {
   std::map<std::string, Usual> usual;
   for (const Quantity& quantity : run.values)
     if (const Quantity* other = companion.find(quantity.name); other && !is_thinnest(quantity)) {
-      usual[kind(quantity)].square += std::pow(other->value - quantity.value, 2);
+      usual[kind(quantity)].square += std::pow((other->value - quantity.value) / size_of_kind(run, quantity), 2);
       ++usual[kind(quantity)].count;
     }
   return usual;
@@ -144,7 +144,7 @@ ErrorBars error_bars(const Quantities& run, const Quantities& companion, double 
     const Usual& alike = usual[kind(quantity)];
     const double chance = quantity.name == "thickness_mean"
                               ? std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
-                              : alike.root();
+                              : alike.root() * size;
     quantity.error = std::max(richardson() * std::max(std::abs(other->value - quantity.value), chance), resolution * size);
     if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected_heat / alike.count * size);
   }

@@ -80,7 +80,7 @@ def section(options):
             print(f"    {case} at {accuracy}: shares of the scale, %", flush=True)
             print(f"      {'':<22}{'bar':>10}{'true':>10}{'ratio':>8}", flush=True)
             for name, bar, true, least in compare(read_summary(folder), reference):
-                ratio = f"{bar / true:8.1f}" if true > 0 else f"{'-':>8}"
+                ratio = f"{bar / true:8.1f}" if true > 1e-3 * bar else f"{'over 999':>8}"
                 print(f"      {name:<22}{100 * bar:10.4f}{100 * true:10.4f}{ratio}  {'' if true <= bar else 'outside'}", flush=True)
                 rows.append((name, bar, true, least))
     if not rows:
