@@ -14,7 +14,8 @@ struct Iterate {
 /// Load minus K x minus friction, N and m3/s; at held coordinates it contains the reaction.
 Eigen::VectorXd unbalanced(const Problem& problem, const Held& held, const Eigen::VectorXd& load, const Iterate& iterate);
 
-/// Computes K x anew and returns the largest unbalanced force against the cells' parts that make it up.
+/// Computes K x anew and returns the largest unbalanced force against the products that make it up (the componentwise backward
+/// error of Oettli and Prager, by which solvers decide on refinement: M. Arioli, J. Demmel, I. Duff, 1989).
 double imbalance(const Problem& problem, const CellMatrices& cells, const Held& held, const Eigen::VectorXd& load,
                  Iterate& iterate);
 

@@ -28,18 +28,22 @@ BatchVector gather(const BatchUnknowns& unknowns, const Column& x) {
   return in;
 }
 
-BatchVector batch_product(const Lanes* matrix, const BatchVector& in) {
+template <class Entry>
+BatchVector batch_product(const Lanes* matrix, const BatchVector& in, Entry entry) {
   BatchVector out;
   for (int i = 0; i < cell_unknowns; ++i) {
     Lanes row = Lanes::Zero();
     for (int j = 0; j < i; ++j, ++matrix) {
-      row += *matrix * in[j];
-      out[j] += *matrix * in[i];
+      row += entry(*matrix) * in[j];
+      out[j] += entry(*matrix) * in[i];
     }
-    out[i] = row + *matrix++ * in[i];
+    out[i] = row + entry(*matrix++) * in[i];
   }
   return out;
 }
+
+const Lanes& itself(const Lanes& entry) { return entry; }
+Lanes size_of(const Lanes& entry) { return entry.abs(); }
 
 Index batch_count(const core::Mesh& mesh) { return (mesh.cell_count() + lanes - 1) / lanes; }
 
@@ -58,7 +62,7 @@ Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const
   for (Index batch = 0; batch < batch_count(mesh); ++batch) {
     const BatchUnknowns unknowns(mesh, batch);
     for (Index column = 0; column < x.cols(); ++column) {
-      const auto out = batch_product(cells.batch(batch), gather(unknowns, x.col(column)));
+      const auto out = batch_product(cells.batch(batch), gather(unknowns, x.col(column)), itself);
       for (Index lane = 0; lane < unknowns.count; ++lane)
         for (int k = 0; k < cell_unknowns; ++k) result(unknowns.of[lane][k], column) += out[k][lane];
     }
@@ -84,11 +88,14 @@ Eigen::MatrixXd product_and_size(const core::Mesh& mesh, const CellMatrices& cel
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.size(), 2);
   for (Index batch = 0; batch < batch_count(mesh); ++batch) {
     const BatchUnknowns unknowns(mesh, batch);
-    const auto out = batch_product(cells.batch(batch), gather(unknowns, x));
+    BatchVector in = gather(unknowns, x);
+    const auto out = batch_product(cells.batch(batch), in, itself);
+    for (Lanes& value : in) value = value.abs();
+    const auto size = batch_product(cells.batch(batch), in, size_of);
     for (Index lane = 0; lane < unknowns.count; ++lane)
       for (int k = 0; k < cell_unknowns; ++k) {
         result(unknowns.of[lane][k], 0) += out[k][lane];
-        result(unknowns.of[lane][k], 1) += std::abs(out[k][lane]);
+        result(unknowns.of[lane][k], 1) += size[k][lane];
       }
   }
   return result;

@@ -14,7 +14,7 @@ Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const
 Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
                         const std::vector<Index>& listed);
 
-/// Column 0: K x; column 1: the sum of the cells' parts without sign.
+/// Column 0: K x; column 1: the cells' |K| |x|, the products that make it up without sign.
 Eigen::MatrixXd product_and_size(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::VectorXd& x);
 
 /// The cells' loads on the unknowns.
