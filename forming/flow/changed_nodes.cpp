@@ -34,6 +34,17 @@ bool same_equalities(const NodeFrame* a, const NodeFrame* b) {
   return true;
 }
 
+/// Whether a tool holds the node's normal velocity and nothing else.
+bool slides(const NodeFrame& held) { return fixes(&held, 0) && !fixes(&held, 1) && held.friction_tool < 0; }
+
+/// Whether one coordinate tells all that changed at a node.
+bool only_normal(const NodeFrame* before, const NodeFrame* now, const Handles& handles) {
+  if (before) return !now && slides(*before);
+  if (!slides(*now)) return false;
+  const auto known = handles.find({now->node, 0});
+  return known == handles.end() || known->second.direction == now->frame.col(0);
+}
+
 /// What the unknowns of the dense system (forces at free, velocities at fixed coordinates) and the known columns do, as rows
 /// of coefficients: first the unknowns', then the columns'.
 struct Effects {
@@ -77,9 +88,10 @@ struct Effects {
   /// The force along a coordinate that is free now: zero in balance. `first` is the handle of the change's first axis.
   Eigen::RowVectorXd free(const Change& change, int axis, Index first) const {
     const NodeFrame *before = what.base.find(change.node), *now = what.held.find(change.node);
-    const Point along = frame_of(now).col(axis), dragged = frame_of(before).col(dim - 1);
+    const Point along = change.kind == Change::Kind::normal ? handles[first]->direction : Point(frame_of(now).col(axis));
+    const Point dragged = frame_of(before).col(dim - 1);
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(count() + known());
-    for (Index h = first; h < first + dim - change.first_axis(); ++h) row += along.dot(handles[h]->direction) * force(h);
+    for (Index h = first; h < first + change.end_axis() - change.first_axis(); ++h) row += along.dot(handles[h]->direction) * force(h);
     if (const double drag = drag_of(what.base, change.node); drag > 0)
       row -= drag * along.dot(dragged) * velocity(change.node, dragged);
     if (const double drag = drag_of(what.held, change.node); drag > 0 && axis == dim - 1) {
@@ -94,22 +106,26 @@ struct Effects {
 
 }  // namespace
 
-std::vector<Change> changed_nodes(const Held& base, const Held& held) {
+std::vector<Change> changed_nodes(const Held& base, const Held& held, const Handles& handles) {
   std::vector<Change> changed;
   for (Index node = 0; node < static_cast<Index>(held.frame_of.size()); ++node) {
     const NodeFrame *before = base.find(node), *now = held.find(node);
     if (!before && !now) continue;
     if (!same_equalities(before, now))
-      changed.push_back({node, false});
+      changed.push_back({only_normal(before, now, handles) ? Change::Kind::normal : Change::Kind::whole, node});
     else if (std::abs(drag_of(base, node) - drag_of(held, node)) > same_drag * drag_of(held, node))
-      changed.push_back({node, true});
+      changed.push_back({Change::Kind::drag, node});
   }
   return changed;
 }
 
-Handle make_handle(const core::Mesh& mesh, const CellMatrices& cells, const Held& base, Index node, int axis) {
+Handle make_handle(const core::Mesh& mesh, const CellMatrices& cells, const Held& base, const Held& held,
+                   const Handles& handles, std::pair<Index, int> coordinate) {
+  const auto [node, axis] = coordinate;
   const NodeFrame* before = base.find(node);
-  Handle handle{node, axis, fixes(before, axis), frame_of(before).col(axis), {}, {}};
+  Handle handle{node, axis, fixes(before, axis), frame_of(before ? before : held.find(node)).col(axis), {}, {}};
+  if (const auto beside = handles.find({node, 1 - axis}); !before && beside != handles.end())
+    handle.direction = perpendicular(beside->second.direction);
   if (!handle.fixed) return handle;
   std::map<Index, double> force;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
@@ -128,14 +144,14 @@ bool add_changes(const Rearrangement& what, const std::vector<Change>& changed, 
                  Eigen::MatrixXd& columns) {
   Effects effects{what, columns, {}};
   for (const auto& change : changed)
-    for (int a = change.first_axis(); a < dim; ++a) effects.handles.push_back(&handles.at({change.node, a}));
+    for (int a = change.first_axis(); a < change.end_axis(); ++a) effects.handles.push_back(&handles.at({change.node, a}));
   const Index count = effects.count(), known = effects.known();
   Eigen::MatrixXd conditions(count, count + known);
   Index filled = 0;
   for (const auto& change : changed) {
     const Index first = filled;
     const NodeFrame* now = what.held.find(change.node);
-    for (int a = change.first_axis(); a < dim; ++a)
+    for (int a = change.first_axis(); a < change.end_axis(); ++a)
       conditions.row(filled++) = fixes(now, a) ? effects.fixed(*now, a) : effects.free(change, a, first);
   }
   const Eigen::MatrixXd unknowns = conditions.leftCols(count).partialPivLu().solve(-conditions.rightCols(known));

@@ -20,16 +20,20 @@ using Handles = std::map<std::pair<Index, int>, Handle>;
 
 /// A node that is held otherwise than in the base.
 struct Change {
+  enum class Kind { whole, normal, drag } kind;  ///< normal: what slides along a tool leaves it or lands there
   Index node;
-  bool drag_only;
 
-  /// The first coordinate that counts.
-  int first_axis() const { return drag_only ? core::dim - 1 : 0; }
+  /// The coordinates that count: from the first to before the end.
+  int first_axis() const { return kind == Kind::drag ? core::dim - 1 : 0; }
+  int end_axis() const { return kind == Kind::normal ? 1 : core::dim; }
 };
-std::vector<Change> changed_nodes(const Held& base, const Held& held);
+/// `handles` are those that the base has answered already.
+std::vector<Change> changed_nodes(const Held& base, const Held& held, const Handles& handles);
 
-/// The handle of a coordinate, its response not yet known.
-Handle make_handle(const core::Mesh& mesh, const CellMatrices& cells, const Held& base, Index node, int axis);
+/// The handle of a coordinate beside those that are there, its response not yet known. Where the base leaves the node free the
+/// coordinates are those in which it is held now.
+Handle make_handle(const core::Mesh& mesh, const CellMatrices& cells, const Held& base, const Held& held,
+                   const Handles& handles, std::pair<Index, int> coordinate);
 
 /// Two ways of holding the nodes, and what is out of balance.
 struct Rearrangement {

@@ -27,7 +27,7 @@ struct Loading {
 void load_held_nodes(const Rearrangement& what, const std::vector<Change>& changed, Loading& loading) {
   const Index driven = what.from.driven.size(), first = 1 + driven;
   std::vector<bool> let_go(what.held.frame_of.size(), false), other_drag = let_go;
-  for (const auto& change : changed) (change.drag_only ? other_drag : let_go)[change.node] = true;
+  for (const auto& change : changed) (change.kind == Change::Kind::drag ? other_drag : let_go)[change.node] = true;
   const auto tools = driven_tools(what.problem);
   for (const auto& frame : what.base.frames) {
     if (let_go[frame.node]) continue;
@@ -95,9 +95,9 @@ std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const 
   std::vector<std::pair<Index, int>> unknown;  // coordinates of changed nodes without a handle
   std::size_t needed = 0;
   if (system_.factorised()) {
-    changed = changed_nodes(system_.base(), held);
+    changed = changed_nodes(system_.base(), held, handles_);
     for (const auto& change : changed)
-      for (int a = change.first_axis(); a < dim; ++a, ++needed)
+      for (int a = change.first_axis(); a < change.end_axis(); ++a, ++needed)
         if (!handles_.count({change.node, a})) unknown.push_back({change.node, a});
   }
   if (!system_.factorised() || unknown.size() > most_new_handles || needed > most_handles) {
@@ -106,8 +106,10 @@ std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const 
     if (!renew_base(mesh, cells, held)) return std::nullopt;
   }
   std::vector<Handle*> wanted;
-  for (const auto& [node, axis] : unknown)
-    wanted.push_back(&handles_.emplace(std::pair(node, axis), make_handle(mesh, cells, system_.base(), node, axis)).first->second);
+  for (const auto& coordinate : unknown) {
+    auto handle = make_handle(mesh, cells, system_.base(), held, handles_, coordinate);
+    wanted.push_back(&handles_.emplace(coordinate, std::move(handle)).first->second);
+  }
   const Eigen::VectorXd residual = unbalanced(problem, held, load, from);
   const Rearrangement what{problem, system_.base(), held, residual, from};
   Eigen::MatrixXd columns = base_answers(what, cells, changed, wanted);
