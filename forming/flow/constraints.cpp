@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -17,16 +18,27 @@ namespace {
 /// Two normals closer than this (sine of the angle) count as one.
 constexpr double parallel = 0.05;
 
-bool add_equality(std::vector<NodeEquality>& list, const NodeEquality& wish) {
-  if (list.size() >= dim) return false;
-  for (const auto& have : list)
-    if (std::abs(have.normal[0] * wish.normal[1] - have.normal[1] * wish.normal[0]) < parallel) return false;
-  list.push_back(wish);
-  return true;
-}
+/// The nodes that have equalities, and which of these is a node's; -1 where it has none.
+struct HeldNodes {
+  std::vector<Index> of_node;
+  std::vector<NodeEqualities> equalities;
 
-/// Equalities of symmetry planes and fixed pieces, per node.
-void add_piece_equalities(const Problem& problem, std::vector<std::vector<NodeEquality>>& of_node) {
+  /// Adds an equality that is independent of those that the node has.
+  void add(Index node, const NodeEquality& wish) {
+    if (of_node[node] < 0) {
+      of_node[node] = static_cast<Index>(equalities.size());
+      equalities.emplace_back();
+    }
+    auto& list = equalities[of_node[node]];
+    if (list.size() >= dim) return;
+    for (const auto& have : list)
+      if (std::abs(have.normal[0] * wish.normal[1] - have.normal[1] * wish.normal[0]) < parallel) return;
+    list.push_back(wish);
+  }
+};
+
+/// Equalities of symmetry planes and fixed pieces.
+void add_piece_equalities(const Problem& problem, HeldNodes& nodes) {
   const auto& mesh = *problem.mesh;
   for (const auto& edge : mesh.boundary) {
     const auto& condition = problem.pieces[edge.piece];
@@ -35,13 +47,13 @@ void add_piece_equalities(const Problem& problem, std::vector<std::vector<NodeEq
     for (const Index node : edge.nodes) {
       const bool fixed = condition.kind == PieceCondition::Kind::fixed;
       const Point velocity = fixed && condition.velocity ? condition.velocity(mesh.nodes[node]) : Point(Point::Zero());
-      add_equality(of_node[node], {at.normal, velocity.dot(at.normal)});
-      if (fixed) add_equality(of_node[node], {at.tangent, velocity.dot(at.tangent)});
+      nodes.add(node, {at.normal, velocity.dot(at.normal)});
+      if (fixed) nodes.add(node, {at.tangent, velocity.dot(at.tangent)});
     }
   }
 }
 
-NodeFrame make_frame(const Problem& problem, Index node, const std::vector<NodeEquality>& equalities,
+NodeFrame make_frame(const Problem& problem, Index node, const NodeEqualities& equalities,
                      const std::vector<Index>& driven) {
   NodeFrame result;
   result.node = node;
@@ -73,7 +85,7 @@ NodeFrame make_frame(const Problem& problem, Index node, const std::vector<NodeE
   }
   if (rows.size() == dim) values = normals.inverse() * values;  // the velocity itself
   if (rows.size() == dim) result.frame = core::Tensor::Identity();
-  result.given = values;
+  result.given = std::move(values);
   return result;
 }
 
@@ -93,8 +105,8 @@ std::vector<Index> driven_tools(const Problem& problem) {
 
 Held hold_nodes(const Problem& problem, const std::vector<bool>& active) {
   const auto driven = driven_tools(problem);
-  std::vector<std::vector<NodeEquality>> of_node(problem.mesh->nodes.size());
-  add_piece_equalities(problem, of_node);
+  HeldNodes nodes{std::vector<Index>(problem.mesh->nodes.size(), -1), {}};
+  add_piece_equalities(problem, nodes);
   const Point axis = core::axis_direction();
   for (std::size_t i = 0; i < problem.candidates.size(); ++i) {
     if (!active[i]) continue;
@@ -102,15 +114,16 @@ Held hold_nodes(const Problem& problem, const std::vector<bool>& active) {
     const auto& tool = problem.tools[candidate.tool];
     NodeEquality equality{candidate.normal, candidate.rate, candidate.tool, Index(i)};
     if (!tool.force) equality.value += tool.velocity * candidate.normal.dot(axis);
-    add_equality(of_node[candidate.node], equality);
+    nodes.add(candidate.node, equality);
   }
   Held held;
-  held.frame_of.assign(of_node.size(), -1);
+  held.frame_of.assign(nodes.of_node.size(), -1);
+  held.frames.reserve(nodes.equalities.size());
   held.drag = held.pull = Eigen::VectorXd::Zero(problem.mesh->node_count());
   for (Index node = 0; node < problem.mesh->node_count(); ++node) {
-    if (of_node[node].empty()) continue;
+    if (nodes.of_node[node] < 0) continue;
     held.frame_of[node] = static_cast<Index>(held.frames.size());
-    held.frames.push_back(make_frame(problem, node, of_node[node], driven));
+    held.frames.push_back(make_frame(problem, node, nodes.equalities[nodes.of_node[node]], driven));
   }
   return held;
 }

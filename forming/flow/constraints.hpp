@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <vector>
 
 #include "forming/flow/problem.hpp"
@@ -14,13 +15,25 @@ struct NodeEquality {
   Index candidate = -1;  ///< Problem::candidates index, -1 likewise
 };
 
+/// The equalities of one node, kept in place: at most dim, independent.
+struct NodeEqualities {
+  std::array<NodeEquality, core::dim> list;
+  std::size_t count = 0;
+
+  void push_back(const NodeEquality& equality) { list[count++] = equality; }
+  std::size_t size() const { return count; }
+  const NodeEquality& operator[](std::size_t i) const { return list[i]; }
+  const NodeEquality* begin() const { return list.data(); }
+  const NodeEquality* end() const { return list.data() + count; }
+};
+
 /// A node with equalities, in the frame of its columns: v = frame u, u[i] given where fixed[i].
 struct NodeFrame {
   Index node;
   core::Tensor frame = core::Tensor::Identity();
   std::array<bool, core::dim> fixed{};
   Eigen::Matrix<double, core::dim, Eigen::Dynamic> given;  ///< column 0 constant, column 1 + k per m/s of driven tool k
-  std::vector<NodeEquality> equalities;                     ///< at most dim, independent
+  NodeEqualities equalities;
   Index friction_tool = -1;                                 ///< Navier friction acts along the last column of the frame
 };
 
