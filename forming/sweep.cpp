@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "core/element.hpp"
 #include "forming/contact_geometry.hpp"
@@ -199,8 +200,8 @@ double depth_gained(const Scene& scene, const State& before, double dt, const Fl
 
 /// One sweep: velocities of the glass and the tools by the flow, seen from the middle as it is foretold, which is foretold
 /// anew. An unsuccessful solve is told in `result.reason`.
-bool sweep_flow(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
-                StepResult& result, double& gained) {
+std::optional<flow::Solution> sweep_flow(const Scene& scene, const State& state, Middle& foretold, double dt,
+                                         Workspace& workspace, StepResult& result, double& gained) {
   auto pass = solve_flow(scene, state, result.state.contact.closed, foretold, dt, workspace);
   ++result.report.sweeps;
   result.report.flow_solves += pass.solution.iterations;
@@ -209,21 +210,16 @@ bool sweep_flow(const Scene& scene, const State& state, Middle& foretold, double
   result.report.latched_contacts = pass.solution.latched;
   if (!pass.solution.converged) {
     result.reason = pass.solution.reason;
-    return false;
+    return std::nullopt;
   }
   take_flow(scene, pass, dt, result.state);
   result.report.strain = pass.solution.high_rate * dt;
-  result.state.totals.work = state.totals.work;
-  book_work(scene, state, pass.solution, dt, result.state.totals.work);
-  auto& largest = result.state.totals.largest_reynolds;
-  largest = std::max(largest, reynolds(scene, pass.solution, state.bodies[0].mesh));
   double& unsettled = result.report.unsettled_motion;
   unsettled = 0.5 * dt * (result.state.velocity - foretold.velocity).lpNorm<Eigen::Infinity>();
   gained = depth_gained(scene, state, dt, pass, result.state, foretold);
   foretold.velocity = result.state.velocity;
   foretold.trusted = true;
-  result.dissipation = std::move(pass.solution.dissipation);
-  return true;
+  return std::move(pass.solution);
 }
 
 }  // namespace
@@ -233,12 +229,19 @@ bool sweep_until_settled(const Scene& scene, const State& state, Middle& foretol
   double gained = 0;
   const auto settled = [&] { return gained == 0 && result.report.unsettled_motion <= scene.accuracy.motion_tolerance; };
   const int least_sweeps = state.last_step > 0 ? 1 : 2;  // a stage's first step knows no velocity
-  for (int sweep = 0; sweep < least_sweeps || (sweep < most_sweeps && !settled()); ++sweep)
-    if (!sweep_flow(scene, state, foretold, dt, workspace, result, gained)) return false;
+  std::optional<flow::Solution> solution;
+  for (int sweep = 0; sweep < least_sweeps || (sweep < most_sweeps && !settled()); ++sweep) {
+    solution = sweep_flow(scene, state, foretold, dt, workspace, result, gained);
+    if (!solution) return false;
+  }
   if (gained > most_last_depth && dt > least_step * scene.accuracy.first_step) {
     result.reason = fmt::format("the step carries glass {:.2g} um into a tool", 1e6 * gained);
     return false;
   }
+  auto& totals = result.state.totals;
+  book_work(scene, state, *solution, dt, totals.work);
+  totals.largest_reynolds = std::max(totals.largest_reynolds, reynolds(scene, *solution, state.bodies[0].mesh));
+  result.dissipation = std::move(solution->dissipation);
   move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
   return true;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/work.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/element.hpp"
+#include "forming/flow/cell_geometry.hpp"
 #include "forming/initial_state.hpp"
 
 namespace parison::forming {
@@ -15,13 +17,17 @@ namespace {
 /// Of the glass's mass, with the mass where it was last distributed.
 double gravity_power(const Scene& scene, const State& start, const Eigen::VectorXd& velocity) {
   const core::Mesh mass = mass_mesh(start);
+  const flow::CellGeometry geometry = flow::cell_geometry(mass, scene.geometry);
+  const Point axis = core::axis_direction();
   double power = 0;
-  for (Index c = 0; c < mass.cell_count(); ++c)
-    for (const auto& rule : core::triangle_rule(4)) {
-      const auto at = core::map_cell_point(mass, c, scene.geometry, rule);
+  for (Index batch = 0; batch < geometry.batches(); ++batch) {
+    const auto v = flow::batch_velocity(mass, geometry, batch, velocity);
+    flow::Lanes sum = flow::Lanes::Zero();
+    for (int q = 0; q < flow::cell_points; ++q)
       for (int i = 0; i < 6; ++i)
-        power += at.volume * at.shape[i] * flow::node_velocity(velocity, mass.cells[c][i]).dot(core::axis_direction());
-    }
+        for (int a = 0; a < dim; ++a) sum += flow::shapes_at_points()[q][i] * axis[a] * geometry.at(batch, q).volume * v[i][a];
+    power += sum.head(std::min(flow::lanes, geometry.cells - batch * flow::lanes)).sum();
+  }
   return start.density * scene.stages[start.stage].gravity * power;
 }
 
