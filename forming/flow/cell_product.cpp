@@ -28,22 +28,38 @@ BatchVector gather(const BatchUnknowns& unknowns, const Column& x) {
   return in;
 }
 
-template <class Entry>
-BatchVector batch_product(const Lanes* matrix, const BatchVector& in, Entry entry) {
+BatchVector batch_product(const Lanes* matrix, const BatchVector& in) {
   BatchVector out;
   for (int i = 0; i < cell_unknowns; ++i) {
     Lanes row = Lanes::Zero();
     for (int j = 0; j < i; ++j, ++matrix) {
-      row += entry(*matrix) * in[j];
-      out[j] += entry(*matrix) * in[i];
+      row += *matrix * in[j];
+      out[j] += *matrix * in[i];
     }
-    out[i] = row + entry(*matrix++) * in[i];
+    out[i] = row + *matrix++ * in[i];
   }
   return out;
 }
 
-const Lanes& itself(const Lanes& entry) { return entry; }
-Lanes size_of(const Lanes& entry) { return entry.abs(); }
+/// The product, and the sum of its parts without sign.
+std::array<BatchVector, 2> batch_product_and_size(const Lanes* matrix, const BatchVector& in) {
+  std::array<BatchVector, 2> result;
+  auto& [out, size] = result;
+  for (int i = 0; i < cell_unknowns; ++i) {
+    Lanes row = Lanes::Zero(), row_size = row;
+    for (int j = 0; j < i; ++j, ++matrix) {
+      const Lanes from_j = *matrix * in[j], from_i = *matrix * in[i];
+      row += from_j;
+      row_size += from_j.abs();
+      out[j] += from_i;
+      size[j] += from_i.abs();
+    }
+    const Lanes own = *matrix++ * in[i];
+    out[i] = row + own;
+    size[i] = row_size + own.abs();
+  }
+  return result;
+}
 
 Index batch_count(const core::Mesh& mesh) { return (mesh.cell_count() + lanes - 1) / lanes; }
 
@@ -62,7 +78,7 @@ Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const
   for (Index batch = 0; batch < batch_count(mesh); ++batch) {
     const BatchUnknowns unknowns(mesh, batch);
     for (Index column = 0; column < x.cols(); ++column) {
-      const auto out = batch_product(cells.batch(batch), gather(unknowns, x.col(column)), itself);
+      const auto out = batch_product(cells.batch(batch), gather(unknowns, x.col(column)));
       for (Index lane = 0; lane < unknowns.count; ++lane)
         for (int k = 0; k < cell_unknowns; ++k) result(unknowns.of[lane][k], column) += out[k][lane];
     }
@@ -73,13 +89,16 @@ Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const
 Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
                         const std::vector<Index>& listed) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.rows(), x.cols());
-  Eigen::Matrix<double, cell_unknowns, Eigen::Dynamic> in(cell_unknowns, x.cols());
+  using CellVector = Eigen::Matrix<double, cell_unknowns, 1>;
   for (const Index cell : listed) {
     const auto where = unknowns_of(mesh, cell);
-    for (int k = 0; k < cell_unknowns; ++k) in.row(k) = x.row(where[k]);
-    if (in.isZero(0)) continue;
-    const auto out = (cells.of(cell) * in).eval();
-    for (int k = 0; k < cell_unknowns; ++k) result.row(where[k]) += out.row(k);
+    for (Index column = 0; column < x.cols(); ++column) {
+      CellVector in;
+      for (int k = 0; k < cell_unknowns; ++k) in[k] = x(where[k], column);
+      if (in.isZero(0)) continue;
+      const CellVector out = cells.of(cell) * in;
+      for (int k = 0; k < cell_unknowns; ++k) result(where[k], column) += out[k];
+    }
   }
   return result;
 }
@@ -88,10 +107,7 @@ Eigen::MatrixXd product_and_size(const core::Mesh& mesh, const CellMatrices& cel
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.size(), 2);
   for (Index batch = 0; batch < batch_count(mesh); ++batch) {
     const BatchUnknowns unknowns(mesh, batch);
-    BatchVector in = gather(unknowns, x);
-    const auto out = batch_product(cells.batch(batch), in, itself);
-    for (Lanes& value : in) value = value.abs();
-    const auto size = batch_product(cells.batch(batch), in, size_of);
+    const auto [out, size] = batch_product_and_size(cells.batch(batch), gather(unknowns, x));
     for (Index lane = 0; lane < unknowns.count; ++lane)
       for (int k = 0; k < cell_unknowns; ++k) {
         result(unknowns.of[lane][k], 0) += out[k][lane];
