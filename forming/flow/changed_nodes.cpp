@@ -91,7 +91,8 @@ struct Effects {
     const Point along = change.kind == Change::Kind::normal ? handles[first]->direction : Point(frame_of(now).col(axis));
     const Point dragged = frame_of(before).col(dim - 1);
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(count() + known());
-    for (Index h = first; h < first + change.end_axis() - change.first_axis(); ++h) row += along.dot(handles[h]->direction) * force(h);
+    const Index end = first + change.end_axis() - change.first_axis();
+    for (Index h = first; h < end; ++h) row += along.dot(handles[h]->direction) * force(h);
     if (const double drag = drag_of(what.base, change.node); drag > 0)
       row -= drag * along.dot(dragged) * velocity(change.node, dragged);
     if (const double drag = drag_of(what.held, change.node); drag > 0 && axis == dim - 1) {
