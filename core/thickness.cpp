@@ -121,8 +121,9 @@ std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& sy
   return normals;
 }
 
-/// Hands each surface value to the nodes nearest to it, spreading from node to node of the cells.
-void spread(const Mesh& mesh, Eigen::VectorXd& value) {
+}  // namespace
+
+void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
   struct Front {
     double distance;
     Index node, source;
@@ -153,21 +154,26 @@ void spread(const Mesh& mesh, Eigen::VectorXd& value) {
   }
 }
 
-}  // namespace
-
-Eigen::VectorXd wall_thickness(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
+Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
   const EdgeGrid grid(mesh);
-  const std::vector<Point> normals = surface_normals(mesh, symmetry_pieces);
-  Eigen::VectorXd thickness = Eigen::VectorXd::Constant(mesh.node_count(), infinity);
+  Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
+            surface_normals(mesh, symmetry_pieces)};
   for (const BoundaryEdge& edge : mesh.boundary) {
     for (const Index node : edge.nodes) {
-      if (symmetry_pieces[edge.piece] || std::isfinite(thickness[node]) || normals[node].norm() < 1e-6) continue;
-      const EdgeGrid::Hit hit = grid.first_exit(node, -normals[node].normalized());
+      if (symmetry_pieces[edge.piece] || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6) continue;
+      wall.normal[node].normalize();
+      const EdgeGrid::Hit hit = grid.first_exit(node, -wall.normal[node]);
       if (hit.edge < 0) continue;
-      thickness[node] = symmetry_pieces[mesh.boundary[hit.edge].piece] ? 2 * hit.distance : hit.distance;
+      wall.far_edge[node] = hit.edge;
+      wall.thickness[node] = symmetry_pieces[mesh.boundary[hit.edge].piece] ? 2 * hit.distance : hit.distance;
     }
   }
-  spread(mesh, thickness);
+  return wall;
+}
+
+Eigen::VectorXd wall_thickness(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
+  Eigen::VectorXd thickness = surface_wall(mesh, symmetry_pieces).thickness;
+  spread_inward(mesh, thickness);
   return thickness;
 }
 

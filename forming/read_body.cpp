@@ -113,10 +113,19 @@ flow::Friction read_friction(const CaseNode& node) {
   return friction;
 }
 
+FilmLimit read_film(const CaseNode& node) {
+  const CaseTable table(node, {"thinnest", "then"});
+  FilmLimit film;
+  if (const auto* item = table.find("thinnest")) film.thinnest = core::positive(*item, dimension::length);
+  if (const auto* item = table.find("then"))
+    film.then = core::choice(*item, {"stop", "freeze"}) == 0 ? FilmLimit::Then::stop : FilmLimit::Then::freeze;
+  return film;
+}
+
 }  // namespace
 
 Glass read_glass(const CaseNode& node, const BodyContext& context) {
-  const CaseTable table(node, {"material", "temperature", "mesh", "piece"});
+  const CaseTable table(node, {"material", "temperature", "mesh", "film", "piece"});
   Glass glass;
   glass.name = "glass";
   const auto& material = find_material(table.get("material"), context);
@@ -135,6 +144,7 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
       core::refuse(*item,
                    fmt::format("\"{}\" was found, allowed are temperatures above T0 of the viscosity", item->text));
   }
+  if (const auto* item = table.find("film")) glass.film = read_film(*item);
   read_shape(table, context, glass);
   return glass;
 }

@@ -68,6 +68,8 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
       for (Index n = 0; n < mesh.node_count(); ++n)
         if (gaps[n] < soon) result.skin_wish[n] = accuracy.skin_size;
     }
+  result.thinnest_film = scene.glass.film.thinnest;
+  result.most_cells = accuracy.most_cells;
   result.keep = tool_corners(scene, state);
   return result;
 }

@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "forming/contact_geometry.hpp"
+#include "forming/film.hpp"
 #include "forming/history.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/progress.hpp"
@@ -142,6 +143,13 @@ void write_step(Progress& run, const StepReport& report) {
   print_progress(run, report);
 }
 
+/// Whether glass between tools is too thin to go on; the reason goes into the facts.
+bool is_too_thin(Progress& run) {
+  if (!run.scene.has_flow()) return false;
+  run.outcome.facts.reason = film_obstacle(run.scene, run.outcome.state);
+  return !run.outcome.facts.reason.empty();
+}
+
 /// Steps until the stage is over. Wherever a checkpoint is written the run can enter here again.
 bool advance_stage(Progress& run) {
   State& state = run.outcome.state;
@@ -150,6 +158,7 @@ bool advance_stage(Progress& run) {
     if (!advance(run, report)) return false;
     note_motion(run.scene, state);
     write_step(run, report);
+    if (is_too_thin(run)) return false;
     save_when_due(run);
     if (run.stop && run.stop()) {
       run.outcome.facts.stopped = true;

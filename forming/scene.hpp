@@ -62,9 +62,16 @@ struct Body {
   double position = 0;  ///< offset along the axis at the start, m (the profile is given at offset 0)
 };
 
+/// What becomes of glass between tools that gets thinner than the mesh can follow.
+struct FilmLimit {
+  double thinnest = 0.3e-3;  ///< m
+  enum class Then { stop, freeze } then = Then::stop;  ///< the run ends, or the film flows no more
+};
+
 /// The body that flows; always body 0. Without `flow` it stands still.
 struct Glass : Body {
   std::optional<flow::Material> flow;
+  FilmLimit film;
 };
 
 struct Tool : Body {

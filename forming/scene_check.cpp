@@ -156,7 +156,7 @@ void check_support(const Scene& scene, const core::CaseTable& root) {
   if (std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
         return piece.kind == PieceKind::fixed || piece.kind == PieceKind::symmetry;
       }))
-    core::refuse(core::CaseTable(root.get("glass"), {"material", "temperature", "mesh", "piece"}).get("piece"),
+    core::refuse(core::CaseTable(root.get("glass"), {"material", "temperature", "mesh", "film", "piece"}).get("piece"),
                  "every piece is fixed or a symmetry plane and the pressure of the glass has no level; allowed is at "
                  "least one piece that is neither");
   if (held_along_axis(scene.glass)) return;

@@ -8,6 +8,7 @@
 
 #include "core/element.hpp"
 #include "forming/contact_geometry.hpp"
+#include "forming/film.hpp"
 #include "forming/foretell.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/sample.hpp"
@@ -119,6 +120,7 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::
   problem.geometry = scene.geometry;
   problem.material = &*scene.glass.flow;
   problem.temperature = &foretold.temperature;
+  problem.frozen = frozen_cells(scene, state);
   problem.gravity = scene.stages[state.stage].gravity;
   problem.volume_rate = wanted_volume_rate(scene, state, middle, foretold, dt);
   problem.pieces = piece_conditions(scene, state);

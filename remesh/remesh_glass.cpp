@@ -78,6 +78,7 @@ Remeshed remesh_glass(const Mesh& old, const Criteria& criteria) {
   Remeshed result;
   result.volume_before = core::volume(old, criteria.geometry);
   const SizeField size = size_field(old, criteria);
+  result.coarser = size.coarser();
   const Surface surface = resample(old, criteria, size);
   const auto [first, second] = find_crossing(surface.outline);
   if (first >= 0) {

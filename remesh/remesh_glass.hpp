@@ -11,6 +11,7 @@ struct Remeshed {
   bool ok = false;
   std::string reason;  ///< why not, a sentence
   double volume_before = 0, volume_after = 0;  ///< m3
+  double coarser = 1;  ///< than the criteria ask for, for the sake of most_cells
 };
 
 /// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to round-off by

@@ -6,6 +6,7 @@
 #include "core/element.hpp"
 #include "core/thickness.hpp"
 #include "remesh/curve.hpp"
+#include "remesh/film.hpp"
 #include "remesh/surface.hpp"
 
 namespace parison::remesh {
@@ -41,10 +42,24 @@ std::vector<double> curvature_radii(const Mesh& mesh) {
   return radii;
 }
 
+/// About how many cells of these sizes fill the body: equilateral ones.
+double cell_count(const Mesh& old, const SizeField& size) {
+  double count = 0;
+  for (const auto& cell : old.cells) {
+    const Point &a = old.nodes[cell[0]], u = old.nodes[cell[1]] - a, v = old.nodes[cell[2]] - a;
+    const double edge = size(a + (u + v) / 3);
+    count += 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]) / (std::sqrt(3.0) / 4 * edge * edge);
+  }
+  return count;
+}
+
 }  // namespace
 
 SizeField size_field(const Mesh& old, const Criteria& criteria) {
-  const Eigen::VectorXd wall = core::wall_thickness(old, criteria.straight_pieces);
+  const core::Wall behind = core::surface_wall(old, criteria.straight_pieces);
+  Eigen::VectorXd wall = behind.thickness;
+  core::spread_inward(old, wall);
+  const Eigen::VectorXd film = film_thickness(old, behind, criteria.straight_pieces, criteria.contact);
   const std::vector<double> radii = curvature_radii(old);
   std::vector<SizeSource> sources;
   for (std::size_t i = 0; i < old.boundary.size(); ++i) {
@@ -54,19 +69,24 @@ SizeField size_field(const Mesh& old, const Criteria& criteria) {
     const auto skin = [&](Index node) { return criteria.skin_wish.empty() ? infinity : criteria.skin_wish[node]; };
     const auto least = [&](const auto& at) { return std::min({at(edge[0]), at(edge[1]), at(edge[2])}); };
     const double thinnest = least([&](Index node) { return wall[node]; });
-    const double finest = std::max(std::min(thinnest / criteria.elements_across, least(skin)), criteria.smallest);
+    const double film_edge = film_size(least([&](Index node) { return film[node]; }), criteria.thinnest_film);
+    const double finest =
+        std::min(film_edge, std::max(std::min(thinnest / criteria.elements_across, least(skin)), criteria.smallest));
     const Index steps = std::clamp(static_cast<Index>(std::ceil(arc_length(old, edge, 1) / finest)), 2, most_samples);
     for (Index k = 0; k <= steps; ++k) {
       const double s = static_cast<double>(k) / steps;
       const Point at = point_on(old, edge, s);
       const double thickness = along(edge, s, [&](Index node) { return wall[node]; });
-      const double across = std::max(thickness / criteria.elements_across, criteria.smallest);
+      const double in_film = film_size(along(edge, s, [&](Index node) { return film[node]; }), criteria.thinnest_film);
+      const double across = std::min(in_film, std::max(thickness / criteria.elements_across, criteria.smallest));
       const double wish = std::max({along(edge, s, skin), criteria.skin_size, criteria.smallest});
       sources.push_back({at, std::min({criteria.surface_size, across, bend, wish}), 0});
       if (across < 2 * criteria.surface_size) sources.push_back({at, across, 0.5 * thickness});
     }
   }
-  return SizeField(std::move(sources), criteria.growth, 2 * criteria.surface_size);
+  SizeField size(std::move(sources), criteria.growth, 2 * criteria.surface_size);
+  size.coarsen(std::sqrt(std::max(1.0, cell_count(old, size) / criteria.most_cells)));
+  return size;
 }
 
 }  // namespace parison::remesh

@@ -56,7 +56,7 @@ const std::vector<int>& SizeField::block_of(int column, int row) const {
   return list;
 }
 
-double SizeField::operator()(const Point& x) const {
+double SizeField::finest(const Point& x) const {
   double size = largest_;
   if (sources_.empty()) return size;
   const auto place = [&](int axis, int count) {

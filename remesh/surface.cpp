@@ -152,7 +152,7 @@ class Resampler {
     };
     const std::vector<double> at = divide(
         stretch.length(),
-        [&](double s) { return stretch.straight ? size_(point(s)) : std::min(criteria_.surface_size, size_(point(s))); },
+        [&](double s) { return stretch.straight ? size_(point(s)) : std::min(size_.coarser() * criteria_.surface_size, size_(point(s))); },
         stretch.straight ? 1 : at_least);
     for (std::size_t i = 0; i + 1 < at.size(); ++i) {
       const double middle = 0.5 * (at[i] + at[i + 1]);

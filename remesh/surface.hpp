@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <vector>
 
 #include "core/mesh.hpp"
@@ -14,11 +15,13 @@ struct Criteria {
   double skin_size;        ///< smallest edge a thermal skin may ask for, m
   double elements_across;  ///< elements across a wall
   double growth;           ///< of the edge length per metre of distance
-  double smallest;         ///< smallest edge of all, m
+  double smallest;         ///< smallest edge of all, but in films, m
   std::vector<bool> straight_pieces;  ///< symmetry pieces: their nodes stay on their line
   std::vector<bool> contact;          ///< per old node: touches a tool
   std::vector<core::Point> keep;      ///< tool corners: a vertex where the surface passes one, m
   std::vector<double> skin_wish;      ///< per old node: edge length the thermal skin asks for, m; infinite where none
+  double thinnest_film = 0;  ///< glass between tools has its elements across down to this thickness, m
+  double most_cells = std::numeric_limits<double>::infinity();  ///< about; sizes that ask for more grow everywhere alike
 };
 
 /// A resampled surface and what is known of its points (vertices first, then mid points, in the order of the outline).

@@ -14,6 +14,8 @@ using core::dim;
 
 namespace {
 
+/// Viscosity of frozen glass, of what it would be.
+constexpr double frozen_factor = 1e6;
 /// Bulk viscosity in units of the shear viscosity at the same place.
 constexpr double bulk_ratio = 1e10;
 
@@ -146,7 +148,8 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
       if (!problem.viscosity)
         for (int i = 0; i < 6; ++i) temperature += shapes_at_points()[q][i] * (*problem.temperature)[mesh.cells[c][i]];
       viscosity[std::size_t(c) * cell_points + q] =
-          problem.viscosity ? problem.viscosity(geometry.position(c, q)) : problem.material->viscosity(temperature);
+          (problem.viscosity ? problem.viscosity(geometry.position(c, q)) : problem.material->viscosity(temperature)) *
+          (!problem.frozen.empty() && problem.frozen[c] ? frozen_factor : 1);
     }
   if (problem.viscosity || !problem.material->shear_thinning || velocity.size() == 0) return viscosity;
   const auto& law = *problem.material->shear_thinning;

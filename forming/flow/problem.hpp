@@ -49,6 +49,7 @@ struct Problem {
   const Eigen::VectorXd* temperature;  ///< per node, K
   std::function<double(const Point&)> viscosity;  ///< Pa.s, in place of the material's where given
   std::function<Point(const Point&)> force;       ///< on the glass beside its weight, N/m3, where given
+  std::vector<bool> frozen;            ///< cells whose glass flows no more; empty where none
   double gravity = 0;                  ///< along the axis, m/s2
   double volume_rate = 0;              ///< div v everywhere, 1/s: takes back what the finite steps did to the volume
   Point body_force_direction = core::axis_direction();
