@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/thickness.hpp"
 #include "forming/initial_state.hpp"
@@ -14,13 +15,20 @@ namespace parison::forming {
 
 namespace {
 
-/// A frozen film that is crushed below this share of the thinnest ends the run: the motion of its tools is given.
-constexpr double crushed = 0.5;
+/// Landing on the thinnest film itself is allowed, relative.
+constexpr double landed = 1e-3;
+/// Tools that come nearer to each other more slowly than this stand, m/s.
+constexpr double standing = 1e-6;
 
 struct Films {
   core::Wall wall;
   Eigen::VectorXd thickness;  ///< per node, m; infinite where the glass is no film
 };
+
+bool is_slot(const State& state, Index node, const core::BoundaryEdge& other) {
+  return std::any_of(other.nodes.begin(), other.nodes.end(),
+                     [&](Index n) { return state.contact.tool[n] == state.contact.tool[node]; });
+}
 
 Films find_films(const Scene& scene, const State& state) {
   const core::Mesh& mesh = state.bodies[0].mesh;
@@ -29,6 +37,9 @@ Films find_films(const Scene& scene, const State& state) {
   for (std::size_t n = 0; n < contact.size(); ++n) contact[n] = state.contact.tool[n] >= 0;
   Films films{core::surface_wall(mesh, symmetry), {}};
   films.thickness = remesh::film_thickness(mesh, films.wall, symmetry, contact);
+  for (Index n = 0; n < mesh.node_count(); ++n)  // what fills a slot of one tool is not pressed thinner
+    if (std::isfinite(films.thickness[n]) && is_slot(state, n, mesh.boundary[films.wall.far_edge[n]]))
+      films.thickness[n] = std::numeric_limits<double>::infinity();
   return films;
 }
 
@@ -36,12 +47,27 @@ bool touches_nothing(const State& state) {
   return std::all_of(state.contact.tool.begin(), state.contact.tool.end(), [](Index tool) { return tool < 0; });
 }
 
-/// "blank and plunger": the tools on both sides of a film.
-std::string sides(const Scene& scene, const State& state, Index node, const core::BoundaryEdge& other) {
-  const std::string& name = scene.tools[state.contact.tool[node]].name;
-  for (const Index n : other.nodes)
-    if (const Index tool = state.contact.tool[n]; tool >= 0) return name + " and " + scene.tools[tool].name;
-  return name + " and its mirror image";
+/// The tool on the other side of a film's node, -1 for its mirror image.
+Index opposite_tool(const Films& films, const State& state, Index node) {
+  for (const Index n : state.bodies[0].mesh.boundary[films.wall.far_edge[node]].nodes)
+    if (const Index tool = state.contact.tool[n]; tool >= 0) return tool;
+  return -1;
+}
+
+bool is_driven(const Scene& scene, const State& state, Index tool) {
+  const auto& tools = scene.stages[state.stage].tools;
+  return std::any_of(tools.begin(), tools.end(), [&](const StageTool& place) {
+    return place.tool == tool && std::holds_alternative<ForceMotion>(place.motion);
+  });
+}
+
+/// Whether tools that do not give way come nearer to each other at a film's node.
+bool is_crushed(const Scene& scene, const State& state, const Films& films, Index node) {
+  const Index here = state.contact.tool[node], there = opposite_tool(films, state, node);
+  const double outward = films.wall.normal[node].dot(core::axis_direction());
+  const double speed = state.bodies[1 + here].velocity;
+  const double closing = outward * ((there < 0 ? -speed : state.bodies[1 + there].velocity) - speed);
+  return closing > standing && !is_driven(scene, state, here) && (there < 0 || !is_driven(scene, state, there));
 }
 
 }  // namespace
@@ -49,18 +75,18 @@ std::string sides(const Scene& scene, const State& state, Index node, const core
 std::string film_obstacle(const Scene& scene, const State& state) {
   if (touches_nothing(state)) return "";
   const FilmLimit& limit = scene.glass.film;
-  const bool frozen = limit.then == FilmLimit::Then::freeze;
   const Films films = find_films(scene, state);
   Index node;
   const double thinnest = films.thickness.minCoeff(&node);
-  if (thinnest >= (frozen ? crushed : 1) * limit.thinnest) return "";
-  const core::Mesh& mesh = state.bodies[0].mesh;
-  const Point middle = mesh.nodes[node] - 0.5 * thinnest * films.wall.normal[node];
-  return fmt::format("the glass between {} is {:.3g} mm thick near ({:.2f}, {:.2f}) mm, {}",
-                     sides(scene, state, node, mesh.boundary[films.wall.far_edge[node]]), 1e3 * thinnest, 1e3 * middle[0],
-                     1e3 * middle[1],
-                     frozen ? fmt::format("frozen at {:.3g} mm and crushed by tools that do not give way", 1e3 * limit.thinnest)
-                            : fmt::format("the film may be no thinner than {:.3g} mm", 1e3 * limit.thinnest));
+  if (thinnest >= (1 - landed) * limit.thinnest) return "";
+  const bool freezes = limit.then == FilmLimit::Then::freeze;
+  if (freezes && !is_crushed(scene, state, films, node)) return "";
+  const Index there = opposite_tool(films, state, node);
+  const Point middle = state.bodies[0].mesh.nodes[node] - 0.5 * thinnest * films.wall.normal[node];
+  return fmt::format("the glass between {} and {} is {:.4g} mm thick near ({:.2f}, {:.2f}) mm, {} {:.4g} mm{}",
+                     scene.tools[state.contact.tool[node]].name, there < 0 ? "its mirror image" : scene.tools[there].name,
+                     1e3 * thinnest, 1e3 * middle[0], 1e3 * middle[1], freezes ? "it is frozen below" : "allowed are films of",
+                     1e3 * limit.thinnest, freezes ? ", but the tools come nearer to each other by a given motion" : " and more");
 }
 
 std::vector<bool> frozen_cells(const Scene& scene, const State& state) {

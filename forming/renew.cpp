@@ -13,6 +13,7 @@
 #include "forming/heat_step.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/mesh_shift.hpp"
+#include "forming/tool_corners.hpp"
 #include "remesh/quality.hpp"
 #include "remesh/remesh_glass.hpp"
 #include "remesh/transfer.hpp"
@@ -29,24 +30,6 @@ constexpr double touching = 2e-5;
 constexpr double soon = 1.0e-3;
 /// Smallest edge of all, of the skin size.
 constexpr double smallest_share = 0.5;
-/// Turns of a tool's outline sharper than this (sine) want a vertex of the glass.
-constexpr double corner = 0.2;
-
-std::vector<core::Point> tool_corners(const Scene& scene, const State& state) {
-  std::vector<core::Point> corners;
-  for (const auto& place : scene.stages[state.stage].tools) {
-    const Body& tool = scene.tools[place.tool];
-    const auto& segments = tool.profile.segments;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      const auto& next = segments[(i + 1) % segments.size()];
-      if (tool.pieces[segments[i].piece].kind != PieceKind::contact) continue;
-      const Point a = core::tangent_at(segments[i], 1), b = core::tangent_at(next, 0);
-      if (a[0] * b[1] - a[1] * b[0] > corner)  // turns left: the tool's corner points into the glass
-        corners.push_back(segments[i].end + state.bodies[1 + place.tool].offset * core::axis_direction());
-    }
-  }
-  return corners;
-}
 
 remesh::Criteria criteria(const Scene& scene, const State& state) {
   const Accuracy& accuracy = scene.accuracy;
@@ -180,7 +163,7 @@ double new_extreme(const State& state, const State& next) {
   return std::max({0.0, now.maxCoeff() - old.maxCoeff(), old.minCoeff() - now.minCoeff()});
 }
 
-void book(const Scene& scene, const State& state, RemeshReason why, State& next) {
+void book(const Scene& scene, const State& state, RemeshReason why, double coarser, State& next) {
   const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
   RemeshLedger& ledger = next.totals.remeshing;
   ++ledger.count[static_cast<std::size_t>(why)];
@@ -189,6 +172,7 @@ void book(const Scene& scene, const State& state, RemeshReason why, State& next)
     book_change(glass_heat(scene, next) - glass_heat(scene, state), ledger.heat, ledger.largest_heat);
     ledger.new_extreme = std::max(ledger.new_extreme, new_extreme(state, next));
   }
+  ledger.coarser = std::max(ledger.coarser, coarser);
   const auto quality = remesh::quality(mesh);
   ledger.worst_quality = std::min(ledger.worst_quality, quality.worst);
   ledger.lowest_median = std::min(ledger.lowest_median, quality.median);
@@ -249,7 +233,7 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason wh
   next.mass_nodes = mesh.nodes;
   next.density = state.density * core::volume(mass_mesh(state), scene.geometry) / core::volume(mesh, scene.geometry);
   carry_temperature(scene, state, transfer, next);
-  book(scene, state, why, next);
+  book(scene, state, why, made.coarser, next);
   result.ok = true;
   return result;
 }

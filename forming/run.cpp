@@ -35,6 +35,9 @@ bool renew(Progress& run, RemeshReason why) {
     return true;
   }
   const std::string sentence = fmt::format("no new glass mesh: {}", renewed.reason);
+  State& state = run.outcome.state;
+  if (++state.totals.remeshing.failed == 1)
+    run.outcome.facts.warnings.push_back(fmt::format("at {:.5f} s {}", state.time, sentence));
   auto& reason = run.outcome.facts.reason;
   if (must) reason = reason.empty() ? sentence : reason + "; " + sentence;
   return !must;
@@ -188,6 +191,11 @@ void warn(Progress& run) {
   auto& warnings = run.outcome.facts.warnings;
   if (totals.largest_reynolds > 1)
     warnings.push_back(fmt::format("inertia was left out, but the Reynolds number reached {:.2g}", totals.largest_reynolds));
+  const RemeshLedger& remeshing = totals.remeshing;
+  if (remeshing.failed > 1) warnings.push_back(fmt::format("{} new glass meshes could not be made", remeshing.failed));
+  if (remeshing.coarser > 1)
+    warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have no more than about {:g} cells",
+                                   remeshing.coarser, run.scene.accuracy.most_cells));
   if (totals.table_holds > 0)
     warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.table_holds));
   if (const long latched = run.outcome.facts.effort.latched_contacts; latched > 0)

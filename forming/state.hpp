@@ -61,6 +61,8 @@ struct RemeshLedger {
   double new_extreme = 0;                 ///< furthest that a new temperature went beyond all old ones, K
   double worst_quality = 1;               ///< of a cell after any remesh
   double lowest_median = 1;               ///< quality of the median cell after any remesh
+  Index failed = 0;                       ///< new meshes that could not be made
+  double coarser = 1;                     ///< by which a mesh was coarser than asked for, for the sake of most_cells
 };
 
 /// Sums since the start.

@@ -30,6 +30,8 @@ void visit_remeshing(Visitor visit, Ledger& remeshing) {
   visit("new_extreme", remeshing.new_extreme);
   visit("worst_quality", remeshing.worst_quality);
   visit("lowest_median", remeshing.lowest_median);
+  visit("failed", remeshing.failed);
+  visit("coarser", remeshing.coarser);
 }
 
 template <typename Visitor, typename Sums>

@@ -47,9 +47,9 @@ bool is_fixed(const Mesh& old, const std::vector<Link>& links, Index i) {
 /// Places, by old edge, where the surface passes a kept point closer than half the edge length there.
 std::map<Index, double> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
   const std::vector<Link> links = boundary_links(old);
-  std::vector<Index> fixed;
+  std::vector<Point> fixed;
   for (std::size_t i = 0; i < links.size(); ++i)
-    if (is_fixed(old, links, static_cast<Index>(i))) fixed.push_back(static_cast<Index>(i));
+    if (is_fixed(old, links, static_cast<Index>(i))) fixed.push_back(old.nodes[old.boundary[i].nodes[0]]);
   std::map<Index, double> kept;
   for (const Point& corner : criteria.keep) {
     const double wished = std::min(criteria.surface_size, size(corner));
@@ -65,10 +65,11 @@ std::map<Index, double> kept_places(const Mesh& old, const Criteria& criteria, c
     }
     if (found.edge < 0) continue;
     const Point at = point_on(old, old.boundary[found.edge].nodes, found.s);
-    const bool crowded = std::any_of(fixed.begin(), fixed.end(), [&](Index i) {
-      return (old.nodes[old.boundary[i].nodes[0]] - at).norm() < 0.3 * wished;
-    });
-    if (!crowded) kept[found.edge] = found.s;
+    const bool crowded =
+        std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) { return (x - at).norm() < 0.3 * wished; });
+    if (crowded || kept.count(found.edge)) continue;
+    kept[found.edge] = found.s;
+    fixed.push_back(at);
   }
   return kept;
 }

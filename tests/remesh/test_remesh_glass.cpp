@@ -136,6 +136,20 @@ TEST(RemeshGlass, a_wall_of_300_micrometres_has_four_elements_across) {
   }
 }
 
+TEST(RemeshGlass, sizes_that_would_take_too_many_cells_grow_until_they_do_not) {
+  const Mesh old = pressed_cup(0.3);
+  Criteria criteria = criteria_for(old, 1.5e-3);
+  criteria.contact.assign(old.nodes.size(), true);
+  const Remeshed free = remesh_glass(old, criteria);
+  EXPECT_EQ(free.coarser, 1);
+  criteria.most_cells = 0.5 * free.mesh.cell_count();
+  const Remeshed held = remesh_glass(old, criteria);
+  expect_sound(old, held, "cup_budget");
+  EXPECT_GT(held.coarser, 1.2);
+  EXPECT_LT(held.mesh.cell_count(), 1.25 * criteria.most_cells);
+  EXPECT_GT(held.mesh.cell_count(), 0.75 * criteria.most_cells);
+}
+
 TEST(RemeshGlass, contact_nodes_do_not_give_way) {
   const Mesh old = pressed_cup(2);
   Criteria criteria = criteria_for(old, 1.5e-3);
