@@ -16,19 +16,18 @@ using core::Point;
 namespace {
 
 constexpr int frontal_delaunay = 6;
-constexpr int linear_triangle = 2;
+constexpr int linear_line = 1, linear_triangle = 2;
 
 void start_gmsh() {
   static const bool started = [] {
     gmsh::initialize(0, nullptr, false);
-    for (const char* off : {"General.Terminal", "General.AbortOnError", "Mesh.MeshSizeExtendFromBoundary",
+    for (const char* off : {"General.Terminal", "General.AbortOnError", "Mesh.Renumber", "Mesh.MeshSizeExtendFromBoundary",
                             "Mesh.MeshSizeFromPoints"})
       gmsh::option::setNumber(off, 0);
     for (const char* threads : {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D"})
       gmsh::option::setNumber(threads, 1);
     gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
     gmsh::option::setNumber("Mesh.Smoothing", 0);  // mend_poor is cheaper
-    gmsh::option::setNumber("Mesh.LcIntegrationPrecision", 1);  // the edges are divided already
     return true;
   }();
   (void)started;
@@ -44,20 +43,40 @@ double unit_scale(const Outline& outline) {
   return std::ldexp(1.0, 7 - std::ilogb((high - low).maxCoeff()));
 }
 
+/// Hands gmsh a stretch of a loop as a meshed curve: vertices first ... last, where `last` may be the loop's first one again.
+int give_stretch(const Outline& outline, double scale, Index first, Index count, Index end) {
+  const auto tag = [](Index vertex) { return static_cast<std::size_t>(vertex) + 1; };
+  const int curve = gmsh::model::addDiscreteEntity(1, -1, {static_cast<int>(tag(first)), static_cast<int>(tag(end))});
+  std::vector<std::size_t> nodes, elements, corners;
+  std::vector<double> coordinates;
+  for (Index i = first; i < first + count; ++i) {
+    elements.push_back(tag(i));
+    corners.insert(corners.end(), {tag(i), i + 1 < first + count ? tag(i + 1) : tag(end)});
+    if (i == first) continue;
+    nodes.push_back(tag(i));
+    coordinates.insert(coordinates.end(), {scale * outline.vertices[i][0], scale * outline.vertices[i][1], 0});
+  }
+  gmsh::model::mesh::addNodes(1, curve, nodes, coordinates);
+  gmsh::model::mesh::addElementsByType(curve, linear_line, elements, corners);
+  return curve;
+}
+
+/// Each loop as two curves that are meshed already; node i + 1 is vertex i.
 void give_outline(const Outline& outline, double scale) {
-  const std::vector<Index> ends = edge_ends(outline);
-  for (Index i = 0; i < outline.edge_count(); ++i)
-    gmsh::model::geo::addPoint(scale * outline.vertices[i][0], scale * outline.vertices[i][1], 0, 0, i + 1);
-  for (Index i = 0; i < outline.edge_count(); ++i) gmsh::model::geo::addLine(i + 1, ends[i] + 1, i + 1);
   std::vector<int> loops;
   for (std::size_t k = 0; k + 1 < outline.loop_start.size(); ++k) {
-    std::vector<int> lines;
-    for (Index i = outline.loop_start[k]; i < outline.loop_start[k + 1]; ++i) lines.push_back(i + 1);
-    loops.push_back(gmsh::model::geo::addCurveLoop(lines));
+    const Index first = outline.loop_start[k], count = outline.loop_start[k + 1] - first, half = first + count / 2;
+    for (const Index vertex : {first, half}) {
+      const int point = gmsh::model::addDiscreteEntity(0, static_cast<int>(vertex) + 1);
+      gmsh::model::mesh::addNodes(0, point, {static_cast<std::size_t>(vertex) + 1},
+                                  {scale * outline.vertices[vertex][0], scale * outline.vertices[vertex][1], 0});
+    }
+    const int there = give_stretch(outline, scale, first, half - first, half);
+    const int back = give_stretch(outline, scale, half, count - (half - first), first);
+    loops.push_back(gmsh::model::geo::addCurveLoop({there, back}));
   }
   gmsh::model::geo::addPlaneSurface(loops, 1);
   gmsh::model::geo::synchronize();
-  for (Index i = 0; i < outline.edge_count(); ++i) gmsh::model::mesh::setTransfiniteCurve(i + 1, 2);
 }
 
 /// Meshes a triangle that is always the same: what gmsh remembers of the last body would change the bits of the next.
@@ -72,20 +91,13 @@ void forget_last_body() {
   std::srand(1);  // it perturbs points by rand()
 }
 
-/// Reads the triangles back; the tags of the outline's nodes are known by the points they sit on.
+/// Reads the triangles back.
 Triangulation take_mesh(const Outline& outline, double scale) {
   Triangulation result;
   result.vertices = outline.vertices;
   std::vector<std::size_t> tags, elements, corners;
   std::vector<double> coordinates, unused;
   std::unordered_map<std::size_t, Index> number;
-  gmsh::model::mesh::getNodes(tags, coordinates, unused, 0, -1, false, false);
-  if (tags.size() != outline.vertices.size()) return {{}, {}, "the mesher lost points of the outline"};
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    if (coordinates[3 * i] != scale * outline.vertices[i][0] || coordinates[3 * i + 1] != scale * outline.vertices[i][1])
-      return {{}, {}, "the mesher moved points of the outline"};
-    number[tags[i]] = static_cast<Index>(i);
-  }
   gmsh::model::mesh::getNodes(tags, coordinates, unused, 2, -1, false, false);
   for (std::size_t i = 0; i < tags.size(); ++i) {
     number[tags[i]] = static_cast<Index>(result.vertices.size());
@@ -95,9 +107,10 @@ Triangulation take_mesh(const Outline& outline, double scale) {
   for (std::size_t t = 0; t < elements.size(); ++t) {
     std::array<Index, 3> triangle;
     for (int k = 0; k < 3; ++k) {
-      const auto found = number.find(corners[3 * t + k]);
-      if (found == number.end()) return {{}, {}, "the mesher split edges of the outline"};
-      triangle[k] = found->second;
+      const std::size_t tag = corners[3 * t + k];
+      const auto found = number.find(tag);
+      if (tag > outline.vertices.size() && found == number.end()) return {{}, {}, "the mesher split edges of the outline"};
+      triangle[k] = found == number.end() ? static_cast<Index>(tag) - 1 : found->second;
     }
     const Point u = result.vertices[triangle[1]] - result.vertices[triangle[0]];
     const Point v = result.vertices[triangle[2]] - result.vertices[triangle[0]];

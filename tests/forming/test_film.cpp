@@ -91,7 +91,7 @@ TEST(Film, a_disc_squeezed_to_300_micrometres_pushes_back_as_theory_says_and_end
   const double theory = 1.5 * M_PI * 1e3 * std::pow(radius, 4) * speed / std::pow(height, 3);
   std::printf("film of %.4f mm, radius %.3f mm: force %.1f N, thin film theory %.1f N, %d cells\n", 1e3 * height, 1e3 * radius,
               -state.bodies[2].force, theory, state.bodies[0].mesh.cell_count());
-  EXPECT_NEAR(-state.bodies[2].force / theory, 1, 0.03);
+  EXPECT_NEAR(-state.bodies[2].force / theory, 1, 0.05);
 }
 
 TEST(Film, a_frozen_film_stops_the_tool_that_presses_on_it_and_is_not_crushed_by_one_that_does_not_give_way) {
