@@ -26,6 +26,7 @@ void start_gmsh() {
       gmsh::option::setNumber(off, 0);
     for (const char* threads : {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D"})
       gmsh::option::setNumber(threads, 1);
+    gmsh::option::setNumber("Mesh.MeshOnlyEmpty", 1);
     gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
     gmsh::option::setNumber("Mesh.Smoothing", 0);  // mend_poor is cheaper
     return true;
@@ -43,37 +44,48 @@ double unit_scale(const Outline& outline) {
   return std::ldexp(1.0, 7 - std::ilogb((high - low).maxCoeff()));
 }
 
-/// Hands gmsh a stretch of a loop as a meshed curve: vertices first ... last, where `last` may be the loop's first one again.
-int give_stretch(const Outline& outline, double scale, Index first, Index count, Index end) {
-  const auto tag = [](Index vertex) { return static_cast<std::size_t>(vertex) + 1; };
-  const int curve = gmsh::model::addDiscreteEntity(1, -1, {static_cast<int>(tag(first)), static_cast<int>(tag(end))});
-  std::vector<std::size_t> nodes, elements, corners;
+std::size_t tag_of(Index vertex) { return static_cast<std::size_t>(vertex) + 1; }
+
+std::array<double, 3> scaled(const Point& x, double scale) { return {scale * x[0], scale * x[1], 0}; }
+
+/// Hands gmsh the loop from vertex `first` to `last` as one curve that is meshed already.
+int give_stretch(const Outline& outline, double scale, Index first, Index last) {
+  const int curve = gmsh::model::addDiscreteEntity(1, -1, {static_cast<int>(tag_of(first)), static_cast<int>(tag_of(last))});
+  std::vector<std::size_t> nodes, edges, corners;
   std::vector<double> coordinates;
-  for (Index i = first; i < first + count; ++i) {
-    elements.push_back(tag(i));
-    corners.insert(corners.end(), {tag(i), i + 1 < first + count ? tag(i + 1) : tag(end)});
+  for (Index i = first; i < last; ++i) {
+    edges.push_back(tag_of(i));
+    corners.insert(corners.end(), {tag_of(i), tag_of(i + 1)});
     if (i == first) continue;
-    nodes.push_back(tag(i));
-    coordinates.insert(coordinates.end(), {scale * outline.vertices[i][0], scale * outline.vertices[i][1], 0});
+    const auto x = scaled(outline.vertices[i], scale);
+    nodes.push_back(tag_of(i));
+    coordinates.insert(coordinates.end(), x.begin(), x.end());
   }
   gmsh::model::mesh::addNodes(1, curve, nodes, coordinates);
-  gmsh::model::mesh::addElementsByType(curve, linear_line, elements, corners);
+  gmsh::model::mesh::addElementsByType(curve, linear_line, edges, corners);
   return curve;
 }
 
-/// Each loop as two curves that are meshed already; node i + 1 is vertex i.
+/// Each loop as a curve that is meshed already, which costs less than one for each edge, closed by its last edge: a straight
+/// line, from which gmsh knows which way is up. Node i + 1 is vertex i.
 void give_outline(const Outline& outline, double scale) {
+  for (std::size_t k = 0; k + 1 < outline.loop_start.size(); ++k)
+    for (const Index end : {outline.loop_start[k], outline.loop_start[k + 1] - 1})
+      gmsh::model::geo::addPoint(scale * outline.vertices[end][0], scale * outline.vertices[end][1], 0, 0,
+                                 static_cast<int>(tag_of(end)));
+  gmsh::model::geo::synchronize();
   std::vector<int> loops;
   for (std::size_t k = 0; k + 1 < outline.loop_start.size(); ++k) {
-    const Index first = outline.loop_start[k], count = outline.loop_start[k + 1] - first, half = first + count / 2;
-    for (const Index vertex : {first, half}) {
-      const int point = gmsh::model::addDiscreteEntity(0, static_cast<int>(vertex) + 1);
-      gmsh::model::mesh::addNodes(0, point, {static_cast<std::size_t>(vertex) + 1},
-                                  {scale * outline.vertices[vertex][0], scale * outline.vertices[vertex][1], 0});
+    const Index first = outline.loop_start[k], last = outline.loop_start[k + 1] - 1;
+    for (const Index end : {first, last}) {
+      const auto x = scaled(outline.vertices[end], scale);
+      gmsh::model::mesh::addNodes(0, static_cast<int>(tag_of(end)), {tag_of(end)}, {x.begin(), x.end()});
     }
-    const int there = give_stretch(outline, scale, first, half - first, half);
-    const int back = give_stretch(outline, scale, half, count - (half - first), first);
-    loops.push_back(gmsh::model::geo::addCurveLoop({there, back}));
+    const int stretch = give_stretch(outline, scale, first, last);
+    const int closing = gmsh::model::geo::addLine(static_cast<int>(tag_of(last)), static_cast<int>(tag_of(first)));
+    gmsh::model::geo::synchronize();
+    gmsh::model::mesh::addElementsByType(closing, linear_line, {tag_of(last)}, {tag_of(last), tag_of(first)});
+    loops.push_back(gmsh::model::geo::addCurveLoop({stretch, closing}));
   }
   gmsh::model::geo::addPlaneSurface(loops, 1);
   gmsh::model::geo::synchronize();
