@@ -85,8 +85,9 @@ std::string film_obstacle(const Scene& scene, const State& state) {
   const Point middle = state.bodies[0].mesh.nodes[node] - 0.5 * thinnest * films.wall.normal[node];
   return fmt::format("the glass between {} and {} is {:.4g} mm thick near ({:.2f}, {:.2f}) mm, {} {:.4g} mm{}",
                      scene.tools[state.contact.tool[node]].name, there < 0 ? "its mirror image" : scene.tools[there].name,
-                     1e3 * thinnest, 1e3 * middle[0], 1e3 * middle[1], freezes ? "it is frozen below" : "allowed are films of",
-                     1e3 * limit.thinnest, freezes ? ", but the tools come nearer to each other by a given motion" : " and more");
+                     1e3 * thinnest, 1e3 * middle[0], 1e3 * middle[1],
+                     freezes ? "it is frozen below" : "allowed are films of", 1e3 * limit.thinnest,
+                     freezes ? ", but the tools come nearer to each other by a given motion" : " and more");
 }
 
 std::vector<bool> frozen_cells(const Scene& scene, const State& state) {

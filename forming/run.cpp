@@ -194,7 +194,7 @@ void warn(Progress& run) {
   const RemeshLedger& remeshing = totals.remeshing;
   if (remeshing.failed > 1) warnings.push_back(fmt::format("{} new glass meshes could not be made", remeshing.failed));
   if (remeshing.coarser > 1)
-    warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have no more than about {:g} cells",
+    warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have about {:g} cells",
                                    remeshing.coarser, run.scene.accuracy.most_cells));
   if (totals.table_holds > 0)
     warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.table_holds));

@@ -47,6 +47,10 @@ piece = [
   { name = "axis", path = "(0, 0) mm", condition = "symmetry" } ]
 )";
 
+std::string with_film(const std::string& film) {
+  return replaced("material = \"glass\"\n", "material = \"glass\"\nfilm = " + film + "\n", squeeze);
+}
+
 RunOutcome pressed(const std::string& text, Scene& scene) {
   scene = scene_of(text);
   const fs::path results = fs::path(scene.directory) / "results";
@@ -95,7 +99,7 @@ TEST(Film, a_disc_squeezed_to_300_micrometres_pushes_back_as_theory_says_and_end
 }
 
 TEST(Film, a_frozen_film_stops_the_tool_that_presses_on_it_and_is_not_crushed_by_one_that_does_not_give_way) {
-  const std::string frozen = replaced("material = \"glass\"\n", "material = \"glass\"\nfilm = { thinnest = \"0.5 mm\", then = \"freeze\" }\n", squeeze);
+  const std::string frozen = with_film(R"({ thinnest = "0.5 mm", then = "freeze" })");
   Scene scene;
   const RunOutcome given = pressed(frozen, scene);
   EXPECT_NE(given.facts.reason.find("frozen below 0.5 mm"), std::string::npos) << given.facts.reason;
@@ -113,7 +117,7 @@ TEST(Film, a_frozen_film_stops_the_tool_that_presses_on_it_and_is_not_crushed_by
 }
 
 TEST(Film, an_unknown_end_of_a_film_is_refused) {
-  const std::string said = complaint_about(replaced("material = \"glass\"\n", "material = \"glass\"\nfilm = { then = \"melt\" }\n", squeeze));
+  const std::string said = complaint_about(with_film(R"({ then = "melt" })"));
   EXPECT_NE(said.find("film.then"), std::string::npos) << said;
   EXPECT_NE(said.find("stop"), std::string::npos) << said;
 }

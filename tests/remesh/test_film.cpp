@@ -16,7 +16,8 @@ using core::Mesh;
 /// A wedge of 20 mm length, 0.5 mm thick at its thin end, opening by `angle`; its sides are "bottom" and "top".
 Mesh wedge(double angle) {
   const double far = 0.5 + 20 * std::tan(angle * M_PI / 180);
-  const core::Profile profile = Pen(10, 0).line(30, 0, "bottom").line(30, far, "right").line(10, 0.5, "top").line(10, 0, "left").closed();
+  const core::Profile profile =
+      Pen(10, 0).line(30, 0, "bottom").line(30, far, "right").line(10, 0.5, "top").line(10, 0, "left").closed();
   return mesh_profile(profile, {0.5e-3, 0.5e-3, 0.3, std::vector<bool>(4, false)});
 }
 
