@@ -162,14 +162,18 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach) {
   const Body& body = scene.tools[tool];
   const core::Mesh& glass = state.bodies[0].mesh;
-  const auto contact = contact_pieces(body);
+  const auto contact = contact_pieces(body), may_touch = contact_pieces(scene.glass, glass);
   const Point displacement = state.bodies[1 + tool].offset * core::axis_direction();
   Eigen::VectorXd gaps =
       Eigen::VectorXd::Constant(glass.node_count(), std::numeric_limits<double>::infinity());
-  const auto may_touch = touching_nodes(scene, glass);
-  for (Index node = 0; node < glass.node_count(); ++node) {
-    if (!may_touch[node]) continue;
-    gaps[node] = contact::signed_gap(body.profile, contact, glass.nodes[node] - displacement, reach);
+  std::vector<bool> seen(glass.nodes.size(), false);
+  for (const auto& edge : glass.boundary) {
+    if (!may_touch[edge.piece]) continue;
+    for (const Index node : edge.nodes) {
+      if (seen[node]) continue;
+      seen[node] = true;
+      gaps[node] = contact::signed_gap(body.profile, contact, glass.nodes[node] - displacement, reach);
+    }
   }
   return gaps;
 }

@@ -42,23 +42,33 @@ Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::Inte
   return times;
 }
 
+/// Whether a contact brings the glass node to its tool's temperature in no time.
+bool relaxes_at_once(const Scene& scene, const Eigen::VectorXd& temperature, const std::vector<core::InterfacePoint>& interface,
+                     Index node) {
+  std::vector<core::InterfacePoint> of_node;
+  for (const auto& point : interface)
+    if (std::find(point.slave_nodes.begin(), point.slave_nodes.end(), node) != point.slave_nodes.end()) of_node.push_back(point);
+  const Eigen::ArrayXd times = relaxation_times(scene, of_node, glass_temperatures(temperature, of_node));
+  return (times < scene.accuracy.first_step).any();
+}
+
 }  // namespace
 
 double surface_temperature_change(const Scene& scene, const State& before, const State& after,
                                   const std::vector<core::InterfacePoint>& interface) {
-  const Eigen::VectorXd &from = before.bodies[0].temperature, &to = after.bodies[0].temperature;
-  Eigen::VectorXd change = (to - from).cwiseAbs();
-  const Eigen::ArrayXd times = relaxation_times(scene, interface, glass_temperatures(from, interface));
-  for (std::size_t p = 0; p < interface.size(); ++p)
-    if (times[p] < scene.accuracy.first_step)
-      for (const Index node : interface[p].slave_nodes) change[node] = 0;
   const core::Mesh& mesh = before.bodies[0].mesh;
+  const Eigen::VectorXd& from = before.bodies[0].temperature;
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(mesh.node_count());
   const auto symmetry = symmetry_pieces(scene.glass, mesh);
-  double largest = 0;
   for (const auto& edge : mesh.boundary)
     if (!symmetry[edge.piece])
-      for (const Index node : edge.nodes) largest = std::max(largest, change[node]);
-  return largest;
+      for (const Index node : edge.nodes) change[node] = std::abs(after.bodies[0].temperature[node] - from[node]);
+  for (;;) {
+    Eigen::Index largest = 0;
+    const double found = change.maxCoeff(&largest);
+    if (found == 0 || !relaxes_at_once(scene, from, interface, static_cast<Index>(largest))) return found;
+    change[largest] = 0;
+  }
 }
 
 }  // namespace parison::forming
