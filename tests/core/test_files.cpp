@@ -110,6 +110,18 @@ TEST(Vtu, ValuesBeyondSinglePrecisionAreItsLargest) {
   EXPECT_TRUE(std::isnan(read.GetArray("none")->GetTuple1(3)));
 }
 
+TEST(Vtu, AFullDiskAndAMissingFolderAreToldWithThePath) {
+  const std::string folder = new_folder();
+  for (const auto& [path, reason] : {std::pair<std::string, std::string>{"/dev/full", "No space left on device"},
+                                     {folder + "/absent/glass.vtu", "No such file or directory"}})
+    try {
+      write_vtu(path, bent_mesh(), {});
+      FAIL() << "nothing was thrown for " << path;
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string(error.what()), path + ": cannot be written: " + reason);
+    }
+}
+
 TEST(Pvd, TheCollectionIsCompleteAfterEveryAddition) {
   const std::string path = new_folder() + "/glass.pvd";
   PvdCollection collection(path);
