@@ -5,14 +5,14 @@
 #include <fstream>
 
 #include "core/case_file.hpp"
+#include "test_folder.hpp"
 
 namespace parison::core {
 namespace {
 
 /// A case file of the given text in a folder of its own.
 std::string write_case(const std::string& text) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("parison_core_") + test->name());
+  const auto folder = tests::folder_of_test("case");
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "case.toml") << text;
   return (folder / "case.toml").string();

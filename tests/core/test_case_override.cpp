@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "core/case_file.hpp"
+#include "test_folder.hpp"
 
 namespace parison::core {
 namespace {
@@ -25,7 +26,7 @@ h = "2000 W/m2/K"
 )";
 
 CaseFile file_with(const std::vector<std::string>& overrides) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "parison_override.toml";
+  const auto path = std::filesystem::path(tests::new_folder()) / "case.toml";
   std::ofstream(path) << text;
   auto file = read_case_file(path.string());
   for (const auto& assignment : overrides) override_value(file, assignment);

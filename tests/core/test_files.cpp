@@ -22,18 +22,12 @@
 #include "core/pvd.hpp"
 #include "core/vtu.hpp"
 #include "structured.hpp"
+#include "test_folder.hpp"
 
 namespace parison::core {
 namespace {
 
-/// A new folder for the running test.
-std::string new_folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("parison_files_") + test->name());
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder.string();
-}
+using tests::new_folder;
 
 Mesh bent_mesh() {
   return tests::structured(5, 3, [](double s, double t) { return Point(0.01 + 0.02 * s + 0.004 * t * t, 0.03 * t); });

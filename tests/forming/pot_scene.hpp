@@ -1,10 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene_parts.hpp"
 
 namespace parison::forming {
 
 /// A gob of glass, 10 mm radius and 10 mm high, pressed by a plunger into a pot of 12 mm radius: full at 6.944 mm.
-inline constexpr const char* pot = R"(# A gob pressed in a pot.
+inline const std::string pot = R"(# A gob pressed in a pot.
 case = "pot"
 geometry = "axisymmetric"
 air = { temperature = "50 degC", h = "20 W/m2/K", ambient = "50 degC" }
@@ -15,26 +16,8 @@ duration = "0.4 s"
 gravity = "-9.81 m/s2"
 tools = ["pot", "plunger"]
 motion.plunger = { force = "-3 kN", speed_limit = "50 mm/s" }
-[material.glass]
-density = "2400 kg/m3"
-heat_capacity = "1300 J/kg/K"
-conductivity = "3 W/m/K"
-viscosity = { law = "vft", A = -2.309, B = "3922 K", T0 = "291 degC" }
-emissivity = 0.89
-[material.iron]
-density = "7200 kg/m3"
-heat_capacity = "490 J/kg/K"
-conductivity = "46 W/m/K"
-[[interface]]
-tools = ["pot", "plunger"]
-law = "pressure-viscosity"
-h0 = "500 W/m2/K"
-h1 = "20000 W/m2/K"
-p_ref = "0.2 MPa"
-eta_ref = "1e3 Pa.s"
-a = 1
-b = 0.25
-[glass]
+)" + container_glass("3 W/m/K") + "emissivity = 0.89\n" + iron +
+                              pressed_contact(R"("pot", "plunger")") + R"([glass]
 material = "glass"
 temperature = "1100 degC"
 piece = [

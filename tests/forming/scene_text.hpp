@@ -9,6 +9,8 @@
 
 #include "core/case_error.hpp"
 #include "forming/scene.hpp"
+#include "scene_parts.hpp"
+#include "test_folder.hpp"
 
 namespace parison::forming {
 
@@ -20,11 +22,7 @@ density = "2400 kg/m3"
 heat_capacity = "1300 J/kg/K"
 conductivity = "1.3 W/m/K"
 viscosity = { law = "constant", value = "1e4 Pa.s" }
-[material.iron]
-density = "7200 kg/m3"
-heat_capacity = "490 J/kg/K"
-conductivity = "46 W/m/K"
-[glass]
+)" + iron + R"([glass]
 material = "soft"
 temperature = "1000 degC"
 piece = [
@@ -82,15 +80,14 @@ inline std::string replaced(const std::string& from, const std::string& to, cons
 
 /// Writes a case into a folder of the running test.
 inline std::string write_scene(const std::string& text) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("parison_scene_") + test->name());
+  const auto folder = tests::folder_of_test("scene");
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "case.toml") << text;
   return folder.string();
 }
 
-inline Scene scene_of(const std::string& text) {
-  return read_scene(write_scene(text), "draft");
+inline Scene scene_of(const std::string& text, const std::string& accuracy = "draft") {
+  return read_scene(write_scene(text), accuracy);
 }
 
 /// What the reading of a scene complains about: "line: key: ...", or nothing.

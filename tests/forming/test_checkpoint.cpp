@@ -15,14 +15,6 @@
 namespace parison::forming {
 namespace {
 
-std::string checkpoint_folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("parison_checkpoint_") + test->name());
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder.string();
-}
-
 /// A state in which no two numbers are alike.
 State busy_state(const Scene& scene) {
   State state = initial_state(scene);
@@ -128,7 +120,7 @@ RunFacts some_facts() {
 TEST(Checkpoint, AStateComesBackToTheBit) {
   const Scene scene = scene_of(small_scene);
   const State state = busy_state(scene);
-  const std::string folder = checkpoint_folder();
+  const std::string folder = tests::new_folder();
   write_checkpoint(folder, scene, {{state, some_facts()}, {1L << 33, 7, {0, 1 / 3.0}}});
   const Checkpoint checkpoint = read_checkpoint(find_checkpoint(folder), scene);
   const State& read = checkpoint.outcome.state;
@@ -184,7 +176,7 @@ TEST(Checkpoint, AFingerprintTellsStatesApartThatDifferInOneBit) {
 
 TEST(Checkpoint, TheLastTwoAreKeptAndTheEarlierOneServesWhereTheLastIsBroken) {
   const Scene scene = scene_of(small_scene);
-  const std::string folder = checkpoint_folder();
+  const std::string folder = tests::new_folder();
   for (const double time : {0.25, 0.5, 0.75}) {
     State state = initial_state(scene);
     state.time = time;
@@ -208,7 +200,7 @@ std::string complaint_of_reading(const std::string& path, const Scene& scene) {
 
 TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
   const Scene scene = scene_of(small_scene);
-  const std::string folder = checkpoint_folder();
+  const std::string folder = tests::new_folder();
   write_checkpoint(folder, scene, {{initial_state(scene), {}}, {}});
   const std::string path = find_checkpoint(folder);
   EXPECT_EQ(complaint_of_reading(path, scene), "");

@@ -21,13 +21,6 @@ std::string complaint_about_law(const std::string& law) {
   return message.substr(message.find(' ') + 1);
 }
 
-std::string absent_folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("parison_interfaces_") + test->name());
-  std::filesystem::remove_all(folder);
-  return folder.string();
-}
-
 TEST(Interfaces, a_conductance_that_is_negative_or_not_finite_is_refused) {
   const std::string allowed = "allowed is a heat transfer coefficient such as \"5000 W/m2/K\"";
   const auto of = [](const char* h) {
@@ -103,14 +96,14 @@ std::string standing_scene(const std::string& height) {
 }
 
 TEST(Interfaces, one_on_bodies_that_never_meet_is_warned_of) {
-  const auto apart = run(scene_of(standing_scene("30")), absent_folder());
+  const auto apart = run(scene_of(standing_scene("30")), tests::absent_folder());
   EXPECT_TRUE(apart.facts.completed) << apart.facts.reason;
   ASSERT_EQ(apart.facts.warnings.size(), 1u);
   EXPECT_EQ(
       apart.facts.warnings[0],
       "the interface of the glass with plunger was never used: in the whole run they did not come within 0.1 mm of "
       "each other");
-  const auto together = run(scene_of(standing_scene("10")), absent_folder());
+  const auto together = run(scene_of(standing_scene("10")), tests::absent_folder());
   EXPECT_TRUE(together.facts.warnings.empty());
 }
 
@@ -121,7 +114,7 @@ TEST(Interfaces, contact_without_resistance_neither_shortens_the_steps_nor_chang
   auto text =
       replaced("duration = \"1 s\"", "duration = \"0.2 s\"", with_law("law = \"constant\"\nh = \"1e9 W/m2/K\"\n"));
   text = text.substr(0, text.find("[[stage]]\nname = \"press\"")) + text.substr(text.find("[[probe]]"));
-  const auto outcome = run(scene_of(text), absent_folder());
+  const auto outcome = run(scene_of(text), tests::absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_LT(outcome.state.totals.steps + outcome.state.totals.rejected, 40);
   EXPECT_NEAR(outcome.state.bodies[1].heat_received / exact, 1, 0.05);

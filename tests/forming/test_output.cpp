@@ -20,14 +20,7 @@ namespace parison::forming {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that does not exist yet.
-std::string absent_folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = fs::path(testing::TempDir()) / (std::string("parison_output_") + test->name());
-  fs::remove_all(folder);
-  return folder.string();
-}
+using tests::absent_folder;
 
 Scene case_of(const std::string& name) {
   return read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/" + name, "draft");

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
 
-#include "core/files.hpp"
 #include "forming/contact_geometry.hpp"
 #include "forming/heat_step.hpp"
 #include "forming/renew.hpp"
@@ -17,22 +13,14 @@
 namespace parison::forming {
 namespace {
 
-namespace fs = std::filesystem;
-
 class Renew : public ::testing::Test {
  protected:
-  fs::path folder = fs::temp_directory_path() / ("parison_renew_" + std::to_string(::getpid()));
   Scene scene;
-
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override { fs::remove_all(folder); }
 
   /// The pot pressed until it is full, with a new mesh whenever a cell is worse than 0.6.
   State pressed(const std::string& more) {
-    core::write_text(folder / "case.toml", std::string(pot) + "quality_floor = 0.6\n" + more);
-    scene = read_scene(folder.string(), "draft");
-    fs::remove_all(folder / "results");
-    RunOutcome outcome = run(scene, (folder / "results").string(), {});
+    scene = scene_of(pot + "quality_floor = 0.6\n" + more);
+    RunOutcome outcome = run(scene, tests::absent_folder(), {});
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
     return outcome.state;
   }

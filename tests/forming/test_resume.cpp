@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 /// The pot, with remeshes in mid-stage, and a second stage without the plunger.
 std::string two_stages() {
-  std::string text = std::string(pot) + "quality_floor = 0.6\n";
+  std::string text = pot + "quality_floor = 0.6\n";
   text = replaced("output.interval = \"0.2 s\"", "output.interval = \"0.02 s\"\noutput.checkpoint_steps = 3", text);
   text = replaced("duration = \"0.4 s\"", "duration = \"0.1 s\"", text);
   return replaced("[material.glass]",
@@ -38,11 +38,10 @@ std::string two_stages() {
 
 class Resume : public ::testing::Test {
  protected:
-  fs::path folder = fs::temp_directory_path() / ("parison_resume_" + std::to_string(::getpid()));
+  const fs::path folder = tests::absent_folder();
   Scene scene;
 
   void SetUp() override {
-    fs::remove_all(folder);
     fs::create_directories(folder);
     fs::permissions(folder, fs::perms::all);
     core::write_text(folder / "case.toml", two_stages());

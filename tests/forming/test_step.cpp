@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "forming/heat_step.hpp"
 #include "forming/history.hpp"
@@ -16,22 +13,15 @@
 #include "forming/step.hpp"
 #include "pot_scene.hpp"
 #include "remesh/quality.hpp"
+#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {
 
 class Pot : public ::testing::Test {
  protected:
-  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("parison_pot_" + std::to_string(::getpid()));
-  Scene scene;
-
-  void SetUp() override {
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "case.toml") << pot;
-    scene = read_scene(folder.string(), "draft");
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
+  const std::filesystem::path folder = tests::new_folder();
+  Scene scene = scene_of(pot);
 };
 
 TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
@@ -144,10 +134,7 @@ TEST(Standing, heat_that_changes_fast_does_not_make_a_standing_stage_step_back) 
   Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/contact_cylinders", "draft");
   scene.accuracy.first_step = scene.accuracy.largest_step = 0.5;
   scene.stages[0].duration = 1;
-  const auto folder = std::filesystem::temp_directory_path() / ("parison_standing_" + std::to_string(::getpid()));
-  std::filesystem::remove_all(folder);
-  const auto outcome = run(scene, folder.string());
-  std::filesystem::remove_all(folder);
+  const auto outcome = run(scene, tests::absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_EQ(outcome.state.totals.rejected, 0);
   const double exact = 1236161 * M_PI * 0.02 * 0.02;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 #include <sstream>
 
@@ -18,7 +17,7 @@ namespace {
 
 /// The pot's gob, with surface tension and friction on the wall; after the press air lifts it from below the plunger.
 Scene pot_and_air() {
-  std::string text = replaced("emissivity = 0.89", "emissivity = 0.89\nsurface_tension = \"0.3 N/m\"", std::string(pot));
+  std::string text = replaced("emissivity = 0.89", "emissivity = 0.89\nsurface_tension = \"0.3 N/m\"", pot);
   text = replaced("[material.glass]",
                   "[[stage]]\nname = \"rest\"\nduration = \"0.1 s\"\ngravity = \"-9.81 m/s2\"\ntools = [\"pot\"]\n"
                   "pressure.surface = \"2 bar\"\n[material.glass]",
@@ -26,15 +25,9 @@ Scene pot_and_air() {
   return scene_of(text);
 }
 
-struct Results {
-  std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "parison_work";
-  Results() { std::filesystem::remove_all(folder); }
-  ~Results() { std::filesystem::remove_all(folder); }
-};
-
 TEST(Work, done_on_the_glass_is_lost_or_in_its_surface_at_the_end_of_every_stage) {
-  const Results results;
-  const auto outcome = run(pot_and_air(), results.folder.string(), {});
+  const std::string results = tests::absent_folder();
+  const auto outcome = run(pot_and_air(), results, {});
   ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   ASSERT_EQ(outcome.facts.stages.size(), 2u);
   for (const StageRecord& stage : outcome.facts.stages) {
@@ -51,8 +44,8 @@ TEST(Work, done_on_the_glass_is_lost_or_in_its_surface_at_the_end_of_every_stage
 }
 
 TEST(Effort, of_the_steps_is_summed_and_every_step_has_its_limit) {
-  const Results results;
-  const auto outcome = run(pot_and_air(), results.folder.string(), {});
+  const std::string results = tests::absent_folder();
+  const auto outcome = run(pot_and_air(), results, {});
   const Effort& effort = outcome.facts.effort;
   const auto& by = effort.limited_by;
   EXPECT_EQ(std::accumulate(by.begin(), by.end(), 0), outcome.state.totals.steps);
@@ -64,7 +57,7 @@ TEST(Effort, of_the_steps_is_summed_and_every_step_has_its_limit) {
   const bool warned = std::any_of(warnings.begin(), warnings.end(),
                                   [](const std::string& text) { return text.find("stayed closed") != text.npos; });
   EXPECT_EQ(warned, effort.latched_contacts > 0);
-  std::istringstream rows(core::read_text((results.folder / "history.csv").string()));
+  std::istringstream rows(core::read_text(results + "/history.csv"));
   std::string row;
   std::getline(rows, row);
   long solves = 0;
