@@ -4,63 +4,26 @@
 #include <cmath>
 #include <cstdio>
 
+#include "forming/initial_state.hpp"
+#include "forming/scene_text.hpp"
 #include "forming/step.hpp"
-#include "stepping.hpp"
 
 namespace parison::forming {
 namespace {
 
 /// A hot disc pressed between cold plates that it wets from the start: viscosity, contact pressure and conductance all
 /// change by much on the way.
-constexpr const char* pressed_disc = R"(case = "pressed_disc"
+const std::string pressed_disc = R"(case = "pressed_disc"
 geometry = "axisymmetric"
 air = { temperature = "50 degC", h = "20 W/m2/K", ambient = "50 degC" }
-[material.glass]
-density = "2400 kg/m3"
-heat_capacity = "1300 J/kg/K"
-conductivity = "20 W/m/K"
-viscosity = { law = "vft", A = -2.309, B = "3922 K", T0 = "291 degC" }
-[material.iron]
-density = "7200 kg/m3"
-heat_capacity = "490 J/kg/K"
-conductivity = "46 W/m/K"
-[[interface]]
-tools = ["plate", "plunger"]
-law = "pressure-viscosity"
-h0 = "500 W/m2/K"
-h1 = "20000 W/m2/K"
-p_ref = "0.2 MPa"
-eta_ref = "1e3 Pa.s"
-a = 1
-b = 0.25
-[glass]
-material = "glass"
+)" + container_glass("20 W/m/K") + iron + pressed_contact(R"("plate", "plunger")") +
+                                 disc_between_plates(8, R"(material = "glass"
 temperature = "1000 degC"
 mesh = { mapped = [6, 6] }
-piece = [
-  { name = "bottom", condition = "contact", path = "(0, 0) (20, 0) mm" },
-  { name = "rim", condition = "air", path = "(20, 8) mm" },
-  { name = "top", condition = "contact", path = "(0, 8) mm" },
-  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
-[[tool]]
-name = "plate"
-material = "iron"
+)", R"(material = "iron"
 temperature = "500 degC"
 friction = { law = "navier", coefficient = "1e5 Pa.s/m" }
-piece = [
-  { name = "face", condition = "contact", path = "(60, 0) (0, 0) mm" },
-  { name = "axis", condition = "symmetry", path = "(0, -10) mm" },
-  { name = "rest", condition = "insulated", path = "(60, -10) mm" } ]
-[[tool]]
-name = "plunger"
-material = "iron"
-temperature = "500 degC"
-friction = { law = "navier", coefficient = "1e5 Pa.s/m" }
-piece = [
-  { name = "face", condition = "contact", path = "(0, 8) (60, 8) mm" },
-  { name = "rest", condition = "insulated", path = "(60, 18) (0, 18) mm" },
-  { name = "axis", condition = "symmetry", path = "(0, 8) mm" } ]
-[[stage]]
+)") + R"([[stage]]
 name = "press"
 duration = "0.32 s"
 tools = ["plate", "plunger"]
@@ -93,7 +56,7 @@ End after_equal_steps(Scene& scene, int steps) {
 }
 
 TEST(Coupling, of_flow_and_heat_is_of_second_order_in_one_sweep) {
-  Scene scene = scene_from(pressed_disc, "standard");
+  Scene scene = scene_of(pressed_disc, "standard");
   scene.accuracy.passes = 1;
   std::array<End, 4> end;
   for (int i = 0; i < 4; ++i) {

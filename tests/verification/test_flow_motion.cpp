@@ -5,40 +5,21 @@
 #include <cstdio>
 
 #include "core/element.hpp"
+#include "forming/scene_text.hpp"
 #include "stepping.hpp"
 
 namespace parison::forming {
 namespace {
 
 /// A disc, 20 mm radius and 10 mm high, squeezed to 1.5 mm between slipping plates.
-constexpr const char* squeeze = R"(case = "squeeze"
+const std::string squeeze = R"(case = "squeeze"
 geometry = "axisymmetric"
 [material.liquid]
 density = "2400 kg/m3"
 viscosity = { law = "constant", value = "1e3 Pa.s" }
-[glass]
-material = "liquid"
+)" + disc_between_plates(10, R"(material = "liquid"
 mesh = { mapped = [8, 4] }
-piece = [
-  { name = "bottom", condition = "contact", path = "(0, 0) (20, 0) mm" },
-  { name = "rim", condition = "air", path = "(20, 10) mm" },
-  { name = "top", condition = "contact", path = "(0, 10) mm" },
-  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
-[[tool]]
-name = "plate"
-friction = "slip"
-piece = [
-  { name = "face", condition = "contact", path = "(60, 0) (0, 0) mm" },
-  { name = "axis", condition = "symmetry", path = "(0, -5) mm" },
-  { name = "rest", condition = "insulated", path = "(60, -5) mm" } ]
-[[tool]]
-name = "plunger"
-friction = "slip"
-piece = [
-  { name = "face", condition = "contact", path = "(0, 10) (60, 10) mm" },
-  { name = "rest", condition = "insulated", path = "(60, 20) (0, 20) mm" },
-  { name = "axis", condition = "symmetry", path = "(0, 10) mm" } ]
-[[stage]]
+)", "friction = \"slip\"\n") + R"([[stage]]
 name = "squeeze"
 duration = "0.85 s"
 tools = ["plate", "plunger"]
@@ -50,7 +31,7 @@ struct SqueezeErrors {
 };
 
 SqueezeErrors squeeze_errors(double strain_per_step) {
-  Scene scene = scene_from(squeeze, "standard");
+  Scene scene = scene_of(squeeze, "standard");
   scene.accuracy.strain_per_step = strain_per_step;
   const double volume = M_PI * 0.02 * 0.02 * 0.01;
   SqueezeErrors errors;
@@ -87,11 +68,7 @@ TEST(SlippingSqueeze, needs_the_exact_force_at_every_height_on_the_way_down) {
 /// The squeezed disc under a narrow sticking plunger with a sharp corner, which sinks by a tenth of the height.
 std::string punch() {
   std::string text = squeeze;
-  const auto put = [&](const std::string& from, const std::string& to) {
-    const auto at = text.find(from);
-    ASSERT_NE(at, text.npos) << from;
-    text.replace(at, from.size(), to);
-  };
+  const auto put = [&](const std::string& from, const std::string& to) { text = replaced(from, to, text); };
   put("friction = \"slip\"", "friction = \"stick\"");
   put("friction = \"slip\"", "friction = \"stick\"");
   put("mesh = { mapped = [8, 4] }\n", "");
@@ -104,7 +81,7 @@ std::string punch() {
 }
 
 TEST(Punch, whose_corner_sinks_into_smooth_glass_keeps_the_glass_out_and_its_volume) {
-  const Scene scene = scene_from(punch(), "standard");
+  const Scene scene = scene_of(punch(), "standard");
   const State start = initial_state(scene);
   double weakest = 1e9;
   const State end = steps_to(scene, start, 0.1, [&](const State&, const State& after) {
@@ -170,7 +147,7 @@ std::pair<double, double> relax(const Scene& scene, double first, double time) {
 }
 
 TEST(RelaxingDrop, loses_its_second_mode_at_the_exact_rate) {
-  Scene scene = scene_from(drop, "standard");
+  Scene scene = scene_of(drop, "standard");
   const double exact = 20.0 / 19 * 0.3 / (100 * 0.01), time = 3;
   const auto [long_before, long_after] = relax(scene, 0.01, time);
   const auto [flat_before, flat_after] = relax(scene, -0.01, time);

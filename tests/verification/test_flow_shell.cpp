@@ -29,26 +29,66 @@ double doubling_time(double tension) {
   return time;
 }
 
+/// The inner radius at a time without surface tension, by bisection of t = 4 eta/(3 dp) ln[(a^3/b^3)/(a0^3/b0^3)].
+double radius_at(double time) {
+  const double shell = std::pow(outer_radius, 3) - std::pow(inner_radius, 3);
+  const auto log_ratio = [&](double a) { return std::log(a * a * a / (a * a * a + shell)); };
+  double low = inner_radius, high = 3 * inner_radius;
+  for (int i = 0; i < 100; ++i) {
+    const double a = 0.5 * (low + high);
+    const double t = 4 * viscosity / (3 * pressure) * (log_ratio(a) - log_ratio(inner_radius));
+    (t < time ? low : high) = a;
+  }
+  return low;
+}
+
+Scene shell() {
+  return read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/shell_inflation", "standard");
+}
+
+/// How far the inner surface is off a radius at its worst node, relative to it.
+double radius_error(const core::Mesh& mesh, double radius) {
+  const Index inner = core::find_piece(mesh, "inner");
+  double worst = 0;
+  for (const auto& edge : mesh.boundary)
+    if (edge.piece == inner)
+      for (const Index node : edge.nodes) worst = std::max(worst, std::abs(mesh.nodes[node].norm() / radius - 1));
+  return worst;
+}
+
+double volume_drift(const Scene& scene, const State& state) {
+  return core::volume(state.bodies[0].mesh, scene.geometry) / state.first_volume - 1;
+}
+
 TEST(ShellInflation, doubles_its_inner_radius_in_the_exact_time_with_and_without_surface_tension) {
   EXPECT_NEAR(doubling_time(0), 0.127525, 5e-7);
   for (const double tension : {0.0, 0.3, 100.0}) {
-    Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/shell_inflation", "standard");
+    Scene scene = shell();
     scene.glass.flow->surface_tension = tension;
     const double time = doubling_time(tension);
     scene.stages[0].duration = time;
     const State state = steps_to(scene, initial_state(scene), time);
-    const auto& mesh = state.bodies[0].mesh;
-    const Index inner = core::find_piece(mesh, "inner");
-    double worst = 0;
-    for (const auto& edge : mesh.boundary)
-      if (edge.piece == inner)
-        for (const Index node : edge.nodes)
-          worst = std::max(worst, std::abs(mesh.nodes[node].norm() / (2 * inner_radius) - 1));
-    const double drift = core::volume(mesh, scene.geometry) / state.first_volume - 1;
+    const double worst = radius_error(state.bodies[0].mesh, 2 * inner_radius), drift = volume_drift(scene, state);
     std::printf("shell, tension %5.1f N/m: inner radius doubled off by %.2e, volume by %.2e (largest %.2e), %d steps\n", tension,
                 worst, drift, state.totals.largest_drift, state.totals.steps);
     EXPECT_LT(worst, 5e-4);
     EXPECT_LT(std::abs(drift), 1e-5);
+  }
+}
+
+TEST(ShellInflation, is_of_second_order_in_time) {
+  double last = 0;
+  for (const double strain : {0.16, 0.08, 0.04}) {
+    Scene scene = shell();
+    scene.accuracy.strain_per_step = strain;
+    scene.accuracy.largest_step = strain / 20;
+    scene.accuracy.first_step = strain / 200;
+    scene.output.interval = 1;
+    const State state = steps_to(scene, initial_state(scene), 0.12);
+    const double error = radius_error(state.bodies[0].mesh, radius_at(0.12));
+    std::printf("shell, strain %.2f a step: %d steps, error %.2e\n", strain, state.totals.steps, error);
+    if (last > 0) EXPECT_GT(std::log2(last / error), 1.6);
+    last = error;
   }
 }
 

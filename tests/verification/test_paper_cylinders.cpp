@@ -7,7 +7,7 @@
 #include "classical/classical_interface.hpp"
 #include "forming/heat_step.hpp"
 #include "forming/initial_state.hpp"
-#include "verification/advance.hpp"
+#include "stepping.hpp"
 #include "verification/two_slabs.hpp"
 
 namespace parison::forming {
@@ -76,7 +76,7 @@ Outcome run_cylinders(const Meshes& meshes) {
   Workspace workspace;
   Outcome run;
   for (const double time : output_times) {
-    state = advance_to(scene, std::move(state), time, workspace);
+    state = steps_to(scene, std::move(state), time, workspace);
     record(state, meshes.steel_is_slave, run);
   }
   return run;
