@@ -1,75 +1,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/json.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "core/json_read.hpp"
 
 namespace parison::core {
+namespace {
 
-std::string json_text(const std::string& text) {
-  std::string escaped = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') escaped += {'\\', c};
-    else if (static_cast<unsigned char>(c) < 0x20) escaped += fmt::format("\\u{:04x}", static_cast<int>(c));
-    else escaped += c;
-  }
-  return escaped + '"';
+using Json = nlohmann::ordered_json;
+
+JsonValue value_of(const Json& json) {
+  JsonValue value;
+  if (json.is_number()) value.number = json.get<double>();
+  if (json.is_boolean()) value.flag = json.get<bool>();
+  if (json.is_string()) value.text = json.get<std::string>();
+  if (json.is_array())
+    for (const Json& item : json) value.items.push_back(value_of(item));
+  if (json.is_object())
+    for (const auto& [name, item] : json.items()) {
+      value.items.push_back(value_of(item));
+      value.items.back().name = name;
+    }
+  return value;
 }
 
-JsonWriter::JsonWriter() : text_("{"), closing_("}") {}
+}  // namespace
 
-void JsonWriter::begin(const std::string& key) {
-  text_ += first_ ? "\n" : ",\n";
-  text_.append(2 * closing_.size(), ' ');
-  if (!key.empty()) text_ += json_text(key) + ": ";
-  first_ = false;
+JsonWriter::JsonWriter() : whole_(std::make_unique<Json>(Json::object())), open_{whole_.get()} {}
+JsonWriter::~JsonWriter() = default;
+
+Json& JsonWriter::put(const std::string& key, Json&& value) {
+  Json& inside = *open_.back();
+  return inside.is_array() ? inside.emplace_back(std::move(value)) : inside[key] = std::move(value);
 }
 
-void JsonWriter::open(const std::string& key, char bracket, char closing) {
-  begin(key);
-  text_ += bracket;
-  closing_ += closing;
-  first_ = true;
+void JsonWriter::open_object(const std::string& key) { open_.push_back(&put(key, Json::object())); }
+void JsonWriter::open_list(const std::string& key) { open_.push_back(&put(key, Json::array())); }
+void JsonWriter::close() { open_.pop_back(); }
+void JsonWriter::add(const std::string& key, double value) { put(key, value); }
+void JsonWriter::add(const std::string& key, long value) { put(key, value); }
+void JsonWriter::add(const std::string& key, bool value) { put(key, value); }
+void JsonWriter::add(const std::string& key, const std::string& value) { put(key, value); }
+
+std::string JsonWriter::finish() const {
+  constexpr int indent = 2;
+  return whole_->dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-void JsonWriter::open_object(const std::string& key) { open(key, '{', '}'); }
-void JsonWriter::open_list(const std::string& key) { open(key, '[', ']'); }
-
-void JsonWriter::close() {
-  const char closing = closing_.back();
-  closing_.pop_back();
-  if (!first_) {
-    text_ += '\n';
-    text_.append(2 * closing_.size(), ' ');
-  }
-  text_ += closing;
-  first_ = false;
+const JsonValue* JsonValue::find(const std::string& member) const {
+  for (const JsonValue& item : items)
+    if (item.name == member) return &item;
+  return nullptr;
 }
 
-void JsonWriter::add(const std::string& key, double value) {
-  begin(key);
-  text_ += std::isfinite(value) ? fmt::format("{}", value) : "null";
+double JsonValue::number_of(const std::string& member) const {
+  const JsonValue* item = find(member);
+  return item ? item->number : std::numeric_limits<double>::quiet_NaN();
 }
 
-void JsonWriter::add(const std::string& key, long value) {
-  begin(key);
-  text_ += fmt::format("{}", value);
+std::string JsonValue::text_of(const std::string& member) const {
+  const JsonValue* item = find(member);
+  return item ? item->text : "";
 }
 
-void JsonWriter::add(const std::string& key, bool value) {
-  begin(key);
-  text_ += value ? "true" : "false";
+bool JsonValue::flag_of(const std::string& member) const {
+  const JsonValue* item = find(member);
+  return item && item->flag;
 }
 
-void JsonWriter::add(const std::string& key, const std::string& value) {
-  begin(key);
-  text_ += json_text(value);
-}
-
-std::string JsonWriter::finish() {
-  while (!closing_.empty()) close();
-  return text_ + '\n';
+JsonValue read_json(const std::string& text, const std::string& what) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw std::runtime_error(fmt::format("{}: no JSON", what));
+  return value_of(json);
 }
 
 }  // namespace parison::core

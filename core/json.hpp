@@ -1,13 +1,17 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 namespace parison::core {
 
-/// Writes JSON text in order; numbers keep every digit, NaN and infinity become null.
+/// Gathers JSON in order; numbers keep every digit, NaN and infinity become null.
 class JsonWriter {
  public:
   JsonWriter();
+  ~JsonWriter();
   /// Objects and lists nest; the key is empty inside a list.
   void open_object(const std::string& key);
   void open_list(const std::string& key);
@@ -16,18 +20,14 @@ class JsonWriter {
   void add(const std::string& key, long value);
   void add(const std::string& key, bool value);
   void add(const std::string& key, const std::string& value);
-  /// Closes what is open and returns the text.
-  std::string finish();
+  /// The text, whatever is still open.
+  std::string finish() const;
 
  private:
-  void begin(const std::string& key);
-  void open(const std::string& key, char bracket, char closing);
+  nlohmann::ordered_json& put(const std::string& key, nlohmann::ordered_json&& value);
 
-  std::string text_, closing_;
-  bool first_ = true;
+  std::unique_ptr<nlohmann::ordered_json> whole_;
+  std::vector<nlohmann::ordered_json*> open_;  ///< the innermost last
 };
-
-/// A text in quotes with JSON's escapes.
-std::string json_text(const std::string& text);
 
 }  // namespace parison::core

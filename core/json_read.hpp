@@ -1,17 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace parison::core {
 
-/// A value of a JSON text.
+/// A value of a JSON text; what it is not is empty, false or NaN.
 struct JsonValue {
-  enum class Kind { null, flag, number, text, list, object };
-  Kind kind = Kind::null;
   std::string name;  ///< of a member of an object
   bool flag = false;
-  double number = 0;
+  double number = std::numeric_limits<double>::quiet_NaN();
   std::string text;
   std::vector<JsonValue> items;  ///< of a list or an object, in their order
 

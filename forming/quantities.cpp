@@ -154,7 +154,7 @@ Quantities read_quantities(const core::JsonValue& summary) {
                               item.number_of("error")});
   if (const auto* profile = summary.find("thickness_profile_mm"))
     for (const core::JsonValue& item : profile->items)
-      found.profile.push_back(item.kind == core::JsonValue::Kind::number ? item.number : none);
+      found.profile.push_back(item.number);
   return found;
 }
 

@@ -19,6 +19,7 @@
 #include "core/files.hpp"
 #include "core/hdf5.hpp"
 #include "core/json.hpp"
+#include "core/json_read.hpp"
 #include "core/pvd.hpp"
 #include "core/vtu.hpp"
 #include "structured.hpp"
@@ -248,7 +249,7 @@ TEST(Json, TextIsEscapedNumbersKeepTheirDigitsAndNanIsNull) {
   json.open_object("");
   json.add("a", 1e-300);
   EXPECT_EQ(json.finish(), R"({
-  "quote \" and \\": "line\u000abreak \u0001",
+  "quote \" and \\": "line\nbreak \u0001",
   "third": 0.3333333333333333,
   "nan": null,
   "infinity": null,
@@ -262,6 +263,34 @@ TEST(Json, TextIsEscapedNumbersKeepTheirDigitsAndNanIsNull) {
   ]
 }
 )");
+}
+
+TEST(Json, WhatWasWrittenIsReadBackInItsOrderAndATornTextIsRefused) {
+  JsonWriter json;
+  json.add("third", 1 / 3.0);
+  json.add("nan", std::nan(""));
+  json.add("two", 2.0);
+  json.add("text", std::string("a \"b\"\n\xc2\xb0""C \xff"));
+  json.add("flag", true);
+  json.open_list("list");
+  json.add("", 5e-324);
+  const std::string text = json.finish();
+  const JsonValue read = read_json(text, "summary.json");
+  ASSERT_EQ(read.items.size(), 6u);
+  EXPECT_EQ(read.items[1].name, "nan");
+  EXPECT_EQ(read.number_of("third"), 1 / 3.0);
+  EXPECT_TRUE(std::isnan(read.number_of("nan")));
+  EXPECT_TRUE(std::isnan(read.number_of("absent")));
+  EXPECT_EQ(read.number_of("two"), 2);
+  EXPECT_EQ(read.text_of("text"), "a \"b\"\n\xc2\xb0""C \xef\xbf\xbd");
+  EXPECT_TRUE(read.flag_of("flag"));
+  EXPECT_EQ(read.find("list")->items.at(0).number, 5e-324);
+  try {
+    read_json(text.substr(0, text.size() / 2), "summary.json");
+    FAIL() << "nothing was thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), "summary.json: no JSON");
+  }
 }
 
 TEST(Files, AReplacedFileIsTheOldOneUntilTheNewOneIsComplete) {
