@@ -71,6 +71,7 @@ const std::vector<Setting>& settings() {
       {"smallest_step", &A::smallest_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}},
       {"motion_tolerance", &A::motion_tolerance, dimension::length, "mm", 1e-3, 2, {0.1e-3, 0.025e-3, 6.25e-6}},
       {"most_cells", &A::most_cells, dimension::none, "", 1, -2, {2e4, 3e4, 4.5e4}},
+      {"solution_error", &A::solution_error, dimension::none, "", 1, 2, {0, 0, 0}},
       {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.15, 0.15, 0.15}}};
   return all;
 }
@@ -85,7 +86,7 @@ Accuracy accuracy_at(double level) {
   Accuracy accuracy{};
   for (const Setting& setting : settings()) {
     const double low = setting.levels[from], high = setting.levels[from + 1];
-    accuracy.*setting.value = level == std::floor(level) && level == double(nearest)
+    accuracy.*setting.value = low == high || (level == std::floor(level) && level == double(nearest))
                                   ? setting.levels[nearest]
                                   : low * std::pow(high / low, level - double(from));
   }

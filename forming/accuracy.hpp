@@ -24,6 +24,7 @@ struct Accuracy {
   double first_step;         ///< of each stage, s
   double smallest_step;      ///< s; a run that needs less stops
   double most_cells;         ///< of the glass, about: sizes that ask for more grow
+  double solution_error;     ///< relative, of gradient and rate of deformation, that a new glass mesh is to keep; 0: any
   double quality_floor;      ///< remesh below this scaled inverse condition number
   double motion_tolerance;   ///< a sweep whose velocity moves the mid-step mesh by more than this is repeated, m
   int temperature_order;     ///< of the temperature in a cell: 2, or 1: linear between the vertices

@@ -64,7 +64,9 @@ void read_numerics(const CaseNode& node, Scene& scene) {
   for (const std::string& key : keys)
     if (const auto* item = table.find(key)) scene.accuracy_origin[key] = item->line > 0 ? "case" : item->file;
   for (const Setting& setting : settings())
-    if (const auto* item = table.find(setting.key)) accuracy.*setting.value = core::positive(*item, setting.dimension);
+    if (const auto* item = table.find(setting.key))
+      accuracy.*setting.value = setting.levels[0] > 0 ? core::positive(*item, setting.dimension)
+                                                      : core::not_negative(*item, setting.dimension);  // 0 leaves it out
   if (const auto* item = table.find("passes")) accuracy.passes = core::count(*item);
   if (const auto* item = table.find("temperature_order")) {
     accuracy.temperature_order = core::count(*item);

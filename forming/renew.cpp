@@ -15,6 +15,7 @@
 #include "forming/mesh_shift.hpp"
 #include "forming/tool_corners.hpp"
 #include "remesh/quality.hpp"
+#include "remesh/recovery.hpp"
 #include "remesh/remesh_glass.hpp"
 #include "remesh/transfer.hpp"
 
@@ -30,6 +31,19 @@ constexpr double touching = 2e-5;
 constexpr double soon = 1.0e-3;
 /// Smallest edge of all, of the skin size.
 constexpr double smallest_share = 0.5;
+
+/// Edge length in each cell with which the gradient of temperature and the rate of deformation keep the wanted error.
+std::vector<double> solution_wishes(const Scene& scene, const State& state) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  std::vector<double> wishes(mesh.cells.size(), std::numeric_limits<double>::infinity());
+  const auto take = [&](const remesh::DerivativeError& error) {
+    const Eigen::VectorXd sizes = remesh::equidistributing_sizes(mesh, error, scene.accuracy.solution_error);
+    for (std::size_t cell = 0; cell < wishes.size(); ++cell) wishes[cell] = std::min(wishes[cell], sizes[cell]);
+  };
+  if (scene.has_heat()) take(remesh::gradient_error(mesh, scene.geometry, state.bodies[0].temperature));
+  if (state.last_step > 0) take(remesh::rate_error(mesh, scene.geometry, state.velocity));
+  return wishes;
+}
 
 remesh::Criteria criteria(const Scene& scene, const State& state) {
   const Accuracy& accuracy = scene.accuracy;
@@ -54,6 +68,7 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   result.thinnest_film = scene.glass.film.thinnest;
   result.most_cells = accuracy.most_cells;
   result.keep = tool_corners(scene, state);
+  if (accuracy.solution_error > 0) result.cell_wish = solution_wishes(scene, state);
   return result;
 }
 

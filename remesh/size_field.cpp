@@ -53,6 +53,17 @@ double cell_count(const Mesh& old, const SizeField& size) {
   return count;
 }
 
+/// What the error of the solution asks for inside, where that is finer than the size there without anything else.
+void add_cell_wishes(const Mesh& old, const Criteria& criteria, std::vector<SizeSource>& sources) {
+  for (std::size_t cell = 0; cell < criteria.cell_wish.size(); ++cell) {
+    const double wish = std::max(criteria.cell_wish[cell], criteria.smallest);
+    if (wish >= 2 * criteria.surface_size) continue;
+    const auto& nodes = old.cells[cell];
+    const Point &a = old.nodes[nodes[0]], &b = old.nodes[nodes[1]], &c = old.nodes[nodes[2]], middle = (a + b + c) / 3;
+    sources.push_back({middle, wish, std::min({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()})});
+  }
+}
+
 }  // namespace
 
 SizeField size_field(const Mesh& old, const Criteria& criteria) {
@@ -84,6 +95,7 @@ SizeField size_field(const Mesh& old, const Criteria& criteria) {
       if (across < 2 * criteria.surface_size) sources.push_back({at, across, 0.5 * thickness});
     }
   }
+  add_cell_wishes(old, criteria, sources);
   SizeField size(std::move(sources), criteria.growth, 2 * criteria.surface_size);
   size.coarsen(std::sqrt(std::max(1.0, cell_count(old, size) / criteria.most_cells)));
   return size;

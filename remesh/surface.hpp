@@ -20,6 +20,7 @@ struct Criteria {
   std::vector<bool> contact;          ///< per old node: touches a tool
   std::vector<core::Point> keep;      ///< tool corners: a vertex where the surface passes one, m
   std::vector<double> skin_wish;      ///< per old node: edge length the thermal skin asks for, m; infinite where none
+  std::vector<double> cell_wish = {};  ///< per old cell: edge length its solution's error asks for, m; empty where none
   double thinnest_film = 0;  ///< glass between tools has its elements across down to this thickness, m
   double most_cells = std::numeric_limits<double>::infinity();  ///< about; sizes that ask for more grow everywhere alike
 };
@@ -31,7 +32,8 @@ struct Surface {
   std::vector<bool> fixed;    ///< ends of pieces, corners and points of symmetry pieces
 };
 
-/// Edge lengths over space from the present mesh: the surface size, the wall's thickness, curvature and thermal skin.
+/// Edge lengths over space from the present mesh: the surface size, the wall's thickness, curvature, thermal skin and the
+/// error of the solution.
 SizeField size_field(const core::Mesh& old, const Criteria& criteria);
 
 /// New points on the old boundary's own curves at those lengths; ends of pieces and corners are kept to the bit.
