@@ -102,10 +102,19 @@ bool stands_still(const Scene& scene, const Stage& stage) {
   });
 }
 
+/// Steps after which the integrator of a standing stage starts anew, for a checkpoint to be possible: some seconds of work.
+constexpr long most_inner_steps = 300;
+
+/// Whether the integrator is to start anew: after steps that depend on the case alone, never on the clock.
+bool is_spent(const Scene& scene, const Workspace::Standing& standing) {
+  const auto& steps = scene.output.checkpoint_steps;
+  return standing.inner_steps >= most_inner_steps || (steps && standing.steps >= *steps);
+}
+
 HeatOutcome advance_standing(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                              double dt, Workspace& workspace) {
   auto& standing = workspace.standing;
-  if (!standing || standing->stage != state.stage) {
+  if (!standing || standing->stage != state.stage || standing->spent) {
     standing = std::make_unique<Workspace::Standing>();
     standing->stage = state.stage;
     standing->start = state.time;
@@ -125,6 +134,9 @@ HeatOutcome advance_standing(const Scene& scene, State& state, const std::vector
     standing.reset();
     return {false, outcome.reason};
   }
+  standing->inner_steps += outcome.steps;
+  ++standing->steps;
+  standing->spent = is_spent(scene, *standing);
   take_temperatures(state, std::move(outcome.temperature));
   book(outcome.ledger, state);
   return {true, "", static_cast<int>(outcome.steps)};

@@ -56,7 +56,8 @@ void write_fields(Progress& run) {
 void save(Progress& run) {
   const State& state = run.outcome.state;
   const auto& standing = run.workspace.standing;
-  if ((standing && !stage_over(run.scene, state, state.has_moved)) || state.totals.steps == run.checkpoint_steps) return;
+  const bool in_integrator = standing && !standing->spent && !stage_over(run.scene, state, state.has_moved);
+  if (in_integrator || state.totals.steps == run.checkpoint_steps) return;
   const auto start = Clock::now();
   note_times(run);
   write_checkpoint(run.files.directory(), run.scene, {run.outcome, run.files.sync()});

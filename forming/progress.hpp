@@ -45,7 +45,8 @@ void print_progress(Progress& run, const StepReport& report);
 
 void write_fields(Progress& run);
 
-/// Writes a checkpoint where one can be written: not while the heat of a standing stage is in an integrator with a memory of its own.
+/// Writes a checkpoint where one can be written: not while the heat of a standing stage is in an integrator with a memory
+/// of its own, which ends after `output.checkpoint_steps` steps and after 300 of its own.
 void save(Progress& run);
 
 /// The same when the case's time or steps between checkpoints are over.

@@ -51,6 +51,15 @@ class Resume : public ::testing::Test {
   std::string in(const std::string& name) const { return (folder / name).string(); }
 };
 
+/// Two cylinders in which nothing moves, over two seconds.
+Scene standing() {
+  Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/contact_cylinders", "draft");
+  scene.accuracy.largest_step = 0.5;
+  scene.stages[0].duration = 2;
+  scene.output.interval = 0.5;
+  return scene;
+}
+
 /// Every file of a result folder by its name; the summary without what the clock says, checkpoints left out.
 std::map<std::string, std::string> results(const std::string& folder) {
   std::map<std::string, std::string> files;
@@ -219,15 +228,30 @@ TEST_F(Resume, a_step_does_not_depend_on_what_the_solvers_keep) {
             fingerprint(coupled_step(scene, state, 2e-3, fresh).state));
 }
 
-TEST_F(Resume, a_standing_stage_is_resumed_from_its_start) {
-  scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/contact_cylinders", "draft");
-  scene.accuracy.largest_step = 0.5;
-  scene.stages[0].duration = 2;
-  scene.output.interval = 0.5;
-  scene.output.checkpoint_steps = 1;
+TEST_F(Resume, a_standing_stage_goes_on_from_its_last_checkpoint_to_the_same_bits) {
+  scene = standing();
+  scene.output.checkpoint_steps = 4;
   write_summary_of(scene, in("whole"), run(scene, in("whole")));
-  ASSERT_TRUE(run(scene, in("parts"), stop_after(10)).facts.stopped);
-  EXPECT_EQ(read_checkpoint(find_checkpoint(in("parts")), scene).outcome.state.totals.steps, 0);
+  auto outcome = run(scene, in("parts"), stop_after(10));
+  for (const Index steps : {8, 16}) {
+    ASSERT_TRUE(outcome.facts.stopped);
+    EXPECT_EQ(read_checkpoint(find_checkpoint(in("parts")), scene).outcome.state.totals.steps, steps);
+    outcome = resume(scene, in("parts"), stop_after(9));
+  }
+  write_summary_of(scene, in("parts"), resume(scene, in("parts")));
+  expect_same_results(in("parts"), in("whole"));
+}
+
+TEST_F(Resume, a_checkpoint_by_the_clock_in_a_standing_stage_changes_no_bit) {
+  scene = standing();
+  scene.accuracy.temperature_tolerance = 1e-6;  // many steps of the integrator
+  scene.accuracy.largest_step = 0.05;
+  write_summary_of(scene, in("whole"), run(scene, in("whole")));
+  scene.output.checkpoint_interval = 1e-9;
+  ASSERT_TRUE(run(scene, in("parts"), stop_after(36)).facts.stopped);
+  const Index steps = read_checkpoint(find_checkpoint(in("parts")), scene).outcome.state.totals.steps;
+  EXPECT_GT(steps, 0);
+  EXPECT_LT(steps, 36);
   write_summary_of(scene, in("parts"), resume(scene, in("parts")));
   expect_same_results(in("parts"), in("whole"));
 }
