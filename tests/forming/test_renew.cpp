@@ -8,6 +8,7 @@
 #include "forming/renew.hpp"
 #include "forming/run.hpp"
 #include "pot_scene.hpp"
+#include "remesh/recovery.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {
@@ -79,6 +80,19 @@ TEST_F(Renew, a_surface_found_inside_a_tool_is_lifted_out_and_its_volume_given_b
   ASSERT_TRUE(renewed.ok) << renewed.reason;
   expect_kept(state, renewed.state);
   EXPECT_LT(deepest_penetration(scene, renewed.state), 1e-6);
+}
+
+TEST_F(Renew, a_wanted_solution_error_halves_that_of_the_temperature_gradient_within_the_budget_of_cells) {
+  const auto error_of = [&](const State& state) {
+    return remesh::gradient_error(state.bodies[0].mesh, scene.geometry, state.bodies[0].temperature).relative();
+  };
+  const State plain = pressed(""), wanted = pressed("solution_error = 0.1\n");
+  EXPECT_LT(error_of(wanted), 0.5 * error_of(plain));
+  EXPECT_EQ(plain.totals.remeshing.coarser, 1);
+  const State held = pressed("solution_error = 0.1\nmost_cells = 400\n");
+  EXPECT_GT(held.totals.remeshing.coarser, 1.1);
+  EXPECT_LT(held.bodies[0].mesh.cell_count(), 1.25 * 400);
+  EXPECT_LT(error_of(held), 0.75 * error_of(plain));
 }
 
 }  // namespace
