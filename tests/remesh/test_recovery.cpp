@@ -215,7 +215,8 @@ TEST(Recovery, within_a_node_budget_the_error_of_a_layer_is_a_fifth_of_that_of_e
 
 TEST(Recovery, a_field_that_changes_by_rounding_only_asks_for_no_cells) {
   const Mesh mesh = quarter_ring(0.03);
-  Eigen::VectorXd warm = Eigen::VectorXd::Constant(mesh.node_count(), 1423.0), falling = Eigen::VectorXd::Zero(2 * mesh.node_count());
+  Eigen::VectorXd warm = Eigen::VectorXd::Constant(mesh.node_count(), 1423.0);
+  Eigen::VectorXd falling = Eigen::VectorXd::Zero(2 * mesh.node_count());
   for (Index n = 0; n < mesh.node_count(); ++n) warm[n] += 1e-12 * n, falling[2 * n + 1] = -0.3 - 1e-16 * n;
   for (const DerivativeError& error : {gradient_error(mesh, Geometry::planar, warm), rate_error(mesh, Geometry::planar, falling)})
     EXPECT_EQ(equidistributing_sizes(mesh, error, 0.1).minCoeff(), std::numeric_limits<double>::infinity());
