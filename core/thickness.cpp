@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -121,37 +122,65 @@ std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& sy
   return normals;
 }
 
-}  // namespace
-
-void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
-  struct Front {
-    double distance;
-    Index node, source;
-    bool operator>(const Front& other) const { return std::tie(distance, node) > std::tie(other.distance, other.node); }
-  };
-  std::vector<Index> start(mesh.nodes.size() + 1, 0), cells(6 * mesh.cells.size());
+/// The cells around each vertex.
+struct Fans {
+  std::vector<Index> start, cell;
+};
+Fans fans_of(const Mesh& mesh) {
+  Fans fans{std::vector<Index>(mesh.vertex_count + 1, 0), std::vector<Index>(3 * mesh.cells.size())};
   for (const auto& cell : mesh.cells)
-    for (const Index node : cell) ++start[node + 1];
-  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  std::vector<Index> place(start.begin(), start.end() - 1);
+    for (int i = 0; i < 3; ++i) ++fans.start[cell[i] + 1];
+  std::partial_sum(fans.start.begin(), fans.start.end(), fans.start.begin());
+  std::vector<Index> place(fans.start.begin(), fans.start.end() - 1);
   for (Index c = 0; c < mesh.cell_count(); ++c)
-    for (const Index node : mesh.cells[c]) cells[place[node]++] = c;
+    for (int i = 0; i < 3; ++i) fans.cell[place[mesh.cells[c][i]]++] = c;
+  return fans;
+}
 
+/// The nearest node of finite value from each vertex, handed on from neighbour to neighbour; -1 where there is none.
+std::vector<Index> sources_of_vertices(const Mesh& mesh, const Eigen::VectorXd& value) {
+  struct Front {
+    double distance;  ///< squared
+    Index vertex, source;
+    bool operator>(const Front& other) const { return std::tie(distance, vertex) > std::tie(other.distance, other.vertex); }
+  };
   std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts;
-  std::vector<double> reached(mesh.nodes.size(), infinity);
-  for (Index i = 0; i < mesh.node_count(); ++i)
-    if (std::isfinite(value[i])) fronts.push({reached[i] = 0, i, i});
+  std::vector<double> reached(mesh.vertex_count, infinity);
+  std::vector<Index> source(mesh.vertex_count, -1);
+  const auto reach = [&](Index vertex, Index from) {
+    const double distance = (mesh.nodes[vertex] - mesh.nodes[from]).squaredNorm();
+    if (distance < reached[vertex]) fronts.push({reached[vertex] = distance, vertex, source[vertex] = from});
+  };
+  for (const auto& cell : mesh.cells)
+    for (const Index node : cell)
+      if (std::isfinite(value[node]))
+        for (int i = 0; i < 3; ++i) reach(cell[i], node);
+  const Fans fans = fans_of(mesh);
   while (!fronts.empty()) {
     const Front front = fronts.top();
     fronts.pop();
-    if (front.distance > reached[front.node]) continue;
-    value[front.node] = value[front.source];
-    for (Index k = start[front.node]; k < start[front.node + 1]; ++k)
-      for (const Index node : mesh.cells[cells[k]]) {
-        const double distance = (mesh.nodes[node] - mesh.nodes[front.source]).norm();
-        if (distance < reached[node]) fronts.push({reached[node] = distance, node, front.source});
-      }
+    if (front.source != source[front.vertex]) continue;
+    for (Index k = fans.start[front.vertex]; k < fans.start[front.vertex + 1]; ++k)
+      for (int i = 0; i < 3; ++i) reach(mesh.cells[fans.cell[k]][i], front.source);
   }
+  return source;
+}
+
+}  // namespace
+
+void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
+  std::vector<Index> source = sources_of_vertices(mesh, value);
+  source.resize(mesh.nodes.size(), -1);
+  for (const auto& cell : mesh.cells)
+    for (int i = 0; i < 3; ++i) {  // a mid-side node has the nearer source of its ends
+      const Index node = cell[3 + i], a = source[cell[i]], b = source[cell[(i + 1) % 3]];
+      if (a < 0 || b < 0) continue;
+      const double from_a = (mesh.nodes[node] - mesh.nodes[a]).squaredNorm();
+      const double from_b = (mesh.nodes[node] - mesh.nodes[b]).squaredNorm();
+      source[node] = std::tie(from_a, a) < std::tie(from_b, b) ? a : b;
+    }
+  for (Index i = 0; i < mesh.node_count(); ++i)
+    if (!std::isfinite(value[i]) && source[i] >= 0) value[i] = value[source[i]];
 }
 
 Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
