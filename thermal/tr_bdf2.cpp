@@ -19,6 +19,7 @@ const std::array<double, 3> weight{w, w, implicit};
 const std::array<double, 3> error_weight{w - (1 - w) / 3, w - (3 * w + 1) / 3, implicit - implicit / 3};
 
 constexpr double reuse_band = 1e-9;  ///< relative change of the step that the factor bears
+constexpr double lone_jolt = 0.25;   ///< first over last fitting substep of a step
 constexpr Index many_solves = 7;     ///< a stage that needs more asks for a new factor
 
 struct Run {
@@ -130,13 +131,19 @@ Moment begin(const HeatSystem& system, const std::vector<Eigen::VectorXd>& tempe
   return start;
 }
 
-/// Size of the next substep; the estimate falls with the third power. A size that serves is kept, for its factor.
-double next_size(const Attempt& tried, double substep, double tolerance, bool rejected_before) {
+/// Size that suits the error of an attempt, which falls with the third power of it.
+double fitting_size(const Attempt& tried, double substep, double tolerance) {
   if (!tried.solved) return 0.25 * substep;
   const double factor = tried.error > 0 ? std::clamp(0.9 * std::cbrt(tolerance / tried.error), 0.1, 4.0) : 4.0;
-  if (tried.error > tolerance) return substep * std::min(factor, 0.9);
-  if (factor > 1 && (rejected_before || factor < 1.3)) return substep;
-  return factor * substep;
+  return substep * (tried.error > tolerance ? std::min(factor, 0.9) : factor);
+}
+
+/// Size after an accepted substep: the same, for its factor, unless a larger one that the error allows saves more
+/// substeps than the new factor costs.
+double next_size(double substep, double fitting, double remaining) {
+  constexpr double factor_cost = 2;  // substeps
+  const double saved = std::round(remaining / substep) - std::ceil(remaining / fitting - 1e-9);
+  return fitting > 1.3 * substep && saved >= factor_cost ? fitting : substep;
 }
 
 std::string describe_failure(const Attempt& tried, double substep, const StepOptions& options) {
@@ -159,21 +166,24 @@ void integrate(Run& run, Moment& start, double dt, StepOutcome& outcome) {
     const double substep = remaining / count;
     Attempt tried = attempt(run, start, slope, substep);
     const bool accepted = tried.solved && tried.error <= options.tolerance;
-    wanted = next_size(tried, substep, options.tolerance, rejected_before);
-    rejected_before = !accepted;
+    const double fitting = fitting_size(tried, substep, options.tolerance);
     if (!accepted) {
       ++outcome.rejected;
+      rejected_before = true;
+      wanted = fitting;
       if (wanted >= options.smallest_substep) continue;
       outcome.reason = describe_failure(tried, substep, options);
       return;
     }
-    ++outcome.substeps;
+    if (outcome.substeps++ == 0) outcome.next_substep = fitting;
     book_substep(outcome.ledger, run.system, start, tried, substep);
     start = std::move(tried.end);
     slope = std::move(tried.slope);
     remaining = count > 1 ? remaining - substep : 0;
+    wanted = std::exchange(rejected_before, false) ? substep : next_size(substep, fitting, remaining);
+    // A new interface jolts the start of each step alike; a first substep far too short for the last was a jolt of its own.
+    outcome.next_substep = std::max(outcome.next_substep, lone_jolt * fitting);
   }
-  outcome.next_substep = wanted;
   outcome.converged = true;
 }
 
