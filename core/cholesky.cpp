@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <new>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,6 @@ namespace {
 
 /// A triangle of the matrix in the order of elimination, and where each of the matrix's entries goes in it.
 struct Permuted {
-  std::vector<Index> order;  ///< order[k]: the unknown that is eliminated as the k-th
   std::vector<Index> column_start, row, place;
   std::vector<double> value;
 };
@@ -33,7 +33,6 @@ std::vector<Index> by_key(const std::vector<Index>& items, const std::vector<Ind
 
 Permuted permute(const SymmetricMatrix& matrix, const Index* order, bool upper) {
   Permuted result;
-  result.order.assign(order, order + matrix.size);
   std::vector<Index> rank(matrix.size), row(matrix.row.size()), column(matrix.row.size()), items(matrix.row.size());
   for (Index k = 0; k < matrix.size; ++k) rank[order[k]] = k;
   for (Index c = 0; c < matrix.size; ++c)
@@ -60,7 +59,8 @@ Permuted permute(const SymmetricMatrix& matrix, const Index* order, bool upper) 
 /// The matrix is handed over in the order of elimination: CHOLMOD would order it anew at each factorisation.
 struct Cholesky::Data {
   mutable cholmod_common common;
-  Permuted permuted;
+  std::vector<Index> order;  ///< order[k]: the unknown that is eliminated as the k-th
+  std::optional<Permuted> permuted;  ///< unless the matrix is in that order itself
   bool upper = false;
   cholmod_factor* factor = nullptr;
   mutable cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;
@@ -121,21 +121,24 @@ void Cholesky::analyse(const SymmetricMatrix& matrix) {
   analysed(view(matrix, -1), CHOLMOD_AMD);
   // The triangle of which a factorisation needs no transpose.
   data_->upper = !data_->factor->is_super;
-  data_->permuted = permute(matrix, static_cast<const Index*>(data_->factor->Perm), data_->upper);
+  const auto* order = static_cast<const Index*>(data_->factor->Perm);
+  data_->order.assign(order, order + matrix.size);
+  data_->permuted = permute(matrix, order, data_->upper);
   const int chosen = std::exchange(common.supernodal, data_->upper ? CHOLMOD_SIMPLICIAL : CHOLMOD_SUPERNODAL);
-  analysed(view(data_->permuted, data_->upper ? 1 : -1), CHOLMOD_NATURAL);
+  analysed(view(*data_->permuted, data_->upper ? 1 : -1), CHOLMOD_NATURAL);
   common.supernodal = chosen;
 }
 
 void Cholesky::analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
   auto& common = data_->common;
   data_->upper = true;
-  data_->permuted = permute(matrix, order.data(), true);
+  data_->order = order;
+  data_->permuted.reset();
   cholmod_free_factor(&data_->factor, &common);
   common.method[0].ordering = CHOLMOD_NATURAL;
   common.postorder = 0;
   const int chosen = std::exchange(common.supernodal, CHOLMOD_SIMPLICIAL);
-  cholmod_sparse sparse = view(data_->permuted, 1);
+  cholmod_sparse sparse = view(matrix, 1);
   data_->factor = cholmod_analyze(&sparse, &common);
   common.supernodal = chosen;
   if (!data_->factor) throw std::bad_alloc();
@@ -143,9 +146,10 @@ void Cholesky::analyse(const SymmetricMatrix& matrix, const std::vector<Index>& 
 
 bool Cholesky::factorise(const SymmetricMatrix& matrix) {
   assert(data_->factor);
-  auto& permuted = data_->permuted;
-  for (std::size_t k = 0; k < matrix.value.size(); ++k) permuted.value[permuted.place[k]] = matrix.value[k];
-  cholmod_sparse sparse = view(permuted, data_->upper ? 1 : -1);
+  if (auto& permuted = data_->permuted)
+    for (std::size_t k = 0; k < matrix.value.size(); ++k) permuted->value[permuted->place[k]] = matrix.value[k];
+  const int type = data_->upper ? 1 : -1;
+  cholmod_sparse sparse = data_->permuted ? view(*data_->permuted, type) : view(matrix, type);
   cholmod_factorize(&sparse, data_->factor, &data_->common);
   return data_->common.status == CHOLMOD_OK;
 }
@@ -153,7 +157,7 @@ bool Cholesky::factorise(const SymmetricMatrix& matrix) {
 Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& rhs) const { return solve_columns(rhs); }
 
 Eigen::MatrixXd Cholesky::solve_columns(const Eigen::MatrixXd& rhs) const {
-  const auto& order = data_->permuted.order;
+  const auto& order = data_->order;
   Eigen::MatrixXd ordered(rhs.rows(), rhs.cols());
   for (Index c = 0; c < rhs.cols(); ++c)
     for (Index k = 0; k < rhs.rows(); ++k) ordered(k, c) = rhs(order[k], c);

@@ -50,7 +50,8 @@ Scatter empty_scatter(const Cliques& cliques) {
 
 }  // namespace
 
-Assembly make_assembly(Index size, const Cliques& cliques) {
+Assembly make_assembly(Index size, const Cliques& cliques, Triangle triangle) {
+  const bool upper = triangle == Triangle::upper;
   const Uses uses = uses_of(size, cliques);
   Assembly result{{}, empty_scatter(cliques)};
   SymmetricMatrix& matrix = result.matrix;
@@ -63,7 +64,7 @@ Assembly make_assembly(Index size, const Cliques& cliques) {
     for (Index use = uses.start[column]; use < uses.start[column + 1]; ++use)
       for (Index k = cliques.start[uses.clique[use]]; k < cliques.start[uses.clique[use] + 1]; ++k) {
         const Index row = cliques.unknowns[k];
-        if (row > column && seen[row] != column) {
+        if ((row < column) == upper && seen[row] != column) {
           seen[row] = column;
           rows.push_back(row);
         }
@@ -77,7 +78,7 @@ Assembly make_assembly(Index size, const Cliques& cliques) {
     for (Index use = uses.start[column]; use < uses.start[column + 1]; ++use) {
       const Index clique = uses.clique[use], first = cliques.start[clique];
       for (Index k = first; k < cliques.start[clique + 1]; ++k)
-        if (const Index row = cliques.unknowns[k]; row >= column)
+        if (const Index row = cliques.unknowns[k]; row == column || (row < column) == upper)
           result.scatter.position[result.scatter.offset[clique] + packed(uses.place[use], k - first)] = position[row];
     }
   }

@@ -17,7 +17,9 @@ struct Cliques {
   Index count() const { return static_cast<Index>(start.size()) - 1; }
 };
 
-/// Lower triangle of a symmetric sparse matrix, compressed columns with sorted rows, every diagonal entry present.
+enum class Triangle { lower, upper };
+
+/// A triangle of a symmetric sparse matrix, compressed columns with sorted rows, every diagonal entry present.
 /// The pattern is made once and kept; only the values change.
 struct SymmetricMatrix {
   Index size = 0;
@@ -35,7 +37,7 @@ struct Assembly {
   SymmetricMatrix matrix;  ///< values zero
   Scatter scatter;
 };
-Assembly make_assembly(Index size, const Cliques& cliques);
+Assembly make_assembly(Index size, const Cliques& cliques, Triangle triangle = Triangle::lower);
 
 /// Adds the dense symmetric matrix of a clique; `local` is row-major count x count, its lower triangle is read.
 void add_clique(SymmetricMatrix& matrix, const Scatter& scatter, Index clique, Index count, const double* local);

@@ -2,6 +2,7 @@
 #include "thermal/step_matrix.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "thermal/elimination.hpp"
 #include "thermal/linearise.hpp"
@@ -11,19 +12,10 @@ namespace parison::thermal {
 
 namespace {
 
+/// Unknowns of the vertices of a slave edge and of the master edge that it faces.
+using ContactKey = std::array<Index, 4>;
 ContactKey clique_key(const HeatSegment& segment) {
   return {segment.unknowns[0], segment.unknowns[1], segment.unknowns[3], segment.unknowns[4]};
-}
-
-/// Whether the pattern has the clique of every segment; notes them.
-bool find_cliques(StepMatrix& matrix, const std::vector<HeatSegment>& segments) {
-  matrix.segment_clique.clear();
-  for (const HeatSegment& segment : segments) {
-    const auto found = matrix.contact_clique.find(clique_key(segment));
-    if (found == matrix.contact_clique.end()) return false;
-    matrix.segment_clique.push_back(found->second);
-  }
-  return true;
 }
 
 Index cell_unknowns(const HeatSystem& system) { return system.problem->order == 2 ? 6 : 3; }
@@ -36,6 +28,29 @@ std::vector<Index> list_topology(const HeatSystem& system) {
     for (const core::BoundaryEdge& edge : system.problem->bodies[b].mesh->boundary)
       for (const Index unknown : edge_unknowns(system, static_cast<Index>(b), edge.nodes)) topology.push_back(unknown);
   return topology;
+}
+
+/// Cells, boundary edges and facing edges, their unknowns by their rank; notes which clique each segment has.
+core::Cliques list_cliques(StepMatrix& matrix, const HeatSystem& system, const std::vector<Index>& topology,
+                           const std::vector<Index>& rank) {
+  core::Cliques cliques;
+  std::array<Index, 6> ranks;
+  const auto add = [&](const Index* unknowns, Index count) {
+    for (Index i = 0; i < count; ++i) ranks[i] = rank[unknowns[i]];
+    cliques.add(ranks.data(), count);
+  };
+  const Index per_cell = cell_unknowns(system);
+  const std::size_t in_cells = per_cell * system.cells.size();
+  for (std::size_t k = 0; k < topology.size(); k += k < in_cells ? per_cell : 3)
+    add(topology.data() + k, k < in_cells ? per_cell : 3);
+  std::map<ContactKey, Index> contact_clique;
+  matrix.segment_clique.clear();
+  for (const HeatSegment& segment : system.interface.segments) {
+    const auto [found, is_new] = contact_clique.emplace(clique_key(segment), cliques.count());
+    if (is_new) add(segment.unknowns.data(), 6);
+    matrix.segment_clique.push_back(found->second);
+  }
+  return cliques;
 }
 
 template <int N>
@@ -75,18 +90,11 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
   if (system.is_prescribed != matrix.is_prescribed) matrix.factored_step = 0;
   matrix.is_prescribed = system.is_prescribed;
   if (topology == matrix.topology && contacts == matrix.contact_topology) return;
-  core::Cliques cliques;
-  const Index per_cell = cell_unknowns(system);
-  const std::size_t in_cells = per_cell * system.cells.size();
-  for (std::size_t k = 0; k < topology.size(); k += k < in_cells ? per_cell : 3)
-    cliques.add(topology.data() + k, k < in_cells ? per_cell : 3);
-  matrix.contact_clique.clear();
-  for (const HeatSegment& segment : segments)
-    if (matrix.contact_clique.emplace(clique_key(segment), cliques.count()).second)
-      cliques.add(segment.unknowns.data(), 6);
-  find_cliques(matrix, segments);
-  matrix.assembly = core::make_assembly(system.size(), cliques);
-  matrix.cholesky.analyse(matrix.assembly.matrix, elimination_order(system, segments));
+  matrix.order = elimination_order(system, segments);
+  std::vector<Index> rank(system.size());
+  for (Index k = 0; k < system.size(); ++k) rank[matrix.order[k]] = k;
+  matrix.assembly = core::make_assembly(system.size(), list_cliques(matrix, system, topology, rank), core::Triangle::upper);
+  matrix.cholesky.analyse(matrix.assembly.matrix, matrix.order);
   matrix.topology = std::move(topology);
   matrix.contact_topology = std::move(contacts);
   matrix.factored_step = 0;
@@ -98,9 +106,12 @@ bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::Vector
   const Linearisation slopes = linearise(system, temperature);
   (system.problem->order == 2 ? add_cells<6> : add_cells<3>)(matrix, system, slopes, step);
   assemble_exchange(matrix, system, slopes, step);
-  for (const auto& [unknown, value] : system.prescribed) values.value[values.column_start[unknown]] = 1;
   matrix.diagonal.resize(values.size);
-  for (Index i = 0; i < values.size; ++i) matrix.diagonal[i] = values.value[values.column_start[i]];
+  for (Index k = 0; k < values.size; ++k) {
+    double& diagonal = values.value[values.column_start[k + 1] - 1];
+    if (system.is_prescribed[matrix.order[k]]) diagonal = 1;
+    matrix.diagonal[matrix.order[k]] = diagonal;
+  }
   ++matrix.factorisations;
   const bool done = matrix.cholesky.factorise(values);
   matrix.factored_step = done ? step : 0;

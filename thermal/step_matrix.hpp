@@ -1,16 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
-#include <map>
 #include <vector>
 
 #include "core/cholesky.hpp"
 #include "thermal/system.hpp"
 
 namespace parison::thermal {
-
-/// Unknowns of the vertices of a slave edge and of the master edge that it faces.
-using ContactKey = std::array<Index, 4>;
 
 /// Factor of C + step K, kept from step to step: C the heat capacity, K the conduction, exchange and interface at the
 /// temperature of the factorisation. Of the slopes of conductivity and conductance K has only what is symmetric and
@@ -19,10 +15,10 @@ using ContactKey = std::array<Index, 4>;
 struct StepMatrix {
   std::vector<Index> topology;          ///< unknowns of all cells and boundary edges
   std::vector<Index> contact_topology;  ///< unknowns of the interface's segments
-  std::map<ContactKey, Index> contact_clique;
   std::vector<Index> segment_clique;  ///< of each segment of the interface
   std::vector<char> is_prescribed;
-  core::Assembly assembly;
+  std::vector<Index> order;  ///< of elimination, that of the matrix's unknowns: order[k] is the k-th in the system
+  core::Assembly assembly;   ///< upper triangle
   core::Cholesky cholesky;
   Eigen::VectorXd diagonal;
   double factored_step = 0;  ///< s; 0 when there is no factor
