@@ -8,6 +8,7 @@
 
 #include "core/element.hpp"
 #include "forming/contact_geometry.hpp"
+#include "forming/contact_guess.hpp"
 #include "forming/film.hpp"
 #include "forming/foretell.hpp"
 #include "forming/initial_state.hpp"
@@ -51,42 +52,6 @@ struct FlowPass {
   flow::Solution solution;
 };
 
-/// The candidates that were closed in the last solve, or, where a new mesh or stage knows only the tool of each node, its
-/// nearest one; and those that `guess` would carry through.
-std::vector<bool> likely_contacts(const State& state, const ContactState::Closed& closed, const flow::Problem& problem,
-                                  const Eigen::VectorXd& guess) {
-  constexpr double near_direction = 0.94;
-  std::vector<std::vector<std::size_t>> of_node(problem.mesh->nodes.size());
-  for (std::size_t i = 0; i < closed.node.size(); ++i) of_node[closed.node[i]].push_back(i);
-  std::vector<bool> likely;
-  Index last_node = -1;
-  for (const auto& candidate : problem.candidates) {
-    const auto& known = of_node[candidate.node];
-    bool was = std::any_of(known.begin(), known.end(), [&](std::size_t i) {
-      return closed.tool[i] == candidate.tool && closed.normal[i].dot(candidate.normal) > near_direction;
-    });
-    if (closed.node.empty())
-      was = (state.contact.tool[candidate.node] == candidate.tool && candidate.node != last_node) ||
-            (state.last_step == 0 && candidate.rate >= 0);
-    const double tool_speed = state.bodies[1 + candidate.tool].velocity;
-    const Point relative = flow::node_velocity(guess, candidate.node) - tool_speed * core::axis_direction();
-    likely.push_back(was || (state.last_step > 0 && candidate.normal.dot(relative) < candidate.rate));
-    last_node = candidate.node;
-  }
-  return likely;
-}
-
-/// Adds the bounds that point another way than the node's own, beside those.
-void keep_bounds(const std::vector<flow::ContactCandidate>& bounds, std::vector<flow::ContactCandidate>& candidates) {
-  for (const auto& bound : bounds) {
-    const auto of_node = [&](const auto& c) { return c.node == bound.node; };
-    const auto first = std::find_if(candidates.begin(), candidates.end(), of_node);
-    const auto last = std::find_if_not(first, candidates.end(), of_node);
-    if (std::none_of(first, last, [&](const auto& c) { return c.normal.dot(bound.normal) > same_direction; }))
-      candidates.insert(last, bound);
-  }
-}
-
 /// What the glass would gain in volume, m3, by moving straight at `velocity` for dt, beside what that velocity's divergence in
 /// the step's middle tells.
 double volume_missed(const Scene& scene, const core::Mesh& start, const core::Mesh& middle, const Eigen::VectorXd& velocity,
@@ -127,6 +92,7 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::
   problem.tools = tool_motions(scene, state, dt);
   problem.candidates = contact_candidates(scene, state, foretold.velocity, dt);
   keep_bounds(foretold.bounds, problem.candidates);
+  keep_bounds(corner_bounds(scene, state), problem.candidates);
   const auto warm = likely_contacts(state, closed, problem, foretold.velocity);
   if (!workspace.flow) workspace.flow.emplace(middle);
   auto solution = workspace.flow->solve(problem, warm);
