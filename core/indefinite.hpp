@@ -6,7 +6,7 @@
 
 namespace parison::core {
 
-/// LDL' of a symmetric quasi-definite matrix (a regularised saddle point), AMD ordering; the analysis serves until the pattern
+/// LDL' of a symmetric quasi-definite matrix (a regularised saddle point), minimum degree; the analysis serves until the pattern
 /// changes. CHOLMOD where the fill is small, MUMPS with pivoting where dense blocks pay.
 class IndefiniteSolver {
  public:

@@ -6,6 +6,7 @@
 #include "core/cholesky.hpp"
 #include "core/element.hpp"
 #include "core/indefinite.hpp"
+#include "core/ordering.hpp"
 #include "core/mesh.hpp"
 #include "core/profile.hpp"
 #include "core/symmetric_matrix.hpp"
@@ -127,10 +128,33 @@ TEST(SymmetricMatrix, both_solvers_recover_a_known_solution) {
   EXPECT_LT((cholesky.solve(b) - x).norm(), 1e-11 * x.norm());
   for (auto& v : assembly.matrix.value) v = -v;
   EXPECT_FALSE(cholesky.factorise(assembly.matrix));
-  IndefiniteSolver indefinite;
-  indefinite.analyse(assembly.matrix);
-  ASSERT_TRUE(indefinite.factorise(assembly.matrix));
-  EXPECT_LT((indefinite.solve(b) + x).norm(), 1e-11 * x.norm());
+  for (const auto library : {IndefiniteSolver::Library::cholmod, IndefiniteSolver::Library::mumps}) {
+    IndefiniteSolver indefinite;
+    indefinite.analyse(assembly.matrix, library);
+    ASSERT_TRUE(indefinite.factorise(assembly.matrix));
+    EXPECT_LT((indefinite.solve(b) + x).norm(), 1e-11 * x.norm());
+  }
+}
+
+TEST(EliminationOrder, keeps_unknowns_of_one_pattern_together_by_their_numbers) {
+  const Mesh mesh = unit_square(6);
+  const Index nodes = mesh.node_count();
+  Cliques cliques;  // two unknowns at each node, a third at the vertices
+  for (const auto& cell : mesh.cells) {
+    std::vector<Index> unknowns;
+    for (const Index node : cell) unknowns.insert(unknowns.end(), {2 * node, 2 * node + 1});
+    for (int i = 0; i < 3; ++i) unknowns.push_back(2 * nodes + cell[i]);
+    cliques.add(unknowns.data(), static_cast<Index>(unknowns.size()));
+  }
+  const auto order = minimum_degree_order(make_assembly(2 * nodes + mesh.vertex_count, cliques).matrix);
+  std::vector<Index> place(order.unknown.size(), -1);
+  for (std::size_t k = 0; k < place.size(); ++k) place[order.unknown[k]] = static_cast<Index>(k);
+  EXPECT_EQ(std::count(place.begin(), place.end(), -1), 0);
+  for (Index node = 0; node < nodes; ++node) {
+    EXPECT_EQ(place[2 * node + 1], place[2 * node] + 1);
+    if (node < mesh.vertex_count) EXPECT_GT(place[2 * nodes + node], place[2 * node + 1]);
+  }
+  EXPECT_GT(order.operations, 0);
 }
 
 TEST(Table, interpolates_holds_its_ends_and_integrates) {
