@@ -73,6 +73,17 @@ struct Cholesky::Data {
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
   }
+  /// Of an upper triangle in the order of its elimination.
+  void analyse_upper(cholmod_sparse sparse) {
+    upper = true;
+    cholmod_free_factor(&factor, &common);
+    common.method[0].ordering = CHOLMOD_NATURAL;
+    common.postorder = 0;
+    const int chosen = std::exchange(common.supernodal, CHOLMOD_SIMPLICIAL);
+    factor = cholmod_analyze(&sparse, &common);
+    common.supernodal = chosen;
+    if (!factor) throw std::bad_alloc();
+  }
   ~Data() {
     cholmod_free_dense(&solution, &common);
     cholmod_free_dense(&work_y, &common);
@@ -130,18 +141,15 @@ void Cholesky::analyse(const SymmetricMatrix& matrix) {
 }
 
 void Cholesky::analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
-  auto& common = data_->common;
-  data_->upper = true;
+  data_->order = order;
+  data_->permuted = permute(matrix, order.data(), true);
+  data_->analyse_upper(view(*data_->permuted, 1));
+}
+
+void Cholesky::analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
   data_->order = order;
   data_->permuted.reset();
-  cholmod_free_factor(&data_->factor, &common);
-  common.method[0].ordering = CHOLMOD_NATURAL;
-  common.postorder = 0;
-  const int chosen = std::exchange(common.supernodal, CHOLMOD_SIMPLICIAL);
-  cholmod_sparse sparse = view(matrix, 1);
-  data_->factor = cholmod_analyze(&sparse, &common);
-  common.supernodal = chosen;
-  if (!data_->factor) throw std::bad_alloc();
+  data_->analyse_upper(view(matrix, 1));
 }
 
 bool Cholesky::factorise(const SymmetricMatrix& matrix) {

@@ -19,9 +19,11 @@ class Cholesky {
 
   /// Symbolic analysis (AMD).
   void analyse(const SymmetricMatrix& matrix);
-  /// The same for the upper triangle of a matrix in the order of its elimination; the factor is simplicial. order[k] is the
-  /// number that its k-th unknown has in `solve`.
+  /// The same with a given order of elimination; the factor is simplicial.
   void analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order);
+  /// The same for the upper triangle of a matrix that is in the order of its elimination itself: order[k] is the number that
+  /// its k-th unknown has in `solve`.
+  void analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order);
   /// Numeric factorisation; false when the matrix is not positive definite, or a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;

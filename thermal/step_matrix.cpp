@@ -94,7 +94,7 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
   std::vector<Index> rank(system.size());
   for (Index k = 0; k < system.size(); ++k) rank[matrix.order[k]] = k;
   matrix.assembly = core::make_assembly(system.size(), list_cliques(matrix, system, topology, rank), core::Triangle::upper);
-  matrix.cholesky.analyse(matrix.assembly.matrix, matrix.order);
+  matrix.cholesky.analyse_ordered(matrix.assembly.matrix, matrix.order);
   matrix.topology = std::move(topology);
   matrix.contact_topology = std::move(contacts);
   matrix.factored_step = 0;
