@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
-#include <type_traits>
 
 #include "core/case_error.hpp"
 #include "core/files.hpp"
@@ -89,27 +88,6 @@ struct Reader {
   void operator()(const char* name, std::vector<Point>& value) { value = read_points(group, name); }
   void operator()(const char* name, core::Mesh& value) { value = read_mesh(group.open(name)); }
   Reader part(const std::string& name) { return {group.open(name)}; }
-};
-
-/// Every bit of what it visits, in order.
-struct Bits {
-  std::string& bits;
-  void add(const void* data, std::size_t size) { bits.append(static_cast<const char*>(data), size); }
-  template <typename Value>
-  std::enable_if_t<std::is_arithmetic_v<Value>> operator()(const char*, const Value& value) {
-    add(&value, sizeof value);
-  }
-  template <typename Value>
-  std::enable_if_t<!std::is_arithmetic_v<Value>> operator()(const char*, const Value& values) {
-    add(values.data(), static_cast<std::size_t>(values.size()) * sizeof *values.data());
-  }
-  void operator()(const char*, const core::Mesh& mesh) {
-    (*this)("nodes", mesh.nodes);
-    (*this)("cells", mesh.cells);
-    (*this)("boundary", mesh.boundary);
-    for (const std::string& piece : mesh.pieces) (*this)("piece", piece);
-  }
-  Bits part(const std::string&) { return *this; }
 };
 
 /// The names of what it visits, in order.
@@ -239,12 +217,6 @@ CaseOrigin read_origin(const std::string& path) {
   std::istringstream overrides(file.read_string("overrides"));
   for (std::string line; std::getline(overrides, line);) origin.overrides.push_back(line);
   return origin;
-}
-
-std::uint64_t fingerprint(const State& state) {
-  std::string bits;
-  visit_state(Bits{bits}, state);
-  return core::fingerprint(bits);
 }
 
 }  // namespace parison::forming

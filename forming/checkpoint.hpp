@@ -1,6 +1,5 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdint>
 #include <string>
 
 #include "forming/output.hpp"
@@ -30,8 +29,5 @@ struct CaseOrigin {
   std::vector<std::string> overrides;
 };
 CaseOrigin read_origin(const std::string& path);
-
-/// Hash of a state's every bit.
-std::uint64_t fingerprint(const State& state);
 
 }  // namespace parison::forming

@@ -1,11 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <optional>
-#include <string>
-
 #include "forming/quantities.hpp"
-#include "forming/run.hpp"
-#include "forming/scene.hpp"
 
 namespace parison::forming {
 
@@ -22,10 +17,5 @@ struct ErrorBars {
 };
 /// `expected_heat`: error of the heat into all tools known beforehand, a share; the tools' bars are not narrower than it says.
 ErrorBars error_bars(const Quantities& run, const Quantities& companion, double expected_heat = 0);
-
-/// Runs the coarser companion of a scene in the folder `companion` of its results, goes on with one that was stopped, or
-/// reads one that is complete; none where it does not come to its end.
-std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& run, const std::string& directory,
-                                         const StopRequest& stop);
 
 }  // namespace parison::forming

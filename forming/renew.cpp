@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -221,11 +220,6 @@ void name_stretch(const NamedStretch& stretch, const std::vector<bool>& may_touc
 
 bool needs_new_mesh(const Scene& scene, const State& state) {
   return remesh::quality(state.bodies[0].mesh).worst < scene.accuracy.quality_floor;
-}
-
-Index remeshes(const State& state) {
-  const auto& count = state.totals.remeshing.count;
-  return std::accumulate(count.begin(), count.end(), Index{0});
 }
 
 Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason why) {

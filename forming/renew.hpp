@@ -16,9 +16,6 @@ struct Renewed {
 /// The state on a new glass mesh: geometry, heat content, velocity and contact carried over, the remesh booked.
 Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason why);
 
-/// Remeshes so far.
-Index remeshes(const State& state);
-
 /// Whether the quality of the glass mesh asks for a new one.
 bool needs_new_mesh(const Scene& scene, const State& state);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -109,6 +110,12 @@ struct State {
   std::vector<Point> probes;      ///< present positions, in the body's frame
   Totals totals;
 };
+
+/// New glass meshes since the start.
+inline Index remeshes(const State& state) {
+  const auto& count = state.totals.remeshing.count;
+  return std::accumulate(count.begin(), count.end(), Index{0});
+}
 
 /// What one step did, beyond the new state.
 struct StepReport {

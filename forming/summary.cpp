@@ -11,10 +11,9 @@
 #include "core/element.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
-#include "forming/checkpoint.hpp"
+#include "forming/fingerprint.hpp"
 #include "forming/error_bars.hpp"
 #include "forming/initial_state.hpp"
-#include "forming/renew.hpp"
 #include "forming/summary_parts.hpp"
 #include "thermal/properties.hpp"
 

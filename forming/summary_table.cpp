@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "forming/error_bars.hpp"
-#include "forming/renew.hpp"
 #include "forming/summary.hpp"
 #include "thermal/properties.hpp"
 

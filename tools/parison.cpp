@@ -12,7 +12,7 @@
 #include "core/case_error.hpp"
 #include "forming/checkpoint.hpp"
 #include "forming/checkup.hpp"
-#include "forming/error_bars.hpp"
+#include "forming/companion.hpp"
 #include "forming/run.hpp"
 #include "forming/scene.hpp"
 #include "forming/summary.hpp"

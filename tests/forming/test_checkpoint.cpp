@@ -8,6 +8,7 @@
 
 #include "core/files.hpp"
 #include "core/hdf5.hpp"
+#include "forming/fingerprint.hpp"
 #include "forming/checkpoint.hpp"
 #include "forming/initial_state.hpp"
 #include "scene_text.hpp"

@@ -9,7 +9,7 @@
 #include "core/files.hpp"
 #include "forming/accuracy.hpp"
 #include "forming/checkup.hpp"
-#include "forming/error_bars.hpp"
+#include "forming/companion.hpp"
 #include "forming/left_out.hpp"
 #include "forming/tradeoff.hpp"
 #include "scene_text.hpp"

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "core/files.hpp"
+#include "forming/fingerprint.hpp"
 #include "forming/checkpoint.hpp"
 #include "forming/initial_state.hpp"
 #include "forming/renew.hpp"
