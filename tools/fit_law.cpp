@@ -11,7 +11,7 @@
 #include "contact/fit_law.hpp"
 #include "contact/law_data.hpp"
 #include "core/case_file.hpp"
-#include "forming/scene.hpp"
+#include "forming/scene/scene.hpp"
 
 namespace parison::tools {
 namespace {

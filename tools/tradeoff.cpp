@@ -11,7 +11,7 @@
 #include "core/case_error.hpp"
 #include "core/files.hpp"
 #include "core/json_read.hpp"
-#include "forming/scene.hpp"
+#include "forming/scene/scene.hpp"
 #include "tools/child_process.hpp"
 #include "tools/stop_request.hpp"
 #include "tools/tradeoff_report.hpp"

@@ -11,7 +11,7 @@
 
 #include "core/files.hpp"
 #include "core/json.hpp"
-#include "forming/tradeoff.hpp"
+#include "forming/study/tradeoff.hpp"
 
 namespace parison::tools {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "forming/ladder.hpp"
+#include "forming/study/ladder.hpp"
 
 namespace parison::tools {
 

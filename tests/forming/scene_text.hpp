@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/case_error.hpp"
-#include "forming/scene.hpp"
+#include "forming/scene/scene.hpp"
 #include "scene_parts.hpp"
 #include "test_folder.hpp"
 

@@ -8,9 +8,9 @@
 
 #include "core/files.hpp"
 #include "core/hdf5.hpp"
-#include "forming/fingerprint.hpp"
-#include "forming/checkpoint.hpp"
-#include "forming/initial_state.hpp"
+#include "forming/step/fingerprint.hpp"
+#include "forming/run/checkpoint.hpp"
+#include "forming/step/initial_state.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {

@@ -7,11 +7,11 @@
 
 #include "core/case_error.hpp"
 #include "core/files.hpp"
-#include "forming/accuracy.hpp"
-#include "forming/checkup.hpp"
-#include "forming/companion.hpp"
-#include "forming/left_out.hpp"
-#include "forming/tradeoff.hpp"
+#include "forming/scene/accuracy.hpp"
+#include "forming/scene/checkup.hpp"
+#include "forming/study/companion.hpp"
+#include "forming/scene/left_out.hpp"
+#include "forming/study/tradeoff.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "forming/film.hpp"
-#include "forming/run.hpp"
+#include "forming/step/film.hpp"
+#include "forming/run/run.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {

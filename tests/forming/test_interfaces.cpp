@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/files.hpp"
-#include "forming/checkup.hpp"
-#include "forming/run.hpp"
+#include "forming/scene/checkup.hpp"
+#include "forming/run/run.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {

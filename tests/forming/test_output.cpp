@@ -8,12 +8,12 @@
 #include <sstream>
 
 #include "core/files.hpp"
-#include "forming/thermal_interface.hpp"
-#include "forming/history.hpp"
-#include "forming/initial_state.hpp"
-#include "forming/interface_rows.hpp"
-#include "forming/output.hpp"
-#include "forming/summary.hpp"
+#include "forming/step/thermal_interface.hpp"
+#include "forming/report/history.hpp"
+#include "forming/step/initial_state.hpp"
+#include "forming/report/interface_rows.hpp"
+#include "forming/report/output.hpp"
+#include "forming/report/summary.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "forming/contact_geometry.hpp"
-#include "forming/heat_step.hpp"
-#include "forming/renew.hpp"
-#include "forming/run.hpp"
+#include "forming/step/contact_geometry.hpp"
+#include "forming/step/heat_step.hpp"
+#include "forming/renew/renew.hpp"
+#include "forming/run/run.hpp"
 #include "pot_scene.hpp"
 #include "remesh/recovery.hpp"
 #include "scene_text.hpp"

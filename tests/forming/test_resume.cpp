@@ -14,12 +14,12 @@
 #include <thread>
 
 #include "core/files.hpp"
-#include "forming/fingerprint.hpp"
-#include "forming/checkpoint.hpp"
-#include "forming/initial_state.hpp"
-#include "forming/renew.hpp"
-#include "forming/run.hpp"
-#include "forming/step.hpp"
+#include "forming/step/fingerprint.hpp"
+#include "forming/run/checkpoint.hpp"
+#include "forming/step/initial_state.hpp"
+#include "forming/renew/renew.hpp"
+#include "forming/run/run.hpp"
+#include "forming/step/step.hpp"
 #include "pot_scene.hpp"
 #include "scene_text.hpp"
 

@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "forming/heat_step.hpp"
-#include "forming/history.hpp"
-#include "forming/initial_state.hpp"
-#include "forming/renew.hpp"
-#include "forming/run.hpp"
-#include "forming/step.hpp"
+#include "forming/step/heat_step.hpp"
+#include "forming/report/history.hpp"
+#include "forming/step/initial_state.hpp"
+#include "forming/renew/renew.hpp"
+#include "forming/run/run.hpp"
+#include "forming/step/step.hpp"
 #include "pot_scene.hpp"
 #include "remesh/quality.hpp"
 #include "scene_text.hpp"

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "core/files.hpp"
-#include "forming/run.hpp"
-#include "forming/work.hpp"
+#include "forming/run/run.hpp"
+#include "forming/step/work.hpp"
 #include "pot_scene.hpp"
 #include "scene_text.hpp"
 

@@ -6,9 +6,9 @@
 #include <functional>
 #include <utility>
 
-#include "forming/initial_state.hpp"
-#include "forming/step.hpp"
-#include "forming/step_control.hpp"
+#include "forming/step/initial_state.hpp"
+#include "forming/step/step.hpp"
+#include "forming/step/step_control.hpp"
 
 namespace parison::forming {
 

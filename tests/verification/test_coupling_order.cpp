@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "forming/initial_state.hpp"
+#include "forming/step/initial_state.hpp"
 #include "forming/scene_text.hpp"
-#include "forming/step.hpp"
+#include "forming/step/step.hpp"
 
 namespace parison::forming {
 namespace {

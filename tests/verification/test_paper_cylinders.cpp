@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "classical/classical_interface.hpp"
-#include "forming/heat_step.hpp"
-#include "forming/initial_state.hpp"
+#include "forming/step/heat_step.hpp"
+#include "forming/step/initial_state.hpp"
 #include "stepping.hpp"
 #include "verification/two_slabs.hpp"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "forming/heat_step.hpp"
-#include "forming/initial_state.hpp"
-#include "forming/renew.hpp"
-#include "forming/step.hpp"
+#include "forming/step/heat_step.hpp"
+#include "forming/step/initial_state.hpp"
+#include "forming/renew/renew.hpp"
+#include "forming/step/step.hpp"
 
 namespace parison::forming {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/indefinite.hpp"
 #include "forming/flow/cell_product.hpp"
-#include "forming/initial_state.hpp"
+#include "forming/step/initial_state.hpp"
 
 namespace parison::bench {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
-#include "forming/scene.hpp"
-#include "forming/state.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/step/state.hpp"
 
 namespace parison::bench {
 

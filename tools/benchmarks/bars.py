@@ -12,8 +12,8 @@ SCENES = (
     ("tumbler", ("draft", "standard")),
     ("jar", ("draft", "standard")),
 )
-RESOLUTION = 1e-4  # no bar is narrower: share of the scale, for a tool's heat of all heat; as forming/error_bars.cpp
-MARGIN, POINTS = 0.02, 401  # of the arc beside an end of the wall, as forming/quantities.hpp
+RESOLUTION = 1e-4  # no bar is narrower: share of the scale, for a tool's heat of all heat; as forming/report/error_bars.cpp
+MARGIN, POINTS = 0.02, 401  # of the arc beside an end of the wall, as forming/report/quantities.hpp
 
 
 def resolution(name, quantities):

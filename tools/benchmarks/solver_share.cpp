@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "forming/run.hpp"
+#include "forming/run/run.hpp"
 #include "tools/benchmarks/bare_flow.hpp"
 
 /// OpenBLAS; absent where another BLAS is installed.

@@ -9,10 +9,10 @@
 #include <limits>
 
 #include "core/blas_threads.hpp"
-#include "forming/heat_step.hpp"
-#include "forming/run.hpp"
-#include "forming/step.hpp"
-#include "forming/surface_change.hpp"
+#include "forming/step/heat_step.hpp"
+#include "forming/run/run.hpp"
+#include "forming/step/step.hpp"
+#include "forming/step/surface_change.hpp"
 #include "tools/benchmarks/bare_flow.hpp"
 
 namespace parison::forming {

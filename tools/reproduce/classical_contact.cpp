@@ -8,11 +8,11 @@
 #include "classical/classical_interface.hpp"
 #include "core/blas_threads.hpp"
 #include "core/case_error.hpp"
-#include "forming/heat_step.hpp"
-#include "forming/history.hpp"
-#include "forming/initial_state.hpp"
-#include "forming/output.hpp"
-#include "forming/step_control.hpp"
+#include "forming/step/heat_step.hpp"
+#include "forming/report/history.hpp"
+#include "forming/step/initial_state.hpp"
+#include "forming/report/output.hpp"
+#include "forming/step/step_control.hpp"
 
 namespace {
 

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/error_bars.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "forming/scene/accuracy.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// Half width that holds 90 % of a normal scatter, in its root mean square.
+constexpr double scatter = 1.64;
+/// No bar is narrower: share of the quantity's scale, for a tool's heat of all heat into the tools.
+constexpr double resolution = 1e-4;
+constexpr double neighbourhood = 0.1;  ///< of the arc
+constexpr double spacing = 1.0 / (profile_points - 1);
+
+/// From the difference of both runs to the error of the finer one, by the order that the dial's ladder showed.
+double richardson() { return 1 / (std::pow(companion_factor, error_model().thickness.order) - 1); }
+
+bool is_heat(const Quantity& quantity) { return quantity.name.rfind("heat_", 0) == 0; }
+
+/// What a quantity is alike with: the first word of its name.
+std::string kind(const Quantity& quantity) { return quantity.name.substr(0, quantity.name.find('_')); }
+
+bool is_thinnest(const Quantity& quantity) { return quantity.name.rfind("thickness_min", 0) == 0; }
+
+/// The differences of a kind are alike as shares of this. Heats: of all of it, as what one tool gets too much another lacks.
+double size_of_kind(const Quantities& run, const Quantity& quantity) {
+  if (!is_heat(quantity)) return quantity.scale;
+  double whole = 0;
+  for (const Quantity& other : run.values)
+    if (is_heat(other)) whole += other.scale;
+  return whole;
+}
+
+struct Usual {
+  double square = 0;
+  int count = 0;
+  double root() const { return std::sqrt(square / count); }
+};
+
+/// Differences of each kind, as shares.
+std::map<std::string, Usual> usual_differences(const Quantities& run, const Quantities& companion) {
+  std::map<std::string, Usual> usual;
+  for (const Quantity& quantity : run.values)
+    if (const Quantity* other = companion.find(quantity.name); other && !is_thinnest(quantity)) {
+      usual[kind(quantity)].square += std::pow((other->value - quantity.value) / size_of_kind(run, quantity), 2);
+      ++usual[kind(quantity)].count;
+    }
+  return usual;
+}
+
+/// How far the mean of the profile may be off: its difference wavers, and each wave adds by chance.
+double chance_of_mean(const Quantities& run, const Quantities& companion) {
+  double square = 0, last = 0;
+  int count = 0, waves = 1;
+  for (std::size_t i = 0; i < run.profile.size() && i < companion.profile.size(); ++i) {
+    const double difference = companion.profile[i] - run.profile[i];
+    if (!std::isfinite(difference)) continue;
+    waves += last * difference < 0;
+    if (difference != 0) last = difference;
+    square += difference * difference;
+    ++count;
+  }
+  return count ? std::sqrt(square / count / waves) : 0;
+}
+
+/// The mean runs over whole places: what one more or less at each end of a stretch of wall changes, mm.
+double step_of_mean(const Quantities& run, double mean) {
+  double square = 0;
+  int count = 0;
+  for (std::size_t i = 0; i + 1 < run.profile.size(); ++i) {
+    const double here = run.profile[i], next = run.profile[i + 1];
+    count += std::isfinite(here);
+    if (std::isfinite(here) != std::isfinite(next)) square += std::pow((std::isfinite(here) ? here : next) - mean, 2);
+  }
+  return count ? std::sqrt(square) / count : 0;
+}
+
+/// How wrong the wall usually is near a place of the profile, mm.
+double usual_near(const std::vector<double>& profile, const std::vector<double>& other, int at) {
+  const int reach = static_cast<int>(std::lround(neighbourhood / spacing));
+  double square = 0;
+  int count = 0;
+  for (int i = std::max(0, at - reach); i <= std::min(profile_points - 1, at + reach); ++i)
+    if (const double difference = profile[i] - other[i]; std::isfinite(difference)) square += difference * difference, ++count;
+  return count ? std::sqrt(square / count) : 0;
+}
+
+/// The thinnest wall and its place, which lies where the wall is as thin to within the error of its thickness.
+void add_thinnest(Quantities& run, const Quantities& companion) {
+  double error = 0;
+  for (Quantity& quantity : run.values) {
+    if (!is_thinnest(quantity) || companion.profile.empty()) continue;
+    if (quantity.name == "thickness_min") {
+      const int at = static_cast<int>(std::lround(run.find("thickness_min_at")->value / spacing));
+      const Quantity* other = companion.find(quantity.name);
+      const double own = other ? std::abs(other->value - quantity.value) : 0;
+      error = richardson() * std::max(own, usual_near(run.profile, companion.profile, at));
+      quantity.error = error = std::max(error, resolution * quantity.scale);
+      continue;
+    }
+    const int at = static_cast<int>(std::lround(quantity.value / spacing));
+    int farthest = 0;
+    for (int i = 0; i < profile_points; ++i)
+      if (run.profile[i] <= run.profile[at] + error) farthest = std::max(farthest, std::abs(i - at));
+    quantity.error = (farthest + 1) * spacing;
+  }
+}
+
+}  // namespace
+
+ErrorBars error_bars(const Quantities& run, const Quantities& companion, double expected_heat) {
+  ErrorBars bars{run, 0, 0, 0, 0};
+  auto usual = usual_differences(run, companion);
+  for (Quantity& quantity : bars.quantities.values) {
+    const Quantity* other = companion.find(quantity.name);
+    if (!other || is_thinnest(quantity)) continue;
+    const double size = size_of_kind(run, quantity);
+    const Usual& alike = usual[kind(quantity)];
+    const double chance = quantity.name == "thickness_mean"
+                              ? std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
+                              : alike.root() * size;
+    quantity.error = std::max(richardson() * std::max(std::abs(other->value - quantity.value), chance), resolution * size);
+    if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected_heat / alike.count * size);
+  }
+  add_thinnest(bars.quantities, companion);
+  const ProfileDifference profile = compare_profiles(companion.profile, run.profile);
+  bars.profile_mean = richardson() * profile.mean;
+  bars.profile_largest = richardson() * profile.largest;
+  // Not a number where no tool receives heat.
+  bars.heat = std::max({richardson() * heat_difference(companion, run), scatter * expected_heat, resolution});
+  return bars;
+}
+
+}  // namespace parison::forming

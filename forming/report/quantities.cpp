@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/quantities.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/report/summary.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* heat_prefix = "heat_";
+
+double celsius(double kelvin) { return kelvin - thermal::content_reference; }
+
+/// From the hottest to the coldest thing of the scene, K.
+double temperature_span(const Scene& scene) {
+  double low = scene.glass.initial_temperature, high = low;
+  const auto include = [&](double temperature) {
+    low = std::min(low, temperature);
+    high = std::max(high, temperature);
+  };
+  for (const Tool& tool : scene.tools)
+    if (tool.thermal) include(tool.initial_temperature);
+  for (const Stage& stage : scene.stages)
+    if (stage.air.h > 0) include(stage.air.air_temperature);
+  return high - low;
+}
+
+bool has_wall(const Scene& scene) {
+  return scene.has_flow() && std::any_of(scene.stages.begin(), scene.stages.end(),
+                                         [](const Stage& stage) { return !stage.pressure.empty(); });
+}
+
+/// Thickness at even shares of the arc, linear between the rows; NaN beside one that is no wall.
+std::vector<double> sample_profile(const std::vector<ThicknessRow>& rows) {
+  std::vector<double> profile(profile_points, none);
+  const double first = rows.front().arc, whole = rows.back().arc - first;
+  std::size_t after = 1;
+  for (int i = 0; i < profile_points; ++i) {
+    const double arc = first + whole * i / (profile_points - 1);
+    while (after + 1 < rows.size() && rows[after].arc < arc) ++after;
+    const ThicknessRow &a = rows[after - 1], &b = rows[after];
+    if (!a.is_wall || !b.is_wall || b.arc <= a.arc) continue;
+    const double t = (arc - a.arc) / (b.arc - a.arc);
+    profile[i] = 1e3 * ((1 - t) * a.thickness + t * b.thickness);
+  }
+  return profile;
+}
+
+/// Away from where the wall ends, as the differences of profiles are taken too.
+std::vector<int> inner_places(const std::vector<double>& profile) {
+  const int margin = static_cast<int>(std::lround(profile_margin * (profile_points - 1)));
+  std::vector<int> places;
+  const int size = static_cast<int>(profile.size());
+  for (int i = 0; i < size; ++i) {
+    bool inside = true;
+    for (int k = std::max(0, i - margin); k <= std::min(size - 1, i + margin); ++k) inside = inside && std::isfinite(profile[k]);
+    if (inside) places.push_back(i);
+  }
+  return places;
+}
+
+void add_wall(const std::vector<ThicknessRow>& rows, Quantities& found) {
+  found.profile = sample_profile(rows);
+  const std::vector<int> places = inner_places(found.profile);
+  if (places.empty()) return;
+  double sum = 0;
+  int thinnest = places.front();
+  for (const int i : places) {
+    sum += found.profile[i];
+    if (found.profile[i] < found.profile[thinnest]) thinnest = i;
+  }
+  const double mean = sum / double(places.size()), lowest = found.profile[thinnest];
+  found.values.push_back({"thickness_mean", "mm", mean, mean});
+  found.values.push_back({"thickness_min", "mm", lowest, lowest});
+  found.values.push_back({"thickness_min_at", "of the arc", double(thinnest) / (profile_points - 1), 1});
+}
+
+/// Of the outer surface, by area; the wall's where there is one.
+double skin_temperature(const std::vector<ThicknessRow>& rows, bool wall) {
+  double sum = 0, area = 0;
+  for (const ThicknessRow& row : rows)
+    if (!wall || row.is_wall) {
+      sum += row.area * row.outer_temperature;
+      area += row.area;
+    }
+  return sum / area;
+}
+
+void add_heat(const Scene& scene, const Summary& summary, const std::vector<ThicknessRow>& rows, Quantities& found) {
+  const double span = temperature_span(scene);
+  found.values.push_back({"glass_mean", "degC", celsius(summary.glass.mean), span});
+  found.values.push_back({"glass_skin", "degC", celsius(skin_temperature(rows, has_wall(scene))), span});
+  for (const ToolSummary& tool : summary.tools)
+    if (tool.heat_received != 0)
+      found.values.push_back({heat_prefix + tool.name, "J", tool.heat_received, std::abs(tool.heat_received)});
+}
+
+void add_tools(const Scene& scene, const State& state, const Summary& summary, Quantities& found) {
+  for (std::size_t i = 0; i < std::min(scene.stages.size(), summary.run.stages.size()); ++i)
+    if (scene.stages[i].end_speed) {
+      const StageRecord& record = summary.run.stages[i];
+      const double lasted = record.end - record.start;
+      found.values.push_back({"time_" + record.name, "s", lasted, lasted});
+    }
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+    if (const double peak = state.bodies.at(i + 1).peak_force; peak > 0)
+      found.values.push_back({"peak_force_" + scene.tools[i].name, "N", peak, peak});
+}
+
+}  // namespace
+
+const Quantity* Quantities::find(const std::string& name) const {
+  for (const Quantity& quantity : values)
+    if (quantity.name == name) return &quantity;
+  return nullptr;
+}
+
+Quantities quantities(const Scene& scene, const State& state, const Summary& summary,
+                      const std::vector<ThicknessRow>& rows) {
+  Quantities found;
+  if (has_wall(scene) && rows.size() > 1) add_wall(rows, found);
+  if (scene.has_heat()) add_heat(scene, summary, rows, found);
+  if (scene.has_flow()) add_tools(scene, state, summary, found);
+  return found;
+}
+
+void add_quantities(core::JsonWriter& json, const Quantities& quantities) {
+  json.open_object("quantities");
+  for (const Quantity& quantity : quantities.values) {
+    json.open_object(quantity.name);
+    json.add("unit", quantity.unit);
+    json.add("value", quantity.value);
+    json.add("scale", quantity.scale);
+    if (std::isfinite(quantity.error)) json.add("error", quantity.error);
+    json.close();
+  }
+  json.close();
+  json.open_list("thickness_profile_mm");
+  for (const double thickness : quantities.profile) json.add("", thickness);
+  json.close();
+}
+
+Quantities read_quantities(const core::JsonValue& summary) {
+  Quantities found;
+  if (const auto* values = summary.find("quantities"))
+    for (const core::JsonValue& item : values->items)
+      found.values.push_back({item.name, item.text_of("unit"), item.number_of("value"), item.number_of("scale"),
+                              item.number_of("error")});
+  if (const auto* profile = summary.find("thickness_profile_mm"))
+    for (const core::JsonValue& item : profile->items)
+      found.profile.push_back(item.number);
+  return found;
+}
+
+ProfileDifference compare_profiles(const std::vector<double>& profile, const std::vector<double>& reference) {
+  if (profile.empty() || profile.size() != reference.size()) return {none, none, none};
+  std::vector<double> share(profile.size());
+  for (std::size_t i = 0; i < profile.size(); ++i) share[i] = std::abs(profile[i] - reference[i]) / reference[i];
+  const std::vector<int> places = inner_places(share);
+  if (places.empty()) return {none, none, none};
+  double sum = 0;
+  int worst = places.front();
+  for (const int i : places) {
+    sum += share[i];
+    if (share[i] > share[worst]) worst = i;
+  }
+  return {sum / double(places.size()), share[worst], double(worst) / (profile_points - 1)};
+}
+
+double heat_difference(const Quantities& run, const Quantities& reference) {
+  double difference = 0, whole = 0;
+  for (const Quantity& quantity : reference.values)
+    if (quantity.name.rfind(heat_prefix, 0) == 0) {
+      const Quantity* found = run.find(quantity.name);
+      difference += std::abs((found ? found->value : 0) - quantity.value);
+      whole += quantity.scale;
+    }
+  return whole > 0 ? difference / whole : none;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,55 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/json.hpp"
+#include "core/json_read.hpp"
+#include "forming/report/thickness_profile.hpp"
+
+namespace parison::forming {
+
+struct Summary;
+
+/// A result that one asks a run for, in the unit it is shown in.
+struct Quantity {
+  std::string name, unit;
+  double value;
+  double scale;  ///< what a share of it is taken of: its own size, for temperatures the span of the scene
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< estimated; NaN where none was asked for
+};
+
+/// Even places of the wall-thickness profile along the outer arc, its ends included.
+inline constexpr int profile_points = 401;
+
+/// The quantities of interest of a run.
+struct Quantities {
+  std::vector<Quantity> values;
+  /// Wall thickness at even shares of the outer arc, mm; NaN where the other side does not face it, and empty where the
+  /// scene has no wall.
+  std::vector<double> profile;
+
+  const Quantity* find(const std::string& name) const;
+};
+Quantities quantities(const Scene& scene, const State& state, const Summary& summary,
+                      const std::vector<ThicknessRow>& rows);
+
+/// To and from the `quantities` and `thickness_profile_mm` of a summary.json.
+void add_quantities(core::JsonWriter& json, const Quantities& quantities);
+Quantities read_quantities(const core::JsonValue& summary);
+
+/// How two profiles differ, as shares of the second one.
+struct ProfileDifference {
+  double mean, largest;  ///< NaN without a profile
+  double where;          ///< share of the arc where it is largest
+};
+/// Over places which are wall in both and which lie further than `profile_margin` of the arc from any that is not: there the
+/// finish begins and the thickness jumps.
+ProfileDifference compare_profiles(const std::vector<double>& profile, const std::vector<double>& reference);
+inline constexpr double profile_margin = 0.02;
+
+/// Heat wrongly given to tools over all heat given to them; NaN where no tool received any.
+double heat_difference(const Quantities& run, const Quantities& reference);
+
+}  // namespace parison::forming

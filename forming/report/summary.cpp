@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "contact/tool_gap.hpp"
+#include "core/element.hpp"
+#include "core/files.hpp"
+#include "core/json.hpp"
+#include "forming/step/fingerprint.hpp"
+#include "forming/report/error_bars.hpp"
+#include "forming/step/initial_state.hpp"
+#include "forming/report/summary_parts.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::JsonWriter;
+
+constexpr double near_tool = 0.2e-3;  ///< m
+
+double celsius(double kelvin) { return kelvin - thermal::content_reference; }
+
+/// Distance to the nearest tool in place, by the exact profiles, m.
+double gap_to_tools(const Scene& scene, const State& state, const std::vector<std::vector<bool>>& contact,
+                    const Point& x) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (const StageTool& stage_tool : scene.stages.at(state.stage).tools) {
+    const Tool& tool = scene.tools[stage_tool.tool];
+    const Point offset = state.bodies.at(stage_tool.tool + 1).offset * core::axis_direction();
+    gap = std::min(gap, contact::signed_gap(tool.profile, contact[stage_tool.tool], x - offset));
+  }
+  return gap;
+}
+
+double share_near_tools(const Scene& scene, const State& state) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  std::vector<std::vector<bool>> contact;
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+    contact.push_back(contact_pieces(scene.tools[i], state.bodies.at(i + 1).mesh));
+  double near = 0, whole = 0;
+  for (const Index edge : outer_edges(scene, mesh))
+    for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
+      const auto point = core::map_edge_point(mesh, mesh.boundary[edge].nodes, scene.geometry, at);
+      whole += point.area;
+      if (gap_to_tools(scene, state, contact, point.position) <= near_tool) near += point.area;
+    }
+  return near / whole;
+}
+
+void add_run(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
+  json.add("case", scene.name);
+  json.add("accuracy", scene.accuracy_name);
+  json.open_list("overrides");
+  for (const std::string& assignment : scene.overrides) json.add("", assignment);
+  json.close();
+  json.add("completed", summary.run.completed);
+  json.add("stopped", summary.run.stopped);
+  json.add("reason", summary.run.reason);
+  json.add("time_s", state.time);
+  json.add("wall_seconds", summary.run.wall_seconds);
+  json.add("cpu_seconds", summary.run.cpu_seconds);
+  json.add("steps", static_cast<long>(state.totals.steps));
+  json.add("rejected_steps", static_cast<long>(state.totals.rejected));
+  json.add("state_fingerprint", fmt::format("{:016x}", fingerprint(state)));
+  json.add("remeshes", static_cast<long>(remeshes(state)));
+  json.open_object("timing");
+  for (const char* part : timed_parts) {
+    const auto found = summary.run.timing.find(part);
+    json.add(part, found == summary.run.timing.end() ? 0.0 : found->second);
+  }
+  json.close();
+}
+
+void add_numerics(JsonWriter& json, const Accuracy& accuracy) {
+  json.open_object("numerics");
+  for (const Setting& setting : settings()) json.add(setting.key, accuracy.*setting.value);
+  json.add("temperature_order", static_cast<long>(accuracy.temperature_order));
+  json.add("passes", static_cast<long>(accuracy.passes));
+  json.close();
+}
+
+void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
+  json.add("volume_drift", summary.glass.volume_drift);
+  json.add("energy_imbalance", summary.glass.energy_imbalance);
+  json.add("largest_volume_drift", state.totals.largest_drift);
+  json.add("largest_penetration_mm", 1e3 * state.totals.deepest);
+  json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
+  json.add("heat_to_air_J", state.totals.to_air);
+  json.add("dissipation_J", state.totals.dissipation);
+  json.add("largest_reynolds", state.totals.largest_reynolds);
+  json.add("largest_flux_mismatch", state.totals.largest_flux_mismatch);
+  json.add("conductance_outside_table", static_cast<long>(state.totals.table_holds));
+}
+
+void add_remeshing(JsonWriter& json, const State& state, const Summary& summary) {
+  const RemeshLedger& ledger = state.totals.remeshing;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double heat = state.first_heat != 0 ? state.first_heat : none;
+  json.open_object("remeshing");
+  for (std::size_t i = 0; i < ledger.count.size(); ++i)
+    json.add(fmt::format("for_{}", remesh_reasons[i]), static_cast<long>(ledger.count[i]));
+  json.add("failed", static_cast<long>(ledger.failed));
+  json.add("heat_drift", ledger.heat / heat);
+  json.add("largest_heat_change", ledger.largest_heat / heat);
+  json.add("volume_drift", ledger.volume / state.first_volume);
+  json.add("largest_volume_change", ledger.largest_volume / state.first_volume);
+  json.add("new_extreme_K", ledger.new_extreme);
+  json.add("worst_quality", remeshes(state) > 0 ? ledger.worst_quality : none);
+  json.add("lowest_median_quality", remeshes(state) > 0 ? ledger.lowest_median : none);
+  const auto seconds = summary.run.timing.find("remesh");
+  json.add("seconds", seconds == summary.run.timing.end() ? 0.0 : seconds->second);
+  json.close();
+}
+
+void add_bodies(JsonWriter& json, const Summary& summary) {
+  json.open_object("glass");
+  json.add("mass_kg", summary.glass.mass);
+  json.add("volume_m3", summary.glass.volume);
+  json.add("temperature_mean_C", celsius(summary.glass.mean));
+  json.add("temperature_min_C", celsius(summary.glass.lowest));
+  json.add("temperature_max_C", celsius(summary.glass.highest));
+  json.close();
+  json.open_object("tools");
+  for (const ToolSummary& tool : summary.tools) {
+    json.open_object(tool.name);
+    json.add("heat_received_J", tool.heat_received);
+    json.add("surface_temperature_max_C", celsius(tool.hottest_surface));
+    json.close();
+  }
+  json.close();
+}
+
+void add_stages(JsonWriter& json, const RunFacts& run) {
+  json.open_list("stages");
+  for (const StageRecord& stage : run.stages) {
+    json.open_object("");
+    json.add("name", stage.name);
+    json.add("start_s", stage.start);
+    json.add("end_s", stage.end);
+    json.add("end_reason", stage.end_reason);
+    add_work(json, stage.work);
+    json.close();
+  }
+  json.close();
+}
+
+void add_errors(JsonWriter& json, const ErrorBars& bars) {
+  json.open_object("error_bars");
+  json.add("companion_factor", companion_factor);
+  json.add("companion_cpu_seconds", bars.companion_cpu_seconds);
+  json.add("thickness_profile_mean", bars.profile_mean);
+  json.add("thickness_profile_largest", bars.profile_largest);
+  json.add("heat_into_tools", bars.heat);
+  json.close();
+}
+
+std::string summary_json(const Scene& scene, const State& state, const Summary& summary, const ErrorBars* bars) {
+  JsonWriter json;
+  add_run(json, scene, state, summary);
+  add_numerics(json, scene.accuracy);
+  add_balance(json, state, summary);
+  add_work(json, state.totals.work);
+  json.add("largest_work_imbalance", largest_work_imbalance(summary.run));
+  add_effort(json, summary.run.effort);
+  add_remeshing(json, state, summary);
+  add_bodies(json, summary);
+  add_stages(json, summary.run);
+  json.open_object("thickness");
+  json.add("min_mm", 1e3 * summary.thickness.lowest);
+  json.add("mean_mm", 1e3 * summary.thickness.mean);
+  json.add("max_mm", 1e3 * summary.thickness.highest);
+  json.close();
+  if (bars) add_errors(json, *bars);
+  add_quantities(json, summary.quantities);
+  json.open_list("warnings");
+  for (const std::string& warning : summary.run.warnings) json.add("", warning);
+  return json.finish();
+}
+
+}  // namespace
+
+Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const std::vector<ThicknessRow>& rows) {
+  Summary summary;
+  summary.run = run;
+  summary.glass = glass_facts(scene, state);
+  summary.thickness = thickness_range(rows);
+  summary.outer_within_02mm = share_near_tools(scene, state);
+  for (std::size_t i = 0; i < scene.tools.size(); ++i) {
+    const BodyState& body = state.bodies.at(i + 1);
+    const double hottest = body.temperature.size() > 0 ? body.hottest_surface : std::numeric_limits<double>::quiet_NaN();
+    summary.tools.push_back({scene.tools[i].name, body.heat_received, hottest, body.offset, body.force});
+  }
+  summary.quantities = quantities(scene, state, summary, rows);
+  return summary;
+}
+
+Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run) {
+  const std::vector<ThicknessRow> rows = thickness_profile(scene, state);
+  const Summary summary = summarise(scene, state, run, rows);
+  core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));
+  write_thickness(directory + "/thickness.csv", rows);
+  return summary;
+}
+
+void add_error_bars(const std::string& directory, const Scene& scene, const State& state, const ErrorBars& bars,
+                    Summary& summary) {
+  summary.quantities = bars.quantities;
+  core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, &bars));
+}
+
+}  // namespace parison::forming

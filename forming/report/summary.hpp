@@ -1,0 +1,77 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "forming/report/effort.hpp"
+#include "forming/report/history.hpp"
+#include "forming/report/quantities.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/step/state.hpp"
+#include "forming/report/thickness_profile.hpp"
+
+namespace parison::forming {
+
+/// A stage as it went.
+struct StageRecord {
+  std::string name;
+  double start, end;       ///< s since the start of the run
+  std::string end_reason;  ///< such as "duration" or "plunger below 0.5 mm/s"
+  Work work = {};          ///< since the start of the run
+};
+
+/// What the time of a run is booked under.
+inline constexpr std::array timed_parts{"flow", "heat", "contact", "remesh", "output"};
+
+/// What only the run itself knows.
+struct RunFacts {
+  bool completed = false;
+  bool stopped = false;  ///< on request
+  std::string reason;  ///< why not, a sentence; empty when completed
+  double wall_seconds = 0;
+  double cpu_seconds = 0;  ///< of the whole process
+  std::map<std::string, double> timing;  ///< s by part
+  std::vector<std::string> warnings;
+  std::vector<StageRecord> stages;
+  Effort effort;
+};
+
+struct RunOutcome {
+  State state;
+  RunFacts facts;
+};
+
+struct ToolSummary {
+  std::string name;
+  double heat_received;    ///< J
+  double hottest_surface;  ///< so far, K; NaN where the tool carries no heat
+  double position, force;  ///< m, N
+};
+
+/// The results of a run in numbers.
+struct Summary {
+  RunFacts run;
+  GlassFacts glass;
+  std::vector<ToolSummary> tools;
+  ThicknessRange thickness;      ///< m
+  double outer_within_02mm;      ///< share of the outer surface within 0.2 mm of a tool in place
+  Quantities quantities;
+};
+Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const std::vector<ThicknessRow>& rows);
+
+/// Writes thickness.csv and summary.json into the result folder.
+Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run);
+/// Writes summary.json again, now with error bars.
+struct ErrorBars;
+void add_error_bars(const std::string& directory, const Scene& scene, const State& state, const ErrorBars& bars,
+                    Summary& summary);
+
+/// Each quantity of interest with its estimated error, and what that says of a target.
+std::string error_table(const Scene& scene, const ErrorBars& bars);
+
+/// What a process engineer asks for, as a table for the terminal.
+std::string summary_table(const Scene& scene, const State& state, const Summary& summary);
+
+}  // namespace parison::forming

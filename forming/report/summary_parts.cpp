@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/summary_parts.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "forming/step/work.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Writes numbers under the names that a visit gives them.
+struct JsonNumbers {
+  core::JsonWriter& json;
+  void operator()(const char* name, Index value) { json.add(name, static_cast<long>(value)); }
+  void operator()(const char* name, long value) { json.add(name, value); }
+  JsonNumbers part(const std::string& name) {
+    json.open_object(name);
+    return *this;
+  }
+};
+
+}  // namespace
+
+void add_effort(core::JsonWriter& json, const Effort& effort) {
+  json.open_object("effort");
+  visit_effort(JsonNumbers{json}, effort);
+  json.close();
+  json.close();
+}
+
+void add_work(core::JsonWriter& json, const Work& work) {
+  json.open_object("work");
+  json.add("tools_J", work.tools);
+  json.add("gravity_J", work.gravity);
+  json.add("air_J", work.air);
+  json.add("dissipation_J", work.dissipation);
+  json.add("friction_J", work.friction);
+  json.add("arrival_J", work.arrival);
+  json.add("surface_J", work.surface);
+  json.add("corrections_J", work.corrections);
+  json.add("imbalance", work_imbalance(work));
+  json.close();
+}
+
+double largest_work_imbalance(const RunFacts& run) {
+  double largest = std::numeric_limits<double>::quiet_NaN();
+  for (const StageRecord& stage : run.stages) largest = std::fmax(largest, std::abs(work_imbalance(stage.work)));
+  return largest;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,17 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/json.hpp"
+#include "forming/report/summary.hpp"
+
+namespace parison::forming {
+
+/// What the steps took, as an object of summary.json.
+void add_effort(core::JsonWriter& json, const Effort& effort);
+
+/// The work on the glass, likewise.
+void add_work(core::JsonWriter& json, const Work& work);
+
+/// Imbalance of the work at any stage's end, without sign; NaN where nothing was lost.
+double largest_work_imbalance(const RunFacts& run);
+
+}  // namespace parison::forming

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "forming/report/error_bars.hpp"
+#include "forming/report/summary.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+double celsius(double kelvin) { return kelvin - thermal::content_reference; }
+
+std::string line(const std::string& label, const std::string& value) { return fmt::format("  {:<22}{}\n", label, value); }
+
+std::string glass_lines(const Scene& scene, const Summary& summary) {
+  const GlassFacts& glass = summary.glass;
+  std::string text = line("glass", fmt::format("{:.1f} g, {:.2f} cm3", 1e3 * glass.mass, 1e6 * glass.volume));
+  if (scene.has_heat())
+    text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
+                                                  celsius(glass.lowest), celsius(glass.highest)));
+  const auto& [lowest, mean, highest] = summary.thickness;
+  text += line("wall thickness", std::isfinite(mean) ? fmt::format("min {:.2f} mm, mean {:.2f} mm, max {:.2f} mm",
+                                                                   1e3 * lowest, 1e3 * mean, 1e3 * highest)
+                                                     : "n/a");
+  if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
+    text += line("outer surface", fmt::format("{:.1f} % within 0.2 mm of the tools in place",
+                                              100 * summary.outer_within_02mm));
+  return text;
+}
+
+std::string tool_lines(const Summary& summary) {
+  if (summary.tools.empty()) return {};
+  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>12}\n", "tool", "heat, kJ", "hottest, degC", "at, mm");
+  for (const ToolSummary& tool : summary.tools) {
+    const std::string hottest =
+        std::isnan(tool.hottest_surface) ? "-" : fmt::format("{:.0f}", celsius(tool.hottest_surface));
+    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>12.2f}\n", tool.name, 1e-3 * tool.heat_received, hottest,
+                        1e3 * tool.position);
+  }
+  return text;
+}
+
+std::string stage_lines(const RunFacts& run) {
+  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}   {}\n", "stage", "from, s", "to, s", "ended by");
+  for (const StageRecord& stage : run.stages)
+    text += fmt::format("  {:<22}{:>12.3f}{:>18.3f}   {}\n", stage.name, stage.start, stage.end, stage.end_reason);
+  return text + '\n';
+}
+
+std::string run_lines(const Scene& scene, const State& state, const Summary& summary) {
+  const Totals& totals = state.totals;
+  std::string text = line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, totals.rejected,
+                                               remeshes(state)));
+  text += line("volume drift", fmt::format("{:.4f} % at the end, {:.4f} % at the most", 100 * summary.glass.volume_drift,
+                                            100 * totals.largest_drift));
+  if (scene.has_heat()) {
+    text += line("energy imbalance", fmt::format("{:.4f} %", 100 * summary.glass.energy_imbalance));
+    text += line("heat lost", fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air", 1e-3 * totals.to_tools,
+                                          1e-3 * totals.to_air));
+  }
+  if (scene.has_flow() && !scene.tools.empty())
+    text += line("deepest penetration", fmt::format("{:.4f} mm", 1e3 * totals.deepest));
+  text += line("wall time", fmt::format("{:.1f} s", summary.run.wall_seconds));
+  for (const std::string& warning : summary.run.warnings) text += line("warning", warning);
+  return text;
+}
+
+std::string share_line(const char* label, double share) {
+  return std::isfinite(share) ? fmt::format("  {:<30}{:>14.2g} %\n", label, 100 * share) : "";
+}
+
+}  // namespace
+
+std::string error_table(const Scene& scene, const ErrorBars& bars) {
+  std::string text = fmt::format("\n  {:<30}{:>14}{:>16}\n", "quantity", "value", "estimated error");
+  for (const Quantity& quantity : bars.quantities.values)
+    text += fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value,
+                        std::isfinite(quantity.error) ? fmt::format("+- {:.2g}", quantity.error) : "-", quantity.unit);
+  text += share_line("wall thickness, mean error", bars.profile_mean);
+  text += share_line("wall thickness, largest error", bars.profile_largest);
+  text += share_line("heat into tools, error", bars.heat);
+  if (const auto target = scene.accuracy_choice.target) {
+    const double worst = std::fmax(bars.profile_mean, bars.heat);
+    text += fmt::format("  target {:.3g} %: {}\n", 100 * *target,
+                        worst <= *target ? "held" : fmt::format("missed, the estimated error is {:.2g} %", 100 * worst));
+  }
+  return text + fmt::format("  by a companion run {:g} times coarser ({:.1f} s CPU)\n", companion_factor,
+                            bars.companion_cpu_seconds);
+}
+
+std::string summary_table(const Scene& scene, const State& state, const Summary& summary) {
+  std::string text = fmt::format("\n{} at {} accuracy: ", scene.name, scene.accuracy_name);
+  text += summary.run.completed ? fmt::format("completed, {:.4g} s simulated\n", state.time)
+                                : fmt::format("stopped at {:.4g} s: {}\n", state.time, summary.run.reason);
+  for (const std::string& assignment : scene.overrides) text += line("override", assignment);
+  return text + glass_lines(scene, summary) + tool_lines(summary) + stage_lines(summary.run) +
+         run_lines(scene, state, summary);
+}
+
+}  // namespace parison::forming

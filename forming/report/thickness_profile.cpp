@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/thickness_profile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/element.hpp"
+#include "core/files.hpp"
+#include "core/thickness.hpp"
+#include "forming/report/glass_surface.hpp"
+#include "forming/step/initial_state.hpp"
+#include "forming/step/sample.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<bool> outer_pieces(const Scene& scene, const core::Mesh& glass) {
+  std::vector<bool> outer = symmetry_pieces(scene.glass, glass);
+  const std::vector<bool> loaded = loaded_pieces(scene, glass);
+  for (std::size_t piece = 0; piece < outer.size(); ++piece) outer[piece] = !outer[piece] && !loaded[piece];
+  return outer;
+}
+
+double distance_to_chord(const Point& x, const Point& a, const Point& b) {
+  const double along = (x - a).dot(b - a) / std::max((b - a).squaredNorm(), 1e-300);
+  return (x - a - std::clamp(along, 0.0, 1.0) * (b - a)).norm();
+}
+
+/// Boundary edge nearest to x, symmetry pieces aside.
+const core::BoundaryEdge& nearest_edge(const core::Mesh& mesh, const std::vector<bool>& symmetry, const Point& x) {
+  double nearest = infinity;
+  const core::BoundaryEdge* found = &mesh.boundary.front();
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    if (symmetry[edge.piece]) continue;
+    const auto& [first, last, mid] = edge.nodes;
+    const double distance = std::min(distance_to_chord(x, mesh.nodes[first], mesh.nodes[mid]),
+                                     distance_to_chord(x, mesh.nodes[mid], mesh.nodes[last]));
+    if (distance < nearest) nearest = distance, found = &edge;
+  }
+  return *found;
+}
+
+/// Largest cosine between the normals of a wall's two sides: an end face looks along the wall, not through it.
+constexpr double facing = -0.8;
+
+/// Outward unit normal at each surface node, the mean of those of the edges that meet there.
+std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>& symmetry) {
+  std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    if (symmetry[edge.piece]) continue;
+    constexpr std::array<double, 3> places{0, 1, 0.5};
+    for (int k = 0; k < 3; ++k)
+      normals[edge.nodes[k]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {places[k], 1}).normal;
+  }
+  for (Point& normal : normals) normal.normalize();
+  return normals;
+}
+
+/// Rows with place and area, in the order of walking the outer surface; `nodes` says whose they are.
+std::vector<ThicknessRow> make_rows(const Scene& scene, const core::Mesh& mesh, std::vector<Index>& nodes) {
+  std::vector<ThicknessRow> rows;
+  std::vector<Index> row_of(mesh.nodes.size(), -1);
+  const auto row = [&](Index node, double arc) -> ThicknessRow& {
+    if (row_of[node] < 0) {
+      row_of[node] = static_cast<Index>(rows.size());
+      nodes.push_back(node);
+      rows.push_back({arc, mesh.nodes[node], 0, 0, 0, 0, true});
+    }
+    return rows[row_of[node]];
+  };
+  for (const ChainEdge& edge : walk_surface(mesh, outer_pieces(scene, mesh))) {
+    const auto& [first, last, mid] = mesh.boundary[edge.edge].nodes;
+    row(first, edge.start);
+    row(mid, edge.start + 0.5 * edge.length);
+    row(last, edge.start + edge.length);
+    for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
+      const auto point = core::map_edge_point(mesh, mesh.boundary[edge.edge].nodes, scene.geometry, at);
+      for (int k = 0; k < 3; ++k) row(mesh.boundary[edge.edge].nodes[k], 0).area += point.shape[k] * point.area;
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Index> outer_edges(const Scene& scene, const core::Mesh& glass) {
+  const std::vector<bool> outer = outer_pieces(scene, glass);
+  std::vector<Index> edges;
+  for (std::size_t edge = 0; edge < glass.boundary.size(); ++edge)
+    if (outer[glass.boundary[edge].piece]) edges.push_back(static_cast<Index>(edge));
+  return edges;
+}
+
+std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& state) {
+  const BodyState& glass = state.bodies[0];
+  const core::Mesh& mesh = glass.mesh;
+  const std::vector<bool> symmetry = symmetry_pieces(scene.glass, mesh), loaded = loaded_pieces(scene, mesh);
+  const bool any_loaded = std::count(loaded.begin(), loaded.end(), true) > 0;
+  const Eigen::VectorXd thickness = core::wall_thickness(mesh, symmetry);
+  const std::vector<Point> normals = node_normals(mesh, symmetry);
+  std::vector<Index> nodes;
+  std::vector<ThicknessRow> rows = make_rows(scene, mesh, nodes);
+
+  std::vector<Point> opposite;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].thickness = thickness[nodes[i]];
+    opposite.push_back(rows[i].position - rows[i].thickness * normals[nodes[i]]);
+    const core::BoundaryEdge& far_side = nearest_edge(mesh, symmetry, opposite.back());
+    const Point far_normal = core::map_edge_point(mesh, far_side.nodes, core::Geometry::planar, {0.5, 1}).normal;
+    rows[i].is_wall = !any_loaded || (loaded[far_side.piece] && far_normal.dot(normals[nodes[i]]) < facing);
+    rows[i].inner_temperature = rows[i].outer_temperature = std::numeric_limits<double>::quiet_NaN();
+  }
+  if (!scene.has_heat()) return rows;
+  const Eigen::MatrixXd inner = sample(mesh, glass.temperature, 1, opposite);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].inner_temperature = inner(i, 0);
+    rows[i].outer_temperature = glass.temperature[nodes[i]];
+  }
+  return rows;
+}
+
+ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows) {
+  double lowest = infinity, highest = -infinity, sum = 0, area = 0;
+  for (const ThicknessRow& row : rows) {
+    if (!row.is_wall) continue;
+    lowest = std::min(lowest, row.thickness);
+    highest = std::max(highest, row.thickness);
+    sum += row.area * row.thickness;
+    area += row.area;
+  }
+  return {lowest, sum / area, highest};
+}
+
+void write_thickness(const std::string& path, const std::vector<ThicknessRow>& rows) {
+  std::string text = "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_C,T_outer_C\n";
+  for (const ThicknessRow& row : rows)
+    text += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", 1e3 * row.arc, 1e3 * row.position[0],
+                        1e3 * row.position[1], 1e3 * row.thickness,
+                        row.inner_temperature - thermal::content_reference,
+                        row.outer_temperature - thermal::content_reference);
+  core::replace_file(path, text);
+}
+
+}  // namespace parison::forming

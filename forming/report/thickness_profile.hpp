@@ -1,0 +1,34 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "forming/scene/scene.hpp"
+#include "forming/step/state.hpp"
+
+namespace parison::forming {
+
+/// Glass boundary edges of the outer surface: neither on a symmetry piece nor on one that a stage loads with a pressure.
+std::vector<Index> outer_edges(const Scene& scene, const core::Mesh& glass);
+
+/// A node of the outer surface and the wall behind it.
+struct ThicknessRow {
+  double arc;        ///< along the outer surface, m
+  Point position;    ///< m
+  double thickness;  ///< m
+  double inner_temperature, outer_temperature;  ///< K; NaN without heat
+  double area;       ///< of the outer surface that belongs to the node, m2
+  bool is_wall;      ///< the other side faces it and some stage loads it with a pressure; true where no stage loads any
+};
+std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& state);
+
+/// Over the rows that are wall; the mean is weighted by area, m.
+struct ThicknessRange {
+  double lowest, mean, highest;
+};
+ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows);
+
+/// Writes thickness.csv.
+void write_thickness(const std::string& path, const std::vector<ThicknessRow>& rows);
+
+}  // namespace parison::forming

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/case_error.hpp"
+#include "core/files.hpp"
+#include "core/hdf5.hpp"
+#include "forming/step/visit_state.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::Hdf5Group;
+
+constexpr std::int64_t format_version = 5;
+
+void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
+  std::vector<double> values;
+  for (const Point& x : points) values.insert(values.end(), x.data(), x.data() + core::dim);
+  group.write(name, values, core::dim);
+}
+
+std::vector<Point> read_points(const Hdf5Group& group, const std::string& name) {
+  const std::vector<double> values = group.read_doubles(name);
+  std::vector<Point> points(values.size() / core::dim);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = Eigen::Map<const Point>(values.data() + core::dim * i);
+  return points;
+}
+
+void write_mesh(Hdf5Group group, const core::Mesh& mesh) {
+  write_points(group, "nodes", mesh.nodes);
+  group.write("vertex_count", std::int64_t{mesh.vertex_count});
+  std::vector<int> cells, boundary;
+  for (const auto& cell : mesh.cells) cells.insert(cells.end(), cell.begin(), cell.end());
+  for (const core::BoundaryEdge& edge : mesh.boundary)
+    for (const Index value : {edge.nodes[0], edge.nodes[1], edge.nodes[2], edge.cell, edge.piece})
+      boundary.push_back(value);
+  group.write("cells", cells, 6);
+  group.write("boundary", boundary, 5);
+  group.write("piece_count", static_cast<std::int64_t>(mesh.pieces.size()));
+  for (std::size_t i = 0; i < mesh.pieces.size(); ++i) group.write(fmt::format("piece_{}", i), mesh.pieces[i]);
+}
+
+core::Mesh read_mesh(const Hdf5Group& group) {
+  core::Mesh mesh;
+  mesh.nodes = read_points(group, "nodes");
+  mesh.vertex_count = static_cast<Index>(group.read_integer("vertex_count"));
+  const std::vector<int> cells = group.read_integers("cells"), boundary = group.read_integers("boundary");
+  mesh.cells.resize(cells.size() / 6);
+  for (std::size_t i = 0; i < cells.size(); ++i) mesh.cells[i / 6][i % 6] = cells[i];
+  for (std::size_t i = 0; i + 5 <= boundary.size(); i += 5)
+    mesh.boundary.push_back({{boundary[i], boundary[i + 1], boundary[i + 2]}, boundary[i + 3], boundary[i + 4]});
+  for (std::int64_t i = 0; i < group.read_integer("piece_count"); ++i)
+    mesh.pieces.push_back(group.read_string(fmt::format("piece_{}", i)));
+  return mesh;
+}
+
+struct Writer {
+  Hdf5Group group;
+  void operator()(const char* name, double value) { group.write(name, value); }
+  void operator()(const char* name, int value) { group.write(name, std::int64_t{value}); }
+  void operator()(const char* name, long value) { group.write(name, std::int64_t{value}); }
+  void operator()(const char* name, bool value) { group.write(name, std::int64_t{value}); }
+  void operator()(const char* name, const std::string& value) { group.write(name, value); }
+  void operator()(const char* name, const std::vector<double>& value) { group.write(name, value); }
+  void operator()(const char* name, const Eigen::VectorXd& value) { group.write(name, value); }
+  void operator()(const char* name, const std::vector<int>& value) { group.write(name, value); }
+  void operator()(const char* name, const std::vector<Point>& value) { write_points(group, name, value); }
+  void operator()(const char* name, const core::Mesh& value) { write_mesh(group.create(name), value); }
+  Writer part(const std::string& name) { return {group.create(name)}; }
+};
+
+struct Reader {
+  Hdf5Group group;
+  void operator()(const char* name, double& value) { value = group.read_double(name); }
+  void operator()(const char* name, int& value) { value = static_cast<int>(group.read_integer(name)); }
+  void operator()(const char* name, long& value) { value = static_cast<long>(group.read_integer(name)); }
+  void operator()(const char* name, bool& value) { value = group.read_integer(name) != 0; }
+  void operator()(const char* name, std::string& value) { value = group.read_string(name); }
+  void operator()(const char* name, std::vector<double>& value) { value = group.read_doubles(name); }
+  void operator()(const char* name, Eigen::VectorXd& value) { value = group.read_vector(name); }
+  void operator()(const char* name, std::vector<int>& value) { value = group.read_integers(name); }
+  void operator()(const char* name, std::vector<Point>& value) { value = read_points(group, name); }
+  void operator()(const char* name, core::Mesh& value) { value = read_mesh(group.open(name)); }
+  Reader part(const std::string& name) { return {group.open(name)}; }
+};
+
+/// The names of what it visits, in order.
+struct Names {
+  std::string& names;
+  template <typename Value>
+  void operator()(const char* name, const Value&) {
+    names += fmt::format("{}\n", name);
+  }
+  Names part(const std::string& name) {
+    names += name + '/';
+    return *this;
+  }
+};
+
+/// Hash of the list of all values of a state: another list is another layout of the file.
+std::int64_t state_layout() {
+  State state;
+  state.bodies.resize(1);
+  std::string names;
+  visit_state(Names{names}, state);
+  return static_cast<std::int64_t>(core::fingerprint(names));
+}
+
+template <typename Visitor, typename Facts>
+void visit_facts(Visitor visit, Facts& facts) {
+  visit("wall_seconds", facts.wall_seconds);
+  visit("cpu_seconds", facts.cpu_seconds);
+  for (const char* part : timed_parts) visit(part, facts.timing[part]);
+  visit_effort(visit.part("effort"), facts.effort);
+  for (std::size_t i = 0; i < facts.stages.size(); ++i) {
+    auto& record = facts.stages[i];
+    Visitor stage = visit.part(fmt::format("stage_{}", i));
+    stage("name", record.name);
+    stage("start", record.start);
+    stage("end", record.end);
+    stage("end_reason", record.end_reason);
+    visit_work(stage.part("work"), record.work);
+  }
+}
+
+template <typename Visitor, typename Files>
+void visit_files(Visitor visit, Files& files) {
+  visit("history_size", files.history_size);
+  visit("interface_size", files.interface_size);
+  visit("output_times", files.output_times);
+}
+
+std::string last_path(const std::string& directory) { return directory + "/checkpoint.h5"; }
+std::string path_before(const std::string& directory) { return directory + "/checkpoint_before.h5"; }
+
+void require_version(const std::string& path, const Hdf5Group& file) {
+  const std::int64_t version = file.has("version") ? file.read_integer("version") : 0;
+  if (version != format_version)
+    throw core::CaseError(fmt::format("{}: a checkpoint of version {} was found, allowed is version {}", path, version,
+                                      format_version));
+  if (!file.has("layout") || file.read_integer("layout") != state_layout())
+    throw core::CaseError(fmt::format(
+        "{}: a checkpoint whose state holds other values was found, allowed is one of this version of the program", path));
+}
+
+void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
+  require_version(path, file);
+  if (static_cast<std::uint64_t>(file.read_integer("fingerprint")) != scene.fingerprint)
+    throw core::CaseError(fmt::format(
+        "{}: a checkpoint of the case \"{}\" with another case file was found, allowed is one of \"{}\" as it is now",
+        path, file.read_string("case"), scene.name));
+  const std::string accuracy = file.read_string("accuracy");
+  if (accuracy != scene.accuracy_name)
+    throw core::CaseError(fmt::format("{}: a checkpoint at {} accuracy was found, allowed is one at {} accuracy", path,
+                                      accuracy, scene.accuracy_name));
+}
+
+void rename_file(const std::string& from, const std::string& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  if (error) throw std::runtime_error(fmt::format("{}: cannot be renamed: {}", from, error.message()));
+}
+
+}  // namespace
+
+void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint) {
+  const std::string made = directory + "/checkpoint_new.h5", last = last_path(directory);
+  core::write_hdf5(made, [&](core::Hdf5Group& file) {
+    file.write("version", format_version);
+    file.write("layout", state_layout());
+    file.write("case", scene.name);
+    file.write("case_file", std::filesystem::absolute(scene.file).string());
+    file.write("accuracy", scene.accuracy_name);
+    file.write("overrides", fmt::format("{}", fmt::join(scene.overrides, "\n")));
+    file.write("fingerprint", static_cast<std::int64_t>(scene.fingerprint));
+    file.write("stages_done", static_cast<std::int64_t>(checkpoint.outcome.facts.stages.size()));
+    RunFacts facts = checkpoint.outcome.facts;
+    visit_facts(Writer{file.create("facts")}, facts);
+    visit_files(Writer{file.create("files")}, checkpoint.files);
+    visit_state(Writer{file.create("state")}, checkpoint.outcome.state);
+  });
+  if (std::filesystem::exists(last)) rename_file(last, path_before(directory));
+  rename_file(made, last);
+  core::sync_to_disk(directory);
+}
+
+std::string find_checkpoint(const std::string& directory) {
+  for (const std::string& path : {last_path(directory), path_before(directory)})
+    if (core::is_hdf5(path)) return path;
+  throw core::CaseError(
+      fmt::format("{}: no checkpoint was found, allowed is the result folder of a run that has begun", directory));
+}
+
+Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
+  const Hdf5Group file = core::open_hdf5(path);
+  require_match(path, scene, file);
+  Checkpoint checkpoint;
+  auto& [state, facts] = checkpoint.outcome;
+  facts.stages.resize(static_cast<std::size_t>(file.read_integer("stages_done")));
+  visit_facts(Reader{file.open("facts")}, facts);
+  visit_files(Reader{file.open("files")}, checkpoint.files);
+  state.bodies.resize(scene.tools.size() + 1);
+  visit_state(Reader{file.open("state")}, state);
+  return checkpoint;
+}
+
+CaseOrigin read_origin(const std::string& path) {
+  const Hdf5Group file = core::open_hdf5(path);
+  require_version(path, file);
+  CaseOrigin origin{file.read_string("case_file"), file.read_string("accuracy"), {}};
+  std::istringstream overrides(file.read_string("overrides"));
+  for (std::string line; std::getline(overrides, line);) origin.overrides.push_back(line);
+  return origin;
+}
+
+}  // namespace parison::forming

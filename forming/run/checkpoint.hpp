@@ -1,0 +1,33 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "forming/report/output.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/report/summary.hpp"
+
+namespace parison::forming {
+
+/// A moment from which a run can go on: the state decides all that follows, the rest is what was told of the past.
+struct Checkpoint {
+  RunOutcome outcome;
+  WrittenFiles files;
+};
+
+/// Writes the checkpoint of a result folder, where the one before is kept beside it. Each appears complete or not at all.
+void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint);
+
+/// The last complete checkpoint of a result folder; throws core::CaseError where there is none.
+std::string find_checkpoint(const std::string& directory);
+
+/// Reads a checkpoint bit for bit; throws core::CaseError where it belongs to another case or version.
+Checkpoint read_checkpoint(const std::string& path, const Scene& scene);
+
+/// The case that a checkpoint was made of.
+struct CaseOrigin {
+  std::string file, accuracy;
+  std::vector<std::string> overrides;
+};
+CaseOrigin read_origin(const std::string& path);
+
+}  // namespace parison::forming

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/run.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "forming/step/contact_geometry.hpp"
+#include "forming/step/film.hpp"
+#include "forming/report/history.hpp"
+#include "forming/step/initial_state.hpp"
+#include "forming/run/progress.hpp"
+#include "forming/renew/renew.hpp"
+#include "forming/step/step.hpp"
+#include "forming/step/step_control.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Shortest step after a rejected one, of the rejected one.
+constexpr double shorten = 0.4;
+
+/// A new glass mesh for the present state; false when none could be made and the old one cannot go on.
+bool renew(Progress& run, RemeshReason why) {
+  const bool must = why == RemeshReason::failed_step;
+  const auto start = Clock::now();
+  auto renewed = renew_glass_mesh(run.scene, run.outcome.state, why);
+  account(run, "remesh", start);
+  if (renewed.ok) {
+    run.outcome.state = std::move(renewed.state);
+    run.workspace.flow.reset();
+    return true;
+  }
+  const std::string sentence = fmt::format("no new glass mesh: {}", renewed.reason);
+  State& state = run.outcome.state;
+  if (++state.totals.remeshing.failed == 1)
+    run.outcome.facts.warnings.push_back(fmt::format("at {:.5f} s {}", state.time, sentence));
+  auto& reason = run.outcome.facts.reason;
+  if (must) reason = reason.empty() ? sentence : reason + "; " + sentence;
+  return !must;
+}
+
+/// A step that converged and kept within its allowance; false when the smallest one did not.
+bool step_once(Progress& run, StepReport& report) {
+  State& state = run.outcome.state;
+  auto limit = static_cast<StepLimit>(state.next_limit);
+  double dt = landing_step(run.scene, state, state.next_step);
+  if (dt < state.next_step) limit = StepLimit::landing;
+  for (;;) {
+    auto result = coupled_step(run.scene, state, dt, run.workspace);
+    result.report.limit = limit;
+    for (const auto& [part, seconds] : result.report.seconds) run.outcome.facts.timing[part] += seconds;
+    const bool taken = result.converged && !overshot(run.scene, result.report);
+    add_step(result.report, taken, run.outcome.facts.effort);
+    const WishedStep wish = wished_step(run.scene, result.report, taken ? state.next_step : dt);
+    if (taken) {
+      result.state.next_step = wish.dt;
+      result.state.next_limit = static_cast<Index>(wish.limit);
+      state = std::move(result.state);
+      report = std::move(result.report);
+      run.outcome.facts.reason.clear();
+      return true;
+    }
+    ++state.totals.rejected;
+    run.workspace.standing.reset();
+    run.outcome.facts.reason = result.converged ? "the step deforms the glass too much" : result.reason;
+    dt = result.converged ? std::max(shorten * dt, wish.dt) : shorten * dt;
+    if (dt < run.scene.accuracy.smallest_step) return false;
+    limit = result.converged ? wish.limit : StepLimit::failure;
+    state.next_step = dt;
+    state.next_limit = static_cast<Index>(limit);
+  }
+}
+
+/// A tool deeper than this in the glass at a stage's start is an error of the scene, m.
+constexpr double most_overlap = 0.5e-3;
+
+/// What makes the stage impossible from where the tools and the glass stand; empty when nothing does.
+std::string stage_obstacle(const Scene& scene, const State& state) {
+  for (const auto& place : scene.stages[state.stage].tools) {
+    const auto* position = std::get_if<PositionMotion>(&place.motion);
+    const double now = state.bodies[1 + place.tool].offset;
+    if (position && std::abs(position->offset(0) - now) > 1e-6)
+      return fmt::format("tool {} stands at {:.4g} mm, its motion starts at {:.4g} mm", scene.tools[place.tool].name,
+                         1e3 * now, 1e3 * position->offset(0));
+  }
+  const double overlap = deepest_penetration(scene, state);
+  if (overlap > most_overlap) return fmt::format("a tool in place overlaps the glass by {:.3g} mm", 1e3 * overlap);
+  return "";
+}
+
+/// Whether the stage can begin; the reason why not goes into the facts.
+bool can_begin(Progress& run) {
+  run.outcome.facts.reason = stage_obstacle(run.scene, run.outcome.state);
+  return run.outcome.facts.reason.empty();
+}
+
+/// Enters a stage; false when it cannot begin.
+bool begin_stage(Progress& run, Index stage) {
+  State& state = run.outcome.state;
+  state = start_stage(run.scene, state, stage);
+  state.next_step = run.scene.accuracy.first_step;
+  state.next_limit = static_cast<Index>(StepLimit::first);
+  run.workspace.standing.reset();
+  const bool good = can_begin(run);
+  if (stage == 0) write_fields(run);
+  return good && (stage == 0 || !run.scene.has_flow() || renew(run, RemeshReason::stage_start));
+}
+
+void end_stage(Progress& run, bool good) {
+  const State& state = run.outcome.state;
+  const Stage& stage = run.scene.stages[state.stage];
+  RunFacts& facts = run.outcome.facts;
+  const bool full = state.stage_time >= stage.duration - 1e-9;
+  const char* reason = facts.stopped ? "stop" : !good ? "failure" : full ? "duration" : "tools at rest";
+  facts.stages.push_back({stage.name, state.stage_start, state.time, reason, state.totals.work});
+}
+
+/// One step of the stage, after a new mesh where that is needed; false when none can be made.
+bool advance(Progress& run, StepReport& report) {
+  const Scene& scene = run.scene;
+  if (scene.has_flow() && needs_new_mesh(scene, run.outcome.state) && !renew(run, RemeshReason::quality)) return false;
+  if (step_once(run, report)) return true;
+  // A mesh that is still sound may be what holds the step back.
+  return scene.has_flow() && renew(run, RemeshReason::failed_step) && step_once(run, report);
+}
+
+void note_motion(const Scene& scene, State& state) {
+  const Stage& stage = scene.stages[state.stage];
+  for (const auto& tool : stage.tools) {
+    BodyState& body = state.bodies[1 + tool.tool];
+    if (stage.end_speed && std::abs(body.velocity) > *stage.end_speed) state.has_moved = true;
+    if (std::holds_alternative<ForceMotion>(tool.motion)) body.peak_force = std::max(body.peak_force, std::abs(body.force));
+  }
+}
+
+void write_step(Progress& run, const StepReport& report) {
+  const State& state = run.outcome.state;
+  const auto start = Clock::now();
+  run.files.row(history_row(run.scene, state, report));
+  account(run, "output", start);
+  if (output_due(run.scene, state) || stage_over(run.scene, state, state.has_moved)) write_fields(run);
+  print_progress(run, report);
+}
+
+/// Whether glass between tools is too thin to go on; the reason goes into the facts.
+bool is_too_thin(Progress& run) {
+  if (!run.scene.has_flow()) return false;
+  run.outcome.facts.reason = film_obstacle(run.scene, run.outcome.state);
+  return !run.outcome.facts.reason.empty();
+}
+
+/// Steps until the stage is over. Wherever a checkpoint is written the run can enter here again.
+bool advance_stage(Progress& run) {
+  State& state = run.outcome.state;
+  StepReport report;
+  while (!stage_over(run.scene, state, state.has_moved)) {
+    if (!advance(run, report)) return false;
+    note_motion(run.scene, state);
+    write_step(run, report);
+    if (is_too_thin(run)) return false;
+    save_when_due(run);
+    if (run.stop && run.stop()) {
+      run.outcome.facts.stopped = true;
+      run.outcome.facts.reason = "the run was told to stop";
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Interfaces over which no heat went in the whole run; bodies that start at one temperature say nothing.
+void warn_of_unused_interfaces(Progress& run) {
+  const Scene& scene = run.scene;
+  for (const Interface& interface : scene.interfaces) {
+    const Tool& tool = scene.tools[interface.tool];
+    if (run.outcome.state.bodies[1 + interface.tool].heat_received == 0 &&
+        tool.initial_temperature != scene.glass.initial_temperature)
+      run.outcome.facts.warnings.push_back(fmt::format(
+          "the interface of the glass with {} was never used: in the whole run they did not come within {:.4g} mm of each "
+          "other",
+          tool.name, 1e3 * interface.handover_width));
+  }
+}
+
+void warn(Progress& run) {
+  const Totals& totals = run.outcome.state.totals;
+  auto& warnings = run.outcome.facts.warnings;
+  if (totals.largest_reynolds > 1)
+    warnings.push_back(fmt::format("inertia was left out, but the Reynolds number reached {:.2g}", totals.largest_reynolds));
+  const RemeshLedger& remeshing = totals.remeshing;
+  if (remeshing.failed > 1) warnings.push_back(fmt::format("{} new glass meshes could not be made", remeshing.failed));
+  if (remeshing.coarser > 1)
+    warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have about {:g} cells",
+                                   remeshing.coarser, run.scene.accuracy.most_cells));
+  if (totals.table_holds > 0)
+    warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.table_holds));
+  if (const long latched = run.outcome.facts.effort.latched_contacts; latched > 0)
+    warnings.push_back(fmt::format(
+        "in all steps together {} contacts stayed closed although they pull, as they kept opening and closing", latched));
+}
+
+/// The stages from the present one on, which has begun if `good`; false when one cannot end.
+bool go_through_stages(Progress& run, bool good) {
+  const auto stages = static_cast<Index>(run.scene.stages.size());
+  for (;;) {
+    good = good && advance_stage(run);
+    save(run);
+    if (!good) write_fields(run);
+    end_stage(run, good);
+    const Index next = run.outcome.state.stage + 1;
+    if (!good || next == stages) return good;
+    good = begin_stage(run, next);
+  }
+}
+
+/// Runs `from_here` to the end of the run; what the system refuses ends it as well.
+RunOutcome finish(Progress& run, const std::function<bool()>& from_here) {
+  auto& [state, facts] = run.outcome;
+  try {
+    facts.completed = from_here();
+  } catch (const std::exception& error) {
+    facts.completed = false;
+    facts.reason = error.what();
+    end_stage(run, false);
+  }
+  if (facts.completed) facts.reason.clear();
+  else facts.reason = fmt::format("stage {} at {:.5f} s: {}", run.scene.stages[state.stage].name, state.time, facts.reason);
+  warn(run);
+  if (facts.completed) warn_of_unused_interfaces(run);
+  note_times(run);
+  return std::move(run.outcome);
+}
+
+}  // namespace
+
+RunOutcome run(const Scene& scene, const std::string& directory, const StopRequest& stop) {
+  Progress run{scene, stop, ResultFiles(scene, directory), {}};
+  run.outcome.state = initial_state(scene);
+  return finish(run, [&] {
+    const bool good = begin_stage(run, 0);
+    save(run);
+    return go_through_stages(run, good);
+  });
+}
+
+RunOutcome resume(const Scene& scene, const std::string& directory, const StopRequest& stop) {
+  Checkpoint from = read_checkpoint(find_checkpoint(directory), scene);
+  Progress run{scene, stop, ResultFiles(scene, directory, from.files), std::move(from.outcome)};
+  const State& state = run.outcome.state;
+  run.wall_before = run.outcome.facts.wall_seconds;
+  run.cpu_before = run.outcome.facts.cpu_seconds;
+  run.share_before = share_done(run);
+  run.checkpoint_steps = state.totals.steps;
+  fmt::print("  {:<10} t {:8.4f} s  step {:5}  {} remeshes so far\n", scene.stages[state.stage].name, state.time,
+             state.totals.steps, remeshes(state));
+  return finish(run, [&] { return go_through_stages(run, state.stage_time > 0 || can_begin(run)); });
+}
+
+}  // namespace parison::forming

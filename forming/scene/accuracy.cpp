@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/accuracy.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+#include "core/case_error.hpp"
+
+namespace parison::forming {
+namespace {
+
+namespace dimension = core::dimension;
+
+constexpr std::array preset_names{"draft", "standard", "fine"};
+constexpr const char* coarser_word = " coarser ";
+constexpr std::array passes{1, 1, 1};
+constexpr std::array temperature_orders{2, 2, 2};
+constexpr double coarsest = -2, finest = 3;  ///< levels that a target may ask for
+
+std::size_t nearest_preset(double level) {
+  return static_cast<std::size_t>(std::clamp(std::floor(level + 0.5), 0.0, double(preset_names.size() - 1)));
+}
+
+/// A whole text as a number above zero, 0 where it is none.
+double number(const std::string& text) {
+  double value = 0;
+  const auto end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  return read.ec == std::errc{} && read.ptr == end && std::isfinite(value) && value > 0 ? value : 0;
+}
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are draft, standard, fine or an error such as "
+                                    "\"0.5%\", with \" coarser 1.5\" behind it or without",
+                                    text));
+}
+
+double law_at(const ErrorLaw& law, double level) { return law.at_draft * std::exp2(-law.order * level); }
+
+double law_level(const ErrorLaw& law, double target) { return std::log2(law.at_draft / target) / law.order; }
+
+double read_target(const std::string& text) {
+  const double target = number(text.substr(0, text.find_last_not_of(" %") + 1)) / 100;
+  if (target <= 0) refuse(text);
+  if (target > expected_error(coarsest) || target < expected_error(finest))
+    throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are errors from {:.2g}% to {:.2g}%", text,
+                                      100 * expected_error(finest), 100 * expected_error(coarsest)));
+  return target;
+}
+
+}  // namespace
+
+const std::vector<Setting>& settings() {
+  using A = Accuracy;
+  static const std::vector<Setting> all = {
+      {"surface_size", &A::surface_size, dimension::length, "mm", 1e-3, 1, {1.6e-3, 1e-3, 0.6e-3}},
+      {"skin_size", &A::skin_size, dimension::length, "mm", 1e-3, 1, {0.7e-3, 0.4e-3, 0.22e-3}},
+      {"elements_across", &A::elements_across, dimension::none, "", 1, -0.6, {2, 3, 4.5}},
+      {"glass_growth", &A::glass_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}},
+      {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}},
+      {"tool_growth", &A::tool_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}},
+      {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}},
+      {"temperature_tolerance", &A::temperature_tolerance, dimension::temperature_difference, "K", 1, 2, {1, 0.2, 0.05}},
+      {"temperature_per_step", &A::temperature_per_step, dimension::temperature_difference, "K", 1, 1, {40, 20, 10}},
+      {"largest_step", &A::largest_step, dimension::time, "s", 1, 1, {0.1, 0.05, 0.025}},
+      {"first_step", &A::first_step, dimension::time, "s", 1, 0, {1e-3, 1e-3, 1e-3}},
+      {"smallest_step", &A::smallest_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}},
+      {"motion_tolerance", &A::motion_tolerance, dimension::length, "mm", 1e-3, 2, {0.05e-3, 0.025e-3, 6.25e-6}},
+      {"most_cells", &A::most_cells, dimension::none, "", 1, -2, {2e4, 3e4, 4.5e4}},
+      {"solution_error", &A::solution_error, dimension::none, "", 1, 2, {0, 0, 0}},
+      {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.15, 0.15, 0.15}}};
+  return all;
+}
+
+const ErrorModel& error_model() {
+  static const ErrorModel model{{0.0098, 1.17}, {0.0012, 1.16}};
+  return model;
+}
+
+Accuracy accuracy_at(double level) {
+  const std::size_t nearest = nearest_preset(level), from = level < 1 ? 0 : 1;
+  Accuracy accuracy{};
+  for (const Setting& setting : settings()) {
+    const double low = setting.levels[from], high = setting.levels[from + 1];
+    accuracy.*setting.value = low == high || (level == std::floor(level) && level == double(nearest))
+                                  ? setting.levels[nearest]
+                                  : low * std::pow(high / low, level - double(from));
+  }
+  // Beyond the presets it would leave what a mesh can have.
+  accuracy.quality_floor = std::clamp(accuracy.quality_floor, settings().back().levels[0], settings().back().levels[2]);
+  accuracy.passes = passes[nearest];
+  accuracy.temperature_order = temperature_orders[nearest];
+  return accuracy;
+}
+
+Accuracy coarsened(Accuracy accuracy, double factor) {
+  for (const Setting& setting : settings()) accuracy.*setting.value *= std::pow(factor, setting.order);
+  accuracy.first_step = std::min(accuracy.first_step, accuracy.largest_step);
+  return accuracy;
+}
+
+double expected_error(double level) {
+  return std::max(law_at(error_model().thickness, level), law_at(error_model().heat, level));
+}
+
+double level_for(double target) {
+  return std::max(law_level(error_model().thickness, target), law_level(error_model().heat, target));
+}
+
+AccuracyChoice read_accuracy(const std::string& text) {
+  const auto at = text.find(coarser_word);
+  const std::string base = text.substr(0, at);
+  AccuracyChoice choice;
+  if (at != text.npos) choice.coarser = number(text.substr(at + std::strlen(coarser_word)));
+  if (choice.coarser == 0) refuse(text);
+  const auto preset = std::find(preset_names.begin(), preset_names.end(), base);
+  if (preset != preset_names.end()) {
+    choice.level = double(preset - preset_names.begin());
+  } else if (!base.empty() && base.back() == '%') {
+    choice.target = read_target(base);
+    choice.level = level_for(*choice.target);
+  } else {
+    refuse(text);
+  }
+  return choice;
+}
+
+std::string coarser_text(const std::string& text, double factor) {
+  return fmt::format("{}{}{:.12g}", text.substr(0, text.find(coarser_word)), coarser_word,
+                     factor * read_accuracy(text).coarser);
+}
+
+Accuracy accuracy_preset(const std::string& text) {
+  const AccuracyChoice choice = read_accuracy(text);
+  const Accuracy accuracy = accuracy_at(choice.level);
+  return choice.coarser == 1 ? accuracy : coarsened(accuracy, choice.coarser);
+}
+
+}  // namespace parison::forming

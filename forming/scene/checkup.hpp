@@ -1,0 +1,22 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// Dimensionless numbers of a scene at its start, none where a property is missing.
+struct SceneNumbers {
+  double length;                ///< m: cross-section over half its outline without symmetry pieces, a plate's thickness
+  std::optional<double> speed;  ///< m/s: fastest tool, else the pressure or gravity over the viscosity
+  std::optional<double> viscosity;  ///< Pa.s, at the initial temperature
+  std::optional<double> reynolds, capillary, peclet, biot, brinkman;
+};
+SceneNumbers scene_numbers(const Scene& scene);
+
+/// What a scene needs, for the terminal: physics on and off and why, numbers, stages and accuracy.
+std::string describe_scene(const Scene& scene);
+
+}  // namespace parison::forming

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/scene.hpp"
+
+#include <fmt/format.h>
+
+#include "core/files.hpp"
+#include "forming/scene/scene_reading.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseTable;
+
+BodyContext read_context(const CaseTable& root, const std::string& directory) {
+  constexpr core::Geometry geometries[] = {core::Geometry::axisymmetric, core::Geometry::planar};
+  return {directory, geometries[core::choice(root.get("geometry"), {"axisymmetric", "planar"})],
+          read_materials(root.get("material"))};
+}
+
+void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
+  scene.geometry = context.geometry;
+  scene.glass = read_glass(root.get("glass"), context);
+  context.with_heat = scene.has_heat();
+  context.with_flow = scene.has_flow();
+  refuse_repeated_names(root.tables("tool"));
+  for (const auto* tool : root.tables("tool")) scene.tools.push_back(read_tool(*tool, context));
+  for (const auto* node : root.tables("interface"))
+    for (auto& interface : read_interfaces(*node, scene)) scene.interfaces.push_back(std::move(interface));
+}
+
+void read_stages(const CaseTable& root, Scene& scene) {
+  const auto& stages = root.get("stage");
+  refuse_repeated_names(root.tables("stage"));
+  for (const auto* stage : root.tables("stage")) scene.stages.push_back(read_stage(*stage, root.find("air"), scene));
+  if (scene.stages.empty()) core::refuse(stages, "no stage was found, allowed is at least one");
+}
+
+/// Outlines may stand in files of their own.
+std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
+  const auto add = [&](const Body& body) {
+    for (const core::Segment& s : body.profile.segments)
+      text += fmt::format("{} {} {} {} {} {}\n", s.end[0], s.end[1], s.centre[0], s.centre[1], s.from, s.to);
+  };
+  add(scene.glass);
+  for (const Tool& tool : scene.tools) add(tool);
+  return core::fingerprint(text);
+}
+
+}  // namespace
+
+std::vector<std::string> tool_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const auto& tool : scene.tools) names.push_back(tool.name);
+  return names;
+}
+
+Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides) {
+  auto file = core::read_case_file(path);
+  for (const auto& assignment : overrides) core::override_value(file, assignment);
+  const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "stage",
+                                   "probe", "output", "numerics"});
+  Scene scene;
+  scene.name = core::identifier(root.get("case"));
+  scene.directory = file.directory;
+  scene.file = file.path;
+  scene.overrides = file.overrides;
+  scene.accuracy_name = accuracy;
+  scene.accuracy_choice = read_accuracy(accuracy);
+  scene.accuracy = accuracy_at(scene.accuracy_choice.level);
+  read_bodies(root, read_context(root, file.directory), scene);
+  read_stages(root, scene);
+  refuse_repeated_names(root.tables("probe"));
+  for (const auto* probe : root.tables("probe")) scene.probes.push_back(read_probe(*probe, scene));
+  if (const auto* output = root.find("output")) scene.output = read_output(*output);
+  if (const auto* numerics = root.find("numerics")) read_numerics(*numerics, scene);
+  if (scene.accuracy_choice.coarser != 1) coarsen(scene, scene.accuracy_choice.coarser);
+  check_sizes(scene, root);
+  check_no_overlap(scene, root.tables("tool"));
+  check_interfaces(scene, root.tables("stage"));
+  check_support(scene, root);
+  scene.fingerprint =
+      fingerprint_of(fmt::format("{}{}", core::read_text(file.path), fmt::join(scene.overrides, "\n")), scene);
+  return scene;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,160 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "contact/conductance.hpp"
+#include "core/mesh.hpp"
+#include "core/profile.hpp"
+#include "core/table.hpp"
+#include "forming/scene/accuracy.hpp"
+#include "forming/flow/material.hpp"
+#include "thermal/material.hpp"
+
+namespace parison::forming {
+
+using core::Index;
+
+/// What a named piece of a body's outline is.
+enum class PieceKind {
+  contact,      ///< may touch other bodies; air and pressure of the stage where it does not
+  symmetry,     ///< axis or symmetry plane: no normal motion, no heat
+  fixed,        ///< held still, no heat
+  cooled,       ///< its own exchange in every stage
+  insulated,    ///< free, no heat
+  temperature,  ///< given temperature
+  air           ///< never in contact; the stage's air acts on it
+};
+
+struct Piece {
+  std::string name;
+  PieceKind kind;
+  thermal::SurfaceExchange cooling;  ///< cooled
+  double temperature = 0;            ///< temperature, K
+};
+
+/// How a body is meshed at the start.
+struct MeshSpec {
+  std::optional<double> size;          ///< largest edge, m
+  std::optional<double> contact_size;  ///< edge on contact pieces, m
+  std::optional<double> growth;        ///< size per distance from the contact pieces
+  /// Mapped mesh of a body with four pieces: divisions along the first and second piece, and the ratio of the last
+  /// division to the first along each (in the direction of the piece).
+  struct Mapped {
+    Index along_first, along_second;
+    double ratio_first = 1, ratio_second = 1;
+  };
+  std::optional<Mapped> mapped;
+};
+
+struct Body {
+  std::string name;
+  core::Profile profile;      ///< in the body's own frame, m
+  std::vector<Piece> pieces;  ///< one for each of profile.pieces
+  MeshSpec mesh;
+  double initial_temperature = 0;  ///< K
+  std::optional<thermal::Material> thermal;  ///< none: the body carries no heat in this scene
+  double emissivity = 0;                     ///< of its open surfaces
+  double position = 0;  ///< offset along the axis at the start, m (the profile is given at offset 0)
+};
+
+/// What becomes of glass between tools that gets thinner than the mesh can follow.
+struct FilmLimit {
+  double thinnest = 0.3e-3;  ///< m
+  enum class Then { stop, freeze } then = Then::stop;  ///< the run ends, or the film flows no more
+};
+
+/// The body that flows; always body 0. Without `flow` it stands still.
+struct Glass : Body {
+  std::optional<flow::Material> flow;
+  FilmLimit film;
+};
+
+struct Tool : Body {
+  flow::Friction friction;
+};
+
+/// Thermal interface between the glass (slave) and a tool (master).
+struct Interface {
+  Index tool;  ///< index into Scene::tools
+  contact::ConductanceLaw law;
+  double handover_width;  ///< gap over which contact hands over to air, m
+};
+
+/// A tool's motion during a stage.
+struct PositionMotion {
+  core::Table offset;  ///< offset along the axis, m, over time since the stage's start, s
+};
+struct ForceMotion {
+  double force;        ///< N along +axis
+  double speed_limit;  ///< m/s, positive
+};
+using Motion = std::variant<std::monostate, PositionMotion, ForceMotion>;
+
+struct StageTool {
+  Index tool;     ///< index into Scene::tools
+  Motion motion;  ///< monostate: stands still at its present offset
+};
+
+/// Names a stretch of the glass surface at the stage's start: from the surface point nearest `from` to the one nearest `to`,
+/// walked with the glass on the left.
+struct NamedStretch {
+  std::string name;
+  core::Point from, to;
+};
+
+struct Stage {
+  std::string name;
+  double duration;                   ///< s; the longest when an end condition is given
+  std::optional<double> end_speed;   ///< the stage also ends when every force-driven tool is slower than this, m/s, having been faster
+  double gravity = 0;                ///< along +axis, m/s2
+  std::vector<StageTool> tools;      ///< tools in place; the others are absent
+  std::map<std::string, double> pressure;  ///< over-pressure on open glass pieces by piece name, Pa
+  thermal::SurfaceExchange air;      ///< of open surfaces; emissivity is the body's own
+  std::vector<NamedStretch> name_pieces;
+};
+
+struct Probe {
+  std::string name;
+  Index body;  ///< 0 glass, 1 + i tool i
+  core::Point point;  ///< in the body's frame at the start, m; a glass probe moves with the glass
+};
+
+struct Output {
+  double interval = 0.1;  ///< between field outputs, s
+  std::vector<double> times;  ///< further output times, s
+  double checkpoint_interval = 300;  ///< between checkpoints, s of wall time
+  std::optional<Index> checkpoint_steps;  ///< between checkpoints as well, steps
+};
+
+/// A whole case in SI units, validated; nothing changes it during a run.
+struct Scene {
+  std::string name;
+  std::string file, directory;  ///< the case file and its folder
+  std::uint64_t fingerprint = 0;  ///< of the case file's text, the overrides and all outlines
+  std::vector<std::string> overrides;  ///< values of the case file that others replace, "path=value"
+  core::Geometry geometry;
+  Glass glass;
+  std::vector<Tool> tools;
+  std::vector<Interface> interfaces;
+  std::vector<Stage> stages;
+  std::vector<Probe> probes;
+  Output output;
+  std::string accuracy_name;  ///< the text that was asked for
+  AccuracyChoice accuracy_choice;
+  Accuracy accuracy;
+  std::map<std::string, std::string> accuracy_origin;  ///< "case" or "--set" for each setting that the dial did not choose
+
+  bool has_flow() const { return glass.flow.has_value(); }
+  bool has_heat() const { return glass.thermal.has_value(); }
+};
+
+/// Reads and validates a case file; `accuracy` is a text for read_accuracy; `overrides` as core::override_value takes them.
+/// Throws core::CaseError with `file:line: key: what was found, what is allowed`.
+Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides = {});
+
+}  // namespace parison::forming

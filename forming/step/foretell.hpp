@@ -1,0 +1,21 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/scene.hpp"
+#include "forming/step/state.hpp"
+
+namespace parison::forming {
+
+/// Temperature of the glass after `dt` at the rate of the last step, changed by no more than a step may change it, K per node.
+Eigen::VectorXd foretold_temperature(const Scene& scene, const State& state, double dt);
+
+/// Velocity of the glass nodes `ahead` after the state, from the last two steps while that serves; what touches a tool does not go on into it.
+Eigen::VectorXd foretold_velocity(const State& state, double ahead);
+
+/// Where the glass stands in the middle of a step with velocity `middle` there, to third order in the step.
+core::Mesh middle_mesh(const State& state, const Eigen::VectorXd& middle, double dt);
+
+/// Books in `after`, a step of length dt behind `before`, the rates from which the next step is foretold. Nodes whose
+/// contact changed in the last two steps are given no acceleration.
+void note_rates(const State& before, double dt, State& after);
+
+}  // namespace parison::forming

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/step.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "forming/step/contact_geometry.hpp"
+#include "forming/step/foretell.hpp"
+#include "forming/step/heat_step.hpp"
+#include "forming/step/surface_change.hpp"
+#include "forming/step/sweep.hpp"
+#include "forming/step/thermal_interface.hpp"
+#include "remesh/quality.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Adds the seconds until its end to a part's account.
+class Timer {
+ public:
+  Timer(StepReport& report, const char* part) : seconds_(report.seconds[part]), start_(now()) {}
+  ~Timer() { seconds_ += std::chrono::duration<double>(now() - start_).count(); }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  static std::chrono::steady_clock::time_point now() { return std::chrono::steady_clock::now(); }
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+void move_nodes(core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt) {
+  for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
+}
+
+/// Velocities of tools that move by position where nothing flows.
+void take_motions(const Scene& scene, double dt, State& state) {
+  const auto motions = tool_motions(scene, state, dt);
+  for (const auto& tool : scene.stages[state.stage].tools)
+    state.bodies[1 + tool.tool].velocity = motions[tool.tool].velocity;
+}
+
+/// Moves the glass and the tools in place with their velocities.
+void move_bodies(const Scene& scene, double dt, State& state) {
+  if (scene.has_flow()) move_nodes(state.bodies[0].mesh, state.velocity, dt);
+  for (const auto& tool : scene.stages[state.stage].tools) {
+    auto& body = state.bodies[1 + tool.tool];
+    body.offset += dt * body.velocity;
+  }
+}
+
+/// Velocities of the step: by the flow, or as the tools are told.
+bool find_velocities(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
+                     StepResult& result) {
+  if (!scene.has_flow()) {
+    take_motions(scene, dt, result.state);
+    return true;
+  }
+  const Timer timer(result.report, "flow");
+  return sweep_until_settled(scene, state, foretold, dt, workspace, result);
+}
+
+/// Whether every cell of the glass has kept its sense.
+bool is_unfolded(StepResult& result) {
+  if (remesh::quality(result.state.bodies[0].mesh).worst > 0) return true;
+  result.reason = "a cell of the glass turned over";
+  return false;
+}
+
+/// Heat over the step, on the bodies and the interface as they stand in its middle.
+bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& result) {
+  if (!scene.has_heat()) return true;
+  {
+    const Timer timer(result.report, "contact");
+    result.report.interface = thermal_interface(scene, result.state);
+  }
+  const Timer timer(result.report, "heat");
+  const auto outcome =
+      advance_heat(scene, result.state, result.report.interface, result.dissipation, dt, workspace);
+  result.reason = outcome.reason;
+  result.report.heat_substeps += outcome.substeps;
+  return outcome.converged;
+}
+
+/// Flow, half the motion, heat, the other half.
+bool pass_once(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
+               StepResult& result) {
+  if (!find_velocities(scene, state, foretold, dt, workspace, result)) return false;
+  move_bodies(scene, 0.5 * dt, result.state);
+  if (scene.has_flow() && !is_unfolded(result)) return false;
+  if (!step_heat(scene, dt, workspace, result)) return false;
+  move_bodies(scene, 0.5 * dt, result.state);
+  return !scene.has_flow() || is_unfolded(result);
+}
+
+}  // namespace
+
+StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
+  workspace.heat.factored_step = 0;  // its factor comes from earlier steps
+  workspace.table_holds = state.totals.table_holds;
+  StepResult result;
+  Middle foretold;
+  if (scene.has_flow())
+    foretold = {foretold_velocity(state, 0.5 * dt), foretold_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
+  result.state = state;
+  const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
+  for (int pass = 0; pass < passes; ++pass) {
+    if (pass > 0) {
+      foretold.temperature = 0.5 * (state.bodies[0].temperature + result.state.bodies[0].temperature);
+      auto closed = std::move(result.state.contact.closed);
+      result.state = state;
+      result.state.contact.closed = std::move(closed);
+    }
+    if (!pass_once(scene, state, foretold, dt, workspace, result)) return result;
+  }
+  State& after = result.state;
+  if (scene.has_flow()) note_rates(state, dt, after);
+  after.time += dt;
+  after.stage_time += dt;
+  ++after.totals.steps;
+  after.totals.table_holds = workspace.table_holds;
+  if (!workspace.standing)
+    after.totals.deepest = std::max(after.totals.deepest, deepest_penetration(scene, after));
+  if (scene.has_flow()) {
+    const double drift = core::volume(after.bodies[0].mesh, scene.geometry) / after.first_volume - 1;
+    after.totals.largest_drift = std::max(after.totals.largest_drift, std::abs(drift));
+  }
+  result.report.dt = dt;
+  // Where everything stands still the heat integrator alone decides on its steps.
+  if (scene.has_heat() && !workspace.standing)
+    result.report.temperature_change = surface_temperature_change(scene, state, after, result.report.interface);
+  result.converged = true;
+  return result;
+}
+
+}  // namespace parison::forming

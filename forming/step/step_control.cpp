@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace parison::forming {
+
+namespace {
+
+constexpr double most_growth = 1.5;
+constexpr double aim = 0.9;           ///< of what a step may do
+constexpr double repeat_above = 2.0;  ///< times what a step should do
+constexpr double same_time = 1e-9;    ///< s
+
+/// How much of its allowance a step used, and of which.
+std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) {
+  return std::max({std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
+                   std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
+                   std::pair(report.unsettled_motion / scene.accuracy.motion_tolerance, StepLimit::motion)});
+}
+
+double next_output(const Scene& scene, double time) {
+  const double interval = scene.output.interval;
+  double next = interval > 0 ? interval * (std::floor(time / interval + same_time) + 1)
+                             : std::numeric_limits<double>::infinity();
+  for (const double t : scene.output.times)
+    if (t > time + same_time) next = std::min(next, t);
+  return next;
+}
+
+}  // namespace
+
+WishedStep wished_step(const Scene& scene, const StepReport& report, double allowed) {
+  const auto [used, by] = load(scene, report);
+  WishedStep wish{most_growth * std::max(report.dt, allowed), StepLimit::growth};
+  if (used > 0 && report.dt * aim / used < wish.dt) wish = {report.dt * aim / used, by};
+  if (wish.dt > scene.accuracy.largest_step) wish = {scene.accuracy.largest_step, StepLimit::largest};
+  wish.dt = std::max(wish.dt, scene.accuracy.smallest_step);
+  return wish;
+}
+
+bool overshot(const Scene& scene, const StepReport& report) {
+  return load(scene, report).first > repeat_above;
+}
+
+double landing_step(const Scene& scene, const State& state, double wish) {
+  const double left_in_stage = scene.stages[state.stage].duration - state.stage_time;
+  const double left = std::min(left_in_stage, next_output(scene, state.time) - state.time);
+  if (left <= wish * (1 + same_time)) return left;
+  return left < 2 * wish ? 0.5 * left : wish;
+}
+
+bool output_due(const Scene& scene, const State& state) {
+  const double interval = scene.output.interval;
+  if (interval > 0 && std::abs(state.time - interval * std::round(state.time / interval)) < same_time) return true;
+  return std::any_of(scene.output.times.begin(), scene.output.times.end(),
+                     [&](double t) { return std::abs(t - state.time) < same_time; });
+}
+
+bool stage_over(const Scene& scene, const State& state, bool has_moved) {
+  const Stage& stage = scene.stages[state.stage];
+  if (state.stage_time >= stage.duration - same_time) return true;
+  if (!stage.end_speed || !has_moved) return false;
+  return std::all_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
+    return !std::holds_alternative<ForceMotion>(tool.motion) ||
+           std::abs(state.bodies[1 + tool.tool].velocity) < *stage.end_speed;
+  });
+}
+
+}  // namespace parison::forming

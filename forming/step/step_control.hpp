@@ -1,0 +1,31 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "forming/scene/scene.hpp"
+#include "forming/step/state.hpp"
+
+namespace parison::forming {
+
+struct WishedStep {
+  double dt;  ///< s
+  StepLimit limit;
+};
+
+/// Step that the next step may have, from what the last one did to the mesh and the surface temperature; `allowed`, s, is what
+/// that one was allowed, before it was shortened to land on an output time.
+WishedStep wished_step(const Scene& scene, const StepReport& report, double allowed);
+
+/// Whether a step did so much more than it should that it is to be repeated shorter.
+bool overshot(const Scene& scene, const StepReport& report);
+
+/// `wish`, shortened so that the stage's end and the next output time are met exactly and no sliver is left before them.
+double landing_step(const Scene& scene, const State& state, double wish);
+
+/// Whether an output time lies at the state's time.
+bool output_due(const Scene& scene, const State& state);
+
+/// Whether the present stage is over: its duration, or its tools have come to rest after having moved.
+bool stage_over(const Scene& scene, const State& state, bool has_moved);
+
+}  // namespace parison::forming

@@ -1,0 +1,20 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/scene.hpp"
+#include "forming/step/state.hpp"
+#include "thermal/problem.hpp"
+
+namespace parison::forming {
+
+/// Thermal interfaces of the glass with every tool in place that has one, at the present positions.
+std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state);
+
+/// Conductance of a point of the interface at a glass surface temperature, K: contact pressure and viscosity into h.
+core::Conductance point_conductance(const Scene& scene, const core::InterfacePoint& point, double temperature,
+                                    long& table_holds);
+
+/// The same for all points of an interface, prepared for many evaluations.
+thermal::InterfaceLaw interface_law(const Scene& scene, const std::vector<core::InterfacePoint>& interface,
+                                    long& table_holds);
+
+}  // namespace parison::forming

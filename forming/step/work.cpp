@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/work.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/element.hpp"
+#include "forming/flow/cell_geometry.hpp"
+#include "forming/step/initial_state.hpp"
+
+namespace parison::forming {
+
+using core::dim;
+
+namespace {
+
+/// Of the glass's mass, with the mass where it was last distributed.
+double gravity_power(const Scene& scene, const State& start, const Eigen::VectorXd& velocity) {
+  const core::Mesh mass = mass_mesh(start);
+  const flow::CellGeometry geometry = flow::cell_geometry(mass, scene.geometry);
+  const Point axis = core::axis_direction();
+  double power = 0;
+  for (Index batch = 0; batch < geometry.batches(); ++batch) {
+    const auto v = flow::batch_velocity(mass, geometry, batch, velocity);
+    flow::Lanes sum = flow::Lanes::Zero();
+    for (int q = 0; q < flow::cell_points; ++q)
+      for (int i = 0; i < 6; ++i)
+        for (int a = 0; a < dim; ++a) sum += flow::shapes_at_points()[q][i] * axis[a] * geometry.at(batch, q).volume * v[i][a];
+    power += sum.head(std::min(flow::lanes, geometry.cells - batch * flow::lanes)).sum();
+  }
+  return start.density * scene.stages[start.stage].gravity * power;
+}
+
+/// Of the over-pressures on the exposed edges of a mesh.
+double air_power(const Scene& scene, const Stage& stage, const core::Mesh& mesh, const flow::Solution& flow) {
+  double power = 0;
+  for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
+    const auto& edge = mesh.boundary[e];
+    const auto pressure = stage.pressure.find(mesh.pieces[edge.piece]);
+    if (!flow.exposed[e] || pressure == stage.pressure.end()) continue;
+    for (const auto& rule : core::edge_rule(4)) {
+      const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
+      for (int i = 0; i < 3; ++i)
+        power -= pressure->second * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(flow.velocity, edge.nodes[i]));
+    }
+  }
+  return power;
+}
+
+/// Of the exposed edges that are no symmetry planes nor fixed, m2.
+double open_area(const Scene& scene, const core::Mesh& mesh, const std::vector<bool>& exposed) {
+  double area = 0;
+  for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
+    const auto& edge = mesh.boundary[e];
+    const PieceKind kind = piece_kind(scene.glass, mesh.pieces[edge.piece]);
+    if (!exposed[e] || kind == PieceKind::symmetry || kind == PieceKind::fixed) continue;
+    for (const auto& rule : core::edge_rule(4)) area += core::map_edge_point(mesh, edge.nodes, scene.geometry, rule).area;
+  }
+  return area;
+}
+
+}  // namespace
+
+void book_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work) {
+  const Stage& stage = scene.stages[start.stage];
+  const core::Mesh& first = start.bodies[0].mesh;
+  core::Mesh middle = first, last = first;
+  for (Index n = 0; n < first.node_count(); ++n) {
+    const Point v = flow::node_velocity(flow.velocity, n);
+    middle.nodes[n] += 0.5 * dt * v;
+    last.nodes[n] += dt * v;
+  }
+  for (const auto& tool : stage.tools) work.tools += dt * flow.tool_force[tool.tool] * flow.tool_velocity[tool.tool];
+  if (stage.gravity != 0) work.gravity += dt * gravity_power(scene, start, flow.velocity);
+  if (!stage.pressure.empty())  // Simpson's rule is exact
+    work.air += dt / 6 * (air_power(scene, stage, first, flow) + 4 * air_power(scene, stage, middle, flow) +
+                          air_power(scene, stage, last, flow));
+  work.dissipation += dt * std::accumulate(flow.dissipation.begin(), flow.dissipation.end(), 0.0);
+  work.friction += dt * flow.friction_power;
+  work.arrival += dt * flow.arrival_power;
+  work.corrections += dt * flow.correction_power;
+  work.surface += scene.glass.flow->surface_tension *
+                  (open_area(scene, last, flow.exposed) - open_area(scene, first, flow.exposed));
+}
+
+double work_imbalance(const Work& work) {
+  const double done = work.tools + work.gravity + work.air, lost = work.dissipation + work.friction + work.arrival;
+  return (done - lost - work.surface) / lost;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/companion.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/files.hpp"
+#include "core/json_read.hpp"
+#include "forming/scene/accuracy.hpp"
+#include "forming/run/checkpoint.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// The same case in the same state of the program, run to its end.
+bool is_complete(const std::string& directory) {
+  const std::string path = directory + "/summary.json";
+  return std::filesystem::exists(path) && core::read_json(core::read_text(path), path).flag_of("completed");
+}
+
+/// Error of the heat into all tools that the dial's law expects of glass that flows, a share; the law says nothing of other
+/// scenes, whose meshes and steps are often their own.
+double expected_heat(const Scene& scene) {
+  const ErrorLaw& law = error_model().heat;
+  const double level = scene.accuracy_choice.level - std::log2(scene.accuracy_choice.coarser);
+  return scene.has_flow() ? law.at_draft * std::exp2(-law.order * level) : 0;
+}
+
+bool has_checkpoint(const std::string& directory) { return std::filesystem::exists(directory + "/checkpoint.h5"); }
+
+}  // namespace
+
+std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& run, const std::string& directory,
+                                         const StopRequest& stop) {
+  const std::string folder = directory + "/companion", path = folder + "/summary.json";
+  if (!is_complete(folder)) {
+    const Scene coarse = read_scene(scene.file, coarser_text(scene.accuracy_name, companion_factor), scene.overrides);
+    fmt::print("\nthe companion run for the error bars, in {}\n", folder);
+    const RunOutcome outcome = has_checkpoint(folder) ? resume(coarse, folder, stop) : forming::run(coarse, folder, stop);
+    write_summary(folder, coarse, outcome.state, outcome.facts);
+    if (!outcome.facts.completed) return {};
+  }
+  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  ErrorBars bars = error_bars(run, read_quantities(summary), expected_heat(scene));
+  bars.companion_cpu_seconds = summary.number_of("cpu_seconds");
+  return bars;
+}
+
+}  // namespace parison::forming

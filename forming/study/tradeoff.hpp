@@ -1,0 +1,43 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "forming/scene/accuracy.hpp"
+#include "forming/study/ladder.hpp"
+#include "forming/report/quantities.hpp"
+
+namespace parison::forming {
+
+/// A rung that has run, beside the rung that it is compared with.
+struct RungResult {
+  Rung rung;
+  bool completed = false;
+  std::string reason;
+  double cpu = 0;  ///< s
+  long steps = 0;
+  double reynolds = 0;
+  Quantities quantities;
+  ProfileDifference profile{};  ///< to the reference, of a model rung to the base
+  double heat = 0;              ///< likewise, a share
+  bool on_front = false;
+
+  /// The larger one of the mean thickness error and that of the heat; NaN where the scene has neither.
+  double error() const;
+};
+
+/// Fills in the differences; the first result is the reference, `base` names the base rung.
+void compare_rungs(std::vector<RungResult>& results, const std::string& base);
+
+/// Marks the rungs no other is both faster and closer than; reference and model rungs take no part.
+void mark_front(std::vector<RungResult>& results);
+
+/// CPU time of a rung over that of the best line at the same error; the line runs straight in the logarithms between the
+/// rungs on the front. NaN off the line's ends.
+double over_front(const std::vector<RungResult>& results, const RungResult& rung);
+
+/// The dial's measured errors E as a law A*(2^(-p level) - 2^(-p reference)), the reference's own error taken off; at_draft is
+/// NaN where fewer than two rungs of the dial tell.
+ErrorLaw fit_error_law(const std::vector<RungResult>& results, double (*error)(const RungResult&));
+
+}  // namespace parison::forming
