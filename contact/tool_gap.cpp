@@ -54,29 +54,21 @@ bool joined_in_hollow(const Query& query, Index i, Index j) {
   return (query.next(i) == j && hollow_after(query, i)) || (query.next(j) == i && hollow_after(query, j));
 }
 
-/// How far x projects beyond a segment's start (end), m; negative before.
-double beyond_start(const Segment& segment, const Point& x) {
-  return -core::projected_parameter(segment, x) * core::length(segment);
-}
-double beyond_end(const Segment& segment, const Point& x) {
-  return (core::projected_parameter(segment, x) - 1) * core::length(segment);
-}
-
 /// Whether x projects on segment i, or past an end in a hollow corner while still on the neighbour's side of that one's
 /// far end.
 bool projects_on(const Query& query, Index i) {
   const Segment& segment = query.segment(i);
   const double slack = end_tolerance * core::length(segment);
-  const double before = beyond_start(segment, query.x), past = beyond_end(segment, query.x);
+  const double before = core::beyond_start(segment, query.x), past = core::beyond_end(segment, query.x);
   if (before <= slack && past <= slack) return true;
   if (past > slack) {
     const Index j = query.next(i);
     return past <= query.reach && query.in_contact(j) && hollow_after(query, i) &&
-           beyond_end(query.segment(j), query.x) <= 0 && beyond_start(query.segment(j), query.x) <= query.reach;
+           core::beyond_end(query.segment(j), query.x) <= 0 && core::beyond_start(query.segment(j), query.x) <= query.reach;
   }
   const Index j = (i + query.count() - 1) % query.count();
   return before <= query.reach && query.in_contact(j) && hollow_after(query, j) &&
-         beyond_start(query.segment(j), query.x) <= 0 && beyond_end(query.segment(j), query.x) <= query.reach;
+         core::beyond_start(query.segment(j), query.x) <= 0 && core::beyond_end(query.segment(j), query.x) <= query.reach;
 }
 
 /// Whether the straight path from a to b, its ends left out, crosses a segment.
@@ -140,8 +132,8 @@ void add_joint(const Query& query, Index i, std::vector<GapConstraint>& found) {
   if (!query.in_contact(i) || !query.in_contact(j)) return;
   if ((query.x - query.segment(i).end).squaredNorm() > query.reach * query.reach || hollow_after(query, i)) return;
   const Segment &before = query.segment(i), &after = query.segment(j);
-  if (beyond_end(before, query.x) <= end_tolerance * core::length(before)) return;
-  if (beyond_start(after, query.x) <= end_tolerance * core::length(after)) return;
+  if (core::beyond_end(before, query.x) <= end_tolerance * core::length(before)) return;
+  if (core::beyond_start(after, query.x) <= end_tolerance * core::length(after)) return;
   const Point mean = (core::normal_at(before, 1) + core::normal_at(after, 0)).normalized();
   const Point arm = query.x - before.end;
   const double distance = arm.norm(), side = arm.dot(mean) < 0 ? -1 : 1;

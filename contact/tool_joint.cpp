@@ -19,14 +19,6 @@ Segment shifted(Segment segment, double offset) {
   return segment;
 }
 
-/// How far x projects beyond a segment's end (start), m; negative before.
-double beyond_end(const Segment& segment, const Point& x) {
-  return (core::projected_parameter(segment, x) - 1) * core::length(segment);
-}
-double beyond_start(const Segment& segment, const Point& x) {
-  return -core::projected_parameter(segment, x) * core::length(segment);
-}
-
 /// Segments of a tool where its contact ends (`last`) or starts.
 std::vector<Segment> end_segments(const PlacedTool& tool, bool last) {
   const auto& segments = tool.profile->segments;
@@ -59,7 +51,7 @@ std::vector<JointConstraint> joint_constraints(const ToolJoint& joint, const Poi
   const Point arm_before = x - before.end, arm_after = x - after.start;
   if (arm_before.squaredNorm() > reach * reach) return {};
   const Point in = core::tangent_at(before, 1), out = core::tangent_at(after, 0);
-  const double past = beyond_end(before, x), ahead = beyond_start(after, x);
+  const double past = core::beyond_end(before, x), ahead = core::beyond_start(after, x);
   std::vector<JointConstraint> found;
   if (in[0] * out[1] - in[1] * out[0] < 0) {
     const Point normal_before = core::normal_at(before, 1), normal_after = core::normal_at(after, 0);

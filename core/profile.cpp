@@ -69,6 +69,12 @@ double closest_parameter(const Segment& segment, const Point& x) {
   return (x - segment.start).squaredNorm() <= (x - segment.end).squaredNorm() ? 0.0 : 1.0;
 }
 
+double beyond_start(const Segment& segment, const Point& x) { return -projected_parameter(segment, x) * length(segment); }
+
+double beyond_end(const Segment& segment, const Point& x) {
+  return (projected_parameter(segment, x) - 1) * length(segment);
+}
+
 double signed_area(const Profile& profile) {
   double sum = 0;
   for (const auto& segment : profile.segments) {

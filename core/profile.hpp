@@ -34,6 +34,9 @@ double length(const Segment& segment);
 double closest_parameter(const Segment& segment, const Point& x);
 /// The same without the end limits: below 0 or above 1 when x projects beyond an end.
 double projected_parameter(const Segment& segment, const Point& x);
+/// How far x projects beyond the segment's start (end), m; negative where it projects before.
+double beyond_start(const Segment& segment, const Point& x);
+double beyond_end(const Segment& segment, const Point& x);
 
 /// Signed area of the cross-section, m2; positive when counterclockwise.
 double signed_area(const Profile& profile);
