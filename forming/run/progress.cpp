@@ -45,9 +45,8 @@ void print_progress(Progress& run, const StepReport& report) {
   std::fflush(stdout);
 }
 
-void write_fields(Progress& run) {
+void write_fields(Progress& run, const State& state) {
   const auto start = Clock::now();
-  const State& state = run.outcome.state;
   using Interface = std::vector<core::InterfacePoint>;
   run.files.fields(state, run.scene.has_heat() ? thermal_interface(run.scene, state) : Interface{});
   account(run, "output", start);

@@ -43,7 +43,8 @@ double share_done(const Progress& run);
 /// A line for the terminal, at the most once a second.
 void print_progress(Progress& run, const StepReport& report);
 
-void write_fields(Progress& run);
+/// A state, that of the run or one within its last step, into the result files.
+void write_fields(Progress& run, const State& state);
 
 /// Writes a checkpoint where one can be written: not while the heat of a standing stage is in an integrator with a memory
 /// of its own, which ends after `output.checkpoint_steps` steps and after 300 of its own.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <exception>
 
+#include "forming/step/between.hpp"
 #include "forming/step/contact_geometry.hpp"
 #include "forming/step/film.hpp"
 #include "forming/report/history.hpp"
@@ -43,8 +44,14 @@ bool renew(Progress& run, RemeshReason why) {
   return !must;
 }
 
+/// What a step did and the state that it began with.
+struct StepTaken {
+  State before;
+  StepReport report;
+};
+
 /// A step that converged and kept within its allowance; false when the smallest one did not.
-bool step_once(Progress& run, StepReport& report) {
+bool step_once(Progress& run, StepTaken& step) {
   State& state = run.outcome.state;
   auto limit = static_cast<StepLimit>(state.next_limit);
   double dt = landing_step(run.scene, state, state.next_step);
@@ -59,8 +66,8 @@ bool step_once(Progress& run, StepReport& report) {
     if (taken) {
       result.state.next_step = wish.dt;
       result.state.next_limit = static_cast<Index>(wish.limit);
+      step = {std::move(state), std::move(result.report)};
       state = std::move(result.state);
-      report = std::move(result.report);
       run.outcome.facts.reason.clear();
       return true;
     }
@@ -106,7 +113,7 @@ bool begin_stage(Progress& run, Index stage) {
   state.next_limit = static_cast<Index>(StepLimit::first);
   run.workspace.standing.reset();
   const bool good = can_begin(run);
-  if (stage == 0) write_fields(run);
+  if (stage == 0) write_fields(run, state);
   return good && (stage == 0 || !run.scene.has_flow() || renew(run, RemeshReason::stage_start));
 }
 
@@ -120,12 +127,12 @@ void end_stage(Progress& run, bool good) {
 }
 
 /// One step of the stage, after a new mesh where that is needed; false when none can be made.
-bool advance(Progress& run, StepReport& report) {
+bool advance(Progress& run, StepTaken& step) {
   const Scene& scene = run.scene;
   if (scene.has_flow() && needs_new_mesh(scene, run.outcome.state) && !renew(run, RemeshReason::quality)) return false;
-  if (step_once(run, report)) return true;
+  if (step_once(run, step)) return true;
   // A mesh that is still sound may be what holds the step back.
-  return scene.has_flow() && renew(run, RemeshReason::failed_step) && step_once(run, report);
+  return scene.has_flow() && renew(run, RemeshReason::failed_step) && step_once(run, step);
 }
 
 void note_motion(const Scene& scene, State& state) {
@@ -137,13 +144,16 @@ void note_motion(const Scene& scene, State& state) {
   }
 }
 
-void write_step(Progress& run, const StepReport& report) {
+/// A row of the history; the fields at the output times within the step and at the stage's end.
+void write_step(Progress& run, const StepTaken& step) {
   const State& state = run.outcome.state;
   const auto start = Clock::now();
-  run.files.row(history_row(run.scene, state, report));
+  run.files.row(history_row(run.scene, state, step.report));
   account(run, "output", start);
-  if (output_due(run.scene, state) || stage_over(run.scene, state, state.has_moved)) write_fields(run);
-  print_progress(run, report);
+  for (const double time : outputs_due(run.scene, step.before.time, state.time))
+    write_fields(run, time < state.time ? between(step.before, state, time) : state);
+  if (stage_over(run.scene, state, state.has_moved)) write_fields(run, state);
+  print_progress(run, step.report);
 }
 
 /// Whether glass between tools is too thin to go on; the reason goes into the facts.
@@ -156,11 +166,11 @@ bool is_too_thin(Progress& run) {
 /// Steps until the stage is over. Wherever a checkpoint is written the run can enter here again.
 bool advance_stage(Progress& run) {
   State& state = run.outcome.state;
-  StepReport report;
+  StepTaken step;
   while (!stage_over(run.scene, state, state.has_moved)) {
-    if (!advance(run, report)) return false;
+    if (!advance(run, step)) return false;
     note_motion(run.scene, state);
-    write_step(run, report);
+    write_step(run, step);
     if (is_too_thin(run)) return false;
     save_when_due(run);
     if (run.stop && run.stop()) {
@@ -209,7 +219,7 @@ bool go_through_stages(Progress& run, bool good) {
   for (;;) {
     good = good && advance_stage(run);
     save(run);
-    if (!good) write_fields(run);
+    if (!good) write_fields(run, run.outcome.state);
     end_stage(run, good);
     const Index next = run.outcome.state.stage + 1;
     if (!good || next == stages) return good;

@@ -47,17 +47,17 @@ bool overshot(const Scene& scene, const StepReport& report) {
 }
 
 double landing_step(const Scene& scene, const State& state, double wish) {
-  const double left_in_stage = scene.stages[state.stage].duration - state.stage_time;
-  const double left = std::min(left_in_stage, next_output(scene, state.time) - state.time);
+  double left = scene.stages[state.stage].duration - state.stage_time;
+  if (!scene.has_flow()) left = std::min(left, next_output(scene, state.time) - state.time);
   if (left <= wish * (1 + same_time)) return left;
   return left < 2 * wish ? 0.5 * left : wish;
 }
 
-bool output_due(const Scene& scene, const State& state) {
-  const double interval = scene.output.interval;
-  if (interval > 0 && std::abs(state.time - interval * std::round(state.time / interval)) < same_time) return true;
-  return std::any_of(scene.output.times.begin(), scene.output.times.end(),
-                     [&](double t) { return std::abs(t - state.time) < same_time; });
+std::vector<double> outputs_due(const Scene& scene, double from, double to) {
+  std::vector<double> due;
+  for (double t = next_output(scene, from); t <= to + same_time; t = next_output(scene, t))
+    due.push_back(to - t < same_time ? to : t);
+  return due;
 }
 
 bool stage_over(const Scene& scene, const State& state, bool has_moved) {

@@ -13,17 +13,18 @@ struct WishedStep {
 };
 
 /// Step that the next step may have, from what the last one did to the mesh and the surface temperature; `allowed`, s, is what
-/// that one was allowed, before it was shortened to land on an output time.
+/// that one was allowed, before it was shortened to land on a given time.
 WishedStep wished_step(const Scene& scene, const StepReport& report, double allowed);
 
 /// Whether a step did so much more than it should that it is to be repeated shorter.
 bool overshot(const Scene& scene, const StepReport& report);
 
-/// `wish`, shortened so that the stage's end and the next output time are met exactly and no sliver is left before them.
+/// `wish`, shortened so that the stage's end is met exactly and no sliver is left before it; where nothing flows, the next output
+/// time as well (the heat integrator's own steps do not care).
 double landing_step(const Scene& scene, const State& state, double wish);
 
-/// Whether an output time lies at the state's time.
-bool output_due(const Scene& scene, const State& state);
+/// Output times after `from` and not after `to`, s, in order.
+std::vector<double> outputs_due(const Scene& scene, double from, double to);
 
 /// Whether the present stage is over: its duration, or its tools have come to rest after having moved.
 bool stage_over(const Scene& scene, const State& state, bool has_moved);

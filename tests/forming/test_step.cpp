@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
+#include "forming/step/between.hpp"
+#include "forming/step/fingerprint.hpp"
 #include "forming/step/heat_step.hpp"
 #include "forming/report/history.hpp"
 #include "forming/step/initial_state.hpp"
@@ -48,6 +51,46 @@ TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
   for (const auto* file : {"summary.json", "thickness.csv"}) EXPECT_FALSE(std::filesystem::exists(folder / "results" / file));
   for (const auto* file : {"history.csv", "interface.csv", "glass.pvd", "plunger.pvd", "checkpoint.h5"})
     EXPECT_TRUE(std::filesystem::exists(folder / "results" / file)) << file;
+}
+
+std::vector<double> written_times(const std::filesystem::path& pvd) {
+  std::ifstream file(pvd);
+  std::vector<double> times;
+  const std::string key = "timestep=\"";
+  for (std::string line; std::getline(file, line);)
+    if (const auto at = line.find(key); at != line.npos) times.push_back(std::stod(line.substr(at + key.size())));
+  return times;
+}
+
+TEST_F(Pot, output_times_are_met_and_change_nothing_of_the_run) {
+  scene.stages[0].duration = 0.05;
+  scene.output.interval = 0;
+  const auto quiet = run(scene, (folder / "quiet").string());
+  scene.output.interval = 0.01;
+  scene.output.times = {0.0123};
+  const auto watched = run(scene, (folder / "watched").string());
+  ASSERT_TRUE(quiet.facts.completed && watched.facts.completed);
+  EXPECT_EQ(fingerprint(watched.state), fingerprint(quiet.state));
+  const auto times = written_times(folder / "watched" / "glass.pvd");
+  const std::vector<double> wanted{0, 0.01, 0.0123, 0.02, 0.03, 0.04, 0.05};
+  ASSERT_EQ(times.size(), wanted.size());
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], wanted[i], 1e-12);
+  EXPECT_EQ(written_times(folder / "quiet" / "glass.pvd").size(), 2);
+}
+
+TEST_F(Pot, a_state_within_a_step_lies_on_its_straight_motion) {
+  const State before = initial_state(scene);
+  Workspace workspace;
+  const auto result = coupled_step(scene, before, 4e-3, workspace);
+  ASSERT_TRUE(result.converged) << result.reason;
+  const State& after = result.state;
+  const State state = between(before, after, 1e-3);
+  for (Index n = 0; n < state.bodies[0].mesh.node_count(); ++n)
+    EXPECT_NEAR((before.bodies[0].mesh.nodes[n] + 1e-3 * flow::node_velocity(after.velocity, n) -
+                 state.bodies[0].mesh.nodes[n]).norm(), 0, 1e-15);
+  EXPECT_NEAR(state.bodies[2].offset, before.bodies[2].offset + 1e-3 * after.bodies[2].velocity, 1e-15);
+  EXPECT_NEAR((0.75 * before.bodies[0].temperature + 0.25 * after.bodies[0].temperature - state.bodies[0].temperature).norm(), 0, 1e-9);
+  EXPECT_EQ(state.time, 1e-3);
 }
 
 TEST_F(Pot, a_new_mesh_keeps_volume_mass_and_heat) {

@@ -40,11 +40,12 @@ bool run_stage(const Scene& scene, const std::string& directory) {
     report.dt = landing_step(scene, state, state.next_step);
     const auto heat = advance_heat(scene, state, report.interface, {}, report.dt, workspace);
     if (!heat.converged) return false;
+    const double before = state.time;
     state.time += report.dt;
     state.stage_time += report.dt;
     state.next_step = wished_step(scene, report, state.next_step).dt;
     files.row(history_row(scene, state, report));
-    if (output_due(scene, state)) files.fields(state, report.interface);
+    if (!outputs_due(scene, before, state.time).empty()) files.fields(state, report.interface);
   }
   return true;
 }
