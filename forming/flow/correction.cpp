@@ -34,7 +34,7 @@ void load_held_nodes(const Rearrangement& what, const std::vector<Change>& chang
     auto rows = loading.given.block<dim, Eigen::Dynamic>(dim * frame.node, 0, dim, first);
     for (int a = 0; a < dim; ++a) {
       if (!frame.fixed[a]) continue;
-      Eigen::RowVectorXd value = frame.given.row(a);
+      Eigen::RowVectorXd value = what.held.find(frame.node)->given.row(a);
       const Point now = node_velocity(what.from.x, frame.node);
       value[0] += value.tail(driven).dot(what.from.driven) - frame.frame.col(a).dot(now);
       if (std::abs(value[0]) <= round_off * now.norm()) value[0] = 0;

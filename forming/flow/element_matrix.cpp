@@ -94,8 +94,7 @@ void add_node(const CellGeometry& geometry, Index batch, const BatchWeights& wei
   }
 }
 
-void add_pressures(const Problem& problem, const CellGeometry& geometry, Index batch, const BatchWeights& weights,
-                   Lanes* matrix, Lanes* load) {
+void add_pressures(const BatchWeights& weights, Lanes* matrix, Lanes* load) {
   const auto& rule = core::triangle_rule(4);
   for (int p = 0; p < 3; ++p) {
     load[cell_velocities + p].setZero();
@@ -104,7 +103,6 @@ void add_pressures(const Problem& problem, const CellGeometry& geometry, Index b
   for (int q = 0; q < cell_points; ++q) {
     const double linear[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
     for (int p = 0; p < 3; ++p) {
-      load[cell_velocities + p] -= (problem.volume_rate * linear[p]) * geometry.at(batch, q).volume;
       for (int s = 0; s <= p; ++s)
         matrix[packed(cell_velocities + p, cell_velocities + s)] -= (linear[p] * linear[s]) * weights[q].squeezed;
     }
@@ -182,7 +180,7 @@ CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry,
       for (int j = 0; j <= i; ++j) add_pair(at, weights, weighted, i, j, matrix);
       add_node(geometry, batch, weights, i, matrix, load);
     }
-    add_pressures(problem, geometry, batch, weights, matrix, load);
+    add_pressures(weights, matrix, load);
   }
   return cells;
 }

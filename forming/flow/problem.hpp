@@ -51,7 +51,11 @@ struct Problem {
   std::function<Point(const Point&)> force;       ///< on the glass beside its weight, N/m3, where given
   std::vector<bool> frozen;            ///< cells whose glass flows no more; empty where none
   double gravity = 0;                  ///< along the axis, m/s2
-  double volume_rate = 0;              ///< div v everywhere, 1/s: takes back what the finite steps did to the volume
+  double volume_rate = 0;              ///< div v everywhere, 1/s: takes back what the finite steps do to the volume
+  /// By how much that rate is to change, 1/s, now that the velocities are known, and with them the swelling: the velocities that change
+  /// the volume everywhere at 1/s, leave the contacts closed and put no force on driven tools. By a little of them the motion is
+  /// corrected; forces and pressures are those without any.
+  std::function<double(const Eigen::VectorXd& velocity, const Eigen::VectorXd& swelling)> more_swelling;
   Point body_force_direction = core::axis_direction();
   std::vector<PieceCondition> pieces;  ///< one for each mesh piece
   std::vector<ToolMotion> tools;
@@ -78,6 +82,7 @@ struct Solution {
   double friction_power = 0;          ///< that the glass loses by sliding along tools, W
   double arrival_power = 0;           ///< that it loses by coming to rest on tools before the step is over, W
   double correction_power = 0;        ///< that leading volume and penetrated nodes back takes, W
+  Eigen::VectorXd swelling;           ///< m/s, two per node: see Problem::more_swelling; empty where it was not found
   std::vector<bool> exposed;          ///< per boundary edge: not wholly pressed, so that air and surface tension act on it
   double mean_rate = 0;               ///< root mean square of the rate of deformation over the volume, 1/s
   double high_rate = 0;               ///< rate of deformation sqrt(2 D:D) exceeded in `high_rate_share` of the volume, 1/s

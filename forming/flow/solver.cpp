@@ -2,7 +2,10 @@
 #include "forming/flow/solver.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "core/element.hpp"
 #include "forming/flow/contact_set.hpp"
 #include "forming/flow/correction.hpp"
 #include "forming/flow/losses.hpp"
@@ -29,7 +32,8 @@ struct Discrete {
   std::vector<double> viscosity;
   CellMatrices cells;    ///< that give the forces of a flow
   CellMatrices tangent;  ///< that give their changes, where the viscosity depends on the flow
-  Eigen::VectorXd load;  ///< of gravity and the wanted change of volume, on every unknown
+  Eigen::VectorXd swelling;  ///< load of a change of volume at 1/s
+  Eigen::VectorXd load;      ///< of gravity and the wanted change of volume, on every unknown
 };
 
 /// Viscosity and cells for a velocity, which may be empty.
@@ -38,14 +42,29 @@ void find_cells(const Problem& problem, const Eigen::VectorXd& velocity, Discret
   discrete.cells = cell_matrices(problem, discrete.geometry, discrete.viscosity);
 }
 
+/// The load of a change of volume at 1/s; glass that a tool holds cannot take part.
+Eigen::VectorXd swelling_load(const Problem& problem, const CellGeometry& geometry) {
+  const auto& mesh = *problem.mesh;
+  const auto& rule = core::triangle_rule(4);
+  const Index velocities = dim * mesh.node_count();
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(velocities + mesh.vertex_count);
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    for (int q = 0; q < cell_points; ++q) {
+      const double linear[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
+      const double volume = geometry.at(c / lanes, q).volume[c % lanes];
+      for (int p = 0; p < 3; ++p) load[velocities + mesh.cells[c][p]] -= linear[p] * volume;
+    }
+  for (const auto& candidate : problem.candidates)
+    if (candidate.held && candidate.node < mesh.vertex_count) load[velocities + candidate.node] = 0;
+  return load;
+}
+
 Discrete discretise(const Problem& problem) {
   const auto& mesh = *problem.mesh;
-  Discrete discrete{cell_geometry(mesh, problem.geometry), surface_edges(problem), {}, {}, {}, {}};
+  Discrete discrete{cell_geometry(mesh, problem.geometry), surface_edges(problem), {}, {}, {}, {}, {}};
   find_cells(problem, {}, discrete);
-  discrete.load = cell_loads(mesh, discrete.cells);
-  // Held glass cannot take part in a change of volume.
-  for (const auto& candidate : problem.candidates)
-    if (candidate.held && candidate.node < mesh.vertex_count) discrete.load[dim * mesh.node_count() + candidate.node] = 0;
+  discrete.swelling = swelling_load(problem, discrete.geometry);
+  discrete.load = cell_loads(mesh, discrete.cells) + problem.volume_rate * discrete.swelling;
   return discrete;
 }
 
@@ -95,6 +114,46 @@ void report(const Problem& problem, const Discrete& discrete, const Held& held, 
   for (const auto& edge : mesh.boundary)
     result.exposed.push_back(!(pressed[edge.nodes[0]] && pressed[edge.nodes[1]] && pressed[edge.nodes[2]]));
   result.converged = true;
+}
+
+/// What a change of volume at 1/s does with the nodes held as in the solved problem, but at rest: a tool in balance gives way without
+/// a force, one at its speed limit or told where to go stays.
+std::optional<Instant> find_swelling(Problem problem, const Discrete& discrete, const CellMatrices& cells, Held held,
+                                     const std::vector<double>& tool_velocity, Corrector& corrector) {
+  for (std::size_t t = 0; t < problem.tools.size(); ++t) {
+    ToolMotion& tool = problem.tools[t];
+    tool.velocity = 0;
+    if (!tool.force) continue;
+    tool.force = 0;
+    tool.speed_limit = std::abs(tool_velocity[t]) < tool.speed_limit ? std::numeric_limits<double>::infinity() : 0;
+  }
+  for (auto& frame : held.frames) frame.given.col(0).setZero();
+  held.pull.setZero();
+  const auto size = discrete.swelling.size();
+  Iterate rest{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size),
+               Eigen::VectorXd::Zero(Index(driven_tools(problem).size()))};
+  auto answer = corrector.correct(problem, cells, held, discrete.swelling, rest);
+  if (!answer || !answer->allFinite()) return std::nullopt;
+  Instant instant = advance(problem, cells, held, discrete.swelling, std::move(*answer), rest);
+  if (!instant.unknowns.allFinite()) return std::nullopt;
+  return instant;
+}
+
+/// Gives the motion as much swelling as it wants and takes what swelling does out of forces and pressures, so that it leaves no trace
+/// in the stress.
+void swell(const Problem& problem, const Instant& swelling, Discrete& discrete, Instant& instant, Solution& result) {
+  const Index velocities = dim * problem.mesh->node_count(), vertices = problem.mesh->vertex_count;
+  result.swelling = swelling.unknowns.head(velocities);
+  const double known = problem.volume_rate;
+  const double more = problem.more_swelling(instant.unknowns.head(velocities), result.swelling);
+  discrete.load += more * discrete.swelling;
+  instant.unknowns.head(velocities) += more * result.swelling;
+  for (std::size_t t = 0; t < instant.tool_velocity.size(); ++t)
+    instant.tool_velocity[t] += more * swelling.tool_velocity[t];
+  instant.unknowns.tail(vertices) -= known * swelling.unknowns.tail(vertices);
+  instant.forces.normal -= known * swelling.forces.normal;
+  instant.forces.axial -= known * swelling.forces.axial;
+  instant.forces.sideways -= known * swelling.forces.sideways;
 }
 
 Solution failed(Solution result, const char* reason) {
@@ -172,6 +231,9 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     else
       settled = true;
   }
+  if (problem.more_swelling)
+    if (const auto swelling = find_swelling(problem, discrete, tangent, held, instant->tool_velocity, corrector))
+      swell(problem, *swelling, discrete, *instant, result);
   report(problem, discrete, held, *instant, result);
   return result;
 }

@@ -157,6 +157,7 @@ void carry_flow(const Scene& scene, const State& state, const remesh::Transfer& 
   const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
   next.velocity = interpolate_vectors(old, transfer, state.velocity);
   next.acceleration = interpolate_vectors(old, transfer, state.acceleration);
+  next.swelling = interpolate_vectors(old, transfer, state.swelling);
   if (state.temperature_rate.size() > 0)
     next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
   next.contact.tool = next.contact.tool_before = carried_contact(scene, state, transfer, mesh);
@@ -256,6 +257,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.last_step = 0;
   next.velocity.setZero();
   next.acceleration.setZero();
+  next.swelling.setZero();
   next.moves_smoothly = false;
   next.temperature_rate.setZero();
   next.contact.closed = {};

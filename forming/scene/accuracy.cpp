@@ -66,7 +66,7 @@ const std::vector<Setting>& settings() {
       {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}},
       {"temperature_tolerance", &A::temperature_tolerance, dimension::temperature_difference, "K", 1, 2, {1, 0.2, 0.05}},
       {"temperature_per_step", &A::temperature_per_step, dimension::temperature_difference, "K", 1, 1, {40, 20, 10}},
-      {"largest_step", &A::largest_step, dimension::time, "s", 1, 1, {0.1, 0.05, 0.025}},
+      {"largest_step", &A::largest_step, dimension::time, "s", 1, 1, {0.2, 0.1, 0.05}},
       {"first_step", &A::first_step, dimension::time, "s", 1, 0, {1e-3, 1e-3, 1e-3}},
       {"smallest_step", &A::smallest_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}},
       {"motion_tolerance", &A::motion_tolerance, dimension::length, "mm", 1e-3, 2, {0.05e-3, 0.025e-3, 6.25e-6}},

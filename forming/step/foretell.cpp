@@ -14,6 +14,9 @@ namespace {
 /// The motion is smooth where the last acceleration told the next change of velocity to this share.
 constexpr double smooth = 0.5;
 
+/// Of the change of volume that swelling is to make, the least that it does make where the glass has room for it.
+constexpr double least_room = 0.5;
+
 }  // namespace
 
 Eigen::VectorXd foretold_temperature(const Scene& scene, const State& state, double dt) {
@@ -36,10 +39,28 @@ Eigen::VectorXd foretold_velocity(const State& state, double ahead) {
   return velocity;
 }
 
-core::Mesh middle_mesh(const State& state, const Eigen::VectorXd& middle, double dt) {
+std::optional<double> swelling_rate(const Scene& scene, const State& state, const Eigen::VectorXd& velocity,
+                                    const Eigen::VectorXd& swelling, double dt, double wanted) {
+  const core::Mesh& start = state.bodies[0].mesh;
+  core::Mesh end = start;
+  const auto volume_with = [&](double rate) {
+    for (const auto& edge : start.boundary)
+      for (const Index n : edge.nodes)
+        end.nodes[n] = start.nodes[n] + dt * (flow::node_velocity(velocity, n) + rate * flow::node_velocity(swelling, n));
+    return core::volume(end, scene.geometry);
+  };
+  const double without = volume_with(0), trial = (wanted - without) / (dt * wanted);
+  if (trial == 0) return 0;
+  const double with = volume_with(trial), slope = (with - without) / trial;
+  if (slope < least_room * dt * wanted) return std::nullopt;
+  return trial + (wanted - with) / slope;
+}
+
+core::Mesh middle_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& middle, double dt) {
   core::Mesh mesh = state.bodies[0].mesh;
   Eigen::VectorXd mean = middle;  // over the first half of the step
   if (state.moves_smoothly) mean -= 0.25 * dt * state.acceleration;
+  if (const auto rate = swelling_rate(scene, state, mean, state.swelling, 0.5 * dt, state.first_volume)) mean += *rate * state.swelling;
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += 0.5 * dt * flow::node_velocity(mean, n);
   return mesh;
 }

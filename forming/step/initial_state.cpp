@@ -87,7 +87,7 @@ State initial_state(const Scene& scene) {
   state.mass_nodes = glass.nodes;
   state.density = scene.has_heat() ? scene.glass.thermal->density : scene.has_flow() ? scene.glass.flow->density : 0;
   state.first_volume = core::volume(glass, scene.geometry);
-  if (scene.has_flow()) state.velocity = state.acceleration = Eigen::VectorXd::Zero(core::dim * glass.node_count());
+  if (scene.has_flow()) state.velocity = state.acceleration = state.swelling = Eigen::VectorXd::Zero(core::dim * glass.node_count());
   state.contact.tool.assign(glass.nodes.size(), -1);
   state.contact.tool_before = state.contact.tool;
   state.contact.pressure.setZero(glass.node_count());

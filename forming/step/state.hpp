@@ -104,6 +104,7 @@ struct State {
   double first_heat = 0;          ///< heat content of the glass at the start, J
   Eigen::VectorXd velocity;       ///< of the glass nodes over the last step, m/s; empty without flow
   Eigen::VectorXd acceleration;   ///< of the glass nodes between the last two steps, m/s2; empty without flow
+  Eigen::VectorXd swelling;       ///< of the glass nodes at 1/s everywhere (flow::Problem::more_swelling), m/s; zero where unknown; empty without flow
   bool moves_smoothly = false;    ///< the last change of velocity was much as the acceleration before had told
   Eigen::VectorXd temperature_rate;  ///< of the glass nodes over the last step, K/s; empty without flow or heat
   ContactState contact;

@@ -10,7 +10,8 @@ namespace parison::forming {
 
 namespace {
 
-constexpr double most_growth = 1.5;
+constexpr double most_growth = 1.5, most_idle_growth = 3.0;
+constexpr double idle = 0.1;          ///< of its allowance: a step that used less may grow faster
 constexpr double aim = 0.9;           ///< of what a step may do
 constexpr double repeat_above = 2.0;  ///< times what a step should do
 constexpr double same_time = 1e-9;    ///< s
@@ -35,7 +36,7 @@ double next_output(const Scene& scene, double time) {
 
 WishedStep wished_step(const Scene& scene, const StepReport& report, double allowed) {
   const auto [used, by] = load(scene, report);
-  WishedStep wish{most_growth * std::max(report.dt, allowed), StepLimit::growth};
+  WishedStep wish{(used < idle ? most_idle_growth : most_growth) * std::max(report.dt, allowed), StepLimit::growth};
   if (used > 0 && report.dt * aim / used < wish.dt) wish = {report.dt * aim / used, by};
   if (wish.dt > scene.accuracy.largest_step) wish = {scene.accuracy.largest_step, StepLimit::largest};
   wish.dt = std::max(wish.dt, scene.accuracy.smallest_step);

@@ -28,6 +28,9 @@ constexpr double volume_recovery_time = 5e-3;
 /// Flow sweeps in one step, at the most.
 constexpr int most_sweeps = 4;
 
+/// Of the tolerance of motion, in a stage's first step: it is foretold at rest.
+constexpr double first_share = 0.1;
+
 /// What a sweep may leave deeper in a tool than the step found it, m; and what the last sweep may.
 constexpr double most_depth = 2e-6, most_last_depth = 5e-6;
 
@@ -77,10 +80,19 @@ double wanted_volume_rate(const Scene& scene, const State& state, const core::Me
   return -(excess / std::max(dt, volume_recovery_time) + missed / dt) / state.first_volume;
 }
 
+/// What makes the glass end the step with the volume that `wanted_volume_rate` is after.
+auto more_swelling(const Scene& scene, const State& state, double dt) {
+  const double excess = core::volume(state.bodies[0].mesh, scene.geometry) - state.first_volume;
+  const double wanted = state.first_volume + excess * (1 - std::min(1.0, dt / volume_recovery_time));
+  return [&scene, &state, dt, wanted](const Eigen::VectorXd& velocity, const Eigen::VectorXd& swelling) {
+    return swelling_rate(scene, state, velocity, swelling, dt, wanted).value_or(0);
+  };
+}
+
 /// Flow of the step seen from its middle.
 FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::Closed& closed, const Middle& foretold,
                     double dt, Workspace& workspace) {
-  const core::Mesh middle = middle_mesh(state, foretold.velocity, dt);
+  const core::Mesh middle = middle_mesh(scene, state, foretold.velocity, dt);
   flow::Problem problem{};
   problem.mesh = &middle;
   problem.geometry = scene.geometry;
@@ -89,6 +101,7 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::
   problem.frozen = frozen_cells(scene, state);
   problem.gravity = scene.stages[state.stage].gravity;
   problem.volume_rate = wanted_volume_rate(scene, state, middle, foretold, dt);
+  problem.more_swelling = more_swelling(scene, state, dt);
   problem.pieces = piece_conditions(scene, state);
   problem.tools = tool_motions(scene, state, dt);
   problem.candidates = contact_candidates(scene, state, foretold.velocity, dt);
@@ -100,10 +113,11 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::
   return {std::move(problem.candidates), std::move(solution)};
 }
 
-/// Puts the flow's velocities and contact into the state.
+/// Puts the velocities and the contact into the state.
 void take_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
   const auto& [candidates, solution] = pass;
   state.velocity = solution.velocity;
+  if (solution.swelling.size() > 0) state.swelling = solution.swelling;
   state.last_step = dt;
   std::fill(state.contact.tool.begin(), state.contact.tool.end(), -1);
   for (std::size_t i = candidates.size(); i-- > 0;)
@@ -206,10 +220,10 @@ std::optional<flow::Solution> sweep_flow(const Scene& scene, const State& state,
 bool sweep_until_settled(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
                          StepResult& result) {
   double gained = 0;
-  const auto settled = [&] { return gained == 0 && result.report.unsettled_motion <= scene.accuracy.motion_tolerance; };
-  const int least_sweeps = state.last_step > 0 ? 1 : 2;  // a stage's first step knows no velocity
+  const double tolerance = (state.last_step > 0 ? 1 : first_share) * scene.accuracy.motion_tolerance;
+  const auto settled = [&] { return gained == 0 && result.report.unsettled_motion <= tolerance; };
   std::optional<flow::Solution> solution;
-  for (int sweep = 0; sweep < least_sweeps || (sweep < most_sweeps && !settled()); ++sweep) {
+  for (int sweep = 0; sweep == 0 || (sweep < most_sweeps && !settled()); ++sweep) {
     solution = sweep_flow(scene, state, foretold, dt, workspace, result, gained);
     if (!solution) return false;
   }

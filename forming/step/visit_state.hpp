@@ -80,6 +80,7 @@ void visit_state(Visitor visit, Whole& state) {
   visit("first_heat", state.first_heat);
   visit("velocity", state.velocity);
   visit("acceleration", state.acceleration);
+  visit("swelling", state.swelling);
   visit("moves_smoothly", state.moves_smoothly);
   visit("temperature_rate", state.temperature_rate);
   visit("contact_tool", state.contact.tool);

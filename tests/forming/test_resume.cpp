@@ -55,7 +55,7 @@ class Resume : public ::testing::Test {
 /// Two cylinders in which nothing moves, over two seconds.
 Scene standing() {
   Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/contact_cylinders", "draft");
-  scene.accuracy.largest_step = 0.5;
+  scene.accuracy.largest_step = 0.1;
   scene.stages[0].duration = 2;
   scene.output.interval = 0.5;
   return scene;

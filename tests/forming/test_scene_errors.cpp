@@ -205,8 +205,8 @@ TEST(SceneErrors, NumericsThatContradictEachOther) {
     const auto message = complaint_about(small_scene + "[numerics]\n" + entry + "\n");
     return message.substr(message.find(' ') + 1);
   };
-  EXPECT_EQ(numerics("first_step = \"0.2 s\""),
-            "numerics.first_step: first_step = 0.2 and largest_step = 0.1 (SI) were found, allowed is first_step up to "
+  EXPECT_EQ(numerics("first_step = \"0.3 s\""),
+            "numerics.first_step: first_step = 0.3 and largest_step = 0.2 (SI) were found, allowed is first_step up to "
             "largest_step");
   EXPECT_EQ(numerics("largest_step = \"0.1 ms\"").rfind("numerics.largest_step: first_step = 0.001 and", 0), 0u);
   EXPECT_EQ(numerics("smallest_step = \"2 ms\"").rfind("numerics.smallest_step: smallest_step = 0.002 and", 0), 0u);
