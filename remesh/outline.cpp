@@ -88,6 +88,7 @@ std::pair<Index, Index> find_crossing(const Outline& outline) {
 MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& pieces, const SizeField& size) {
   Triangulation triangles = triangulate(outline, size);
   if (!triangles.reason.empty()) return {{}, triangles.reason};
+  mend_poor(outline.vertices.size(), triangles);
   MeshedOutline result;
   Mesh& mesh = result.mesh;
   mesh.nodes = std::move(triangles.vertices);

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// mesher_bench CASE ACCURACY FOLDER REPEATS MESHER: runs a case with its glass meshed by MESHER (gmsh or cgal) and at each
+// new glass mesh gives the same outline and size field REPEATS times to every mesher; FOLDER.meshes.csv has a row for each.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+
+#include <gmsh.h>
+
+#include "core/blas_threads.hpp"
+#include "forming/run/run.hpp"
+#include "remesh/remesh_glass.hpp"
+#include "tools/benchmarks/bare_flow.hpp"
+#include "tools/benchmarks/cgal_mesher.hpp"
+#include "tools/benchmarks/mesh_figures.hpp"
+
+namespace parison::remesh {
+
+#define TRIANGULATE "_ZN7parison6remesh11triangulateERKNS0_7OutlineERKNS0_9SizeFieldE"
+#define REMESH_GLASS "_ZN7parison6remesh12remesh_glassERKNS_4core4MeshERKNS0_8CriteriaE"
+Triangulation real_triangulate(const Outline&, const SizeField&) __asm__("__real_" TRIANGULATE);
+Triangulation chosen_triangulate(const Outline&, const SizeField&) __asm__("__wrap_" TRIANGULATE);
+Remeshed real_remesh_glass(const core::Mesh&, const Criteria&) __asm__("__real_" REMESH_GLASS);
+Remeshed watched_remesh_glass(const core::Mesh&, const Criteria&) __asm__("__wrap_" REMESH_GLASS);
+
+}  // namespace parison::remesh
+
+namespace {
+
+using namespace parison;
+
+constexpr bench::CgalOptions for_run{true, 5};
+
+struct Mesher {
+  const char* name;
+  int gmsh_algorithm;  ///< 0: CGAL
+  bench::CgalOptions cgal;
+};
+constexpr int frontal_delaunay = 6;
+constexpr std::array<Mesher, 9> meshers{{{"gmsh frontal-Delaunay", frontal_delaunay, {}},
+                                         {"gmsh Delaunay", 5, {}},
+                                         {"gmsh MeshAdapt", 1, {}},
+                                         {"CGAL", 0, {false, 0}},
+                                         {"CGAL, Lloyd 5", 0, {false, 5}},
+                                         {"CGAL, edges kept", 0, {true, 0}},
+                                         {"CGAL, edges kept, Lloyd 2", 0, {true, 2}},
+                                         {"CGAL, edges kept, Lloyd 5", 0, {true, 5}},
+                                         {"CGAL, edges kept, Lloyd 10", 0, {true, 10}}}};
+
+struct Bench {
+  std::ofstream table;
+  int repeats = 0, seen = 0;
+  bool cgal_in_run = false, in_glass = false;
+  std::optional<remesh::Triangulation> ready;  ///< what the mesher of the comparison has made
+} ledger;
+
+struct Made {
+  remesh::MeshedOutline meshed;
+  core::Index added = 0;
+  double seconds;
+};
+
+/// One mesh, with the program's own finish.
+Made make(const Mesher& mesher, const remesh::Outline& outline, const std::vector<std::string>& pieces,
+          const remesh::SizeField& size) {
+  Made result;
+  if (mesher.gmsh_algorithm) gmsh::option::setNumber("Mesh.Algorithm", mesher.gmsh_algorithm);
+  const double start = bench::cpu_seconds();
+  if (mesher.gmsh_algorithm) {
+    result.meshed = remesh::mesh_outline(outline, pieces, size);
+  } else {
+    bench::CgalMesh made = bench::cgal_mesh(outline, size, mesher.cgal);
+    ledger.ready = std::move(made.triangles);
+    result.added = made.added;
+    result.meshed = remesh::mesh_outline(made.outline, pieces, size);
+  }
+  result.seconds = bench::cpu_seconds() - start;
+  if (mesher.gmsh_algorithm) gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
+  return result;
+}
+
+void compare(const core::Mesh& old, const remesh::Criteria& criteria) {
+  const remesh::SizeField size = remesh::size_field(old, criteria);
+  const remesh::Outline outline = remesh::resample(old, criteria, size).outline;
+  for (const Mesher& mesher : meshers) {
+    std::vector<double> seconds;
+    std::uint64_t bits = 0;
+    bool same = true;
+    for (int i = 0; i < ledger.repeats; ++i) {
+      const remesh::SizeField own = size;  // it remembers what was asked
+      const Made made = make(mesher, outline, old.pieces, own);
+      seconds.push_back(made.seconds);
+      if (!made.meshed.reason.empty()) {
+        ledger.table << ledger.seen << ',' << mesher.name << ",nan,nan,nan,nan,nan,nan,nan,nan,nan,1,0\n";
+        break;
+      }
+      const auto figures = bench::mesh_figures(made.meshed.mesh, size);
+      if (i == 0) bits = figures.bits;
+      same = same && figures.bits == bits;
+      if (i + 1 < ledger.repeats) continue;
+      std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
+      ledger.table << ledger.seen << ",\"" << mesher.name << "\"," << made.meshed.mesh.cell_count() << ','
+                   << seconds[seconds.size() / 2] << ',' << figures.worst << ',' << figures.median << ','
+                   << figures.smallest_angle << ',' << figures.size_mean << ',' << figures.size_largest << ','
+                   << figures.largest_jump << ',' << made.added << ',' << same << ',' << bits << std::endl;
+    }
+  }
+  ++ledger.seen;
+}
+
+}  // namespace
+
+remesh::Triangulation remesh::chosen_triangulate(const Outline& outline, const SizeField& size) {
+  if (ledger.ready) {
+    Triangulation made = std::move(*ledger.ready);
+    ledger.ready.reset();
+    return made;
+  }
+  if (ledger.in_glass && ledger.cgal_in_run) return bench::cgal_mesh(outline, size, for_run).triangles;
+  return real_triangulate(outline, size);
+}
+
+remesh::Remeshed remesh::watched_remesh_glass(const core::Mesh& old, const Criteria& criteria) {
+  if (ledger.repeats > 0) compare(old, criteria);
+  ledger.in_glass = true;
+  Remeshed result = real_remesh_glass(old, criteria);
+  ledger.in_glass = false;
+  return result;
+}
+
+int main(int argc, char** argv) {
+  if (argc != 6) {
+    std::fprintf(stderr, "mesher_bench: CASE ACCURACY FOLDER REPEATS MESHER\n");
+    return 2;
+  }
+  core::use_one_blas_thread();
+  ledger.repeats = std::atoi(argv[4]);
+  ledger.cgal_in_run = std::string(argv[5]) == "cgal";
+  ledger.table.open(std::string(argv[3]) + ".meshes.csv");
+  ledger.table << "remesh,mesher,triangles,seconds,worst,median,angle,size_mean,size_largest,jump,added,same,bits\n";
+  const auto outcome = forming::run(forming::read_scene(argv[1], argv[2]), argv[3]);
+  if (!outcome.facts.completed) std::fprintf(stderr, "mesher_bench: %s\n", outcome.facts.reason.c_str());
+  return outcome.facts.completed ? 0 : 1;
+}
