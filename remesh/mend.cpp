@@ -20,8 +20,7 @@ double straight_quality(const Triangulation& mesh, const std::array<Index, 3>& c
 
 }  // namespace
 
-void mend_poor(std::size_t fixed, Triangulation& mesh) {
-  constexpr double poor = 0.55;
+void mend_poor(std::size_t fixed, double poor, Triangulation& mesh) {
   constexpr int sweeps = 2;
   std::vector<std::vector<std::size_t>> round(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

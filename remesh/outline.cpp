@@ -18,6 +18,7 @@ using core::Point;
 namespace {
 
 constexpr double folded = 0.3;  ///< quality below which a straight edge is tried
+constexpr double poor = 0.55;   ///< quality below which corners move
 
 /// Two chords an edge: to the mid-side point and on to the end.
 std::vector<core::Chord> chords(const Outline& outline) {
@@ -88,7 +89,7 @@ std::pair<Index, Index> find_crossing(const Outline& outline) {
 MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& pieces, const SizeField& size) {
   Triangulation triangles = triangulate(outline, size);
   if (!triangles.reason.empty()) return {{}, triangles.reason};
-  mend_poor(outline.vertices.size(), triangles);
+  mend_poor(outline.vertices.size(), poor, triangles);
   MeshedOutline result;
   Mesh& mesh = result.mesh;
   mesh.nodes = std::move(triangles.vertices);

@@ -170,6 +170,7 @@ CgalMesh cgal_mesh(const remesh::Outline& outline, const remesh::SizeField& size
     }
     result.triangles.triangles.push_back(cell);
   }
+  if (options.mend > 0) remesh::mend_poor(result.outline.vertices.size(), options.mend, result.triangles);
   return result;
 }
 

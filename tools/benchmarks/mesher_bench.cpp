@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mesher_bench CASE ACCURACY FOLDER REPEATS MESHER: runs a case with its glass meshed by MESHER (gmsh or cgal) and at each
+// mesher_bench CASE ACCURACY FOLDER REPEATS MESHER [KEY=VALUE ...]: runs a case with its glass meshed by MESHER and at each
 // new glass mesh gives the same outline and size field REPEATS times to every mesher; FOLDER.meshes.csv has a row for each.
 #include <algorithm>
 #include <cstdio>
@@ -10,6 +10,7 @@
 #include <gmsh.h>
 
 #include "core/blas_threads.hpp"
+#include "forming/report/summary.hpp"
 #include "forming/run/run.hpp"
 #include "remesh/remesh_glass.hpp"
 #include "tools/benchmarks/bare_flow.hpp"
@@ -31,28 +32,30 @@ namespace {
 
 using namespace parison;
 
-constexpr bench::CgalOptions for_run{true, 5};
-
 struct Mesher {
   const char* name;
   int gmsh_algorithm;  ///< 0: CGAL
   bench::CgalOptions cgal;
 };
 constexpr int frontal_delaunay = 6;
-constexpr std::array<Mesher, 9> meshers{{{"gmsh frontal-Delaunay", frontal_delaunay, {}},
+constexpr std::array<Mesher, 12> meshers{{{"gmsh", frontal_delaunay, {}},
                                          {"gmsh Delaunay", 5, {}},
                                          {"gmsh MeshAdapt", 1, {}},
-                                         {"CGAL", 0, {false, 0}},
-                                         {"CGAL, Lloyd 5", 0, {false, 5}},
-                                         {"CGAL, edges kept", 0, {true, 0}},
-                                         {"CGAL, edges kept, Lloyd 2", 0, {true, 2}},
-                                         {"CGAL, edges kept, Lloyd 5", 0, {true, 5}},
-                                         {"CGAL, edges kept, Lloyd 10", 0, {true, 10}}}};
+                                         {"CGAL", 0, {false, 0, 0}},
+                                         {"CGAL, Lloyd 5", 0, {false, 5, 0}},
+                                         {"CGAL kept", 0, {true, 0, 0}},
+                                         {"CGAL kept, mended 0.7", 0, {true, 0, 0.7}},
+                                         {"CGAL kept, mended 0.9", 0, {true, 0, 0.9}},
+                                         {"CGAL kept, mended 1", 0, {true, 0, 1}},
+                                         {"CGAL kept, Lloyd 2", 0, {true, 2, 0}},
+                                         {"CGAL kept, Lloyd 5", 0, {true, 5, 0}},
+                                         {"CGAL kept, Lloyd 10", 0, {true, 10, 0}}}};
 
 struct Bench {
   std::ofstream table;
   int repeats = 0, seen = 0;
-  bool cgal_in_run = false, in_glass = false;
+  const Mesher *in_run = nullptr, *now = &meshers[0];
+ 
   std::optional<remesh::Triangulation> ready;  ///< what the mesher of the comparison has made
 } ledger;
 
@@ -66,7 +69,7 @@ struct Made {
 Made make(const Mesher& mesher, const remesh::Outline& outline, const std::vector<std::string>& pieces,
           const remesh::SizeField& size) {
   Made result;
-  if (mesher.gmsh_algorithm) gmsh::option::setNumber("Mesh.Algorithm", mesher.gmsh_algorithm);
+  ledger.now = &mesher;
   const double start = bench::cpu_seconds();
   if (mesher.gmsh_algorithm) {
     result.meshed = remesh::mesh_outline(outline, pieces, size);
@@ -77,7 +80,6 @@ Made make(const Mesher& mesher, const remesh::Outline& outline, const std::vecto
     result.meshed = remesh::mesh_outline(made.outline, pieces, size);
   }
   result.seconds = bench::cpu_seconds() - start;
-  if (mesher.gmsh_algorithm) gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
   return result;
 }
 
@@ -118,29 +120,36 @@ remesh::Triangulation remesh::chosen_triangulate(const Outline& outline, const S
     ledger.ready.reset();
     return made;
   }
-  if (ledger.in_glass && ledger.cgal_in_run) return bench::cgal_mesh(outline, size, for_run).triangles;
-  return real_triangulate(outline, size);
+  if (!ledger.now->gmsh_algorithm) return bench::cgal_mesh(outline, size, ledger.now->cgal).triangles;
+  const bool other = ledger.now->gmsh_algorithm != frontal_delaunay;
+  if (other) gmsh::option::setNumber("Mesh.Algorithm", ledger.now->gmsh_algorithm);
+  Triangulation made = real_triangulate(outline, size);
+  if (other) gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
+  return made;
 }
 
 remesh::Remeshed remesh::watched_remesh_glass(const core::Mesh& old, const Criteria& criteria) {
   if (ledger.repeats > 0) compare(old, criteria);
-  ledger.in_glass = true;
+  ledger.now = ledger.in_run;
   Remeshed result = real_remesh_glass(old, criteria);
-  ledger.in_glass = false;
+  ledger.now = &meshers[0];
   return result;
 }
 
 int main(int argc, char** argv) {
-  if (argc != 6) {
-    std::fprintf(stderr, "mesher_bench: CASE ACCURACY FOLDER REPEATS MESHER\n");
+  if (argc < 6) {
+    std::fprintf(stderr, "mesher_bench: CASE ACCURACY FOLDER REPEATS MESHER [KEY=VALUE ...]\n");
     return 2;
   }
   core::use_one_blas_thread();
   ledger.repeats = std::atoi(argv[4]);
-  ledger.cgal_in_run = std::string(argv[5]) == "cgal";
+  ledger.in_run = std::find_if(meshers.begin(), meshers.end(), [&](const Mesher& m) { return std::string(argv[5]) == m.name; });
+  if (ledger.in_run == meshers.end()) return std::fprintf(stderr, "mesher_bench: no mesher \"%s\"\n", argv[5]), 2;
   ledger.table.open(std::string(argv[3]) + ".meshes.csv");
   ledger.table << "remesh,mesher,triangles,seconds,worst,median,angle,size_mean,size_largest,jump,added,same,bits\n";
-  const auto outcome = forming::run(forming::read_scene(argv[1], argv[2]), argv[3]);
+  const auto scene = forming::read_scene(argv[1], argv[2], {argv + 6, argv + argc});
+  const auto outcome = forming::run(scene, argv[3]);
+  forming::write_summary(argv[3], scene, outcome.state, outcome.facts);
   if (!outcome.facts.completed) std::fprintf(stderr, "mesher_bench: %s\n", outcome.facts.reason.c_str());
   return outcome.facts.completed ? 0 : 1;
 }
