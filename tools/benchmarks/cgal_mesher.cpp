@@ -27,7 +27,7 @@ using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triang
 using Handle = Delaunay::Vertex_handle;
 
 /// Longest edge over the size there, at which the refinement makes about as many triangles as gmsh's frontal one.
-constexpr double longest = 1.37;
+constexpr double longest = 1.33;
 constexpr double smallest_sine_squared = 0.125;  ///< 20.7 degrees, up to which the refinement is sure to end
 
 /// When a triangle is to be refined: an edge too long for the size field, or an angle too small.
