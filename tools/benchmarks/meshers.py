@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshers of the glass against each other, on the outlines and size fields of the bundled runs, and in whole runs."""
+import csv
+import statistics
+from pathlib import Path
+
+from benchmarks import bars, references
+from benchmarks.common import BUILD, ROOT, Figure, build, new_path, read_summary, run
+
+WORST, MEDIAN = 0.3, 0.9  # quality asked of a new mesh
+REPEATS = 3
+NOW = "gmsh"
+MESHERS = {
+    "gmsh": "gmsh frontal-Delaunay",
+    "gmsh Delaunay": "gmsh Delaunay",
+    "CGAL": "CGAL",
+    "CGAL Lloyd": "CGAL, 5 Lloyd passes",
+    "CGAL kept": "CGAL, outline kept",
+    "CGAL kept Lloyd": "CGAL, outline kept, 5 Lloyd passes",
+    "CGAL kept mended": "CGAL, outline kept, mended below 0.7",
+    "CGAL kept mended more": "CGAL, outline kept, mended below 0.9",
+}
+IN_RUNS = ("gmsh", "CGAL kept mended", "CGAL kept mended more")
+SETTINGS = ("largest_step=0.1 s", "surface_size=1.5 mm", "surface_size=1.7 mm", "strain_per_step=0.29", "strain_per_step=0.27",
+            "skin_size=0.66 mm", "skin_size=0.74 mm", "glass_growth=0.48", "elements_across=2.2", "temperature_per_step=36 K")
+
+
+def bench(case, accuracy, repeats, mesher, *settings):
+    """Runs a case with a mesher; whether it completed, its result folder."""
+    out = new_path("meshers")
+    done = run([BUILD / "tools/benchmarks/mesher_bench", ROOT / "cases" / case, accuracy, out, repeats, mesher, *settings], f"{out}.log")
+    if not (out / "summary.json").exists():
+        raise RuntimeError(f"mesher_bench {case} ended with {done.code}:\n" + Path(f"{out}.log").read_text()[-800:])
+    return done.code == 0, out
+
+
+def rows_by_mesher(folder):
+    """Number of meshes that a mesher failed to make, rows of the others."""
+    with open(f"{folder}.meshes.csv") as table:
+        rows = list(csv.DictReader(table))
+    made = [{k: v if k in ("mesher", "bits") else float(v) for k, v in row.items()} for row in rows if row["triangles"] != "nan"]
+    return {name: [row for row in made if row["mesher"] == name] for name in MESHERS}, len(rows) - len(made)
+
+
+def section(options):
+    build("mesher_bench")
+    for case, accuracy in (("jar", options.accuracy), ("tumbler", options.accuracy)):
+        rows, failed = rows_by_mesher(bench(case, accuracy, REPEATS, NOW)[1])
+        again, _ = rows_by_mesher(bench(case, accuracy, 1, NOW)[1])
+        if failed:
+            print(f"    {failed} meshes could not be made")
+        key = f"mesher.{case}.{accuracy}"
+        print(f"    {case} at {accuracy}, {len(rows[NOW])} meshes: " + "triangles, ms, worst and lowest median quality, smallest angle, "
+              "|log2(edge/size)| mean and largest, ratio of neighbours' areas, points added, same bits")
+        for name, what in MESHERS.items():
+            print("    " + describe(what, rows[name], again[name]), flush=True)
+        now = seconds(rows[NOW])
+        yield Figure(f"{key}.worst", f"{case}: worst quality of a new mesh", min(row["worst"] for row in rows[NOW]), WORST, True)
+        yield Figure(f"{key}.median", f"{case}: lowest median quality of a new mesh", min(row["median"] for row in rows[NOW]), MEDIAN, True)
+        for name in MESHERS:
+            if name != NOW:
+                yield Figure(f"{key}.{name}.time", f"  {MESHERS[name]} over {MESHERS[NOW]}, CPU time", seconds(rows[name]) / now)
+
+
+def seconds(rows):
+    return sum(row["seconds"] for row in rows)
+
+
+def describe(what, rows, again):
+    """A line of the table; bits are the same when they are within a process and in another one."""
+    same = all(row["same"] == 1 for row in rows) and [r["bits"] for r in rows] == [r["bits"] for r in again]
+    least, most = (lambda key: min(row[key] for row in rows)), (lambda key: max(row[key] for row in rows))
+    return (f"{what:<38} {sum(row['triangles'] for row in rows):7.0f} {1e3 * seconds(rows):6.0f}  {least('worst'):.2f} {least('median'):.3f}"
+            f"  {least('angle'):4.1f}  {statistics.fmean(row['size_mean'] for row in rows):.2f} {most('size_largest'):.2f}  {most('jump'):.1f}"
+            f"  {sum(row['added'] for row in rows):3.0f}  {'yes' if same else 'no'}")
+
+
+def runs(options):
+    build("mesher_bench")
+    reference = references.of_case("jar")
+    for mesher in IN_RUNS:
+        means, largest, shares, stopped = [], [], [], 0
+        for setting in SETTINGS:
+            completed, folder = bench("jar", "draft", 0, mesher, f"numerics.{setting}")
+            if not completed:
+                stopped += 1
+                continue
+            summary = read_summary(folder)
+            mean, worst = bars.profile_errors(summary, reference)
+            means.append(100 * mean)
+            largest.append(100 * worst)
+            shares.append(100 * summary["timing"]["remesh"] / summary["wall_seconds"])
+        key, what = f"mesher_runs.{mesher}", MESHERS[mesher]
+        yield Figure(f"{key}.stopped", f"{what}: jar at draft, runs of {len(SETTINGS)} settings that end in a folded mesh", stopped,
+                     0 if mesher == NOW else None)
+        yield Figure(f"{key}.wall_mean", "  wall thickness against fine, mean of the runs' means", statistics.fmean(means), unit="%")
+        yield Figure(f"{key}.wall_largest", "  largest error of any run", max(largest), unit="%")
+        yield Figure(f"{key}.share", "  share of remeshing, mean of the runs", statistics.fmean(shares), unit="%")
