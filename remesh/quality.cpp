@@ -2,9 +2,8 @@
 #include "remesh/quality.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include <Eigen/LU>
 
 #include "core/element.hpp"
 
@@ -12,37 +11,20 @@ namespace parison::remesh {
 
 using core::Index;
 
-namespace {
-
-using Derivatives = std::array<std::array<std::array<double, 2>, 6>, 6>;
-
-const Derivatives& derivatives_at_nodes() {
-  static const Derivatives table = [] {
-    constexpr std::array<std::array<double, 2>, 6> nodes{{{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
-    Derivatives d;
-    for (int i = 0; i < 6; ++i) d[i] = core::triangle_shape_derivative(nodes[i][0], nodes[i][1]);
-    return d;
-  }();
-  return table;
-}
-
-}  // namespace
-
 double cell_quality(const core::Mesh& mesh, Index cell) {
-  const double root3 = std::sqrt(3.0);
-  const auto& nodes = mesh.cells[cell];
+  const auto& [origin, u, v, bulge] = core::cell_map(mesh, cell);
+  const auto& [m, n, p] = bulge;
+  // Both columns of the Jacobian are linear over the cell: at the vertices as given, at the mid-sides half way between.
+  std::array<core::Point, 6> along_a{u + 4 * m, u - 4 * m, u + 4 * (n - p)}, along_b{v + 4 * p, v + 4 * (n - m), v - 4 * p};
+  for (int k = 0; k < 3; ++k) {
+    along_a[3 + k] = 0.5 * (along_a[k] + along_a[(k + 1) % 3]);
+    along_b[3 + k] = 0.5 * (along_b[k] + along_b[(k + 1) % 3]);
+  }
   double worst = 1;
-  for (const auto& derivative : derivatives_at_nodes()) {
-    core::Point da = core::Point::Zero(), db = core::Point::Zero();
-    for (int i = 0; i < 6; ++i) {
-      da += derivative[i][0] * mesh.nodes[nodes[i]];
-      db += derivative[i][1] * mesh.nodes[nodes[i]];
-    }
-    // Jacobian with respect to the equilateral triangle: columns da and (2 db - da)/sqrt 3.
-    core::Tensor jacobian;
-    jacobian << da, (2 * db - da) / root3;
-    const double norm = jacobian.squaredNorm();
-    worst = std::min(worst, norm > 0 ? 2 * jacobian.determinant() / norm : 0.0);
+  for (int k = 0; k < 6; ++k) {
+    const core::Point &da = along_a[k], &db = along_b[k];
+    const double sides = da.squaredNorm() + db.squaredNorm() - da.dot(db);
+    worst = std::min(worst, sides > 0 ? std::sqrt(3.0) * (da[0] * db[1] - da[1] * db[0]) / sides : 0.0);
   }
   return worst;
 }

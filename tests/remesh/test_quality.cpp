@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "core/element.hpp"
 #include "remesh/quality.hpp"
 
 namespace parison::remesh {
@@ -34,6 +36,28 @@ TEST(Quality, a_curved_edge_that_folds_its_cell_shows_although_the_vertices_are_
   EXPECT_LT(bent, straight);
   EXPECT_GT(bent, 0);
   EXPECT_LE(quality(mesh).worst, 0);
+}
+
+TEST(Quality, a_curved_cell_has_the_least_value_of_its_jacobian_at_the_six_nodes) {
+  Mesh mesh = one_triangle({0.2, 0.1}, {1.3, 0}, {0.6, 0.9});
+  mesh.nodes[3] += Point(0.03, 0.07);
+  mesh.nodes[4] += Point(-0.05, 0.02);
+  mesh.nodes[5] += Point(0.04, -0.06);
+  double least = 1;
+  for (const auto& [a, b] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}}) {
+    const auto derivative = core::triangle_shape_derivative(a, b);
+    Point along_a = Point::Zero(), along_b = Point::Zero();
+    for (int i = 0; i < 6; ++i) {
+      along_a += derivative[i][0] * mesh.nodes[mesh.cells[0][i]];
+      along_b += derivative[i][1] * mesh.nodes[mesh.cells[0][i]];
+    }
+    // Against the equilateral triangle, whose third corner stands over the middle of the first side.
+    const Point up = (2 * along_b - along_a) / std::sqrt(3.0);
+    const double determinant = along_a[0] * up[1] - along_a[1] * up[0];
+    least = std::min(least, 2 * determinant / (along_a.squaredNorm() + up.squaredNorm()));
+  }
+  EXPECT_LT(least, 0.9 * quality(one_triangle({0.2, 0.1}, {1.3, 0}, {0.6, 0.9})).worst);
+  EXPECT_NEAR(cell_quality(mesh, 0), least, 1e-14);
 }
 
 TEST(Quality, the_worst_cell_is_named) {
