@@ -28,7 +28,8 @@ SETTINGS = ("largest_step=0.1 s", "surface_size=1.5 mm", "surface_size=1.7 mm", 
 def bench(case, accuracy, repeats, mesher, *settings):
     """Runs a case with a mesher; whether it completed, its result folder."""
     out = new_path("meshers")
-    done = run([BUILD / "tools/benchmarks/mesher_bench", ROOT / "cases" / case, accuracy, out, repeats, mesher, *settings], f"{out}.log")
+    program = BUILD / "tools/benchmarks/mesher_bench"
+    done = run([program, ROOT / "cases" / case, accuracy, out, repeats, mesher, *settings], f"{out}.log")
     if not (out / "summary.json").exists():
         raise RuntimeError(f"mesher_bench {case} ended with {done.code}:\n" + Path(f"{out}.log").read_text()[-800:])
     return done.code == 0, out
@@ -50,13 +51,13 @@ def section(options):
         if failed:
             print(f"    {failed} meshes could not be made")
         key = f"mesher.{case}.{accuracy}"
-        print(f"    {case} at {accuracy}, {len(rows[NOW])} meshes: " + "triangles, ms, worst and lowest median quality, smallest angle, "
-              "|log2(edge/size)| mean and largest, ratio of neighbours' areas, points added, same bits")
+        print(f"    {case} at {accuracy}, {len(rows[NOW])} meshes: triangles, ms, worst and lowest median quality, smallest angle, "
+              "|log2(edge/size)| mean and largest,\n    ratio of neighbours' areas, points added, same bits")
         for name, what in MESHERS.items():
             print("    " + describe(what, rows[name], again[name]), flush=True)
         now = seconds(rows[NOW])
-        yield Figure(f"{key}.worst", f"{case}: worst quality of a new mesh", min(row["worst"] for row in rows[NOW]), WORST, True)
-        yield Figure(f"{key}.median", f"{case}: lowest median quality of a new mesh", min(row["median"] for row in rows[NOW]), MEDIAN, True)
+        for quality, what, least in (("worst", "worst quality", WORST), ("median", "lowest median quality", MEDIAN)):
+            yield Figure(f"{key}.{quality}", f"{case}: {what} of a new mesh", min(row[quality] for row in rows[NOW]), least, True)
         for name in MESHERS:
             if name != NOW:
                 yield Figure(f"{key}.{name}.time", f"  {MESHERS[name]} over {MESHERS[NOW]}, CPU time", seconds(rows[name]) / now)
@@ -70,9 +71,10 @@ def describe(what, rows, again):
     """A line of the table; bits are the same when they are within a process and in another one."""
     same = all(row["same"] == 1 for row in rows) and [r["bits"] for r in rows] == [r["bits"] for r in again]
     least, most = (lambda key: min(row[key] for row in rows)), (lambda key: max(row[key] for row in rows))
-    return (f"{what:<38} {sum(row['triangles'] for row in rows):7.0f} {1e3 * seconds(rows):6.0f}  {least('worst'):.2f} {least('median'):.3f}"
-            f"  {least('angle'):4.1f}  {statistics.fmean(row['size_mean'] for row in rows):.2f} {most('size_largest'):.2f}  {most('jump'):.1f}"
-            f"  {sum(row['added'] for row in rows):3.0f}  {'yes' if same else 'no'}")
+    total = sum(row["triangles"] for row in rows)
+    fit = statistics.fmean(row["size_mean"] for row in rows)
+    return (f"{what:<38} {total:7.0f} {1e3 * seconds(rows):6.0f}  {least('worst'):.2f} {least('median'):.3f}  {least('angle'):4.1f}  "
+            f"{fit:.2f} {most('size_largest'):.2f}  {most('jump'):.1f}  {sum(row['added'] for row in rows):3.0f}  {'yes' if same else 'no'}")
 
 
 def runs(options):
@@ -91,8 +93,8 @@ def runs(options):
             largest.append(100 * worst)
             shares.append(100 * summary["timing"]["remesh"] / summary["wall_seconds"])
         key, what = f"mesher_runs.{mesher}", MESHERS[mesher]
-        yield Figure(f"{key}.stopped", f"{what}: jar at draft, runs of {len(SETTINGS)} settings that end in a folded mesh", stopped,
+        yield Figure(f"{key}.stopped", f"{what}: runs of the jar at draft, of {len(SETTINGS)}, that stop on a folded mesh", stopped,
                      0 if mesher == NOW else None)
-        yield Figure(f"{key}.wall_mean", "  wall thickness against fine, mean of the runs' means", statistics.fmean(means), unit="%")
+        yield Figure(f"{key}.wall_mean", "  wall thickness against fine, mean of all runs", statistics.fmean(means), unit="%")
         yield Figure(f"{key}.wall_largest", "  largest error of any run", max(largest), unit="%")
         yield Figure(f"{key}.share", "  share of remeshing, mean of the runs", statistics.fmean(shares), unit="%")
