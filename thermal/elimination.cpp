@@ -28,15 +28,15 @@ Vertices list_vertices(const HeatSystem& system) {
 
 /// Position in the order by vertex.
 std::vector<Index> rank_vertices(const HeatSystem& system, const Vertices& vertices,
-                                 const std::vector<HeatSegment>& segments) {
+                                 const std::vector<Coupling>& couplings) {
   std::vector<std::array<Index, 2>> edges;
-  edges.reserve(3 * system.cells.size() + 4 * segments.size());
+  edges.reserve(3 * system.cells.size() + 4 * couplings.size());
   const auto add = [&](Index a, Index b) { edges.push_back({vertices.number[a], vertices.number[b]}); };
   for (const HeatCell& cell : system.cells)
     for (int i = 0; i < 3; ++i) add(cell.unknowns[i], cell.unknowns[(i + 1) % 3]);
-  for (const HeatSegment& segment : segments)
+  for (const Coupling& coupling : couplings)
     for (const int slave : {0, 1})
-      for (const int master : {3, 4}) add(segment.unknowns[slave], segment.unknowns[master]);
+      for (const int master : {2, 3}) add(coupling[slave], coupling[master]);
   const Index count = static_cast<Index>(vertices.unknown.size());
   const std::vector<Index> order = core::minimum_degree_order(count, edges);
   std::vector<Index> rank(count);
@@ -46,9 +46,9 @@ std::vector<Index> rank_vertices(const HeatSystem& system, const Vertices& verti
 
 }  // namespace
 
-std::vector<Index> elimination_order(const HeatSystem& system, const std::vector<HeatSegment>& segments) {
+std::vector<Index> elimination_order(const HeatSystem& system, const std::vector<Coupling>& couplings) {
   const Vertices vertices = list_vertices(system);
-  const std::vector<Index> rank = rank_vertices(system, vertices, segments);
+  const std::vector<Index> rank = rank_vertices(system, vertices, couplings);
   const Index count = static_cast<Index>(rank.size());
   // With each unknown goes the vertex that is eliminated right after it or with it.
   std::vector<Index> with(system.size(), count);

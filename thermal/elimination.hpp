@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
-#include "thermal/system.hpp"
+#include "thermal/couplings.hpp"
 
 namespace parison::thermal {
 
 /// Order in which the unknowns of a heat system are eliminated: minimum degree on the graph of the vertices, each mid-side
-/// node before the first vertex of its edge. `segments` are those of the interface.
-std::vector<Index> elimination_order(const HeatSystem& system, const std::vector<HeatSegment>& segments);
+/// node before the first vertex of its edge.
+std::vector<Index> elimination_order(const HeatSystem& system, const std::vector<Coupling>& couplings);
 
 }  // namespace parison::thermal

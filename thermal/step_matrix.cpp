@@ -2,7 +2,6 @@
 #include "thermal/step_matrix.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "thermal/elimination.hpp"
 #include "thermal/linearise.hpp"
@@ -11,12 +10,6 @@
 namespace parison::thermal {
 
 namespace {
-
-/// Unknowns of the vertices of a slave edge and of the master edge that it faces.
-using ContactKey = std::array<Index, 4>;
-ContactKey clique_key(const HeatSegment& segment) {
-  return {segment.unknowns[0], segment.unknowns[1], segment.unknowns[3], segment.unknowns[4]};
-}
 
 Index cell_unknowns(const HeatSystem& system) { return system.problem->order == 2 ? 6 : 3; }
 
@@ -30,9 +23,9 @@ std::vector<Index> list_topology(const HeatSystem& system) {
   return topology;
 }
 
-/// Cells, boundary edges and facing edges, their unknowns by their rank; notes which clique each segment has.
-core::Cliques list_cliques(StepMatrix& matrix, const HeatSystem& system, const std::vector<Index>& topology,
-                           const std::vector<Index>& rank) {
+/// Cells, boundary edges and coupled edges, their unknowns by their rank.
+core::Cliques list_cliques(const HeatSystem& system, const EdgeChain& chain, const std::vector<Index>& topology,
+                           const std::vector<Coupling>& couplings, const std::vector<Index>& rank) {
   core::Cliques cliques;
   std::array<Index, 6> ranks;
   const auto add = [&](const Index* unknowns, Index count) {
@@ -43,14 +36,31 @@ core::Cliques list_cliques(StepMatrix& matrix, const HeatSystem& system, const s
   const std::size_t in_cells = per_cell * system.cells.size();
   for (std::size_t k = 0; k < topology.size(); k += k < in_cells ? per_cell : 3)
     add(topology.data() + k, k < in_cells ? per_cell : 3);
-  std::map<ContactKey, Index> contact_clique;
+  for (const Coupling& coupling : couplings) add(chain.unknowns(coupling).data(), 6);
+  return cliques;
+}
+
+void analyse(StepMatrix& matrix, const HeatSystem& system, const EdgeChain& chain, std::vector<Index> topology) {
+  matrix.order = elimination_order(system, matrix.couplings);
+  std::vector<Index> rank(system.size());
+  for (Index k = 0; k < system.size(); ++k) rank[matrix.order[k]] = k;
+  const core::Cliques cliques = list_cliques(system, chain, topology, matrix.couplings, rank);
+  matrix.assembly = core::make_assembly(system.size(), cliques, core::Triangle::upper);
+  matrix.first_coupling = cliques.count() - static_cast<Index>(matrix.couplings.size());
+  matrix.cholesky.analyse_ordered(matrix.assembly.matrix, matrix.order);
+  matrix.topology = std::move(topology);
+  matrix.analysed_couplings = matrix.couplings;
+  matrix.factored_step = 0;
+}
+
+/// Which clique each segment of the interface has.
+void note_cliques(StepMatrix& matrix, const HeatSystem& system) {
+  const std::vector<Coupling>& couplings = matrix.couplings;
   matrix.segment_clique.clear();
   for (const HeatSegment& segment : system.interface.segments) {
-    const auto [found, is_new] = contact_clique.emplace(clique_key(segment), cliques.count());
-    if (is_new) add(segment.unknowns.data(), 6);
-    matrix.segment_clique.push_back(found->second);
+    const auto found = std::lower_bound(couplings.begin(), couplings.end(), coupling_of(segment));
+    matrix.segment_clique.push_back(matrix.first_coupling + static_cast<Index>(found - couplings.begin()));
   }
-  return cliques;
 }
 
 template <int N>
@@ -82,22 +92,19 @@ void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Inde
 }
 
 void prepare(StepMatrix& matrix, const HeatSystem& system) {
-  std::vector<Index> topology = list_topology(system);
-  const auto& segments = system.interface.segments;
-  std::vector<Index> contacts;
-  for (const HeatSegment& segment : segments)
-    contacts.insert(contacts.end(), segment.unknowns.begin(), segment.unknowns.end());
   if (system.is_prescribed != matrix.is_prescribed) matrix.factored_step = 0;
   matrix.is_prescribed = system.is_prescribed;
-  if (topology == matrix.topology && contacts == matrix.contact_topology) return;
-  matrix.order = elimination_order(system, segments);
-  std::vector<Index> rank(system.size());
-  for (Index k = 0; k < system.size(); ++k) rank[matrix.order[k]] = k;
-  matrix.assembly = core::make_assembly(system.size(), list_cliques(matrix, system, topology, rank), core::Triangle::upper);
-  matrix.cholesky.analyse_ordered(matrix.assembly.matrix, matrix.order);
-  matrix.topology = std::move(topology);
-  matrix.contact_topology = std::move(contacts);
-  matrix.factored_step = 0;
+  std::vector<Index> topology = list_topology(system);
+  const std::vector<Coupling> present = present_couplings(system);
+  std::vector<Coupling>& couplings = matrix.couplings;
+  const auto is_analysed = [&] { return topology == matrix.topology && couplings == matrix.analysed_couplings; };
+  const bool lacks = !std::includes(couplings.begin(), couplings.end(), present.begin(), present.end());
+  if (lacks || !is_analysed()) {
+    const EdgeChain chain(system);
+    if (lacks || !chain.holds(couplings)) couplings = chain.widen(present);
+    if (!is_analysed()) analyse(matrix, system, chain, std::move(topology));
+  }
+  note_cliques(matrix, system);
 }
 
 bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/cholesky.hpp"
-#include "thermal/system.hpp"
+#include "thermal/couplings.hpp"
 
 namespace parison::thermal {
 
@@ -14,7 +14,9 @@ namespace parison::thermal {
 /// modified Newton; solve_stage has the full derivative.
 struct StepMatrix {
   std::vector<Index> topology;          ///< unknowns of all cells and boundary edges
-  std::vector<Index> contact_topology;  ///< unknowns of the interface's segments
+  std::vector<Coupling> couplings;  ///< that the pattern is to have; `prepare` keeps them as long as they hold the interface's
+  std::vector<Coupling> analysed_couplings;  ///< that it has
+  Index first_coupling = 0;           ///< clique of the first of them
   std::vector<Index> segment_clique;  ///< of each segment of the interface
   std::vector<char> is_prescribed;
   std::vector<Index> order;  ///< of elimination, that of the matrix's unknowns: order[k] is the k-th in the system
@@ -28,8 +30,8 @@ struct StepMatrix {
 /// Adds a dense symmetric matrix, row-major count x count, without the rows and columns of prescribed unknowns.
 void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Index count, const Index* unknowns,
                 double* local);
-/// Makes pattern and analysis anew where the cells changed or other edges face each other, so that they are a function
-/// of the system alone; drops the factor then, and where other unknowns are prescribed.
+/// Makes pattern and analysis a function of the system and of `couplings`, which are replaced by wider ones where the
+/// interface has others; drops the factor where they change, and where other unknowns are prescribed.
 void prepare(StepMatrix& matrix, const HeatSystem& system);
 /// Assembles and factorises at a temperature; false when the matrix is not positive definite.
 [[nodiscard]] bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature,

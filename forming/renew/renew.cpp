@@ -162,6 +162,7 @@ void carry_flow(const Scene& scene, const State& state, const remesh::Transfer& 
     next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
   next.contact.tool = next.contact.tool_before = carried_contact(scene, state, transfer, mesh);
   next.contact.closed = {};
+  next.heat_couplings.clear();
   next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
   for (Index n = 0; n < mesh.node_count(); ++n)
     if (next.contact.tool[n] < 0) next.contact.pressure[n] = 0;
@@ -261,6 +262,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.moves_smoothly = false;
   next.temperature_rate.setZero();
   next.contact.closed = {};
+  next.heat_couplings.clear();
   const auto& tools = scene.stages[stage].tools;
   const auto in_place = [&](Index tool) {
     return std::any_of(tools.begin(), tools.end(), [&](const StageTool& t) { return t.tool == tool; });

@@ -89,6 +89,18 @@ std::vector<Eigen::VectorXd> temperatures(const State& state) {
   return result;
 }
 
+void take_couplings(State& state, const std::vector<thermal::Coupling>& couplings) {
+  state.heat_couplings.clear();
+  for (const auto& coupling : couplings)
+    state.heat_couplings.insert(state.heat_couplings.end(), coupling.begin(), coupling.end());
+}
+
+std::vector<thermal::Coupling> couplings_of(const State& state) {
+  std::vector<thermal::Coupling> couplings(state.heat_couplings.size() / 4);
+  for (std::size_t i = 0; i < state.heat_couplings.size(); ++i) couplings[i / 4][i % 4] = state.heat_couplings[i];
+  return couplings;
+}
+
 std::vector<core::Mesh> meshes_of(const State& state) {
   std::vector<core::Mesh> meshes;
   for (const auto& body : state.bodies) meshes.push_back(body.mesh);
@@ -171,8 +183,10 @@ HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<cor
     options.tolerance = scene.accuracy.temperature_tolerance;
     options.newton_tolerance = newton_share * options.tolerance;
     options.first_substep = state.heat_substep;
+    workspace.heat.couplings = couplings_of(state);
     auto outcome = thermal::advance(problem, temperatures(state), dt, options, workspace.heat);
     if (!outcome.converged) return {false, outcome.reason};
+    take_couplings(state, workspace.heat.couplings);
     take_temperatures(state, std::move(outcome.temperature));
     book(outcome.ledger, state);
     state.heat_substep = outcome.next_substep;

@@ -96,6 +96,7 @@ struct State {
   double next_step = 0;   ///< what the step control wishes, s
   Index next_limit = 0;   ///< the StepLimit of that
   double heat_substep = 0;  ///< what the heat solver wishes, s
+  std::vector<Index> heat_couplings;  ///< four by four, thermal::Coupling; empty for a new mesh
   double last_step = 0;   ///< s, 0 when there is no velocity to extrapolate from
   std::vector<BodyState> bodies;  ///< glass, then the tools in the scene's order
   std::vector<Point> mass_nodes;  ///< glass node positions in which the mass was last distributed

@@ -73,6 +73,7 @@ void visit_state(Visitor visit, Whole& state) {
   visit("next_step", state.next_step);
   visit("next_limit", state.next_limit);
   visit("heat_substep", state.heat_substep);
+  visit("heat_couplings", state.heat_couplings);
   visit("last_step", state.last_step);
   visit("mass_nodes", state.mass_nodes);
   visit("density", state.density);

@@ -88,6 +88,51 @@ TEST(Contact, glass_on_steel_follows_the_exact_solution_by_IDA) {
   }
 }
 
+/// The interface of two bodies after the upper one slid along the lower.
+std::vector<core::InterfacePoint> slid(const std::vector<core::InterfacePoint>& points, const core::Mesh& lower, int edges) {
+  std::vector<core::InterfacePoint> moved = points;
+  for (core::InterfacePoint& point : moved)
+    for (std::size_t e = 0; e < lower.boundary.size(); ++e)
+      if (lower.boundary[e].nodes[2] == point.master_nodes[2]) {
+        const auto& to = lower.boundary[e + edges];
+        if (to.piece == lower.boundary[e].piece) point.master_nodes = to.nodes;
+        break;
+      }
+  return moved;
+}
+
+TEST(Contact, the_pattern_bears_a_slide_by_an_edge_but_not_by_two) {
+  Cylinders c(8, 6, 1.15);
+  const auto at_rest = c.problem.interface;
+  StepMatrix matrix;
+  prepare(matrix, make_heat_system(c.problem));
+  const auto couplings = matrix.couplings;
+  for (const int edges : {1, 2}) {
+    c.problem.interface = slid(at_rest, c.lower, edges);
+    const StepOutcome kept = advance(c.problem, c.start, 0.05, {}, matrix);
+    EXPECT_EQ(matrix.couplings == couplings, edges == 1);
+    StepMatrix none, same;
+    same.couplings = couplings;
+    const StepOutcome again = advance(c.problem, c.start, 0.05, {}, same), fresh = advance(c.problem, c.start, 0.05, {}, none);
+    ASSERT_TRUE(kept.converged && again.converged && fresh.converged);
+    for (const Index body : {0, 1}) {
+      EXPECT_TRUE(kept.temperature[body] == again.temperature[body]);  // a function of the couplings given, to the last bit
+      EXPECT_LT((kept.temperature[body] - fresh.temperature[body]).lpNorm<Eigen::Infinity>(), 1e-8);
+    }
+  }
+}
+
+TEST(Contact, couplings_of_another_mesh_are_dropped) {
+  const Cylinders fine(8, 6, 1.15), coarse(4, 6, 1.15);
+  StepMatrix matrix;
+  prepare(matrix, make_heat_system(fine.problem));
+  prepare(matrix, make_heat_system(coarse.problem));
+  StepMatrix fresh;
+  prepare(fresh, make_heat_system(coarse.problem));
+  EXPECT_EQ(matrix.couplings, fresh.couplings);
+  EXPECT_EQ(matrix.order, fresh.order);
+}
+
 TEST(Contact, coupling_steps_of_50_ms_need_about_one_substep_each) {
   const Cylinders c(4, 40, 1.15);
   StepOptions options;
