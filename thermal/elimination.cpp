@@ -32,8 +32,8 @@ std::vector<Index> rank_vertices(const HeatSystem& system, const Vertices& verti
   std::vector<std::array<Index, 2>> edges;
   edges.reserve(3 * system.cells.size() + 4 * couplings.size());
   const auto add = [&](Index a, Index b) { edges.push_back({vertices.number[a], vertices.number[b]}); };
-  for (const HeatCell& cell : system.cells)
-    for (int i = 0; i < 3; ++i) add(cell.unknowns[i], cell.unknowns[(i + 1) % 3]);
+  for (const auto& cell : system.cells)
+    for (int i = 0; i < 3; ++i) add(cell[i], cell[(i + 1) % 3]);
   for (const Coupling& coupling : couplings)
     for (const int slave : {0, 1})
       for (const int master : {2, 3}) add(coupling[slave], coupling[master]);
@@ -54,9 +54,9 @@ std::vector<Index> elimination_order(const HeatSystem& system, const std::vector
   std::vector<Index> with(system.size(), count);
   for (Index v = 0; v < count; ++v) with[vertices.unknown[v]] = rank[v];
   if (system.problem->order == 2)
-    for (const HeatCell& cell : system.cells)
+    for (const auto& cell : system.cells)
       for (int i = 0; i < 3; ++i)
-        with[cell.unknowns[3 + i]] = std::min(with[cell.unknowns[i]], with[cell.unknowns[(i + 1) % 3]]);
+        with[cell[3 + i]] = std::min(with[cell[i]], with[cell[(i + 1) % 3]]);
   std::vector<Index> end(count + 1, 0), order(system.size());
   for (const Index w : with) ++end[w + 1];
   std::partial_sum(end.begin(), end.end(), end.begin());

@@ -10,27 +10,13 @@ double thin_wall_factor(const Radiation& radiation, double wall_thickness) {
 }
 
 double conductivity(const Material& material, double temperature, double thin_wall) {
-  return Conductivity(material)(PointArray::Constant(temperature), PointArray::Constant(thin_wall))[0];
+  return Conductivity(material)(temperature, thin_wall);
 }
 
 Conductivity::Conductivity(const Material& material) : phonon_(material.conductivity) {
   if (!material.radiation) return;
   const double n = material.radiation->refractive_index;
   radiant_ = 16.0 / 3 * n * n * stefan_boltzmann / material.radiation->absorption;
-}
-
-PointArray Conductivity::operator()(const PointArray& temperature, const PointArray& thin_wall) const {
-  const PointArray T = temperature.max(0);
-  const PointArray radiant = radiant_ * thin_wall * T * T * T;
-  if (phonon_.x.size() == 1) return phonon_.y[0] + radiant;
-  return temperature.unaryExpr([&](double at) { return phonon_(at); }) + radiant;
-}
-
-PointArray Conductivity::slope(const PointArray& temperature, const PointArray& thin_wall) const {
-  const PointArray T = temperature.max(0);
-  const PointArray radiant = 3 * radiant_ * thin_wall * T * T;
-  if (phonon_.x.size() == 1) return radiant;
-  return temperature.unaryExpr([&](double at) { return phonon_.derivative(at); }) + radiant;
 }
 
 Enthalpy::Enthalpy(const core::Table& heat_capacity) : capacity_(heat_capacity) {
@@ -46,16 +32,6 @@ EnthalpyValue Enthalpy::operator()(double temperature) const {
   const double past = temperature - x[i];
   const double here = c[i] + (c[i + 1] - c[i]) * past / (x[i + 1] - x[i]);
   return {at_knot_[i] + 0.5 * (c[i] + here) * past, here};
-}
-
-PointArray Enthalpy::enthalpy(const PointArray& temperature) const {
-  if (capacity_.x.size() == 1) return at_knot_[0] + capacity_.y[0] * (temperature - capacity_.x[0]);
-  return temperature.unaryExpr([&](double at) { return (*this)(at).h; });
-}
-
-PointArray Enthalpy::capacity(const PointArray& temperature) const {
-  if (capacity_.x.size() == 1) return PointArray::Constant(capacity_.y[0]);
-  return temperature.unaryExpr([&](double at) { return (*this)(at).c; });
 }
 
 SurfaceFlux surface_flux(const SurfaceExchange& exchange, double temperature) {

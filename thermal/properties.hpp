@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "thermal/material.hpp"
-#include "thermal/shapes.hpp"
+#include "thermal/cell_group.hpp"
 
 namespace parison::thermal {
 
@@ -20,11 +20,22 @@ double conductivity(const Material& material, double temperature, double thin_wa
 class Conductivity {
  public:
   explicit Conductivity(const Material& material);
-  PointArray operator()(const PointArray& temperature, const PointArray& thin_wall) const;
-  /// Derivative with respect to temperature, W/m/K2.
-  PointArray slope(const PointArray& temperature, const PointArray& thin_wall) const;
+  double operator()(double temperature, double thin_wall = 1) const {
+    double k = phonon_(temperature);
+    add_radiant(temperature, thin_wall, k);
+    return k;
+  }
+  void set_values(const PointPacks& temperature, const PointPacks& thin_wall, PointPacks& values) const;
+  /// Derivatives with respect to temperature, W/m/K2.
+  void set_slopes(const PointPacks& temperature, const PointPacks& thin_wall, PointPacks& slopes) const;
 
  private:
+  template <typename Number>
+  [[gnu::always_inline]] void add_radiant(const Number& temperature, const Number& thin_wall, Number& sum) const {
+    const Number T = temperature < 0 ? Number{} : temperature;
+    sum += radiant_ * thin_wall * T * T * T;
+  }
+
   core::Table phonon_;
   double radiant_ = 0;  ///< W/m/K4
 };
@@ -40,13 +51,54 @@ class Enthalpy {
  public:
   explicit Enthalpy(const core::Table& heat_capacity);
   EnthalpyValue operator()(double temperature) const;
-  PointArray enthalpy(const PointArray& temperature) const;  ///< J/kg
-  PointArray capacity(const PointArray& temperature) const;  ///< J/kg/K
+  void set_enthalpies(const PointPacks& temperature, PointPacks& values) const;  ///< J/kg
+  void set_capacities(const PointPacks& temperature, PointPacks& values) const;  ///< J/kg/K
 
  private:
   core::Table capacity_;
   std::vector<double> at_knot_;  ///< J/kg
 };
+
+namespace detail {
+template <typename Law>
+[[gnu::always_inline]] inline void set_each(const PointPacks& temperature, const Law& law, PointPacks& values) {
+  for (int q = 0; q < 6; ++q)
+    values[q] = Pack{law(temperature[q][0]), law(temperature[q][1]), law(temperature[q][2]), law(temperature[q][3])};
+}
+}  // namespace detail
+
+[[gnu::always_inline]] inline void Conductivity::set_values(const PointPacks& temperature, const PointPacks& thin_wall,
+                                                            PointPacks& values) const {
+  if (phonon_.x.size() == 1)
+    for (Pack& value : values.own) value = Pack{} + phonon_.y[0];
+  else
+    detail::set_each(temperature, [this](double T) { return phonon_(T); }, values);
+  if (radiant_ == 0) return;
+  for (int q = 0; q < 6; ++q) add_radiant(temperature[q], thin_wall[q], values[q]);
+}
+
+[[gnu::always_inline]] inline void Conductivity::set_slopes(const PointPacks& temperature, const PointPacks& thin_wall,
+                                                            PointPacks& slopes) const {
+  if (phonon_.x.size() == 1)
+    slopes = {};
+  else
+    detail::set_each(temperature, [this](double T) { return phonon_.derivative(T); }, slopes);
+  if (radiant_ == 0) return;
+  for (int q = 0; q < 6; ++q) {
+    const Pack T = temperature[q] < 0 ? Pack{} : temperature[q];
+    slopes[q] += 3 * radiant_ * thin_wall[q] * T * T;
+  }
+}
+
+[[gnu::always_inline]] inline void Enthalpy::set_enthalpies(const PointPacks& temperature, PointPacks& values) const {
+  if (capacity_.x.size() > 1) return detail::set_each(temperature, [this](double T) { return (*this)(T).h; }, values);
+  for (int q = 0; q < 6; ++q) values[q] = at_knot_[0] + capacity_.y[0] * (temperature[q] - capacity_.x[0]);
+}
+
+[[gnu::always_inline]] inline void Enthalpy::set_capacities(const PointPacks& temperature, PointPacks& values) const {
+  if (capacity_.x.size() > 1) return detail::set_each(temperature, [this](double T) { return (*this)(T).c; }, values);
+  for (Pack& value : values.own) value = Pack{} + capacity_.y[0];
+}
 
 /// Heat flux out of a surface and its slope.
 struct SurfaceFlux {

@@ -3,17 +3,6 @@
 
 namespace parison::thermal {
 
-namespace {
-
-template <int N>
-void set_transposed(CellShapes<N>& shapes) {
-  shapes.value_back = shapes.value.transpose();
-  shapes.slope_a_back = shapes.slope_a.transpose();
-  shapes.slope_b_back = shapes.slope_b.transpose();
-}
-
-}  // namespace
-
 template <>
 const CellShapes<6>& cell_shapes<6>() {
   static const CellShapes<6> shapes = [] {
@@ -28,7 +17,6 @@ const CellShapes<6>& cell_shapes<6>() {
         made.slope_b(q, i) = slope[i][1];
       }
     }
-    set_transposed(made);
     return made;
   }();
   return shapes;
@@ -44,7 +32,6 @@ const CellShapes<3>& cell_shapes<3>() {
       made.slope_a.row(q) << -1, 1, 0;
       made.slope_b.row(q) << -1, 0, 1;
     }
-    set_transposed(made);
     return made;
   }();
   return shapes;

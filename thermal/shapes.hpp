@@ -8,14 +8,21 @@
 
 namespace parison::thermal {
 
-/// Numbers at the six points of triangle_rule(4) in a cell.
-using PointArray = Eigen::Array<double, 6, 1>;
+/// Four numbers; arithmetic is lane by lane.
+typedef double Pack __attribute__((vector_size(32), aligned(32)));
+/// Packs in a row. Not a std::array, which would lose the alignment.
+template <int N>
+struct alignas(32) Packs {
+  Pack own[N];
+
+  Pack& operator[](int i) { return own[i]; }
+  const Pack& operator[](int i) const { return own[i]; }
+};
 
 /// Shape functions and their derivatives in reference coordinates, a row for each point of triangle_rule(4).
 template <int N>
 struct CellShapes {
   Eigen::Matrix<double, 6, N> value, slope_a, slope_b;
-  Eigen::Matrix<double, N, 6> value_back, slope_a_back, slope_b_back;  ///< transposed: points into unknowns
 };
 /// Quadratic on a cell's 6 nodes, or linear on its 3 vertices.
 template <int N>
@@ -32,13 +39,7 @@ inline std::array<double, 3> unknown_weights(const std::array<double, 3>& shape,
   return {shape[0] + 0.5 * shape[2], shape[1] + 0.5 * shape[2], 0};
 }
 
-/// Values of a cell's unknowns, and their way back into a sum.
-template <int N>
-Eigen::Matrix<double, N, 1> gather(const Eigen::VectorXd& values, const std::array<core::Index, 6>& unknowns) {
-  Eigen::Matrix<double, N, 1> own;
-  for (int i = 0; i < N; ++i) own[i] = values[unknowns[i]];
-  return own;
-}
+/// Adds to the values of six unknowns.
 template <int N>
 void scatter(const Eigen::Matrix<double, N, 1>& own, const std::array<core::Index, 6>& unknowns, Eigen::VectorXd& sum) {
   for (int i = 0; i < N; ++i) sum[unknowns[i]] += own[i];

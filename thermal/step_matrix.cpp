@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
+#include "thermal/cell_kernels.hpp"
 #include "thermal/elimination.hpp"
-#include "thermal/linearise.hpp"
-#include "thermal/shapes.hpp"
 
 namespace parison::thermal {
 
@@ -15,8 +14,8 @@ Index cell_unknowns(const HeatSystem& system) { return system.problem->order == 
 
 std::vector<Index> list_topology(const HeatSystem& system) {
   std::vector<Index> topology;
-  for (const HeatCell& cell : system.cells)
-    topology.insert(topology.end(), cell.unknowns.begin(), cell.unknowns.begin() + cell_unknowns(system));
+  for (const auto& cell : system.cells)
+    topology.insert(topology.end(), cell.begin(), cell.begin() + cell_unknowns(system));
   for (std::size_t b = 0; b < system.problem->bodies.size(); ++b)
     for (const core::BoundaryEdge& edge : system.problem->bodies[b].mesh->boundary)
       for (const Index unknown : edge_unknowns(system, static_cast<Index>(b), edge.nodes)) topology.push_back(unknown);
@@ -63,23 +62,6 @@ void note_cliques(StepMatrix& matrix, const HeatSystem& system) {
   }
 }
 
-template <int N>
-void add_cells(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
-  const auto& [value, slope_a, slope_b, value_back, slope_a_back, slope_b_back] = cell_shapes<N>();
-  for (Index c = 0; c < static_cast<Index>(system.cells.size()); ++c) {
-    const HeatCell& cell = system.cells[c];
-    const PointArray conduction = step * slopes.cells[c].conductivity;
-    const PointArray aa = conduction * cell.aa, ab = conduction * cell.ab, bb = conduction * cell.bb;
-    const Eigen::Matrix<double, 6, N> stored = slopes.cells[c].capacity.matrix().asDiagonal() * value;
-    const Eigen::Matrix<double, 6, N> flow_a = aa.matrix().asDiagonal() * slope_a + ab.matrix().asDiagonal() * slope_b;
-    const Eigen::Matrix<double, 6, N> flow_b = ab.matrix().asDiagonal() * slope_a + bb.matrix().asDiagonal() * slope_b;
-    std::array<double, N * N> local;
-    Eigen::Map<Eigen::Matrix<double, N, N>>(local.data()) =
-        value_back * stored + slope_a_back * flow_a + slope_b_back * flow_b;
-    add_clique(matrix, system, c, N, cell.unknowns.data(), local.data());
-  }
-}
-
 }  // namespace
 
 void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Index count, const Index* unknowns,
@@ -111,7 +93,7 @@ bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::Vector
   core::SymmetricMatrix& values = matrix.assembly.matrix;
   std::fill(values.value.begin(), values.value.end(), 0.0);
   const Linearisation slopes = linearise(system, temperature);
-  (system.problem->order == 2 ? add_cells<6> : add_cells<3>)(matrix, system, slopes, step);
+  assemble_cells(matrix, system, slopes.groups, step);
   assemble_exchange(matrix, system, slopes, step);
   matrix.diagonal.resize(values.size);
   for (Index k = 0; k < values.size; ++k) {

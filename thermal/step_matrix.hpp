@@ -23,6 +23,7 @@ struct StepMatrix {
   core::Assembly assembly;   ///< upper triangle
   core::Cholesky cholesky;
   Eigen::VectorXd diagonal;
+  std::vector<KeptCells> kept;  ///< by body
   double factored_step = 0;  ///< s; 0 when there is no factor
   Index factorisations = 0;
 };

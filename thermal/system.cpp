@@ -8,49 +8,105 @@ namespace parison::thermal {
 
 namespace {
 
-/// Jacobian of a cell's map at a point of triangle_rule(4).
+/// Jacobian of the cells' map at a point of triangle_rule(4).
 struct Map {
-  core::Point along_a, along_b;  ///< derivatives of the position
-  double determinant, depth;
+  Packs<core::dim> along_a{}, along_b{};  ///< derivatives of the position
+  Pack determinant, depth;
 };
-Map map_at(const core::Mesh& mesh, Index cell, core::Geometry geometry, std::size_t q) {
+using NodePacks = std::array<Packs<core::dim>, 6>;
+
+NodePacks gather_nodes(const core::Mesh& mesh, const std::array<Index, group_size>& cells) {
+  NodePacks nodes;
+  for (int i = 0; i < 6; ++i)
+    for (int c = 0; c < group_size; ++c)
+      for (int d = 0; d < core::dim; ++d) nodes[i][d][c] = mesh.nodes[mesh.cells[cells[c]][i]][d];
+  return nodes;
+}
+
+Map map_at(const NodePacks& nodes, core::Geometry geometry, int q) {
   const CellShapes<6>& shapes = cell_shapes<6>();
-  core::Point x = core::Point::Zero(), u = x, v = x;
-  for (int i = 0; i < 6; ++i) {
-    const core::Point& node = mesh.nodes[mesh.cells[cell][i]];
-    x += shapes.value(q, i) * node;
-    u += shapes.slope_a(q, i) * node;
-    v += shapes.slope_b(q, i) * node;
-  }
-  return {u, v, u[0] * v[1] - u[1] * v[0], core::depth(geometry, x)};
+  Map map;
+  Packs<core::dim> x{};
+  for (int i = 0; i < 6; ++i)
+    for (int d = 0; d < core::dim; ++d) {
+      x[d] += shapes.value(q, i) * nodes[i][d];
+      map.along_a[d] += shapes.slope_a(q, i) * nodes[i][d];
+      map.along_b[d] += shapes.slope_b(q, i) * nodes[i][d];
+    }
+  map.determinant = map.along_a[0] * map.along_b[1] - map.along_a[1] * map.along_b[0];
+  for (int c = 0; c < group_size; ++c) map.depth[c] = core::depth(geometry, core::Point(x[0][c], x[1][c]));
+  return map;
 }
 
 /// Linear in the cell: a quadratic through thicknesses that jump would turn negative.
-double thickness_at(const BodyView& body, Index cell, std::size_t q) {
+double thickness_at(const BodyView& body, Index cell, int q) {
   double w = 0;
   for (int i = 0; i < 3; ++i) w += cell_shapes<3>().value(q, i) * (*body.wall_thickness)[body.mesh->cells[cell][i]];
   return w;
 }
 
-void add_cells(HeatSystem& system, const BodyView& body, Index first_unknown) {
+bool is_thin(const BodyView& body) { return body.wall_thickness && body.material->radiation; }
+
+CellGroup make_group(const BodyView& body, core::Geometry geometry, const std::array<Index, group_size>& cells,
+                     const Pack& there) {
   const auto& rule = core::triangle_rule(4);
-  const core::Geometry geometry = system.problem->geometry;
+  const NodePacks now = gather_nodes(*body.mesh, cells);
   const bool same = body.mesh == body.mass_mesh;
-  const bool thin = body.wall_thickness && body.material->radiation;
-  const int used = system.problem->order == 2 ? 6 : 3;
-  for (Index c = 0; c < body.mesh->cell_count(); ++c) {
-    HeatCell& cell = system.cells.emplace_back();
-    for (int i = 0; i < used; ++i) cell.unknowns[i] = first_unknown + body.mesh->cells[c][i];
-    for (std::size_t q = 0; q < rule.size(); ++q) {
-      const Map map = map_at(*body.mesh, c, geometry, q);
-      const double scale = rule[q].weight * map.depth / map.determinant;
-      cell.aa[q] = scale * map.along_b.squaredNorm();
-      cell.ab[q] = -scale * map.along_a.dot(map.along_b);
-      cell.bb[q] = scale * map.along_a.squaredNorm();
-      const Map then = same ? map : map_at(*body.mass_mesh, c, geometry, q);
-      cell.mass[q] = body.density * rule[q].weight * then.determinant * then.depth;
-      cell.thin_wall[q] = thin ? thin_wall_factor(*body.material->radiation, thickness_at(body, c, q)) : 1;
+  const NodePacks before = same ? now : gather_nodes(*body.mass_mesh, cells);
+  CellGroup group;
+  for (int q = 0; q < 6; ++q) {
+    const Map map = map_at(now, geometry, q), then = same ? map : map_at(before, geometry, q);
+    const Pack &ua = map.along_a[0], &va = map.along_a[1], &ub = map.along_b[0], &vb = map.along_b[1];
+    const Pack scale = there * rule[q].weight * map.depth / map.determinant;
+    group.aa[q] = scale * (ub * ub + vb * vb);
+    group.ab[q] = -scale * (ua * ub + va * vb);
+    group.bb[q] = scale * (ua * ua + va * va);
+    group.mass[q] = there * body.density * rule[q].weight * then.determinant * then.depth;
+    for (int c = 0; c < group_size; ++c)
+      group.thin_wall[q][c] = is_thin(body) ? thin_wall_factor(*body.material->radiation, thickness_at(body, cells[c], q)) : 1;
+  }
+  return group;
+}
+
+using Groups = std::vector<CellGroup>;
+Groups make_groups(const BodyView& body, core::Geometry geometry) {
+  const Index count = body.mesh->cell_count();
+  Groups groups;
+  groups.reserve((count + group_size - 1) / group_size);
+  for (Index first = 0; first < count; first += group_size) {
+    std::array<Index, group_size> cells;
+    Pack there;
+    for (int c = 0; c < group_size; ++c) {
+      cells[c] = std::min(first + c, count - 1);
+      there[c] = first + c < count;
     }
+    groups.push_back(make_group(body, geometry, cells, there));
+  }
+  return groups;
+}
+
+std::shared_ptr<const Groups> groups_of(const BodyView& body, core::Geometry geometry, KeptCells* kept) {
+  const core::Mesh &mesh = *body.mesh, &mass = *body.mass_mesh;
+  if (!kept || is_thin(body)) return std::make_shared<const Groups>(make_groups(body, geometry));
+  if (!kept->groups || kept->geometry != geometry || kept->density != body.density || kept->cells != mesh.cells ||
+      kept->nodes != mesh.nodes || kept->mass_nodes != mass.nodes)
+    *kept = {mesh.nodes, mass.nodes, mesh.cells, body.density, geometry,
+             std::make_shared<const Groups>(make_groups(body, geometry))};
+  return kept->groups;
+}
+
+/// Unknowns of a body's cells, one by one and by groups.
+void add_unknowns(HeatSystem& system, const core::Mesh& mesh, Index first_unknown) {
+  const int used = system.problem->order == 2 ? 6 : 3;
+  const Index count = mesh.cell_count();
+  for (const auto& nodes : mesh.cells) {
+    auto& unknowns = system.cells.emplace_back();
+    for (int i = 0; i < used; ++i) unknowns[i] = first_unknown + nodes[i];
+  }
+  for (Index first = 0; first < count; first += group_size) {
+    GroupUnknowns& unknowns = system.groups.emplace_back();
+    for (int c = 0; c < group_size; ++c)
+      for (int i = 0; i < used; ++i) unknowns[i][c] = first_unknown + mesh.cells[std::min(first + c, count - 1)][i];
   }
 }
 
@@ -59,7 +115,7 @@ void add_source(HeatSystem& system, const BodyLaws& laws, const std::vector<doub
   for (Index c = laws.first_cell; c < laws.last_cell; ++c) {
     const Eigen::Map<const Eigen::Matrix<double, 6, 1>> at(source.data() + 6 * (c - laws.first_cell));
     const Eigen::Matrix<double, N, 1> own = cell_shapes<N>().value.transpose() * at;
-    for (int i = 0; i < N; ++i) system.source[system.cells[c].unknowns[i]] += own[i];
+    for (int i = 0; i < N; ++i) system.source[system.cells[c][i]] += own[i];
   }
 }
 
@@ -77,7 +133,7 @@ void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) 
 
 }  // namespace
 
-HeatSystem make_heat_system(const Problem& problem) {
+HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept) {
   assert(problem.order == 1 || problem.order == 2);
   HeatSystem system;
   system.problem = &problem;
@@ -94,13 +150,15 @@ HeatSystem make_heat_system(const Problem& problem) {
   std::size_t cells = 0;
   for (const BodyView& body : problem.bodies) cells += body.mesh->cells.size();
   system.cells.reserve(cells);
+  if (kept) kept->resize(problem.bodies.size());
   Index boundary_edges = 0;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     const BodyView& body = problem.bodies[b];
-    const Index first_cell = static_cast<Index>(system.cells.size());
-    add_cells(system, body, system.first_unknown[b]);
+    const auto first_cell = static_cast<Index>(system.cells.size()), first_group = static_cast<Index>(system.groups.size());
+    add_unknowns(system, *body.mesh, system.first_unknown[b]);
     system.bodies.push_back({Enthalpy(body.material->heat_capacity), Conductivity(*body.material), first_cell,
-                             static_cast<Index>(system.cells.size())});
+                             static_cast<Index>(system.cells.size()), first_group,
+                             groups_of(body, problem.geometry, kept ? &(*kept)[b] : nullptr)});
     if (body.source) (problem.order == 2 ? add_source<6> : add_source<3>)(system, system.bodies.back(), *body.source);
     add_edges(system, static_cast<Index>(b), boundary_edges);
     boundary_edges += static_cast<Index>(body.mesh->boundary.size());

@@ -1,30 +1,28 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "core/cholesky.hpp"
 #include "core/element.hpp"
+#include "thermal/cell_group.hpp"
 #include "thermal/exchange.hpp"
 #include "thermal/ledger.hpp"
 #include "thermal/problem.hpp"
 #include "thermal/properties.hpp"
-#include "thermal/shapes.hpp"
 
 namespace parison::thermal {
 
-/// What does not depend on temperature in a cell, at its quadrature points.
-struct HeatCell {
-  std::array<Index, 6> unknowns;  ///< the first three alone in a problem of order 1
-  PointArray aa, ab, bb;  ///< present volume times the products of the gradients of the reference coordinates a, b, m
-  PointArray mass;        ///< kg
-  PointArray thin_wall;   ///< factor on the Rosseland conductivity
-};
 struct BodyLaws {
   Enthalpy enthalpy;
   Conductivity conductivity;
   Index first_cell, last_cell;  ///< range of HeatSystem::cells
+  Index first_group;            ///< its cells in HeatSystem::groups, from there on
+  std::shared_ptr<const std::vector<CellGroup>> cells;
+
+  Index group_count() const { return static_cast<Index>(cells->size()); }
 };
 
 /// A heat problem with the meshes where they are: everything but the temperature. The unknowns are the
@@ -33,7 +31,8 @@ struct HeatSystem {
   const Problem* problem;
   std::vector<Index> first_unknown;  ///< of each body; the last entry is the number of unknowns
   std::vector<BodyLaws> bodies;
-  std::vector<HeatCell> cells;
+  std::vector<std::array<Index, 6>> cells;  ///< their unknowns; the first three alone in a problem of order 1
+  std::vector<GroupUnknowns> groups;        ///< the same of all bodies' groups
   Eigen::VectorXd source;  ///< of volume into each unknown, W
   std::vector<HeatEdge> edges;
   HeatInterface interface;
@@ -43,7 +42,16 @@ struct HeatSystem {
 
   Index size() const { return first_unknown.back(); }
 };
-HeatSystem make_heat_system(const Problem& problem);
+/// Cells of a body whose mesh stands still, and what they were made of.
+struct KeptCells {
+  std::vector<core::Point> nodes, mass_nodes;
+  std::vector<std::array<Index, 6>> cells;
+  double density = 0;
+  core::Geometry geometry;
+  std::shared_ptr<const std::vector<CellGroup>> groups;
+};
+/// `kept`, by body, spares what has not changed since the last call with it.
+HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept = nullptr);
 
 /// Heat flows of the ledger's entries, W: to air by body, from source by body, and by pair what the interface takes from
 /// the slave's nodes and what it gives to the master's.

@@ -191,7 +191,7 @@ void integrate(Run& run, Moment& start, double dt, StepOutcome& outcome) {
 
 StepOutcome advance(const Problem& problem, const std::vector<Eigen::VectorXd>& temperature, double dt,
                     const StepOptions& options, StepMatrix& matrix) {
-  const HeatSystem system = make_heat_system(problem);
+  const HeatSystem system = make_heat_system(problem, &matrix.kept);
   prepare(matrix, system);
   const Index factorisations_before = matrix.factorisations;
   Run run{system, options, matrix};

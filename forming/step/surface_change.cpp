@@ -28,16 +28,10 @@ Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::Inte
   Eigen::ArrayXd h(temperature.size()), times(temperature.size());
   interface_law(scene, interface, table_holds)(interface, temperature, h, nullptr);
   const thermal::Enthalpy enthalpy(glass.heat_capacity);
-  const Eigen::Index count = temperature.size(), batch = thermal::PointArray::SizeAtCompileTime;
-  for (Eigen::Index first = 0; first < count; first += batch) {
-    const Eigen::Index used = std::min(batch, count - first);
-    thermal::PointArray T = thermal::PointArray::Constant(temperature[first]);
-    T.head(used) = temperature.segment(first, used);
-    const thermal::PointArray stored = conductivity(T, thermal::PointArray::Ones()) * glass.density * enthalpy.capacity(T);
-    for (Eigen::Index i = 0; i < used; ++i) {
-      const double closed = interface[first + i].closure * h[first + i];
-      times[first + i] = stored[i] / (closed * closed);
-    }
+  for (Eigen::Index i = 0; i < times.size(); ++i) {
+    const double stored = conductivity(temperature[i]) * glass.density * enthalpy(temperature[i]).c;
+    const double closed = interface[i].closure * h[i];
+    times[i] = stored / (closed * closed);
   }
   return times;
 }

@@ -65,7 +65,7 @@ TEST(Newton, the_derivative_of_the_whole_residual_is_that_of_finite_differences)
       EXPECT_LT((product - difference).lpNorm<Eigen::Infinity>(), 1e-7 * size);
       slopes.contacts.conductance.setZero();
       EXPECT_GT((apply(system, slopes, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-3 * size);
-      for (CellSlopes& cell : slopes.cells) cell.flow_a = cell.flow_b = PointArray::Zero();
+      for (GroupSlopes& group : slopes.groups) group.flow_a = group.flow_b = {};
       EXPECT_GT((apply(system, slopes, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-3 * size);
     }
 }
