@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <vector>
 
-#include "core/point.hpp"
+#include "core/mesh.hpp"
 #include "thermal/shapes.hpp"
 
 namespace parison::thermal {
@@ -20,6 +21,9 @@ struct CellGroup {
   PointPacks mass;        ///< kg
   PointPacks thin_wall;   ///< factor on the Rosseland conductivity
 };
+struct BodyView;
+std::vector<CellGroup> make_groups(const BodyView& body, core::Geometry geometry);
+
 /// Unknowns of a group, those of its cells together; a cell that the group lacks has the last one's.
 using GroupUnknowns = std::array<std::array<core::Index, group_size>, 6>;
 

@@ -25,6 +25,9 @@ struct BodyView {
   const std::vector<double>* source = nullptr;  ///< W at each point of triangle_rule(4), cell by cell; null: none
 };
 
+/// Whether its walls limit the radiation inside.
+inline bool has_thin_wall(const BodyView& body) { return body.wall_thickness && body.material->radiation; }
+
 /// Conductances, W/m2/K, of an interface's points at the slave's temperatures there, K, and, where asked for, their
 /// derivatives with respect to those.
 using InterfaceLaw = std::function<void(const std::vector<core::InterfacePoint>& points, const Eigen::ArrayXd& temperature,

@@ -8,86 +8,11 @@ namespace parison::thermal {
 
 namespace {
 
-/// Jacobian of the cells' map at a point of triangle_rule(4).
-struct Map {
-  Packs<core::dim> along_a{}, along_b{};  ///< derivatives of the position
-  Pack determinant, depth;
-};
-using NodePacks = std::array<Packs<core::dim>, 6>;
-
-NodePacks gather_nodes(const core::Mesh& mesh, const std::array<Index, group_size>& cells) {
-  NodePacks nodes;
-  for (int i = 0; i < 6; ++i)
-    for (int c = 0; c < group_size; ++c)
-      for (int d = 0; d < core::dim; ++d) nodes[i][d][c] = mesh.nodes[mesh.cells[cells[c]][i]][d];
-  return nodes;
-}
-
-Map map_at(const NodePacks& nodes, core::Geometry geometry, int q) {
-  const CellShapes<6>& shapes = cell_shapes<6>();
-  Map map;
-  Packs<core::dim> x{};
-  for (int i = 0; i < 6; ++i)
-    for (int d = 0; d < core::dim; ++d) {
-      x[d] += shapes.value(q, i) * nodes[i][d];
-      map.along_a[d] += shapes.slope_a(q, i) * nodes[i][d];
-      map.along_b[d] += shapes.slope_b(q, i) * nodes[i][d];
-    }
-  map.determinant = map.along_a[0] * map.along_b[1] - map.along_a[1] * map.along_b[0];
-  for (int c = 0; c < group_size; ++c) map.depth[c] = core::depth(geometry, core::Point(x[0][c], x[1][c]));
-  return map;
-}
-
-/// Linear in the cell: a quadratic through thicknesses that jump would turn negative.
-double thickness_at(const BodyView& body, Index cell, int q) {
-  double w = 0;
-  for (int i = 0; i < 3; ++i) w += cell_shapes<3>().value(q, i) * (*body.wall_thickness)[body.mesh->cells[cell][i]];
-  return w;
-}
-
-bool is_thin(const BodyView& body) { return body.wall_thickness && body.material->radiation; }
-
-CellGroup make_group(const BodyView& body, core::Geometry geometry, const std::array<Index, group_size>& cells,
-                     const Pack& there) {
-  const auto& rule = core::triangle_rule(4);
-  const NodePacks now = gather_nodes(*body.mesh, cells);
-  const bool same = body.mesh == body.mass_mesh;
-  const NodePacks before = same ? now : gather_nodes(*body.mass_mesh, cells);
-  CellGroup group;
-  for (int q = 0; q < 6; ++q) {
-    const Map map = map_at(now, geometry, q), then = same ? map : map_at(before, geometry, q);
-    const Pack &ua = map.along_a[0], &va = map.along_a[1], &ub = map.along_b[0], &vb = map.along_b[1];
-    const Pack scale = there * rule[q].weight * map.depth / map.determinant;
-    group.aa[q] = scale * (ub * ub + vb * vb);
-    group.ab[q] = -scale * (ua * ub + va * vb);
-    group.bb[q] = scale * (ua * ua + va * va);
-    group.mass[q] = there * body.density * rule[q].weight * then.determinant * then.depth;
-    for (int c = 0; c < group_size; ++c)
-      group.thin_wall[q][c] = is_thin(body) ? thin_wall_factor(*body.material->radiation, thickness_at(body, cells[c], q)) : 1;
-  }
-  return group;
-}
-
 using Groups = std::vector<CellGroup>;
-Groups make_groups(const BodyView& body, core::Geometry geometry) {
-  const Index count = body.mesh->cell_count();
-  Groups groups;
-  groups.reserve((count + group_size - 1) / group_size);
-  for (Index first = 0; first < count; first += group_size) {
-    std::array<Index, group_size> cells;
-    Pack there;
-    for (int c = 0; c < group_size; ++c) {
-      cells[c] = std::min(first + c, count - 1);
-      there[c] = first + c < count;
-    }
-    groups.push_back(make_group(body, geometry, cells, there));
-  }
-  return groups;
-}
 
 std::shared_ptr<const Groups> groups_of(const BodyView& body, core::Geometry geometry, KeptCells* kept) {
   const core::Mesh &mesh = *body.mesh, &mass = *body.mass_mesh;
-  if (!kept || is_thin(body)) return std::make_shared<const Groups>(make_groups(body, geometry));
+  if (!kept || has_thin_wall(body)) return std::make_shared<const Groups>(make_groups(body, geometry));
   if (!kept->groups || kept->geometry != geometry || kept->density != body.density || kept->cells != mesh.cells ||
       kept->nodes != mesh.nodes || kept->mass_nodes != mass.nodes)
     *kept = {mesh.nodes, mass.nodes, mesh.cells, body.density, geometry,
