@@ -15,34 +15,45 @@ const SurfaceExchange* exchange_of(const BodyView& body, Index piece) {
   return &*body.exchange[piece];
 }
 
-/// Exchange of the boundary edge with a given mid node, by node of every body.
-std::vector<std::vector<const SurfaceExchange*>> exchange_by_mid_node(const Problem& problem) {
-  std::vector<std::vector<const SurfaceExchange*>> result;
-  for (const BodyView& body : problem.bodies) {
-    result.emplace_back(body.mesh->node_count(), nullptr);
-    for (const core::BoundaryEdge& edge : body.mesh->boundary)
-      result.back()[edge.nodes[2]] = exchange_of(body, edge.piece);
-  }
-  return result;
+/// What a square metre of a piece gives the air: linear T + quartic |T|^3 T - constant, W/m2.
+struct AirLaw {
+  double linear = 0, quartic = 0, constant = 0;
+};
+AirLaw air_law(const SurfaceExchange* exchange) {
+  if (!exchange) return {};
+  const double radiant = exchange->emissivity * stefan_boltzmann;
+  return {exchange->h, radiant,
+          exchange->h * exchange->air_temperature + radiant * std::pow(exchange->ambient_temperature, 4)};
+}
+
+/// The pieces of a body's boundary and the air on them.
+struct BodyAir {
+  std::vector<AirLaw> laws;  ///< by piece
+  std::vector<Index> piece;  ///< of the boundary edge with a given mid node
+
+  const AirLaw& at(Index mid_node) const { return laws[piece[mid_node]]; }
+};
+BodyAir body_air(const BodyView& body) {
+  BodyAir air;
+  for (std::size_t p = 0; p < body.mesh->pieces.size(); ++p) air.laws.push_back(air_law(exchange_of(body, static_cast<Index>(p))));
+  air.piece.resize(body.mesh->nodes.size());
+  for (const core::BoundaryEdge& edge : body.mesh->boundary) air.piece[edge.nodes[2]] = edge.piece;
+  return air;
 }
 
 void resize(CoveredExchange& covered, Index size) {
-  covered.linear.setZero(size);
-  covered.quartic.setZero(size);
-  covered.constant.setZero(size);
+  covered.linear.resize(size);
+  covered.quartic.resize(size);
+  covered.constant.resize(size);
 }
 
-/// Covers the points of a segment on one of its sides; nothing where that side exchanges nothing.
-void cover(CoveredExchange& covered, const HeatSegment& segment, const Eigen::ArrayXd& area,
-           const SurfaceExchange* exchange) {
-  if (!exchange) return;
-  const Index first = segment.first_point, count = segment.last_point - first;
-  const double radiant = exchange->emissivity * stefan_boltzmann, ambient = exchange->ambient_temperature;
-  const auto closed = area.segment(first, count);
-  covered.linear.segment(first, count) = exchange->h * closed;
-  covered.quartic.segment(first, count) = radiant * closed;
-  covered.constant.segment(first, count) =
-      (exchange->h * exchange->air_temperature + radiant * std::pow(ambient, 4)) * closed;
+/// Covers the points of a segment on one of its sides.
+void cover(CoveredExchange& covered, const HeatSegment& segment, const Eigen::ArrayXd& area, const AirLaw& air) {
+  for (Index i = segment.first_point; i < segment.last_point; ++i) {
+    covered.linear[i] = air.linear * area[i];
+    covered.quartic[i] = air.quartic * area[i];
+    covered.constant[i] = air.constant * area[i];
+  }
 }
 
 Index find_pair(HeatSystem& system, const std::pair<Index, Index>& pair) {
@@ -67,7 +78,7 @@ HeatSegment start_segment(HeatSystem& system, const core::InterfacePoint& point,
 /// Heat across the interface and what its cover keeps from the air.
 void add_contact_heat(const HeatSystem& system, const Eigen::VectorXd& temperature, Flows& flows,
                       Eigen::VectorXd* power) {
-  using Six = Eigen::Matrix<double, 6, 1>;
+  using Eigen::Vector3d;
   const HeatInterface& interface = system.interface;
   const auto [T1, T2] = side_temperatures(interface, temperature);
   Eigen::ArrayXd h(T1.size());
@@ -75,20 +86,24 @@ void add_contact_heat(const HeatSystem& system, const Eigen::VectorXd& temperatu
   const Eigen::ArrayXd across = interface.area * h * (T1 - T2);
   const Eigen::ArrayXd air1 = interface.slave_air.heat(T1), air2 = interface.master_air.heat(T2);
   for (const HeatSegment& segment : interface.segments) {
-    Six crossing = Six::Zero(), covered = Six::Zero();  // in shares of the unknowns
+    // In shares of the unknowns.
+    Vector3d given = Vector3d::Zero(), taken = given, covered1 = given, covered2 = given;
     for (Index i = segment.first_point; i < segment.last_point; ++i) {
-      const auto shape = interface.shape.col(i);
-      crossing += across[i] * shape;
-      covered.head<3>() += air1[i] * shape.head<3>();
-      covered.tail<3>() += air2[i] * shape.tail<3>();
+      const Eigen::Map<const Vector3d> s(&interface.shape(0, i)), m(&interface.shape(3, i));
+      given += across[i] * s;
+      taken += across[i] * m;
+      covered1 += air1[i] * s;
+      covered2 += air2[i] * m;
     }
-    flows.across[segment.pair] += crossing.head<3>().sum();
-    flows.received[segment.pair] += crossing.tail<3>().sum();
-    flows.to_air[segment.slave_body] -= covered.head<3>().sum();
-    flows.to_air[segment.master_body] -= covered.tail<3>().sum();
+    flows.across[segment.pair] += given.sum();
+    flows.received[segment.pair] += taken.sum();
+    flows.to_air[segment.slave_body] -= covered1.sum();
+    flows.to_air[segment.master_body] -= covered2.sum();
     if (!power) continue;
-    crossing.tail<3>() *= -1;
-    for (int i = 0; i < 6; ++i) (*power)[segment.unknowns[i]] -= crossing[i] - covered[i];
+    for (int i = 0; i < 3; ++i) {
+      (*power)[segment.unknowns[i]] -= given[i] - covered1[i];
+      (*power)[segment.unknowns[3 + i]] -= -taken[i] - covered2[i];
+    }
   }
 }
 
@@ -117,6 +132,7 @@ void add_interface(HeatSystem& system) {
   HeatInterface& interface = system.interface;
   interface.shape.resize(6, count);
   interface.area.resize(count);
+  interface.segments.reserve(count);
   resize(interface.slave_air, count);
   resize(interface.master_air, count);
   for (Index i = 0; i < count; ++i) {
@@ -129,11 +145,14 @@ void add_interface(HeatSystem& system) {
     interface.area[i] = points[i].closure * points[i].area;
   }
   if (count == 0) return;
-  const auto air = exchange_by_mid_node(*system.problem);
+  std::vector<BodyAir> air(system.problem->bodies.size());
+  for (const auto& [slave, master] : system.pairs)
+    for (const Index body : {slave, master})
+      if (air[body].piece.empty()) air[body] = body_air(system.problem->bodies[body]);
   for (const HeatSegment& segment : interface.segments) {
     const core::InterfacePoint& point = points[segment.first_point];
-    cover(interface.slave_air, segment, interface.area, air[point.slave_body][point.slave_nodes[2]]);
-    cover(interface.master_air, segment, interface.area, air[point.master_body][point.master_nodes[2]]);
+    cover(interface.slave_air, segment, interface.area, air[point.slave_body].at(point.slave_nodes[2]));
+    cover(interface.master_air, segment, interface.area, air[point.master_body].at(point.master_nodes[2]));
   }
 }
 
