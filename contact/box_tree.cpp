@@ -17,10 +17,6 @@ Box inflated(const Box& box, double by) {
   return {box.low.array() - by, box.high.array() + by};
 }
 
-bool overlap(const Box& a, const Box& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
 BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   if (!boxes_.empty()) divide(0, static_cast<Index>(boxes_.size()));

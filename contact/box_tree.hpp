@@ -12,7 +12,11 @@ struct Box {
 };
 Box united(const Box& a, const Box& b);
 Box inflated(const Box& box, double by);
-bool overlap(const Box& a, const Box& b);
+inline bool overlap(const Box& a, const Box& b) {
+  for (int i = 0; i < core::dim; ++i)
+    if (!(a.low[i] <= b.high[i] && b.low[i] <= a.high[i])) return false;
+  return true;
+}
 
 /// Binary tree over boxes, halved at the median of the longer side.
 class BoxTree {

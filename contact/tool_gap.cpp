@@ -101,21 +101,25 @@ bool hidden(const Query& query, Index i, const Point& foot) {
   return false;
 }
 
+bool is_major_arc(const Segment& segment) {
+  return segment.is_arc && std::abs(segment.to - segment.from) > M_PI;
+}
+
 /// Whether x is too far for a foot on the segment, or past an end of it by no more than the reach, to be within reach.
 bool far_from(const Segment& segment, const Point& x, double reach) {
   const double most = 2 * reach;
   if (segment.is_arc && std::abs((x - segment.centre).norm() - segment.radius) > most) return true;
-  const bool bulges = segment.is_arc && std::abs(segment.to - segment.from) > M_PI;
+  const bool bulges = is_major_arc(segment);
   const Point middle = bulges ? segment.centre : Point(0.5 * (segment.start + segment.end));
   const double size = bulges ? segment.radius : 0.5 * (segment.end - segment.start).norm();
   return (x - middle).squaredNorm() > (size + most) * (size + most);
 }
 
-/// Whether x is surely further than a distance from a segment: off the square round its ends, which holds its arc too.
-bool is_beyond(const Segment& segment, const Point& x, double distance) {
-  if (segment.is_arc && std::abs(segment.to - segment.from) > M_PI) return false;
-  const double across = (segment.end - segment.start).lpNorm<1>();
-  return (2 * x - segment.start - segment.end).lpNorm<Eigen::Infinity>() > across + 2 * distance;
+/// Box that holds a segment: the square round the ends of a line or a minor arc.
+Box bounds(const Segment& segment) {
+  const bool major = is_major_arc(segment);
+  const Point middle = major ? segment.centre : Point(0.5 * (segment.start + segment.end));
+  return inflated({middle, middle}, major ? segment.radius : 0.5 * (segment.end - segment.start).lpNorm<1>());
 }
 
 void add_segment(const Query& query, Index i, std::vector<GapConstraint>& found) {
@@ -182,12 +186,28 @@ void merge_constraints(std::vector<GapConstraint>& constraints) {
   constraints = kept;
 }
 
+ToolGap::ToolGap(const Profile& tool, const std::vector<bool>& contact_pieces, double reach) : tool_(&tool), reach_(reach) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  in_reach_ = {Point::Constant(far), Point::Constant(-far)};
+  for (const auto& segment : tool.segments) {
+    if (!contact_pieces[segment.piece]) continue;
+    pieces_.push_back({bounds(segment), &segment});
+    in_reach_ = united(in_reach_, inflated(pieces_.back().bounds, reach));
+  }
+}
+
+double ToolGap::operator()(const Point& x) const {
+  constexpr double beyond = std::numeric_limits<double>::infinity();
+  if (!overlap({x, x}, in_reach_)) return beyond;
+  double best = reach_;
+  for (const auto& [bounds, segment] : pieces_)
+    if (overlap({x, x}, inflated(bounds, best))) best = core::distance(*segment, x, best);
+  if (best >= reach_) return beyond;
+  return core::contains(*tool_, x) ? -best : best;
+}
+
 double signed_gap(const Profile& tool, const std::vector<bool>& contact_pieces, const Point& x, double reach) {
-  double best = reach;
-  for (const auto& segment : tool.segments)
-    if (contact_pieces[segment.piece] && !is_beyond(segment, x, best)) best = core::distance(segment, x, best);
-  if (best >= reach) return std::numeric_limits<double>::infinity();
-  return core::contains(tool, x) ? -best : best;
+  return ToolGap(tool, contact_pieces, reach)(x);
 }
 
 }  // namespace parison::contact

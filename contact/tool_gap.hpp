@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "contact/box_tree.hpp"
 #include "core/profile.hpp"
 
 namespace parison::contact {
@@ -25,8 +26,25 @@ std::vector<GapConstraint> gap_constraints(const core::Profile& tool, const std:
 /// several.
 void merge_constraints(std::vector<GapConstraint>& constraints);
 
-/// Distance from x to the contact pieces, m, negative inside the tool; +infinity without contact pieces and where they are
-/// further away than `reach`.
+/// Distance from points to a tool's contact pieces, m, negative inside the tool; +infinity without contact pieces and where
+/// they are further away than `reach`. The tool outlives it.
+class ToolGap {
+ public:
+  ToolGap(const core::Profile& tool, const std::vector<bool>& contact_pieces, double reach);
+  double operator()(const core::Point& x) const;
+
+ private:
+  struct Piece {
+    Box bounds;
+    const core::Segment* segment;
+  };
+  const core::Profile* tool_;
+  double reach_;
+  std::vector<Piece> pieces_;
+  Box in_reach_;
+};
+
+/// The same for one point.
 double signed_gap(const core::Profile& tool, const std::vector<bool>& contact_pieces, const core::Point& x,
                   double reach = std::numeric_limits<double>::infinity());
 

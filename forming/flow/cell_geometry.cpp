@@ -89,16 +89,17 @@ BatchVelocity batch_velocity(const core::Mesh& mesh, const CellGeometry& geometr
   return result;
 }
 
-DeformationRate::DeformationRate(const CellGeometry::AtPoint& at, int q, const BatchVelocity& velocity)
-    : rr(Lanes::Zero()), zz(rr), shear(rr), ring(rr) {
+Lanes squared_rate(const CellGeometry::AtPoint& at, int q, const BatchVelocity& velocity) {
   const auto& shape = shapes_at_points()[q];
+  Lanes rr = Lanes::Zero(), zz = rr, shear = rr, radial = rr;
   for (int i = 0; i < 6; ++i) {
     rr += velocity[i][0] * at.gradient[i][0];
     zz += velocity[i][1] * at.gradient[i][1];
     shear += velocity[i][0] * at.gradient[i][1] + velocity[i][1] * at.gradient[i][0];
-    ring += shape[i] * velocity[i][0];
+    radial += shape[i] * velocity[i][0];
   }
-  ring *= at.hoop;
+  const Lanes ring = at.hoop * radial;
+  return rr * rr + zz * zz + 0.5 * shear * shear + ring * ring;
 }
 
 }  // namespace parison::flow

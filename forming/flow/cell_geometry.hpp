@@ -27,8 +27,6 @@ struct CellGeometry {
     std::array<Lanes, core::dim> position;                 ///< m
     Lanes volume;                                          ///< m3
     Lanes hoop;                                            ///< 1/r, or 0
-
-    AtPoint() {}  // all are set: zeros would cost as much
   };
   Index cells = 0;
   std::vector<AtPoint> point;  ///< batches x cell_points
@@ -53,13 +51,7 @@ using BatchVelocity = std::array<std::array<Lanes, core::dim>, 6>;
 BatchVelocity batch_velocity(const core::Mesh& mesh, const CellGeometry& geometry, Index batch,
                              const Eigen::VectorXd& velocity);
 
-/// Rate of deformation at quadrature point q, 1/s: D has rr, zz, half the shear beside its diagonal, and the ring's.
-struct DeformationRate {
-  Lanes rr, zz, shear, ring;
-
-  DeformationRate(const CellGeometry::AtPoint& at, int q, const BatchVelocity& velocity);
-  /// D:D, 1/s2.
-  Lanes squared() const { return rr * rr + zz * zz + 0.5 * shear * shear + ring * ring; }
-};
+/// D:D at quadrature point q, 1/s2.
+Lanes squared_rate(const CellGeometry::AtPoint& at, int q, const BatchVelocity& velocity);
 
 }  // namespace parison::flow

@@ -155,7 +155,7 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
     const auto v = batch_velocity(mesh, geometry, batch, velocity);
     const Index here = std::min(lanes, geometry.cells - batch * lanes);
     for (int q = 0; q < cell_points; ++q) {
-      const Lanes squared = 2 * DeformationRate(geometry.at(batch, q), q, v).squared();
+      const Lanes squared = 2 * squared_rate(geometry.at(batch, q), q, v);
       for (Index lane = 0; lane < here; ++lane)
         viscosity[std::size_t(batch * lanes + lane) * cell_points + q] *=
             std::pow(1 + law.time * law.time * squared[lane], 0.5 * (law.exponent - 1));
@@ -195,7 +195,7 @@ void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, 
     const Index here = std::min(lanes, geometry.cells - batch * lanes);
     for (int q = 0; q < cell_points; ++q) {
       const auto& at = geometry.at(batch, q);
-      const Lanes squared = DeformationRate(at, q, v).squared();
+      const Lanes squared = squared_rate(at, q, v);
       for (Index lane = 0; lane < here; ++lane) {
         const std::size_t k = std::size_t(batch * lanes + lane) * cell_points + q;
         squared_and_volume[k] = {squared[lane], at.volume[lane]};

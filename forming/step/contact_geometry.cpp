@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "contact/tool_gap.hpp"
 #include "contact/tool_joint.hpp"
@@ -159,23 +160,31 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   return candidates;
 }
 
-Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach) {
+std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass) {
+  const auto may_touch = contact_pieces(scene.glass, glass);
+  std::vector<char> seen(glass.nodes.size(), 0);
+  std::vector<Index> nodes;
+  nodes.reserve(3 * glass.boundary.size());
+  for (const auto& edge : glass.boundary)
+    if (may_touch[edge.piece])
+      for (const Index node : edge.nodes)
+        if (!std::exchange(seen[node], 1)) nodes.push_back(node);
+  return nodes;
+}
+
+Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vector<Index>& nodes, Index tool, double reach) {
   const Body& body = scene.tools[tool];
   const core::Mesh& glass = state.bodies[0].mesh;
-  const auto contact = contact_pieces(body), may_touch = contact_pieces(scene.glass, glass);
   const Point displacement = state.bodies[1 + tool].offset * core::axis_direction();
   Eigen::VectorXd gaps =
       Eigen::VectorXd::Constant(glass.node_count(), std::numeric_limits<double>::infinity());
-  std::vector<bool> seen(glass.nodes.size(), false);
-  for (const auto& edge : glass.boundary) {
-    if (!may_touch[edge.piece]) continue;
-    for (const Index node : edge.nodes) {
-      if (seen[node]) continue;
-      seen[node] = true;
-      gaps[node] = contact::signed_gap(body.profile, contact, glass.nodes[node] - displacement, reach);
-    }
-  }
+  contact::ToolGap gap(body.profile, contact_pieces(body), reach);
+  for (const Index node : nodes) gaps[node] = gap(glass.nodes[node] - displacement);
   return gaps;
+}
+
+Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach) {
+  return tool_gaps(scene, state, contact_nodes(scene, state.bodies[0].mesh), tool, reach);
 }
 
 void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {

@@ -17,7 +17,12 @@ std::vector<flow::ToolMotion> tool_motions(const Scene& scene, const State& stat
 std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const State& state,
                                                        const Eigen::VectorXd& velocity, double dt);
 
-/// Distance from each glass node to a tool, m; +infinity inside the glass and beyond `reach`.
+/// Nodes on the contact pieces of the glass, each once.
+std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass);
+
+/// Distance from each glass node to a tool, m; +infinity inside the glass and beyond `reach`. `nodes`: those of
+/// contact_nodes, when they are known.
+Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vector<Index>& nodes, Index tool, double reach);
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach);
 
 /// Moves the surface nodes of `mesh` that lie inside a tool in place out to its surface.

@@ -13,6 +13,7 @@ namespace parison::forming {
 std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state) {
   const core::Mesh& glass = state.bodies[0].mesh;
   const auto slave = contact::make_surface(0, glass, contact_pieces(scene.glass, glass), core::Point::Zero());
+  const auto nodes = contact_nodes(scene, glass);
   const auto& in_place = scene.stages[state.stage].tools;
   std::vector<contact::Master> masters;
   for (std::size_t law = 0; law < scene.interfaces.size(); ++law) {
@@ -22,7 +23,7 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
     const auto touches = contact_pieces(scene.tools[interface.tool], tool.mesh);
     masters.push_back(
         {contact::make_surface(1 + interface.tool, tool.mesh, touches, tool.offset * core::axis_direction()),
-         tool_gaps(scene, state, interface.tool, 10 * interface.handover_width), interface.handover_width,
+         tool_gaps(scene, state, nodes, interface.tool, 10 * interface.handover_width), interface.handover_width,
          static_cast<Index>(law)});
   }
   return contact::build_interface(slave, state.contact.pressure, masters, scene.geometry);

@@ -74,7 +74,12 @@ void expect_brute_force_agrees(const Outline& outline) {
     const double measured = inside ? -shortest_move(found).norm() : found[0].gap;
     largest = std::max(largest, std::abs(measured - expected));
     EXPECT_NEAR(measured, expected, sampling) << x.transpose();
-    EXPECT_NEAR(signed_gap(outline.profile, outline.contact, x), expected, sampling);
+    const double gap = signed_gap(outline.profile, outline.contact, x);
+    EXPECT_NEAR(gap, expected, sampling);
+    for (const double seen : {0.5 * reach, reach}) {
+      const double within = std::abs(gap) < seen ? gap : std::numeric_limits<double>::infinity();
+      EXPECT_EQ(ToolGap(outline.profile, outline.contact, seen)(x), within) << x.transpose();
+    }
     ++compared;
   }
   std::printf("%d points, largest difference from sampling %.1e m\n", compared, largest);
