@@ -62,70 +62,84 @@ bool is_even(const SurfaceEdge& edge, double share) {
   return off.squaredNorm() < even * even * (edge.x[1] - edge.x[0]).squaredNorm();
 }
 
-/// A point of the interface: every field is the polynomial of its own edge, at the slave point and at the point it
-/// sees.
-core::InterfacePoint make_point(const SurfaceEdge& slave, const SurfaceEdge& master, double s, double seen_at,
-                                const Eigen::VectorXd& pressure) {
-  core::InterfacePoint point{};
-  point.slave_nodes = slave.nodes;
-  point.master_nodes = master.nodes;
-  point.slave_shape = core::edge_shape(s);
-  point.master_shape = core::edge_shape(seen_at);
-  point.position = position(slave, s);
-  for (int i = 0; i < 3; ++i) point.pressure += point.slave_shape[i] * pressure[slave.nodes[i]];
-  point.pressure = std::max(point.pressure, 0.0);
-  return point;
-}
-
 /// A stretch of a slave edge that faces one master edge: a segment, or several in a row that are closed alike, on which all
 /// but the gap is smooth.
 struct Stretch {
   Index edge;  ///< into EdgeView::masters
   Closing closing;
-  std::vector<SegmentGap> gaps;
-
-  double begin() const { return gaps.front().begin(); }
-  double end() const { return gaps.back().end(); }
-  double gap(double s) const {
-    const auto past = [&](const SegmentGap& each) { return s <= each.end(); };
-    return (*std::find_if(gaps.begin(), gaps.end() - 1, past))(s);
-  }
+  std::size_t first, last;  ///< range of EdgeParts::gaps
 };
 
-std::vector<Stretch> make_stretches(const EdgeView& view, const std::vector<Segment>& segments,
-                                    const std::vector<Master>& masters) {
+/// What a slave edge is divided into; kept from edge to edge for its memory.
+struct EdgeParts {
+  std::vector<InterfaceNode> nodes;
+  std::vector<Segment> segments;
+  std::vector<SegmentGap> gaps;  ///< of the segments
   std::vector<Stretch> stretches;
-  for (const Segment& segment : segments) {
+};
+
+void divide(const EdgeView& view, const std::vector<Master>& masters, EdgeParts& parts) {
+  find_interface_nodes(view, parts.nodes);
+  find_segments(view, parts.nodes, parts.segments);
+  parts.gaps.clear();
+  parts.stretches.clear();
+  for (const Segment& segment : parts.segments) {
     const Master& master = masters[view.masters[segment.edge].master];
-    const SegmentGap gap(view, segment, master);
+    const std::size_t at = parts.gaps.size();
+    const SegmentGap& gap = parts.gaps.emplace_back(view, segment, master);
     const Closing closed = closing(gap, master.handover_width);
-    const bool goes_on = closed != Closing::open && !stretches.empty() && stretches.back().closing == closed &&
-                         stretches.back().edge == segment.edge && stretches.back().end() == gap.begin();
-    if (!goes_on) stretches.push_back({segment.edge, closed, {}});
-    stretches.back().gaps.push_back(gap);
+    const bool goes_on = closed != Closing::open && at > 0 && parts.stretches.back().closing == closed &&
+                         parts.stretches.back().edge == segment.edge && parts.gaps[at - 1].end() == gap.begin();
+    if (!goes_on) parts.stretches.push_back({segment.edge, closed, at, at});
+    parts.stretches.back().last = at + 1;
   }
-  return stretches;
 }
 
+/// A point of the interface: every field is the polynomial of its own edge, at the slave point and at the point it
+/// sees.
+void set_point(const SurfaceEdge& slave, const SurfaceEdge& master, double s, double seen_at,
+               const Eigen::VectorXd& pressure, core::InterfacePoint& point) {
+  point.slave_nodes = slave.nodes;
+  point.master_nodes = master.nodes;
+  point.slave_shape = core::edge_shape(s);
+  point.master_shape = core::edge_shape(seen_at);
+  double pressed = 0;
+  for (int i = 0; i < 3; ++i) pressed += point.slave_shape[i] * pressure[slave.nodes[i]];
+  point.pressure = std::max(pressed, 0.0);
+}
+
+/// Where the points of one slave edge go.
+struct Edge {
+  const EdgeView& view;
+  const std::vector<SegmentGap>& gaps;
+  const Eigen::VectorXd& pressure;
+  std::vector<core::InterfacePoint>& points;
+};
+
 /// Gauss points of a stretch where it is closed.
-void add_points(const EdgeView& view, const Stretch& stretch, const Master& master, const Eigen::VectorXd& pressure,
-                std::vector<core::InterfacePoint>& points) {
-  const SurfaceEdge& slave = view.slave.edge;
-  const SurfaceEdge& facing = view.masters[stretch.edge].edge;
-  const double share = stretch.end() - stretch.begin();
+void add_points(const Edge& edge, const Stretch& stretch, const Master& master) {
+  const SurfaceEdge& slave = edge.view.slave.edge;
+  const SurfaceEdge& facing = edge.view.masters[stretch.edge].edge;
+  const SegmentGap *gap_at = &edge.gaps[stretch.first], *last_gap = &edge.gaps[stretch.last - 1];
+  const double share = last_gap->end() - gap_at->begin();
   const int closed_points = is_even(slave, share) && is_even(facing, 1) ? even_points : bent_points;
-  const auto ends = stretch.closing != Closing::open ? std::vector<double>{stretch.begin(), stretch.end()}
-                                                     : cut_at_handover(stretch.gaps.front(), master.handover_width);
-  for (std::size_t part = 1; part < ends.size(); ++part) {
-    const double begin = ends[part - 1], length = ends[part] - begin;
-    const bool closed = stretch.closing != Closing::open ||
-                        is_closed(stretch.gaps.front(), begin, ends[part], master.handover_width);
+  const Parts parts = stretch.closing != Closing::open ? Parts{{gap_at->begin(), last_gap->end()}, 2}
+                                                       : cut_at_handover(*gap_at, master.handover_width);
+  for (int part = 1; part < parts.count; ++part) {
+    const double begin = parts.end[part - 1], length = parts.end[part] - begin;
+    const bool closed =
+        stretch.closing != Closing::open || is_closed(*gap_at, begin, parts.end[part], master.handover_width);
     for (const auto& rule : core::edge_rule(closed ? closed_points : handover_points)) {
-      const double s = begin + rule.s * length, gap = stretch.gap(s);
-      const double closure_there = closure(gap, master.handover_width);
-      const auto hit = closure_there > 0 ? hit_master(ray(view.slave, s), facing) : std::nullopt;
-      if (!hit) continue;
-      auto& point = points.emplace_back(make_point(slave, facing, s, hit->s, pressure));
+      const double s = begin + rule.s * length;
+      while (gap_at != last_gap && s > gap_at->end()) ++gap_at;
+      const double gap = (*gap_at)(s), closure_there = closure(gap, master.handover_width);
+      if (!(closure_there > 0)) continue;
+      const Ray from = ray(edge.view.slave, s);
+      const auto seen_at = find_master_parameter(from, facing);
+      if (!seen_at) continue;
+      auto& point = edge.points.emplace_back();
+      set_point(slave, facing, s, *seen_at, edge.pressure, point);
+      point.position = from.from;
       point.area = rule.weight * length * slope(slave, s).norm();
       point.gap = gap;
       point.closure = closure_there;
@@ -143,14 +157,16 @@ std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Ei
   std::vector<core::InterfacePoint> points;
   points.reserve(16 * slave.edges.size());
   std::vector<Index> near;
+  EdgeParts parts;
   for (const auto& edge : make_rays(slave)) {
     const double range = sight_range(edge.edge, masters);
     near.clear();
     target.tree.query(inflated(bounds(edge.edge), range), near);
     if (near.empty()) continue;
     const EdgeView view{edge, target.edges, near, range};
-    for (const Stretch& stretch : make_stretches(view, make_segments(view, interface_nodes(view)), masters))
-      add_points(view, stretch, masters[target.edges[stretch.edge].master], pressure, points);
+    divide(view, masters, parts);
+    for (const Stretch& stretch : parts.stretches)
+      add_points({view, parts.gaps, pressure, points}, stretch, masters[target.edges[stretch.edge].master]);
   }
   for (auto& point : points) {
     point.slave_body = slave.body;

@@ -76,19 +76,10 @@ Ray ray(const RayEdge& slave, double s) {
   return {position(slave.edge, s), direction(slave, s).normalized()};
 }
 
-double bulge(const RayEdge& slave, double s) {
-  return s * (1 - s) * ((1 - s) * slave.first_rise - s * slave.last_rise);
-}
-
-std::optional<Hit> hit_master(const Ray& ray, const SurfaceEdge& master) {
-  if (passes_by(ray, master)) return std::nullopt;
-  const double first = aside(ray, master.x[0]), last = aside(ray, master.x[1]);
-  double t;
-  if (first * last >= 0)
-    t = std::abs(first) < std::abs(last) ? 0 : 1;
-  else
-    t = quadratic_root(first, aside(ray, master.x[2]), last);
-  return Hit{t, ray.along.dot(position(master, t) - ray.from)};
+double meeting_parameter(const Ray& ray, const SurfaceEdge& master, const Sides& sides) {
+  const auto [first, last] = sides;
+  if (first * last >= 0) return std::abs(first) < std::abs(last) ? 0 : 1;
+  return quadratic_root(first, aside(ray, master.x[2]), last);
 }
 
 std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x) {

@@ -34,18 +34,15 @@ Ray ray(const RayEdge& slave, double s);
 /// How far the smooth surface that the rays stand on lies outside the edge, m: the cubic through the edge's ends, square
 /// to their rays, and symmetric where one end is free. A chord of a convex arc gets back what it cuts off; negative where
 /// the surface is hollow.
-double bulge(const RayEdge& slave, double s);
+inline double bulge(const RayEdge& slave, double s) {
+  return s * (1 - s) * ((1 - s) * slave.first_rise - s * slave.last_rise);
+}
 
 /// Where the ray from a slave point meets a master edge.
 struct Hit {
   double s;         ///< on the master edge, [0, 1]
   double distance;  ///< along the ray, m; negative where the bodies overlap
 };
-
-/// Whether both ends of a master edge lie on one side of a ray's line, neither at it.
-bool passes_by(const Ray& ray, const SurfaceEdge& master);
-/// A point of the slave seen on the master: none when its ray passes the edge by.
-std::optional<Hit> hit_master(const Ray& ray, const SurfaceEdge& master);
 
 /// A node of the master seen on the slave: the s in (0, 1) whose ray passes through x, if any.
 std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x);
@@ -56,12 +53,31 @@ inline double aside(const Ray& ray, const Point& x) {
   return ray.along[0] * off[1] - ray.along[1] * off[0];
 }
 
-inline bool passes_by(const Ray& ray, const SurfaceEdge& master) {
+/// How far the ends of a master edge lie to the left of a ray's line, m.
+struct Sides {
+  double first, last;
+};
+/// Whether both ends lie on one side of the line, neither at it.
+inline bool passes_by(const Sides& sides, const SurfaceEdge& master) {
   constexpr double end_tolerance = 1e-9;  // a ray this close to the edge's end, in edge lengths, meets it
-  const double first = aside(ray, master.x[0]), last = aside(ray, master.x[1]);
-  if (!(first * last > 0)) return false;
-  const double nearest = std::min(std::abs(first), std::abs(last));
+  if (!(sides.first * sides.last > 0)) return false;
+  const double nearest = std::min(std::abs(sides.first), std::abs(sides.last));
   return nearest * nearest > end_tolerance * end_tolerance * (master.x[1] - master.x[0]).squaredNorm();
+}
+/// The s at which a ray meets an edge that it does not pass by.
+double meeting_parameter(const Ray& ray, const SurfaceEdge& master, const Sides& sides);
+
+/// The s of the point of the master that a point of the slave sees: none when its ray passes the edge by.
+inline std::optional<double> find_master_parameter(const Ray& ray, const SurfaceEdge& master) {
+  const Sides sides{aside(ray, master.x[0]), aside(ray, master.x[1])};
+  if (passes_by(sides, master)) return std::nullopt;
+  return meeting_parameter(ray, master, sides);
+}
+/// The same with the distance.
+inline std::optional<Hit> hit_master(const Ray& ray, const SurfaceEdge& master) {
+  const auto s = find_master_parameter(ray, master);
+  if (!s) return std::nullopt;
+  return Hit{*s, ray.along.dot(position(master, *s) - ray.from)};
 }
 
 }  // namespace parison::contact

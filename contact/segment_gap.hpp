@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <vector>
+#include <algorithm>
+#include <array>
 
 #include "contact/mortar.hpp"
 #include "contact/segments.hpp"
@@ -12,12 +13,15 @@ namespace parison::contact {
 class SegmentGap {
  public:
   SegmentGap(const EdgeView& view, const Segment& segment, const Master& master);
-  double operator()(double s) const;
+  double operator()(double s) const {
+    const double along = (s - begin_) / (end_ - begin_);
+    return first_ + along * (last_ - first_) - chord_ * std::max(0.0, bulge(*slave_, s));
+  }
   double begin() const { return begin_; }
   double end() const { return end_; }
 
  private:
-  const RayEdge& slave_;
+  const RayEdge* slave_;
   double begin_, end_, first_, last_, chord_;
 };
 
@@ -29,8 +33,12 @@ bool is_closed(const SegmentGap& gap, double begin, double end, double width);
 enum class Closing { touching, near, open };
 Closing closing(const SegmentGap& gap, double width);
 
-/// Ends of the parts of a segment: it is cut where the gap passes the ends of the hand-over, so that the closure is
-/// smooth on each.
-std::vector<double> cut_at_handover(const SegmentGap& gap, double width);
+/// Ends of the parts of a stretch, in order.
+struct Parts {
+  std::array<double, 4> end;
+  int count;  ///< of the ends
+};
+/// The parts of a segment: it is cut where the gap passes the ends of the hand-over, so that the closure is smooth on each.
+Parts cut_at_handover(const SegmentGap& gap, double width);
 
 }  // namespace parison::contact

@@ -53,9 +53,9 @@ std::optional<Sight> see_master(const EdgeView& view, double s) {
   const Ray from = ray(view.slave, s);
   for (const Index m : view.near) {
     const SurfaceEdge& master = view.masters[m].edge;
-    if (passes_by(from, master)) continue;
-    ++met;
     const auto hit = hit_master(from, master);
+    if (!hit) continue;
+    ++met;
     const double away = std::abs(hit->distance);
     if (away > view.range || (nearest && away >= std::abs(nearest->hit.distance))) continue;
     if (faces(from, master, *hit)) nearest = Sight{m, *hit, false};
@@ -74,9 +74,8 @@ std::optional<InterfaceNode> node_from_master(const EdgeView& view, const Point&
   return InterfaceNode{*s, -1};
 }
 
-std::vector<InterfaceNode> interface_nodes(const EdgeView& view) {
-  std::vector<InterfaceNode> nodes;
-  nodes.reserve(view.near.size() + 4);
+void find_interface_nodes(const EdgeView& view, std::vector<InterfaceNode>& nodes) {
+  nodes.clear();
   for (const int node : {0, 2, 1}) nodes.push_back(node_from_slave(node));
   const Point* before = nullptr;
   for (const Index edge : view.near)
@@ -90,12 +89,10 @@ std::vector<InterfaceNode> interface_nodes(const EdgeView& view) {
       if (found && std::none_of(nodes.begin(), nodes.end(), known)) nodes.push_back(*found);
     }
   std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.slave_s < b.slave_s; });
-  return nodes;
 }
 
-std::vector<Segment> make_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes) {
-  std::vector<Segment> segments;
-  segments.reserve(nodes.size());
+void find_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes, std::vector<Segment>& segments) {
+  segments.clear();
   const auto add = [&](const InterfaceNode& begin, const InterfaceNode& end, Index edge) {
     if (edge >= 0 && end.slave_s > begin.slave_s) segments.push_back({begin, end, edge});
   };
@@ -114,7 +111,6 @@ std::vector<Segment> make_segments(const EdgeView& view, const std::vector<Inter
     }
     add(from, nodes[i], last);
   }
-  return segments;
 }
 
 }  // namespace parison::contact

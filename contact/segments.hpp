@@ -42,16 +42,16 @@ InterfaceNode node_from_slave(int node);
 /// A node from a master: the master's temperature is its own; slave temperature, pressure and viscosity are interpolated
 /// where a ray of the slave edge passes through it, and its gap is its distance along that ray. None where no ray does.
 std::optional<InterfaceNode> node_from_master(const EdgeView& view, const Point& node);
-/// The nodes of both kinds along a slave edge. Where two coincide, the one from the slave stays.
-std::vector<InterfaceNode> interface_nodes(const EdgeView& view);
+/// Replaces `nodes` by those of both kinds along a slave edge. Where two coincide, the one from the slave stays.
+void find_interface_nodes(const EdgeView& view, std::vector<InterfaceNode>& nodes);
 
 /// Stretch of a slave edge between neighbouring interface nodes, all of it facing one master edge.
 struct Segment {
   InterfaceNode begin, end;
   Index edge;  ///< into EdgeView::masters
 };
-/// The segments of a slave edge; stretches that face nothing are left out. Where one master's surface comes before
-/// another's between two nodes, the segment is cut there.
-std::vector<Segment> make_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes);
+/// Replaces `segments` by those of a slave edge; stretches that face nothing are left out. Where one master's surface
+/// comes before another's between two nodes, the segment is cut there.
+void find_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes, std::vector<Segment>& segments);
 
 }  // namespace parison::contact

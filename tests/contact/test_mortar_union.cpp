@@ -84,9 +84,11 @@ TEST(NodeRules, a_node_has_its_own_bodys_values_and_the_other_bodys_interpolated
     return std::count_if(shape.begin(), shape.end(), [](double n) { return std::abs(n - 1) < 1e-13; }) == 1;
   };
   int from_slave = 0, from_master = 0;
+  std::vector<InterfaceNode> nodes;
   for (const auto& edge : make_rays(slave)) {
     const EdgeView view{edge, masters, all, 0.01};
-    for (const auto& node : interface_nodes(view)) {
+    find_interface_nodes(view, nodes);
+    for (const auto& node : nodes) {
       const double seen_at = see_master(view, node.slave_s)->hit.s;
       const bool at_tool_end = std::abs(position(edge.edge, node.slave_s)[0] - 0.01) > 0.0099;
       (node.slave_node >= 0 ? from_slave : from_master) += 1;
