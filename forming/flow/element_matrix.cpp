@@ -186,12 +186,12 @@ CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry,
 }
 
 void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
-                          Solution& solution) {
+                          const Eigen::VectorXd& velocity, Solution& solution) {
   solution.dissipation.resize(viscosity.size());
   std::vector<std::pair<double, double>> squared_and_volume(viscosity.size());
   double total = 0, sum = 0;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
-    const auto v = batch_velocity(*problem.mesh, geometry, batch, solution.velocity);
+    const auto v = batch_velocity(*problem.mesh, geometry, batch, velocity);
     const Index here = std::min(lanes, geometry.cells - batch * lanes);
     for (int q = 0; q < cell_points; ++q) {
       const auto& at = geometry.at(batch, q);

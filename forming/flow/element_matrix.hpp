@@ -37,6 +37,6 @@ CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry,
 
 /// 2 eta D:D dV at each quadrature point, W, and the mean and the high rate of deformation, 1/s.
 void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
-                          Solution& solution);
+                          const Eigen::VectorXd& velocity, Solution& solution);
 
 }  // namespace parison::flow

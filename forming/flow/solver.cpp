@@ -93,8 +93,9 @@ Instant advance(const Problem& problem, const CellMatrices& cells, const Held& h
   return instant;
 }
 
-/// The result from the last iterate.
-void report(const Problem& problem, const Discrete& discrete, const Held& held, const Instant& instant, Solution& result) {
+/// The result from the last iterate; `swelling` is what of its velocity has no part in the stress.
+void report(const Problem& problem, const Discrete& discrete, const Held& held, const Instant& instant,
+            const Eigen::VectorXd& swelling, Solution& result) {
   const auto& mesh = *problem.mesh;
   const Index vertices = mesh.vertex_count;
   const auto pressed = pressed_nodes(problem, result.active);
@@ -106,7 +107,8 @@ void report(const Problem& problem, const Discrete& discrete, const Held& held, 
   result.tool_force.assign(problem.tools.size(), 0.0);
   for (std::size_t i = 0; i < problem.candidates.size(); ++i)
     result.tool_force[problem.candidates[i].tool] += instant.forces.axial[i];
-  evaluate_dissipation(problem, discrete.geometry, discrete.viscosity, result);
+  // Stress times rate of deformation; the square of what swelling alone would dissipate is nothing beside it.
+  evaluate_dissipation(problem, discrete.geometry, discrete.viscosity, result.velocity - 0.5 * swelling, result);
   result.friction_power = friction_power(held, instant);
   result.arrival_power = arrival_power(problem, result.active, instant.forces);
   result.correction_power =
@@ -140,8 +142,9 @@ std::optional<Instant> find_swelling(Problem problem, const Discrete& discrete, 
 }
 
 /// Gives the motion as much swelling as it wants and takes what swelling does out of forces and pressures, so that it leaves no trace
-/// in the stress.
-void swell(const Problem& problem, const Instant& swelling, Discrete& discrete, Instant& instant, Solution& result) {
+/// in the stress. Returns the swelling's velocities, m/s.
+Eigen::VectorXd swell(const Problem& problem, const Instant& swelling, Discrete& discrete, Instant& instant,
+                      Solution& result) {
   const Index velocities = dim * problem.mesh->node_count(), vertices = problem.mesh->vertex_count;
   result.swelling = swelling.unknowns.head(velocities);
   const double known = problem.volume_rate;
@@ -154,6 +157,7 @@ void swell(const Problem& problem, const Instant& swelling, Discrete& discrete, 
   instant.forces.normal -= known * swelling.forces.normal;
   instant.forces.axial -= known * swelling.forces.axial;
   instant.forces.sideways -= known * swelling.forces.sideways;
+  return (known + more) * result.swelling;
 }
 
 Solution failed(Solution result, const char* reason) {
@@ -231,10 +235,11 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     else
       settled = true;
   }
+  Eigen::VectorXd swelling = Eigen::VectorXd::Zero(velocities);
   if (problem.more_swelling)
-    if (const auto swelling = find_swelling(problem, discrete, tangent, held, instant->tool_velocity, corrector))
-      swell(problem, *swelling, discrete, *instant, result);
-  report(problem, discrete, held, *instant, result);
+    if (const auto unit = find_swelling(problem, discrete, tangent, held, instant->tool_velocity, corrector))
+      swelling = swell(problem, *unit, discrete, *instant, result);
+  report(problem, discrete, held, *instant, swelling, result);
   return result;
 }
 
