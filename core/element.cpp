@@ -144,8 +144,38 @@ CellMap cell_map(const Mesh& mesh, Index cell) {
           {at(3) - 0.5 * (at(0) + at(1)), at(4) - 0.5 * (at(1) + at(2)), at(5) - 0.5 * (at(2) + at(0))}};
 }
 
+namespace {
+
+/// A change of the reference coordinates that Newton's next step squares.
+constexpr double settled = 1e-7;
+
+}  // namespace
+
+std::array<Places, 2> invert(const CellMap& map, const Places& x, const Places& y) {
+  const auto& [m, n, p] = map.bulge;
+  const Point &u = map.u, &v = map.v;
+  const double area = u[0] * v[1] - u[1] * v[0];
+  const Places target_x = x - map.origin[0], target_y = y - map.origin[1];
+  Places a = (target_x * v[1] - target_y * v[0]) / area, b = (u[0] * target_y - u[1] * target_x) / area;
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const Places c = 1 - a - b, ca = 4 * c * a, ab = 4 * a * b, bc = 4 * b * c;
+    const Places residual_x = target_x - a * u[0] - b * v[0] - ca * m[0] - ab * n[0] - bc * p[0];
+    const Places residual_y = target_y - a * u[1] - b * v[1] - ca * m[1] - ab * n[1] - bc * p[1];
+    const Places c_a = 4 * (c - a), c_b = 4 * (c - b), a4 = 4 * a, b4 = 4 * b;
+    const Places along_ax = u[0] + c_a * m[0] + b4 * (n[0] - p[0]), along_ay = u[1] + c_a * m[1] + b4 * (n[1] - p[1]);
+    const Places along_bx = v[0] + c_b * p[0] + a4 * (n[0] - m[0]), along_by = v[1] + c_b * p[1] + a4 * (n[1] - m[1]);
+    const Places scale = 1 / (along_ax * along_by - along_ay * along_bx);
+    const Places da = scale * (residual_x * along_by - residual_y * along_bx);
+    const Places db = scale * (along_ax * residual_y - along_ay * residual_x);
+    a += da;
+    b += db;
+    const double change = (da.abs() + db.abs()).maxCoeff();
+    if (change < settled || !((a.abs() + b.abs()).maxCoeff() < 1e3)) break;
+  }
+  return {a, b};
+}
+
 std::array<double, 2> invert(const CellMap& map, const Point& x) {
-  constexpr double settled = 1e-8;  // Newton squares it
   const auto cross = [](const Point& p, const Point& q) { return p[0] * q[1] - p[1] * q[0]; };
   const auto& [m, n, p] = map.bulge;
   const Point target = x - map.origin;

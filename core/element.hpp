@@ -59,6 +59,10 @@ CellMap cell_map(const Mesh& mesh, Index cell);
 
 /// Reference coordinates (a, b) of x by Newton from its place in the chords' triangle; they leave [0,1] when x is outside.
 std::array<double, 2> invert(const CellMap& map, const Point& x);
+/// Several places at once.
+using Places = Eigen::Array<double, 8, 1>;
+/// The same for the places (x, y); they share the number of Newton's steps.
+std::array<Places, 2> invert(const CellMap& map, const Places& x, const Places& y);
 /// The same in a cell of a mesh.
 std::array<double, 2> invert_cell_map(const Mesh& mesh, Index cell, const Point& x);
 

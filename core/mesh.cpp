@@ -128,6 +128,21 @@ double volume(const Mesh& mesh, Geometry geometry) {
   return static_cast<double>(sum);
 }
 
+double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal,
+                const std::function<double(double)>& function) {
+  static const std::vector<RuleShape> rule = rule_shapes(4);
+  double sum = 0;
+  for (const auto& cell : mesh.cells) {
+    const std::array<Point, 6> x = nodes_of(mesh, cell);
+    for (const RuleShape& at : rule) {
+      double value = 0;
+      for (int k = 0; k < 6; ++k) value += at.shape[k] * nodal[cell[k]];
+      sum += measure(at, x, geometry) * function(value);
+    }
+  }
+  return sum;
+}
+
 double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal) {
   static const std::vector<RuleShape> rule = rule_shapes(6);
   const double base = nodal[0];  // a uniform field has its own value as the mean

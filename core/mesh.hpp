@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,9 @@ Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load)
 
 /// Volume of the body, m3 (of the full revolution, or per metre of depth times 1 m).
 double volume(const Mesh& mesh, Geometry geometry);
+/// Integral of a function of a P2 field over the volume by triangle_rule(4), the function's unit times m3.
+double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal,
+                const std::function<double(double)>& function);
 /// Volume mean of a nodal field.
 double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal);
 

@@ -126,8 +126,8 @@ class Overlay {
   }
 
  private:
-  double old_value(Index old, const Point& x) const {
-    auto at = core::invert(old_maps_[old], x);
+  /// Value of the field at x by the old cell, or by another where that is too far.
+  double old_value(Index old, std::array<double, 2> at, const Point& x) const {
     if (!(std::min({at[0], at[1], 1 - at[0] - at[1]}) > -furthest)) {
       const CellGrid::Found found = grid_.find(x);
       old = found.cell;
@@ -140,7 +140,8 @@ class Overlay {
   }
 
   /// Fans the polygon, which lies in the chord triangle of the new cell, and integrates over its image in the cell.
-  void add_polygon(Index cell, Index old, const Polygon& polygon, double whole, std::array<double, 6>& sum) const {
+  void add_polygon(Index cell, Index old, const Polygon& polygon, double whole, std::array<double, 6>& sum) {
+    points_.clear();
     for (int i = 1; i + 1 < polygon.count; ++i) {
       const Point &o = polygon.corner[0], u = polygon.corner[i] - o, v = polygon.corner[i + 1] - o;
       const double share = cross(u, v) / whole;
@@ -149,19 +150,39 @@ class Overlay {
         const Point x = o + at.a * u + at.b * v;
         const auto [a, b] = in_chords(map_, x);
         if (straight_) {
-          const double volume = at.weight * cross(u, v) * core::depth(geometry_, x);
-          add_point(core::triangle_shape(a, b), volume * old_value(old, x), sum);
+          points_.push_back({x, at.weight * cross(u, v) * core::depth(geometry_, x), core::triangle_shape(a, b)});
         } else {
           const core::CellPoint point = core::map_cell_point(to_, cell, geometry_, {a, b, at.weight * share});
-          add_point(point.shape, point.volume * old_value(old, point.position), sum);
+          points_.push_back({point.position, point.volume, point.shape});
         }
+      }
+    }
+    add_points(old, sum);
+  }
+
+  void add_points(Index old, std::array<double, 6>& sum) const {
+    constexpr std::size_t width = core::Places::SizeAtCompileTime;
+    for (std::size_t first = 0; first < points_.size(); first += width) {
+      core::Places x, y;
+      for (std::size_t i = 0; i < width; ++i) {  // the last again where there are no more
+        const Point& position = points_[std::min(first + i, points_.size() - 1)].position;
+        x[i] = position[0];
+        y[i] = position[1];
+      }
+      const auto [a, b] = core::invert(old_maps_[old], x, y);
+      for (std::size_t i = 0; i < std::min(width, points_.size() - first); ++i) {
+        const IntegrationPoint& at = points_[first + i];
+        const double value = at.volume * old_value(old, {a[i], b[i]}, at.position);
+        for (int k = 0; k < 6; ++k) sum[k] += at.shape[k] * value;
       }
     }
   }
 
-  static void add_point(const std::array<double, 6>& shape, double value, std::array<double, 6>& sum) {
-    for (int k = 0; k < 6; ++k) sum[k] += shape[k] * value;
-  }
+  struct IntegrationPoint {
+    Point position;
+    double volume;
+    std::array<double, 6> shape;  ///< of the new cell
+  };
 
   const Mesh &from_, &to_;
   core::Geometry geometry_;
@@ -172,6 +193,7 @@ class Overlay {
   core::CellMap map_;      ///< of the new cell
   bool straight_ = false;  ///< the new cell
   std::vector<Index> near_;
+  std::vector<IntegrationPoint> points_;  ///< of one polygon
 };
 
 }  // namespace

@@ -151,15 +151,8 @@ void book_content(Ledger& ledger, const HeatSystem& system, const Eigen::VectorX
 
 double heat_content(const BodyView& body, core::Geometry geometry, const Eigen::VectorXd& temperature) {
   const Enthalpy enthalpy(body.material->heat_capacity);
-  double content = 0;
-  for (Index c = 0; c < body.mass_mesh->cell_count(); ++c)
-    for (const auto& at : core::triangle_rule(4)) {
-      const core::CellPoint point = core::map_cell_point(*body.mass_mesh, c, geometry, at);
-      double T = 0;
-      for (int i = 0; i < 6; ++i) T += point.shape[i] * temperature[body.mass_mesh->cells[c][i]];
-      content += body.density * point.volume * enthalpy(T).h;
-    }
-  return content;
+  return body.density *
+         core::integral(*body.mass_mesh, geometry, temperature, [&](double T) { return enthalpy(T).h; });
 }
 
 }  // namespace parison::thermal
