@@ -8,6 +8,16 @@ namespace parison::flow {
 
 using core::dim;
 
+std::vector<Index> held_batches(const core::Mesh& mesh, const Held& held) {
+  std::vector<Index> batches;
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const auto& nodes = mesh.cells[c];
+    if (!batches.empty() && batches.back() == c / lanes) continue;
+    if (std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return held.find(node); })) batches.push_back(c / lanes);
+  }
+  return batches;
+}
+
 Eigen::VectorXd unbalanced(const Problem& problem, const Held& held, const Eigen::VectorXd& load, const Iterate& iterate) {
   Eigen::VectorXd residual = load - iterate.force;
   const auto tools = driven_tools(problem);

@@ -11,6 +11,9 @@ struct Iterate {
   Eigen::VectorXd driven;  ///< m/s, in the order of driven_tools
 };
 
+/// The batches of cells with a held node: all that pull at these.
+std::vector<Index> held_batches(const core::Mesh& mesh, const Held& held);
+
 /// Load minus K x minus friction, N and m3/s; at held coordinates it contains the reaction.
 Eigen::VectorXd unbalanced(const Problem& problem, const Held& held, const Eigen::VectorXd& load, const Iterate& iterate);
 

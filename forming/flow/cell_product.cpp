@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/cell_product.hpp"
 
+#include <numeric>
+
 namespace parison::flow {
 
 using core::dim;
@@ -74,30 +76,20 @@ std::array<Index, cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell)
 }
 
 Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x) {
+  std::vector<Index> all(batch_count(mesh));
+  std::iota(all.begin(), all.end(), 0);
+  return product(mesh, cells, x, all);
+}
+
+Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
+                        const std::vector<Index>& batches) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.rows(), x.cols());
-  for (Index batch = 0; batch < batch_count(mesh); ++batch) {
+  for (const Index batch : batches) {
     const BatchUnknowns unknowns(mesh, batch);
     for (Index column = 0; column < x.cols(); ++column) {
       const auto out = batch_product(cells.batch(batch), gather(unknowns, x.col(column)));
       for (Index lane = 0; lane < unknowns.count; ++lane)
         for (int k = 0; k < cell_unknowns; ++k) result(unknowns.of[lane][k], column) += out[k][lane];
-    }
-  }
-  return result;
-}
-
-Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
-                        const std::vector<Index>& listed) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.rows(), x.cols());
-  using CellVector = Eigen::Matrix<double, cell_unknowns, 1>;
-  for (const Index cell : listed) {
-    const auto where = unknowns_of(mesh, cell);
-    for (Index column = 0; column < x.cols(); ++column) {
-      CellVector in;
-      for (int k = 0; k < cell_unknowns; ++k) in[k] = x(where[k], column);
-      if (in.isZero(0)) continue;
-      const CellVector out = cells.of(cell) * in;
-      for (int k = 0; k < cell_unknowns; ++k) result(where[k], column) += out[k];
     }
   }
   return result;

@@ -10,9 +10,9 @@ std::array<Index, cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell)
 /// The cells' forces on the unknowns, K x, a column for each of x.
 Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x);
 
-/// The same over the listed cells alone.
+/// The same over the cells of the listed batches alone.
 Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
-                        const std::vector<Index>& listed);
+                        const std::vector<Index>& batches);
 
 /// Column 0: K x; column 1: the cells' |K| |x|, the products that make it up without sign.
 Eigen::MatrixXd product_and_size(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::VectorXd& x);

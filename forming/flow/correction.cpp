@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace parison::flow {
 
@@ -51,36 +52,41 @@ void load_held_nodes(const Rearrangement& what, const std::vector<Change>& chang
 
 }  // namespace
 
+void Corrector::start(Eigen::VectorXd beside) {
+  beside_ = std::move(beside);
+  factorisations = 0;
+  forget();
+}
+
 void Corrector::forget() {
   system_.forget();
   handles_.clear();
+  beside_answer_.resize(0);
 }
 
 bool Corrector::renew_base(const core::Mesh& mesh, const CellMatrices& cells, const Held& held) {
   forget();
   ++factorisations;
   if (!system_.factorise(mesh, cells, held)) return false;
-  held_cells_.clear();
-  for (Index c = 0; c < mesh.cell_count(); ++c)
-    if (std::any_of(mesh.cells[c].begin(), mesh.cells[c].end(), [&](Index node) { return held.find(node); }))
-      held_cells_.push_back(c);
+  held_batches_ = held_batches(mesh, held);
   return true;
 }
 
 Eigen::MatrixXd Corrector::base_answers(const Rearrangement& what, const CellMatrices& cells,
                                         const std::vector<Change>& changed, const std::vector<Handle*>& wanted) const {
   const Index first = 1 + what.from.driven.size();
-  Loading loading{Eigen::MatrixXd::Zero(system_.size(), first), Eigen::MatrixXd::Zero(system_.size(), first)};
+  const bool beside = beside_answer_.size() < beside_.size();
+  const Index all = first + Index(wanted.size()) + beside;
+  Loading loading{Eigen::MatrixXd::Zero(system_.size(), first), Eigen::MatrixXd::Zero(system_.size(), all)};
   load_held_nodes(what, changed, loading);
   loading.force.col(0) += what.residual;
-  loading.force -= product(*what.problem.mesh, cells, loading.given, held_cells_);
-  loading.force.conservativeResize(Eigen::NoChange, first + Index(wanted.size()));
+  loading.force.leftCols(first) -= product(*what.problem.mesh, cells, loading.given, held_batches_);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     auto force = loading.force.col(first + Index(i));
-    force.setZero();
     if (!wanted[i]->fixed) force.segment<dim>(dim * wanted[i]->node) = wanted[i]->direction;
     for (const auto& [unknown, value] : wanted[i]->stiffness) force[unknown] = -value;
   }
+  if (beside) loading.force.col(all - 1) = beside_;
   Eigen::MatrixXd answers = system_.solve(std::move(loading.force));
   answers.leftCols(first) += loading.given;
   for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -115,9 +121,22 @@ std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const 
   Eigen::MatrixXd columns = base_answers(what, cells, changed, wanted);
   const Index known = 1 + from.driven.size();
   for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i]->response = columns.col(known + Index(i));
+  if (const Index last = known + Index(wanted.size()); columns.cols() > last) beside_answer_ = columns.col(last);
   columns.conservativeResize(Eigen::NoChange, known);
   if (!changed.empty() && !add_changes(what, changed, handles_, columns)) return std::nullopt;
   return columns;
+}
+
+std::optional<Eigen::VectorXd> Corrector::answer_beside(const Problem& problem, Held held) const {
+  const auto changed = changed_nodes(system_.base(), held, handles_);
+  if (changed.empty()) return beside_answer_;
+  for (auto& frame : held.frames) frame.given.setZero();
+  const Index driven = Index(driven_tools(problem).size());
+  const Iterate rest{Eigen::VectorXd::Zero(system_.size()), {}, Eigen::VectorXd::Zero(driven)};
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(system_.size(), 1 + driven);  // those of the tools are not asked for
+  columns.col(0) = beside_answer_;
+  if (!add_changes({problem, system_.base(), held, beside_, rest}, changed, handles_, columns)) return std::nullopt;
+  return columns.col(0);
 }
 
 }  // namespace parison::flow

@@ -17,20 +17,26 @@ class Corrector {
   /// for each m/s of driven tool k. Factorises anew where too much has changed; empty when the matrix is singular.
   std::optional<Eigen::MatrixXd> correct(const Problem& problem, const CellMatrices& cells, const Held& held,
                                          const Eigen::VectorXd& load, const Iterate& from);
-  /// The cells or the mesh are others now: the next correction factorises.
+  /// Starts with other cells: the next correction factorises. `beside` is a load that is answered too; it may be empty.
+  void start(Eigen::VectorXd beside);
+  /// The cells are others now.
   void forget();
+  /// What the load beside does with nodes held as in the last correction, but given no velocity.
+  std::optional<Eigen::VectorXd> answer_beside(const Problem& problem, Held held) const;
   int factorisations = 0;  ///< so far
 
  private:
   /// Factorises with the nodes held as `held`.
   [[nodiscard]] bool renew_base(const core::Mesh& mesh, const CellMatrices& cells, const Held& held);
-  /// The base's answers to the residual and to each driven tool, those of the `wanted` handles behind them.
+  /// The base's answers to the residual and to each driven tool, those of the `wanted` handles behind them, and the one to the
+  /// load beside where that has none.
   Eigen::MatrixXd base_answers(const Rearrangement& what, const CellMatrices& cells, const std::vector<Change>& changed,
                                const std::vector<Handle*>& wanted) const;
 
   SaddleSystem system_;
   Handles handles_;
-  std::vector<Index> held_cells_;  ///< those with a node that the base holds
+  std::vector<Index> held_batches_;  ///< of the base
+  Eigen::VectorXd beside_, beside_answer_;  ///< the latter the base's, once it has been found
 };
 
 }  // namespace parison::flow

@@ -75,22 +75,22 @@ bool is_linear(const Problem& problem) {
                       [](const ToolMotion& tool) { return tool.friction.coulomb.has_value(); });
 }
 
-/// Adds the correction to the iterate, with the driven tools in balance.
-Instant advance(const Problem& problem, const CellMatrices& cells, const Held& held, const Eigen::VectorXd& load,
-                Eigen::MatrixXd correction, Iterate& iterate) {
-  const Index velocities = dim * problem.mesh->node_count(), driven = iterate.driven.size();
-  Eigen::MatrixXd& solution = correction;
-  Eigen::MatrixXd force = product(*problem.mesh, cells, solution);
-  solution.col(0) += iterate.x - solution.rightCols(driven) * iterate.driven;
-  force.col(0) += iterate.force - force.rightCols(driven) * iterate.driven;
-  Eigen::MatrixXd reaction = force.topRows(velocities);
-  reaction.col(0) -= load.head(velocities);
-  Instant instant = balance_tools(problem, held.frames, solution, reaction);
-  const auto tools = driven_tools(problem);
-  for (Index k = 0; k < driven; ++k) iterate.driven[k] = instant.tool_velocity[tools[k]];
-  iterate.x = instant.unknowns;
-  iterate.force = force.col(0) + force.rightCols(driven) * iterate.driven;
-  return instant;
+/// Velocities and pressures, and the forces at held nodes: column 0 with the driven tools at rest, column 1 + k for each m/s of driven
+/// tool k.
+struct Superposed {
+  Eigen::MatrixXd unknowns, reaction;
+};
+
+/// The iterate with the correction; its force is the one before.
+Superposed superpose(const Problem& problem, const CellMatrices& cells, const Held& held, const Eigen::VectorXd& load,
+                     Eigen::MatrixXd correction, const Iterate& iterate) {
+  const core::Mesh& mesh = *problem.mesh;
+  const Index velocities = dim * mesh.node_count(), driven = iterate.driven.size();
+  Superposed result{std::move(correction), {}};
+  result.reaction = product(mesh, cells, result.unknowns, held_batches(mesh, held)).topRows(velocities);
+  result.reaction.col(0) += iterate.force.head(velocities) - result.reaction.rightCols(driven) * iterate.driven - load.head(velocities);
+  result.unknowns.col(0) += iterate.x - result.unknowns.rightCols(driven) * iterate.driven;
+  return result;
 }
 
 /// The result from the last iterate; `swelling` is what of its velocity has no part in the stress.
@@ -119,9 +119,9 @@ void report(const Problem& problem, const Discrete& discrete, const Held& held, 
 }
 
 /// What a change of volume at 1/s does with the nodes held as in the solved problem, but at rest: a tool in balance gives way without
-/// a force, one at its speed limit or told where to go stays.
-std::optional<Instant> find_swelling(Problem problem, const Discrete& discrete, const CellMatrices& cells, Held held,
-                                     const std::vector<double>& tool_velocity, Corrector& corrector) {
+/// a force, one at its speed limit or told where to go stays. `superposed` tells what driven tools do.
+std::optional<Instant> find_swelling(Problem problem, const CellMatrices& cells, const Held& held, const Corrector& corrector,
+                                     const std::vector<double>& tool_velocity, Superposed superposed) {
   for (std::size_t t = 0; t < problem.tools.size(); ++t) {
     ToolMotion& tool = problem.tools[t];
     tool.velocity = 0;
@@ -129,14 +129,12 @@ std::optional<Instant> find_swelling(Problem problem, const Discrete& discrete, 
     tool.force = 0;
     tool.speed_limit = std::abs(tool_velocity[t]) < tool.speed_limit ? std::numeric_limits<double>::infinity() : 0;
   }
-  for (auto& frame : held.frames) frame.given.col(0).setZero();
-  held.pull.setZero();
-  const auto size = discrete.swelling.size();
-  Iterate rest{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size),
-               Eigen::VectorXd::Zero(Index(driven_tools(problem).size()))};
-  auto answer = corrector.correct(problem, cells, held, discrete.swelling, rest);
+  const auto answer = corrector.answer_beside(problem, held);
   if (!answer || !answer->allFinite()) return std::nullopt;
-  Instant instant = advance(problem, cells, held, discrete.swelling, std::move(*answer), rest);
+  const core::Mesh& mesh = *problem.mesh;
+  superposed.unknowns.col(0) = *answer;
+  superposed.reaction.col(0) = product(mesh, cells, *answer, held_batches(mesh, held)).topRows(dim * mesh.node_count());
+  Instant instant = balance_tools(problem, held.frames, superposed.unknowns, superposed.reaction);
   if (!instant.unknowns.allFinite()) return std::nullopt;
   return instant;
 }
@@ -186,8 +184,7 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   result.active = first_set(problem, warm);
   std::vector<int> releases(result.active.size(), 0);
   Discrete discrete = discretise(problem);
-  corrector.forget();
-  corrector.factorisations = 0;
+  corrector.start(problem.more_swelling ? discrete.swelling : Eigen::VectorXd());
   Iterate iterate{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size),
                   Eigen::VectorXd::Zero(Index(driven_tools(problem).size()))};
   const bool linear = is_linear(problem), thinning = problem.material->shear_thinning.has_value();
@@ -196,6 +193,7 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   NewtonGuard guard;
   Sliding sliding(result.active.size());
   std::optional<Instant> instant;
+  Superposed superposed;
   Held held;
   for (bool settled = false, refined = false; !settled;) {
     if (result.iterations++ == most_iterations) return failed(std::move(result), "the contact set did not settle");
@@ -212,13 +210,14 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     if (!correction || !correction->allFinite())
       return failed(std::move(result), "the flow matrix is singular: the glass is not held");
     const Eigen::VectorXd before = iterate.x.head(velocities);
-    instant = advance(problem, tangent, held, load, std::move(*correction), iterate);
+    superposed = superpose(problem, tangent, held, load, std::move(*correction), iterate);
+    instant = balance_tools(problem, held.frames, superposed.unknowns, superposed.reaction);
+    iterate.x = instant->unknowns;
+    const auto tools = driven_tools(problem);
+    for (std::size_t k = 0; k < tools.size(); ++k) iterate.driven[Index(k)] = instant->tool_velocity[tools[k]];
     const double moved = (iterate.x.head(velocities) - before).norm() / iterate.x.head(velocities).norm();
     const bool steady = linear || !(moved > same_flow);
-    if (thinning) {
-      find_cells(problem, iterate.x.head(velocities), discrete);
-      iterate.force = product(mesh, discrete.cells, iterate.x);
-    }
+    if (thinning) find_cells(problem, iterate.x.head(velocities), discrete);
     if (thinning && !steady) {
       discrete.tangent = discrete.cells;
       if (guard.trusts(moved))
@@ -228,16 +227,18 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     const auto change = update_set(problem, *instant, result.active, releases);
     result.contact_changes += change.changed;
     result.latched = change.latched;
-    if (change.changed > 0 || !steady)
+    if (change.changed > 0 || !steady) {
       refined = false;
-    else if (!refined && imbalance(problem, discrete.cells, held, load, iterate) > balanced)
+      iterate.force = product(mesh, discrete.cells, iterate.x);
+    } else if (!refined && imbalance(problem, discrete.cells, held, load, iterate) > balanced) {
       refined = true;
-    else
+    } else {
       settled = true;
+    }
   }
   Eigen::VectorXd swelling = Eigen::VectorXd::Zero(velocities);
   if (problem.more_swelling)
-    if (const auto unit = find_swelling(problem, discrete, tangent, held, instant->tool_velocity, corrector))
+    if (const auto unit = find_swelling(problem, tangent, held, corrector, instant->tool_velocity, std::move(superposed)))
       swelling = swell(problem, *unit, discrete, *instant, result);
   report(problem, discrete, held, *instant, swelling, result);
   return result;
