@@ -123,6 +123,15 @@ Eigen::MatrixXd Mumps::solve(const Eigen::MatrixXd& rhs) {
 struct IndefiniteSolver::Data {
   Cholesky cholmod{Cholesky::Form::quasi_definite};
   std::optional<Mumps> mumps;
+
+  /// Analyses with MUMPS where it is wanted or pays; otherwise false.
+  bool use_mumps(const SymmetricMatrix& matrix, const EliminationOrder& order, Library library) {
+    mumps.reset();
+    if (library == Library::cholmod || (library == Library::automatic && order.operations <= mumps_pays)) return false;
+    mumps.emplace();
+    mumps->analyse(matrix, order.unknown);
+    return true;
+  }
 };
 
 IndefiniteSolver::IndefiniteSolver() : data_(std::make_unique<Data>()) {}
@@ -131,14 +140,14 @@ IndefiniteSolver::IndefiniteSolver(IndefiniteSolver&&) noexcept = default;
 IndefiniteSolver& IndefiniteSolver::operator=(IndefiniteSolver&&) noexcept = default;
 
 void IndefiniteSolver::analyse(const SymmetricMatrix& matrix, Library library) {
-  data_->mumps.reset();
   const auto order = minimum_degree_order(matrix);
-  if (library == Library::mumps || (library == Library::automatic && order.operations > mumps_pays)) {
-    data_->mumps.emplace();
-    data_->mumps->analyse(matrix, order.unknown);
-  } else {
-    data_->cholmod.analyse(matrix, order.unknown);
-  }
+  if (!data_->use_mumps(matrix, order, library)) data_->cholmod.analyse(matrix, order.unknown);
+}
+
+void IndefiniteSolver::analyse(Assembly& assembly) {
+  const auto order = minimum_degree_order(assembly.matrix);
+  if (!data_->use_mumps(assembly.matrix, order, Library::automatic))
+    data_->cholmod.analyse_ordered(assembly, order.unknown);
 }
 
 bool IndefiniteSolver::factorise(const SymmetricMatrix& matrix) {

@@ -17,6 +17,8 @@ class IndefiniteSolver {
 
   enum class Library { automatic, cholmod, mumps };
   void analyse(const SymmetricMatrix& matrix, Library library = Library::automatic);
+  /// The same for the matrix of an assembly, which may come out as its upper triangle in the order of elimination.
+  void analyse(Assembly& assembly);
   /// Numeric factorisation; false when a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
   /// Solves for each column of rhs.

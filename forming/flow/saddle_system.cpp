@@ -13,6 +13,16 @@ SaddleSystem::SaddleSystem(const core::Mesh& mesh) : vertices_(mesh.vertex_count
   assembly_ = core::make_assembly(dim * mesh.node_count() + mesh.vertex_count, cliques);
 }
 
+void SaddleSystem::analyse(const core::Mesh& mesh) {
+  linear_.analyse(assembly_);
+  diagonal_.resize(size());
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const auto unknowns = unknowns_of(mesh, c);
+    const Index* position = assembly_.scatter.position.data() + assembly_.scatter.offset[c];
+    for (int k = 0; k < cell_unknowns; ++k) diagonal_[unknowns[k]] = position[packed(k, k)];
+  }
+}
+
 void SaddleSystem::add_held_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local) {
   for (int i = 0; i < 6; ++i) {
     const NodeFrame* held = base_.find(nodes[i]);
@@ -37,6 +47,7 @@ void SaddleSystem::add_cell(const Lanes* entries, Index cell) {
 
 bool SaddleSystem::factorise(const core::Mesh& mesh, const CellMatrices& cells, const Held& base) {
   base_ = base;
+  if (diagonal_.empty()) analyse(mesh);
   auto& matrix = assembly_.matrix;
   std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
@@ -47,9 +58,7 @@ bool SaddleSystem::factorise(const core::Mesh& mesh, const CellMatrices& cells, 
       add_held_cell(nodes, c, cells.of(c));
   }
   for (const auto& frame : base_.frames)
-    if (frame.friction_tool >= 0) matrix.value[matrix.column_start[dim * frame.node + dim - 1]] += base_.drag[frame.node];
-  if (!analysed_) linear_.analyse(matrix);
-  analysed_ = true;
+    if (frame.friction_tool >= 0) matrix.value[diagonal_[dim * frame.node + dim - 1]] += base_.drag[frame.node];
   return factorised_ = linear_.factorise(matrix);
 }
 
