@@ -15,11 +15,11 @@ using NodePositions = std::array<std::array<Lanes, dim>, 6>;
 
 NodePositions node_positions(const core::Mesh& mesh, const CellGeometry& geometry, Index batch) {
   NodePositions x;
-  for (Index lane = 0; lane < lanes; ++lane) {
-    const auto& nodes = mesh.cells[geometry.cell(batch, lane)];
-    for (int i = 0; i < 6; ++i)
-      for (int a = 0; a < dim; ++a) x[i][a][lane] = mesh.nodes[nodes[i]][a];
-  }
+  const auto at = [&](Index lane) -> const std::array<Index, 6>& { return mesh.cells[geometry.cell(batch, lane)]; };
+  const auto &first = at(0), &second = at(1), &third = at(2), &fourth = at(3);
+  for (int i = 0; i < 6; ++i)
+    for (int a = 0; a < dim; ++a)
+      packed_lanes(x[i][a]) = Pack{mesh.nodes[first[i]][a], mesh.nodes[second[i]][a], mesh.nodes[third[i]][a], mesh.nodes[fourth[i]][a]};
   return x;
 }
 
@@ -81,11 +81,12 @@ const std::array<std::array<double, 6>, cell_points>& shapes_at_points() {
 BatchVelocity batch_velocity(const core::Mesh& mesh, const CellGeometry& geometry, Index batch,
                              const Eigen::VectorXd& velocity) {
   BatchVelocity result;
-  for (Index lane = 0; lane < lanes; ++lane) {
-    const auto& nodes = mesh.cells[geometry.cell(batch, lane)];
-    for (int i = 0; i < 6; ++i)
-      for (int a = 0; a < dim; ++a) result[i][a][lane] = velocity[dim * nodes[i] + a];
-  }
+  const auto at = [&](Index lane) -> const std::array<Index, 6>& { return mesh.cells[geometry.cell(batch, lane)]; };
+  const auto &first = at(0), &second = at(1), &third = at(2), &fourth = at(3);
+  for (int i = 0; i < 6; ++i)
+    for (int a = 0; a < dim; ++a)
+      packed_lanes(result[i][a]) = Pack{velocity[dim * first[i] + a], velocity[dim * second[i] + a],
+                                        velocity[dim * third[i] + a], velocity[dim * fourth[i] + a]};
   return result;
 }
 

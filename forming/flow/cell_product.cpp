@@ -22,45 +22,44 @@ struct BatchUnknowns {
   }
 };
 
-template <class Column>
-BatchVector gather(const BatchUnknowns& unknowns, const Column& x) {
-  BatchVector in;
-  for (Index lane = 0; lane < lanes; ++lane)
-    for (int k = 0; k < cell_unknowns; ++k) in[k][lane] = x[unknowns.of[lane][k]];
-  return in;
+/// The unknowns' numbers, put together where they are used: vectors that were stored in parts are slow to load.
+[[gnu::always_inline]] inline void gather(const BatchUnknowns& unknowns, const double* x, Pack* in) {
+  for (int k = 0; k < cell_unknowns; ++k)
+    in[k] = Pack{x[unknowns.of[0][k]], x[unknowns.of[1][k]], x[unknowns.of[2][k]], x[unknowns.of[3][k]]};
 }
 
-BatchVector batch_product(const Lanes* matrix, const BatchVector& in) {
-  BatchVector out;
+[[gnu::target_clones("avx2", "default")]] void multiply_batch(const Lanes* matrix, const BatchUnknowns& unknowns,
+                                                              const double* x, BatchVector& out) {
+  Pack in[cell_unknowns];
+  gather(unknowns, x, in);
   for (int i = 0; i < cell_unknowns; ++i) {
-    Lanes row = Lanes::Zero();
+    Pack row{};
     for (int j = 0; j < i; ++j, ++matrix) {
-      row += *matrix * in[j];
-      out[j] += *matrix * in[i];
+      row += packed_lanes(*matrix) * in[j];
+      packed_lanes(out[j]) += packed_lanes(*matrix) * in[i];
     }
-    out[i] = row + *matrix++ * in[i];
+    packed_lanes(out[i]) = row + packed_lanes(*matrix++) * in[i];
   }
-  return out;
 }
 
-/// The product, and the sum of its parts without sign.
-std::array<BatchVector, 2> batch_product_and_size(const Lanes* matrix, const BatchVector& in) {
-  std::array<BatchVector, 2> result;
-  auto& [out, size] = result;
+[[gnu::always_inline]] inline void take_size(const Pack& x, Pack& size) { size = x < 0 ? -x : x; }
+
+/// The product of numbers without sign.
+[[gnu::target_clones("avx2", "default")]] void multiply_sizes(const Lanes* matrix, const BatchUnknowns& unknowns,
+                                                              const double* x, BatchVector& out) {
+  Pack in[cell_unknowns], size[cell_unknowns], entry;
+  gather(unknowns, x, in);
   for (int i = 0; i < cell_unknowns; ++i) {
-    Lanes row = Lanes::Zero(), row_size = row;
+    take_size(in[i], size[i]);
+    Pack row{};
     for (int j = 0; j < i; ++j, ++matrix) {
-      const Lanes from_j = *matrix * in[j], from_i = *matrix * in[i];
-      row += from_j;
-      row_size += from_j.abs();
-      out[j] += from_i;
-      size[j] += from_i.abs();
+      take_size(packed_lanes(*matrix), entry);
+      row += entry * size[j];
+      packed_lanes(out[j]) += entry * size[i];
     }
-    const Lanes own = *matrix++ * in[i];
-    out[i] = row + own;
-    size[i] = row_size + own.abs();
+    take_size(packed_lanes(*matrix++), entry);
+    packed_lanes(out[i]) = row + entry * size[i];
   }
-  return result;
 }
 
 Index batch_count(const core::Mesh& mesh) { return (mesh.cell_count() + lanes - 1) / lanes; }
@@ -87,7 +86,8 @@ Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const
   for (const Index batch : batches) {
     const BatchUnknowns unknowns(mesh, batch);
     for (Index column = 0; column < x.cols(); ++column) {
-      const auto out = batch_product(cells.batch(batch), gather(unknowns, x.col(column)));
+      BatchVector out;
+      multiply_batch(cells.batch(batch), unknowns, x.col(column).data(), out);
       for (Index lane = 0; lane < unknowns.count; ++lane)
         for (int k = 0; k < cell_unknowns; ++k) result(unknowns.of[lane][k], column) += out[k][lane];
     }
@@ -99,7 +99,9 @@ Eigen::MatrixXd product_and_size(const core::Mesh& mesh, const CellMatrices& cel
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.size(), 2);
   for (Index batch = 0; batch < batch_count(mesh); ++batch) {
     const BatchUnknowns unknowns(mesh, batch);
-    const auto [out, size] = batch_product_and_size(cells.batch(batch), gather(unknowns, x));
+    BatchVector out, size;
+    multiply_batch(cells.batch(batch), unknowns, x.data(), out);
+    multiply_sizes(cells.batch(batch), unknowns, x.data(), size);
     for (Index lane = 0; lane < unknowns.count; ++lane)
       for (int k = 0; k < cell_unknowns; ++k) {
         result(unknowns.of[lane][k], 0) += out[k][lane];

@@ -48,65 +48,100 @@ BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry,
   return weights;
 }
 
+/// Shape functions at the quadrature points, and products of them; of nodes i and j <= i at packed(i, j).
+struct Shapes {
+  double value[6][cell_points], product[21][cell_points], linear[3][cell_points], linear_product[6][cell_points];
+
+  Shapes() {
+    const auto& rule = core::triangle_rule(4);
+    for (int q = 0; q < cell_points; ++q) {
+      const auto& shape = shapes_at_points()[q];
+      const double at_vertex[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
+      for (int i = 0; i < 6; ++i) value[i][q] = shape[i];
+      for (int p = 0; p < 3; ++p) linear[p][q] = at_vertex[p];
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j) product[packed(i, j)][q] = shape[i] * shape[j];
+      for (int p = 0; p < 3; ++p)
+        for (int s = 0; s <= p; ++s) linear_product[packed(p, s)][q] = at_vertex[p] * at_vertex[s];
+    }
+  }
+};
+
 /// The viscous weight times the gradient of a node's shape function, at each quadrature point.
-using WeightedGradient = std::array<std::array<Lanes, dim>, cell_points>;
+struct WeightedGradient {
+  Pack at[cell_points][dim];
+};
 
 /// Viscous forces between the velocities of nodes i, whose weighted gradient is given, and j <= i.
-void add_pair(const CellGeometry::AtPoint* at, const BatchWeights& weights, const WeightedGradient& weighted, int i, int j,
-              Lanes* matrix) {
-  Lanes along_r = Lanes::Zero(), along_z = along_r, rz = along_r, zr = along_r, ring = along_r;
+[[gnu::always_inline]] inline void set_pair(const CellGeometry::AtPoint* at, const WeightedGradient& weighted, int i, int j,
+                                            Lanes* matrix) {
+  Pack along_r{}, along_z{}, rz{}, zr{};
   for (int q = 0; q < cell_points; ++q) {
-    const auto& gj = at[q].gradient[j];
-    const auto& shape = shapes_at_points()[q];
-    along_r += weighted[q][0] * gj[0];
-    along_z += weighted[q][1] * gj[1];
-    rz += weighted[q][1] * gj[0];
-    zr += weighted[q][0] * gj[1];
-    ring += (shape[i] * shape[j]) * weights[q].ring;
+    const Pack &r = packed_lanes(at[q].gradient[j][0]), &z = packed_lanes(at[q].gradient[j][1]);
+    along_r += weighted.at[q][0] * r;
+    along_z += weighted.at[q][1] * z;
+    rz += weighted.at[q][1] * r;
+    zr += weighted.at[q][0] * z;
   }
-  const Lanes rr = 2 * along_r + along_z + ring, zz = along_r + 2 * along_z;
-  matrix[packed(dim * i, dim * j)] = rr;
-  matrix[packed(dim * i + 1, dim * j)] = zr;
-  matrix[packed(dim * i + 1, dim * j + 1)] = zz;
-  if (j < i) matrix[packed(dim * i, dim * j + 1)] = rz;
+  packed_lanes(matrix[packed(dim * i, dim * j)]) = 2 * along_r + along_z;
+  packed_lanes(matrix[packed(dim * i + 1, dim * j)]) = zr;
+  packed_lanes(matrix[packed(dim * i + 1, dim * j + 1)]) = along_r + 2 * along_z;
+  if (j < i) packed_lanes(matrix[packed(dim * i, dim * j + 1)]) = rz;
+}
+
+/// Adds the forces of the rings' stretching.
+[[gnu::always_inline]] inline void add_rings(const Shapes& shapes, const BatchWeights& weights, Lanes* matrix) {
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j <= i; ++j) {
+      const double* product = shapes.product[packed(i, j)];
+      Pack ring{};
+      for (int q = 0; q < cell_points; ++q) ring += product[q] * packed_lanes(weights[q].ring);
+      packed_lanes(matrix[packed(dim * i, dim * j)]) += ring;
+    }
 }
 
 /// Divergence of node i's velocity, against the pressures, and the force on it.
-void add_node(const CellGeometry& geometry, Index batch, const BatchWeights& weights, int i, Lanes* matrix, Lanes* load) {
-  const auto& rule = core::triangle_rule(4);
-  Lanes divergence[3][dim], force[dim];
-  for (int a = 0; a < dim; ++a) {
-    force[a].setZero();
-    for (auto& row : divergence) row[a].setZero();
-  }
+[[gnu::always_inline]] inline void set_node(const Shapes& shapes, const CellGeometry::AtPoint* at, const BatchWeights& weights,
+                                            int i, Lanes* matrix, Lanes* load) {
+  Pack divergence[3][dim]{}, force[dim]{};
   for (int q = 0; q < cell_points; ++q) {
-    const auto& at = geometry.at(batch, q);
-    const double shape = shapes_at_points()[q][i], linear[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
-    const Lanes part[dim] = {at.volume * (at.gradient[i][0] + shape * at.hoop), at.volume * at.gradient[i][1]};
+    const double shape = shapes.value[i][q];
+    const Pack &volume = packed_lanes(at[q].volume), &r = packed_lanes(at[q].gradient[i][0]);
+    const Pack part[dim] = {volume * (r + shape * packed_lanes(at[q].hoop)), volume * packed_lanes(at[q].gradient[i][1])};
     for (int a = 0; a < dim; ++a) {
-      force[a] += shape * weights[q].force[a];
-      for (int p = 0; p < 3; ++p) divergence[p][a] -= linear[p] * part[a];
+      force[a] += shape * packed_lanes(weights[q].force[a]);
+      for (int p = 0; p < 3; ++p) divergence[p][a] -= shapes.linear[p][q] * part[a];
     }
   }
   for (int a = 0; a < dim; ++a) {
-    load[dim * i + a] = force[a];
-    for (int p = 0; p < 3; ++p) matrix[packed(cell_velocities + p, dim * i + a)] = divergence[p][a];
+    packed_lanes(load[dim * i + a]) = force[a];
+    for (int p = 0; p < 3; ++p) packed_lanes(matrix[packed(cell_velocities + p, dim * i + a)]) = divergence[p][a];
   }
 }
 
-void add_pressures(const BatchWeights& weights, Lanes* matrix, Lanes* load) {
-  const auto& rule = core::triangle_rule(4);
+[[gnu::always_inline]] inline void set_pressures(const Shapes& shapes, const BatchWeights& weights, Lanes* matrix, Lanes* load) {
   for (int p = 0; p < 3; ++p) {
     load[cell_velocities + p].setZero();
-    for (int s = 0; s <= p; ++s) matrix[packed(cell_velocities + p, cell_velocities + s)].setZero();
-  }
-  for (int q = 0; q < cell_points; ++q) {
-    const double linear[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
-    for (int p = 0; p < 3; ++p) {
-      for (int s = 0; s <= p; ++s)
-        matrix[packed(cell_velocities + p, cell_velocities + s)] -= (linear[p] * linear[s]) * weights[q].squeezed;
+    for (int s = 0; s <= p; ++s) {
+      Pack sum{};
+      for (int q = 0; q < cell_points; ++q) sum -= shapes.linear_product[packed(p, s)][q] * packed_lanes(weights[q].squeezed);
+      packed_lanes(matrix[packed(cell_velocities + p, cell_velocities + s)]) = sum;
     }
   }
+}
+
+[[gnu::target_clones("avx2", "default")]] void set_batch(const Shapes& shapes, const CellGeometry::AtPoint* at,
+                                                         const BatchWeights& weights, Lanes* matrix, Lanes* load) {
+  for (int i = 0; i < 6; ++i) {
+    WeightedGradient weighted;
+    for (int q = 0; q < cell_points; ++q)
+      for (int a = 0; a < dim; ++a)
+        weighted.at[q][a] = packed_lanes(weights[q].viscous) * packed_lanes(at[q].gradient[i][a]);
+    for (int j = 0; j <= i; ++j) set_pair(at, weighted, i, j, matrix);
+    set_node(shapes, at, weights, i, matrix, load);
+  }
+  add_rings(shapes, weights, matrix);
+  set_pressures(shapes, weights, matrix, load);
 }
 
 /// Rate of deformation exceeded in the volume `share`; the pairs are D:D and volume.
@@ -165,22 +200,14 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
 }
 
 CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity) {
+  static const Shapes shapes;
   CellMatrices cells;
   cells.matrix.resize(std::size_t(geometry.batches()) * cell_entries);
   cells.load.resize(std::size_t(geometry.batches()) * cell_unknowns);
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
-    Lanes* matrix = cells.matrix.data() + std::size_t(batch) * cell_entries;
-    Lanes* load = cells.load.data() + std::size_t(batch) * cell_unknowns;
-    const auto* at = &geometry.at(batch, 0);
     const auto weights = batch_weights(problem, geometry, batch, viscosity);
-    for (int i = 0; i < 6; ++i) {
-      WeightedGradient weighted;
-      for (int q = 0; q < cell_points; ++q)
-        for (int a = 0; a < dim; ++a) weighted[q][a] = weights[q].viscous * at[q].gradient[i][a];
-      for (int j = 0; j <= i; ++j) add_pair(at, weights, weighted, i, j, matrix);
-      add_node(geometry, batch, weights, i, matrix, load);
-    }
-    add_pressures(weights, matrix, load);
+    set_batch(shapes, &geometry.at(batch, 0), weights, cells.matrix.data() + std::size_t(batch) * cell_entries,
+              cells.load.data() + std::size_t(batch) * cell_unknowns);
   }
   return cells;
 }
