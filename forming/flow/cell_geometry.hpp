@@ -48,6 +48,9 @@ struct CellGeometry {
 
 CellGeometry cell_geometry(const core::Mesh& mesh, core::Geometry geometry);
 
+/// Integral of the velocity over the volume of a mesh, m4/s.
+Point integral(const core::Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& velocity);
+
 /// Values of the six quadratic shape functions at each quadrature point.
 const std::array<std::array<double, 6>, cell_points>& shapes_at_points();
 

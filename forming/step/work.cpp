@@ -16,19 +16,8 @@ namespace {
 
 /// Of the glass's mass, with the mass where it was last distributed.
 double gravity_power(const Scene& scene, const State& start, const Eigen::VectorXd& velocity) {
-  const core::Mesh mass = mass_mesh(start);
-  const flow::CellGeometry geometry = flow::cell_geometry(mass, scene.geometry);
-  const Point axis = core::axis_direction();
-  double power = 0;
-  for (Index batch = 0; batch < geometry.batches(); ++batch) {
-    const auto v = flow::batch_velocity(mass, geometry, batch, velocity);
-    flow::Lanes sum = flow::Lanes::Zero();
-    for (int q = 0; q < flow::cell_points; ++q)
-      for (int i = 0; i < 6; ++i)
-        for (int a = 0; a < dim; ++a) sum += flow::shapes_at_points()[q][i] * axis[a] * geometry.at(batch, q).volume * v[i][a];
-    power += sum.head(std::min(flow::lanes, geometry.cells - batch * flow::lanes)).sum();
-  }
-  return start.density * scene.stages[start.stage].gravity * power;
+  const Point moved = flow::integral(mass_mesh(start), scene.geometry, velocity);
+  return start.density * scene.stages[start.stage].gravity * moved.dot(core::axis_direction());
 }
 
 /// Of the over-pressures on the exposed edges of a mesh.
