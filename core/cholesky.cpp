@@ -56,10 +56,10 @@ Permuted permute(const SymmetricMatrix& matrix, const Index* order, bool upper) 
 
 }  // namespace
 
-/// The matrix is handed over in the order of elimination: CHOLMOD would order it anew at each factorisation.
+/// The matrix is handed over in the order of elimination: CHOLMOD would order it anew at each factorisation. Its factor holds the order
+/// for the solves.
 struct Cholesky::Data {
   mutable cholmod_common common;
-  std::vector<Index> order;  ///< order[k]: the unknown that is eliminated as the k-th
   std::optional<Permuted> permuted;  ///< unless the matrix is in that order itself
   bool upper = false;
   cholmod_factor* factor = nullptr;
@@ -73,16 +73,17 @@ struct Cholesky::Data {
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
   }
-  /// Of an upper triangle in the order of its elimination.
-  void analyse_upper(cholmod_sparse sparse) {
-    upper = true;
+  /// Of a triangle in the order of its elimination, order[k] the unknown that is eliminated as the k-th.
+  void analyse(cholmod_sparse sparse, const std::vector<Index>& order) {
+    upper = sparse.stype > 0;
     cholmod_free_factor(&factor, &common);
     common.method[0].ordering = CHOLMOD_NATURAL;
     common.postorder = 0;
-    const int chosen = std::exchange(common.supernodal, CHOLMOD_SIMPLICIAL);
+    const int chosen = std::exchange(common.supernodal, upper ? CHOLMOD_SIMPLICIAL : CHOLMOD_SUPERNODAL);
     factor = cholmod_analyze(&sparse, &common);
     common.supernodal = chosen;
     if (!factor) throw std::bad_alloc();
+    std::copy(order.begin(), order.end(), static_cast<Index*>(factor->Perm));
   }
   ~Data() {
     cholmod_free_dense(&solution, &common);
@@ -122,34 +123,28 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 void Cholesky::analyse(const SymmetricMatrix& matrix) {
   auto& common = data_->common;
-  const auto analysed = [&](cholmod_sparse sparse, int ordering) {
-    cholmod_free_factor(&data_->factor, &common);
-    common.method[0].ordering = ordering;
-    common.postorder = ordering != CHOLMOD_NATURAL;
-    data_->factor = cholmod_analyze(&sparse, &common);
-    if (!data_->factor) throw std::bad_alloc();
-  };
-  analysed(view(matrix, -1), CHOLMOD_AMD);
+  cholmod_free_factor(&data_->factor, &common);
+  common.method[0].ordering = CHOLMOD_AMD;
+  common.postorder = 1;
+  cholmod_sparse sparse = view(matrix, -1);
+  data_->factor = cholmod_analyze(&sparse, &common);
+  if (!data_->factor) throw std::bad_alloc();
+  const auto* found = static_cast<const Index*>(data_->factor->Perm);
+  const std::vector<Index> order(found, found + matrix.size);
   // The triangle of which a factorisation needs no transpose.
-  data_->upper = !data_->factor->is_super;
-  const auto* order = static_cast<const Index*>(data_->factor->Perm);
-  data_->order.assign(order, order + matrix.size);
-  data_->permuted = permute(matrix, order, data_->upper);
-  const int chosen = std::exchange(common.supernodal, data_->upper ? CHOLMOD_SIMPLICIAL : CHOLMOD_SUPERNODAL);
-  analysed(view(*data_->permuted, data_->upper ? 1 : -1), CHOLMOD_NATURAL);
-  common.supernodal = chosen;
+  const bool upper = !data_->factor->is_super;
+  data_->permuted = permute(matrix, order.data(), upper);
+  data_->analyse(view(*data_->permuted, upper ? 1 : -1), order);
 }
 
 void Cholesky::analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
-  data_->order = order;
   data_->permuted = permute(matrix, order.data(), true);
-  data_->analyse_upper(view(*data_->permuted, 1));
+  data_->analyse(view(*data_->permuted, 1), order);
 }
 
 void Cholesky::analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
-  data_->order = order;
   data_->permuted.reset();
-  data_->analyse_upper(view(matrix, 1));
+  data_->analyse(view(matrix, 1), order);
 }
 
 void Cholesky::analyse_ordered(Assembly& assembly, const std::vector<Index>& order) {
@@ -167,30 +162,25 @@ bool Cholesky::factorise(const SymmetricMatrix& matrix) {
     for (std::size_t k = 0; k < matrix.value.size(); ++k) permuted->value[permuted->place[k]] = matrix.value[k];
   const int type = data_->upper ? 1 : -1;
   cholmod_sparse sparse = data_->permuted ? view(*data_->permuted, type) : view(matrix, type);
+  data_->factor->ordering = CHOLMOD_NATURAL;
   cholmod_factorize(&sparse, data_->factor, &data_->common);
+  data_->factor->ordering = CHOLMOD_GIVEN;
   return data_->common.status == CHOLMOD_OK;
 }
 
 Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& rhs) const { return solve_columns(rhs); }
 
 Eigen::MatrixXd Cholesky::solve_columns(const Eigen::MatrixXd& rhs) const {
-  const auto& order = data_->order;
-  Eigen::MatrixXd ordered(rhs.rows(), rhs.cols());
-  for (Index c = 0; c < rhs.cols(); ++c)
-    for (Index k = 0; k < rhs.rows(); ++k) ordered(k, c) = rhs(order[k], c);
   cholmod_dense b{};
   b.nrow = b.d = static_cast<std::size_t>(rhs.rows());
   b.ncol = static_cast<std::size_t>(rhs.cols());
   b.nzmax = b.nrow * b.ncol;
-  b.x = ordered.data();
+  b.x = const_cast<double*>(rhs.data());
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
   cholmod_solve2(CHOLMOD_A, data_->factor, &b, nullptr, &data_->solution, nullptr, &data_->work_y, &data_->work_e,
                  &data_->common);
-  const Eigen::Map<const Eigen::MatrixXd> found(static_cast<const double*>(data_->solution->x), rhs.rows(), rhs.cols());
-  for (Index c = 0; c < rhs.cols(); ++c)
-    for (Index k = 0; k < rhs.rows(); ++k) ordered(order[k], c) = found(k, c);
-  return ordered;
+  return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(data_->solution->x), rhs.rows(), rhs.cols());
 }
 
 double Cholesky::operations() const { return data_->common.fl; }

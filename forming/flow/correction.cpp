@@ -127,15 +127,16 @@ std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const 
   return columns;
 }
 
-std::optional<Eigen::VectorXd> Corrector::answer_beside(const Problem& problem, Held held) const {
+std::optional<Eigen::VectorXd> Corrector::answer_beside(const Problem& problem, const Held& held) const {
   const auto changed = changed_nodes(system_.base(), held, handles_);
   if (changed.empty()) return beside_answer_;
-  for (auto& frame : held.frames) frame.given.setZero();
+  Held at_rest = held;
+  for (auto& frame : at_rest.frames) frame.given.setZero();
   const Index driven = Index(driven_tools(problem).size());
   const Iterate rest{Eigen::VectorXd::Zero(system_.size()), {}, Eigen::VectorXd::Zero(driven)};
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(system_.size(), 1 + driven);  // those of the tools are not asked for
   columns.col(0) = beside_answer_;
-  if (!add_changes({problem, system_.base(), held, beside_, rest}, changed, handles_, columns)) return std::nullopt;
+  if (!add_changes({problem, system_.base(), at_rest, beside_, rest}, changed, handles_, columns)) return std::nullopt;
   return columns.col(0);
 }
 

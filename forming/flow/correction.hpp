@@ -22,7 +22,7 @@ class Corrector {
   /// The cells are others now.
   void forget();
   /// What the load beside does with nodes held as in the last correction, but given no velocity.
-  std::optional<Eigen::VectorXd> answer_beside(const Problem& problem, Held held) const;
+  std::optional<Eigen::VectorXd> answer_beside(const Problem& problem, const Held& held) const;
   int factorisations = 0;  ///< so far
 
  private:
