@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/cell_geometry.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "core/element.hpp"
 

@@ -17,7 +17,8 @@ using core::Point;
 inline constexpr Index lanes = 4;
 using Lanes = Eigen::Array<double, lanes, 1>;
 
-/// The same numbers as the processor works on them, four at once where it has AVX2: lane by lane the same operations, so the same bits.
+/// The same numbers as the processor works on them, four at once where it has AVX2: lane by lane the same operations, so the
+/// same bits.
 typedef double Pack __attribute__((vector_size(32), aligned(16), may_alias));
 inline const Pack& packed_lanes(const Lanes& x) { return *reinterpret_cast<const Pack*>(x.data()); }
 inline Pack& packed_lanes(Lanes& x) { return *reinterpret_cast<Pack*>(x.data()); }

@@ -75,8 +75,8 @@ bool is_linear(const Problem& problem) {
                       [](const ToolMotion& tool) { return tool.friction.coulomb.has_value(); });
 }
 
-/// Velocities and pressures, and the forces at held nodes: column 0 with the driven tools at rest, column 1 + k for each m/s of driven
-/// tool k.
+/// Velocities and pressures, and the forces at held nodes: column 0 with the driven tools at rest, column 1 + k for each m/s
+/// of driven tool k.
 struct Superposed {
   Eigen::MatrixXd unknowns, reaction;
 };
@@ -88,7 +88,8 @@ Superposed superpose(const Problem& problem, const CellMatrices& cells, const He
   const Index velocities = dim * mesh.node_count(), driven = iterate.driven.size();
   Superposed result{std::move(correction), {}};
   result.reaction = product(mesh, cells, result.unknowns, held_batches(mesh, held)).topRows(velocities);
-  result.reaction.col(0) += iterate.force.head(velocities) - result.reaction.rightCols(driven) * iterate.driven - load.head(velocities);
+  result.reaction.col(0) += iterate.force.head(velocities) - load.head(velocities);
+  result.reaction.col(0) -= result.reaction.rightCols(driven) * iterate.driven;
   result.unknowns.col(0) += iterate.x - result.unknowns.rightCols(driven) * iterate.driven;
   return result;
 }
