@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
 
 #include "forming/step/film.hpp"
 #include "forming/run/run.hpp"
@@ -70,6 +74,42 @@ int cells_across(const core::Mesh& mesh, double radius) {
   }));
 }
 
+/// The numbers of history.csv by their columns, a map for each step.
+std::vector<std::map<std::string, double>> steps_of(const Scene& scene) {
+  std::ifstream file(fs::path(scene.directory) / "results" / "history.csv");
+  std::vector<std::string> names;
+  std::vector<std::map<std::string, double>> steps;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream in(line);
+    std::vector<std::string> fields;
+    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+    if (names.empty()) {
+      names = fields;
+      continue;
+    }
+    steps.emplace_back();
+    for (std::size_t i = 0; i < fields.size(); ++i) steps.back()[names[i]] = std::strtod(fields[i].c_str(), nullptr);
+  }
+  return steps;
+}
+
+/// Mean over the time in which the disc is thinner than `below`, m, of its force against that of a thin film that sticks to both tools, and
+/// of its height over its radius. Nodes that land at the rim one by one make the force of single steps uneven.
+std::pair<double, double> thin_film_ratio(const Scene& scene, double below) {
+  const double volume = M_PI * std::pow(4e-3, 2) * 0.8e-3, speed = 1e-3;
+  double time = 0, ratio = 0, slenderness = 0;
+  for (const auto& row : steps_of(scene)) {
+    const double dt = row.at("dt_s"), middle = row.at("plunger_position_m") + 0.5 * speed * dt;
+    if (middle > below) continue;
+    const double radius = std::sqrt(volume / (M_PI * middle));
+    const double theory = 1.5 * M_PI * 1e3 * std::pow(radius, 4) * speed / std::pow(middle, 3);
+    time += dt;
+    ratio -= dt * row.at("plunger_force_N") / theory;
+    slenderness += dt * middle / radius;
+  }
+  return {ratio / time, slenderness / time};
+}
+
 TEST(Film, a_disc_squeezed_to_300_micrometres_pushes_back_as_theory_says_and_ends_the_run_there) {
   Scene scene;
   const RunOutcome outcome = pressed(squeeze, scene);
@@ -78,18 +118,19 @@ TEST(Film, a_disc_squeezed_to_300_micrometres_pushes_back_as_theory_says_and_end
   EXPECT_NE(outcome.facts.reason.find("the glass between "), std::string::npos) << outcome.facts.reason;
   EXPECT_NE(outcome.facts.reason.find(" mm thick near ("), std::string::npos) << outcome.facts.reason;
   EXPECT_NE(outcome.facts.reason.find("allowed are films of 0.3 mm and more"), std::string::npos) << outcome.facts.reason;
-  const double height = state.bodies[2].offset, speed = -state.bodies[2].velocity;
-  const double middle = height + 0.5 * speed * state.last_step;  // the force of a step is that of its middle
-  const double radius = std::sqrt(core::volume(state.bodies[0].mesh, scene.geometry) / (M_PI * middle));
+  const double height = state.bodies[2].offset;
+  const double radius = std::sqrt(core::volume(state.bodies[0].mesh, scene.geometry) / (M_PI * height));
   EXPECT_GT(state.time, 0.5);
   EXPECT_LT(height, 0.3e-3);
   EXPECT_GT(height, 0.28e-3);
   for (double at = 0.05; at < 0.95; at += 0.043) EXPECT_GE(cells_across(state.bodies[0].mesh, at * radius), 7) << at;
   EXPECT_GE(state.totals.remeshing.worst_quality, 0.3);
-  const double theory = 1.5 * M_PI * 1e3 * std::pow(radius, 4) * speed / std::pow(middle, 3);
-  std::printf("film of %.4f mm, radius %.3f mm: force %.1f N, thin film theory %.1f N, %d cells\n", 1e3 * height, 1e3 * radius,
-              -state.bodies[2].force, theory, state.bodies[0].mesh.cell_count());
-  EXPECT_NEAR(-state.bodies[2].force / theory, 1, 0.05);
+  const auto [ratio, slenderness] = thin_film_ratio(scene, 0.4e-3);
+  std::printf("film from 0.4 to %.4f mm: force %.4f times that of thin film theory, height over radius %.4f, %d cells\n", 1e3 * height,
+              ratio, slenderness, state.bodies[0].mesh.cell_count());
+  // The theory knows no rim, which is about as wide as the film is high.
+  EXPECT_LT(ratio, 1 - 0.5 * slenderness);
+  EXPECT_GT(ratio, 1 - 1.5 * slenderness);
 }
 
 TEST(Film, a_frozen_film_stops_the_tool_that_presses_on_it_and_is_not_crushed_by_one_that_does_not_give_way) {
