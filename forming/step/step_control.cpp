@@ -13,7 +13,7 @@ namespace {
 constexpr double most_growth = 1.5, most_idle_growth = 3.0;
 constexpr double idle = 0.1;          ///< of its allowance: a step that used less may grow faster
 constexpr double aim = 0.9;           ///< of what a step may do
-constexpr double repeat_above = 2.0;  ///< times what a step should do
+constexpr double repeat_above = 3.0;  ///< times what a step should do
 constexpr double same_time = 1e-9;    ///< s
 
 /// How much of its allowance a step used, and of which.
