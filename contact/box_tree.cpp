@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace parison::contact {
@@ -15,6 +16,13 @@ Box united(const Box& a, const Box& b) {
 
 Box inflated(const Box& box, double by) {
   return {box.low.array() - by, box.high.array() + by};
+}
+
+Box bounds(const core::Segment& segment) {
+  const bool major = segment.is_arc && std::abs(segment.to - segment.from) > M_PI;
+  const core::Point middle = major ? segment.centre : core::Point(0.5 * (segment.start + segment.end));
+  // Of a line or a minor arc the square round the ends.
+  return inflated({middle, middle}, major ? segment.radius : 0.5 * (segment.end - segment.start).lpNorm<1>());
 }
 
 BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {

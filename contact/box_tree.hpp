@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
-#include "core/point.hpp"
+#include "core/profile.hpp"
 
 namespace parison::contact {
 
@@ -12,6 +12,8 @@ struct Box {
 };
 Box united(const Box& a, const Box& b);
 Box inflated(const Box& box, double by);
+/// Box that holds a segment.
+Box bounds(const core::Segment& segment);
 inline bool overlap(const Box& a, const Box& b) {
   for (int i = 0; i < core::dim; ++i)
     if (!(a.low[i] <= b.high[i] && b.low[i] <= a.high[i])) return false;

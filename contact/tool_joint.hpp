@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
-#include "contact/tool_gap.hpp"
+#include "contact/tool_constraints.hpp"
 
 namespace parison::contact {
 

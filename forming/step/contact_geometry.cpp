@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/tool_constraints.hpp"
 #include "contact/tool_gap.hpp"
 #include "contact/tool_joint.hpp"
 #include "core/profile.hpp"
@@ -34,21 +35,21 @@ struct PlacedTools {
   PlacedTools(const Scene& scene, const std::vector<Index>& tools, const std::vector<double>& offset) : index(tools) {
     for (const Index tool : tools)
       placed.push_back({&scene.tools[tool].profile, contact_pieces(scene.tools[tool]), offset[tool]});
+    for (const auto& tool : placed) constraints.emplace_back(*tool.profile, tool.contact_pieces);
     joints = contact::tool_joints(placed);
   }
   std::vector<Index> index;
   std::vector<contact::PlacedTool> placed;
+  std::vector<contact::ToolConstraints> constraints;
   std::vector<contact::ToolJoint> joints;
 };
 
 /// The nearest constraints of a node over all tools in place: the union of the tools counts.
 std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Point& x, double reach) {
   std::vector<ToolConstraint> found;
-  for (std::size_t t = 0; t < tools.placed.size(); ++t) {
-    const auto& [profile, pieces, offset] = tools.placed[t];
-    for (const auto& constraint : contact::gap_constraints(*profile, pieces, x - offset * core::axis_direction(), reach))
+  for (std::size_t t = 0; t < tools.placed.size(); ++t)
+    for (const auto& constraint : tools.constraints[t](x - tools.placed[t].offset * core::axis_direction(), reach))
       found.push_back({tools.index[t], constraint});
-  }
   for (const auto& joint : tools.joints)
     for (const auto& [tool, constraint] : contact::joint_constraints(joint, x, reach))
       found.push_back({tools.index[tool], constraint});
@@ -207,13 +208,13 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
   const auto surface = surface_nodes(glass);
   for (const Index tool : tools_in_place(scene, state)) {
     const auto& profile = scene.tools[tool].profile;
-    const auto contact = contact_pieces(scene.tools[tool]);
+    const contact::ToolGap gap(profile, contact_pieces(scene.tools[tool]));
     const BodyState& body = state.bodies[1 + tool];
     const Point moved = (body.offset + ahead * body.velocity) * core::axis_direction();
     for (const Index node : surface) {
       Point local = glass.nodes[node] - moved;
       if (ahead > 0 && scene.has_flow()) local += ahead * flow::node_velocity(state.velocity, node);
-      const double depth = core::contains(profile, local) ? -contact::signed_gap(profile, contact, local) : 0;
+      const double depth = core::contains(profile, local) ? -gap(local) : 0;
       if (depth > 0 && std::isfinite(depth)) found.push_back({node, depth});
     }
   }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <random>
 
+#include "contact/tool_constraints.hpp"
 #include "contact/tool_gap.hpp"
 #include "tool_outlines.hpp"
 
@@ -65,7 +66,7 @@ void expect_brute_force_agrees(const Outline& outline) {
     const Nearest nearest = brute_force(surface, x);
     if (nearest.at_an_end || nearest.distance > 0.99 * reach) continue;
     const bool inside = core::contains(outline.profile, x);
-    const auto found = gap_constraints(outline.profile, outline.contact, x, reach);
+    const auto found = ToolConstraints(outline.profile, outline.contact)(x, reach);
     ASSERT_FALSE(found.empty()) << x.transpose();
     // A sample lies at most half a spacing h beside the foot: d^2 = gap^2 + (1 + gap/R) h^2/4 where an arc bends away.
     const double d = nearest.distance, beside = (1 + reach / smallest_radius) * spacing * spacing / 4;
@@ -102,7 +103,7 @@ TEST(JarGaps, agree_with_the_sampled_blow_mould) {
 TEST(JarGaps, taking_the_constraints_to_zero_puts_the_point_on_the_tool) {
   for (const Outline& outline : {blank(), plunger(20), blow_mould()})
     for (const Point& x : points_near(sampled(outline), 2000, 1.5e-3)) {
-      const auto found = gap_constraints(outline.profile, outline.contact, x, reach);
+      const auto found = ToolConstraints(outline.profile, outline.contact)(x, reach);
       for (const auto& c : found) EXPECT_NEAR(c.normal.norm(), 1, 1e-14);
       if (found.empty()) continue;
       const Point on = x + shortest_move(found);
@@ -113,7 +114,7 @@ TEST(JarGaps, taking_the_constraints_to_zero_puts_the_point_on_the_tool) {
 TEST(JarGaps, points_on_the_surface_have_one_gap_of_round_off_size) {
   for (const Outline& outline : {blank(), plunger(20), plunger(92)})
     for (const Point& x : sampled(outline)) {
-      const auto found = gap_constraints(outline.profile, outline.contact, x, 1e-4);
+      const auto found = ToolConstraints(outline.profile, outline.contact)(x, 1e-4);
       ASSERT_EQ(found.size(), 1u) << x.transpose();
       ASSERT_NEAR(found[0].gap, 0, 1e-15) << x.transpose();
     }

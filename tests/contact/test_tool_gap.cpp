@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "contact/tool_constraints.hpp"
 #include "contact/tool_gap.hpp"
 #include "tool_outlines.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 const double reach = 0.5e-3;
 
 std::vector<GapConstraint> gaps(const Outline& outline, double x, double y, double within = reach) {
-  return gap_constraints(outline.profile, outline.contact, {x, y}, within);
+  return ToolConstraints(outline.profile, outline.contact)({x, y}, within);
 }
 
 void expect_constraint(const GapConstraint& c, double gap, const Point& normal) {

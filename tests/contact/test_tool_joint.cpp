@@ -39,7 +39,7 @@ TEST(ToolJoint, APointInTheWedgeOfAHollowJointIsSentOutByBothTools) {
   const auto placed = tools.placed();
   const auto joint = tool_joints(placed).front();
   const Point x(31.0192e-3, 14.0034e-3);  // projects on neither wall
-  for (const auto& tool : placed) EXPECT_TRUE(gap_constraints(*tool.profile, tool.contact_pieces, x, 1e-3).empty());
+  for (const auto& tool : placed) EXPECT_TRUE(ToolConstraints(*tool.profile, tool.contact_pieces)(x, 1e-3).empty());
   const auto found = joint_constraints(joint, x, 1e-3);
   ASSERT_EQ(found.size(), 2u);
   for (const auto& [tool, constraint] : found) {
