@@ -29,6 +29,7 @@ inline constexpr int cell_points = 6;
 /// The mapped quadrature points of the cells, batch by batch.
 struct CellGeometry {
   struct AtPoint {
+    AtPoint() {}  // left unset: all of it is written once
     std::array<std::array<Lanes, core::dim>, 6> gradient;  ///< of the shape functions, 1/m
     std::array<Lanes, core::dim> position;                 ///< m
     Lanes volume;                                          ///< m3
