@@ -4,11 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace parison::contact {
 
 using core::Index;
+
+Box no_box() {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  return {core::Point::Constant(far), core::Point::Constant(-far)};
+}
 
 Box united(const Box& a, const Box& b) {
   return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};

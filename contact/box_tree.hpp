@@ -10,6 +10,8 @@ namespace parison::contact {
 struct Box {
   core::Point low, high;
 };
+/// Box that holds nothing.
+Box no_box();
 Box united(const Box& a, const Box& b);
 Box inflated(const Box& box, double by);
 /// Box that holds a segment.

@@ -16,6 +16,7 @@ constexpr double smooth_angle =
     M_PI / 9;  ///< 20 degrees: joints that turn less are smooth, normals that differ less are one
 constexpr double end_tolerance = 1e-9;  ///< of the segment's length: on the end counts as on the segment
 constexpr double touching = 1e-9;       ///< m
+constexpr double most_off = 2;  ///< reaches from a segment: past its end by no more than one, and beside it as well
 
 double cross(const Point& a, const Point& b) {
   return a[0] * b[1] - a[1] * b[0];
@@ -98,8 +99,7 @@ bool ToolConstraints::Query::hidden(Index i, const Point& foot) const {
 }
 
 void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& found) const {
-  // Past an end of a segment by no more than the reach, and as far beside it.
-  if (!pieces[i].in_contact || !overlap({x, x}, inflated(pieces[i].bounds, 2 * reach)) || !projects_on(i)) return;
+  if (!pieces[i].in_contact || !overlap({x, x}, inflated(pieces[i].bounds, most_off * reach)) || !projects_on(i)) return;
   const double t = core::projected_parameter(segment(i), x);
   const Point foot = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
   const double gap = (x - foot).dot(normal);
@@ -132,7 +132,8 @@ void ToolConstraints::Query::keep_shortest_way_out(std::vector<GapConstraint>& f
   found.erase(std::remove_if(found.begin(), found.end(), needless), found.end());
 }
 
-ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_pieces) {
+ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_pieces)
+    : in_contact_(no_box()) {
   const auto& segments = tool.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment &segment = segments[i], &next = segments[i + 1 < segments.size() ? i + 1 : 0];
@@ -140,10 +141,12 @@ ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bo
     pieces_.push_back({&segment, bounds(segment), bool(contact_pieces[segment.piece]), end_tolerance * core::length(segment),
                        turn < -smooth_angle, std::abs(turn) <= smooth_angle,
                        (core::normal_at(segment, 1) + core::normal_at(next, 0)).normalized()});
+    if (pieces_.back().in_contact) in_contact_ = united(in_contact_, pieces_.back().bounds);
   }
 }
 
 std::vector<GapConstraint> ToolConstraints::operator()(const Point& x, double reach) const {
+  if (!overlap({x, x}, inflated(in_contact_, most_off * reach))) return {};
   const Query query{pieces_, x, reach};
   std::vector<GapConstraint> found;
   for (Index i = 0; i < query.count(); ++i) {

@@ -35,6 +35,7 @@ class ToolConstraints {
     core::Point normal_after;  ///< unit, the mean of both sides
   };
   std::vector<Piece> pieces_;
+  Box in_contact_;  ///< that holds the pieces in contact
 };
 
 /// Drops, of normals within 20 degrees, the larger gaps, and keeps the core::dim smallest; for one tool or the union of

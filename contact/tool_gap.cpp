@@ -8,9 +8,8 @@ namespace parison::contact {
 using core::Point;
 using core::Profile;
 
-ToolGap::ToolGap(const Profile& tool, const std::vector<bool>& contact_pieces, double reach) : tool_(&tool), reach_(reach) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  in_reach_ = {Point::Constant(far), Point::Constant(-far)};
+ToolGap::ToolGap(const Profile& tool, const std::vector<bool>& contact_pieces, double reach)
+    : tool_(&tool), reach_(reach), in_reach_(no_box()) {
   for (const auto& segment : tool.segments) {
     if (!contact_pieces[segment.piece]) continue;
     pieces_.push_back({bounds(segment), &segment});

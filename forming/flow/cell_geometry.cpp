@@ -175,17 +175,22 @@ BatchVelocity batch_velocity(const core::Mesh& mesh, const CellGeometry& geometr
   return result;
 }
 
-Lanes squared_rate(const CellGeometry::AtPoint& at, int q, const BatchVelocity& velocity) {
+[[gnu::target_clones("avx2", "default")]] Lanes squared_rate(const CellGeometry::AtPoint& at, int q,
+                                                             const BatchVelocity& velocity) {
   const auto& shape = shapes_at_points()[q];
-  Lanes rr = Lanes::Zero(), zz = rr, shear = rr, radial = rr;
+  Pack rr{}, zz{}, shear{}, radial{};
   for (int i = 0; i < 6; ++i) {
-    rr += velocity[i][0] * at.gradient[i][0];
-    zz += velocity[i][1] * at.gradient[i][1];
-    shear += velocity[i][0] * at.gradient[i][1] + velocity[i][1] * at.gradient[i][0];
-    radial += shape[i] * velocity[i][0];
+    const Pack &r = packed_lanes(velocity[i][0]), &z = packed_lanes(velocity[i][1]);
+    const Pack &along_r = packed_lanes(at.gradient[i][0]), &along_z = packed_lanes(at.gradient[i][1]);
+    rr += r * along_r;
+    zz += z * along_z;
+    shear += r * along_z + z * along_r;
+    radial += shape[i] * r;
   }
-  const Lanes ring = at.hoop * radial;
-  return rr * rr + zz * zz + 0.5 * shear * shear + ring * ring;
+  const Pack ring = packed_lanes(at.hoop) * radial;
+  Lanes result;
+  packed_lanes(result) = rr * rr + zz * zz + 0.5 * shear * shear + ring * ring;
+  return result;
 }
 
 }  // namespace parison::flow

@@ -144,6 +144,21 @@ struct WeightedGradient {
   set_pressures(shapes, weights, matrix, load);
 }
 
+/// The temperature at each quadrature point, cells x cell_points, K.
+Eigen::ArrayXd temperature_at_points(const core::Mesh& mesh, const Eigen::VectorXd& temperature) {
+  Eigen::ArrayXd result(mesh.cell_count() * cell_points);
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    double at_node[6];
+    for (int i = 0; i < 6; ++i) at_node[i] = temperature[mesh.cells[c][i]];
+    for (int q = 0; q < cell_points; ++q) {
+      double sum = 0;
+      for (int i = 0; i < 6; ++i) sum += shapes_at_points()[q][i] * at_node[i];
+      result[c * cell_points + q] = sum;
+    }
+  }
+  return result;
+}
+
 /// Rate of deformation exceeded in the volume `share`; the pairs are D:D and volume.
 double exceeded_rate(std::vector<std::pair<double, double>> squared_and_volume, double share) {
   // The largest are searched for among ever more candidates until these fill the share.
@@ -175,15 +190,15 @@ CellMatrix CellMatrices::of(Index cell) const {
 std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& geometry, const Eigen::VectorXd& velocity) {
   const auto& mesh = *problem.mesh;
   std::vector<double> viscosity(mesh.cells.size() * cell_points);
-  for (Index c = 0; c < mesh.cell_count(); ++c)
-    for (int q = 0; q < cell_points; ++q) {
-      double temperature = 0;
-      if (!problem.viscosity)
-        for (int i = 0; i < 6; ++i) temperature += shapes_at_points()[q][i] * (*problem.temperature)[mesh.cells[c][i]];
-      viscosity[std::size_t(c) * cell_points + q] =
-          (problem.viscosity ? problem.viscosity(geometry.position(c, q)) : problem.material->viscosity(temperature)) *
-          (!problem.frozen.empty() && problem.frozen[c] ? frozen_factor : 1);
-    }
+  Eigen::Map<Eigen::ArrayXd> at_points(viscosity.data(), Index(viscosity.size()));
+  if (problem.viscosity) {
+    for (Index k = 0; k < at_points.size(); ++k)
+      at_points[k] = problem.viscosity(geometry.position(k / cell_points, k % cell_points));
+  } else {
+    at_points = problem.material->viscosity.logarithm(temperature_at_points(mesh, *problem.temperature)).exp();
+  }
+  for (Index c = 0; c < Index(problem.frozen.size()); ++c)
+    if (problem.frozen[c]) at_points.segment<cell_points>(c * cell_points) *= frozen_factor;
   if (problem.viscosity || !problem.material->shear_thinning || velocity.size() == 0) return viscosity;
   const auto& law = *problem.material->shear_thinning;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {

@@ -32,27 +32,35 @@ struct ToolConstraint {
 
 /// The tools in place as they stand with `offset` (one for each tool of the scene), and where they meet.
 struct PlacedTools {
-  PlacedTools(const Scene& scene, const std::vector<Index>& tools, const std::vector<double>& offset) : index(tools) {
-    for (const Index tool : tools)
-      placed.push_back({&scene.tools[tool].profile, contact_pieces(scene.tools[tool]), offset[tool]});
-    for (const auto& tool : placed) constraints.emplace_back(*tool.profile, tool.contact_pieces);
+  struct Tool {
+    Index index;
+    Point shift;
+    contact::ToolConstraints constraints;
+    contact::ToolGap gap;
+  };
+  std::vector<Tool> tools;
+  std::vector<contact::ToolJoint> joints;
+
+  PlacedTools(const Scene& scene, const std::vector<Index>& in_place, const std::vector<double>& offset) {
+    std::vector<contact::PlacedTool> placed;
+    for (const Index tool : in_place) {
+      const auto& profile = scene.tools[tool].profile;
+      const auto pieces = contact_pieces(scene.tools[tool]);
+      tools.push_back({tool, offset[tool] * core::axis_direction(), {profile, pieces}, {profile, pieces}});
+      placed.push_back({&profile, pieces, offset[tool]});
+    }
     joints = contact::tool_joints(placed);
   }
-  std::vector<Index> index;
-  std::vector<contact::PlacedTool> placed;
-  std::vector<contact::ToolConstraints> constraints;
-  std::vector<contact::ToolJoint> joints;
 };
 
 /// The nearest constraints of a node over all tools in place: the union of the tools counts.
 std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Point& x, double reach) {
   std::vector<ToolConstraint> found;
-  for (std::size_t t = 0; t < tools.placed.size(); ++t)
-    for (const auto& constraint : tools.constraints[t](x - tools.placed[t].offset * core::axis_direction(), reach))
-      found.push_back({tools.index[t], constraint});
+  for (const auto& tool : tools.tools)
+    for (const auto& constraint : tool.constraints(x - tool.shift, reach)) found.push_back({tool.index, constraint});
   for (const auto& joint : tools.joints)
     for (const auto& [tool, constraint] : contact::joint_constraints(joint, x, reach))
-      found.push_back({tools.index[tool], constraint});
+      found.push_back({tools.tools[tool].index, constraint});
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.constraint.gap < b.constraint.gap; });
   std::vector<ToolConstraint> kept;
@@ -81,12 +89,10 @@ std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass) {
   return flags;
 }
 
-/// Depth of a point inside a tool where that stands now, m; 0 outside.
-double depth_inside(const Scene& scene, const State& state, Index tool, const Point& x) {
-  const Body& body = scene.tools[tool];
-  const auto contact = contact_pieces(body);
-  const Point local = x - state.bodies[1 + tool].offset * core::axis_direction();
-  return std::max(0.0, -contact::signed_gap(body.profile, contact, local));
+/// Depth of a point inside a tool where that stands in `state`, m; 0 outside.
+double depth_inside(const PlacedTools& tools, const State& state, Index tool, const Point& x) {
+  const auto at = std::find_if(tools.tools.begin(), tools.tools.end(), [&](const auto& t) { return t.index == tool; });
+  return std::max(0.0, -at->gap(x - state.bodies[1 + tool].offset * core::axis_direction()));
 }
 
 std::vector<Index> tools_in_place(const Scene& scene, const State& state) {
@@ -152,7 +158,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       const double approach = constraint.normal.dot(relative);
       const double gap = constraint.gap - dt * approach;  // at the step's start
       // Only what is inside at the start may still be partly inside at the end; round a corner the flat bound may lie ahead.
-      const double kept = gap < 0 ? depth_inside(scene, state, tool, glass.nodes[node]) : 0.0;
+      const double kept = gap < 0 ? depth_inside(placed, state, tool, glass.nodes[node]) : 0.0;
       const double rate = held ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
       const double share = state.contact.tool[node] == tool ? 1 : share_in_contact(gap, dt * approach);
       candidates.push_back({node, tool, constraint.normal, rate, held, share, relative});
