@@ -147,15 +147,6 @@ void Cholesky::analyse_ordered(const SymmetricMatrix& matrix, const std::vector<
   data_->analyse(view(matrix, 1), order);
 }
 
-void Cholesky::analyse_ordered(Assembly& assembly, const std::vector<Index>& order) {
-  Permuted ordered = permute(assembly.matrix, order.data(), true);
-  assembly.matrix.column_start = std::move(ordered.column_start);
-  assembly.matrix.row = std::move(ordered.row);
-  assembly.matrix.value = std::move(ordered.value);
-  for (Index& position : assembly.scatter.position) position = ordered.place[position];
-  analyse_ordered(assembly.matrix, order);
-}
-
 bool Cholesky::factorise(const SymmetricMatrix& matrix) {
   assert(data_->factor);
   if (auto& permuted = data_->permuted)

@@ -24,8 +24,6 @@ class Cholesky {
   /// The same for the upper triangle of a matrix that is in the order of its elimination itself: order[k] is the number that
   /// its k-th unknown has in `solve`.
   void analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order);
-  /// The same, putting an assembly of a lower triangle into that order first.
-  void analyse_ordered(Assembly& assembly, const std::vector<Index>& order);
   /// Numeric factorisation; false when the matrix is not positive definite, or a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;

@@ -5,10 +5,10 @@
 
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "core/cholesky.hpp"
-#include "core/ordering.hpp"
 
 namespace parison::core {
 
@@ -23,6 +23,7 @@ constexpr double mumps_pays = 1.15e8;
 struct Mumps {
   DMUMPS_STRUC_C instance{};
   std::vector<int> row, column, place;  // from 1
+  std::vector<Index> number;            ///< that the unknowns have in `solve`; empty where they have it in the matrix
   std::vector<double> value;
   Eigen::VectorXd scale;
 
@@ -54,7 +55,8 @@ struct Mumps {
     dmumps_c(&instance);
     return instance.infog[0];
   }
-  void analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order);
+  /// `place`: of each unknown in the order of elimination, from 1.
+  void analyse(const SymmetricMatrix& matrix, std::vector<int> in_order);
   bool factorise(const SymmetricMatrix& matrix);
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
 };
@@ -63,10 +65,12 @@ struct Mumps {
 Eigen::VectorXd row_scale(const SymmetricMatrix& matrix) {
   Eigen::VectorXd scale = Eigen::VectorXd::Zero(matrix.size), length = scale;
   for (Index j = 0; j < matrix.size; ++j)
-    if (const double diagonal = matrix.value[matrix.column_start[j]]; diagonal > 0) scale[j] = 1 / std::sqrt(diagonal);
+    for (Index k = matrix.column_start[j]; k < matrix.column_start[j + 1]; ++k)
+      if (matrix.row[k] == j && matrix.value[k] > 0) scale[j] = 1 / std::sqrt(matrix.value[k]);
   for (Index j = 0; j < matrix.size; ++j)
-    for (Index k = matrix.column_start[j] + 1; k < matrix.column_start[j + 1]; ++k) {
+    for (Index k = matrix.column_start[j]; k < matrix.column_start[j + 1]; ++k) {
       const Index i = matrix.row[k];
+      if (i == j) continue;
       if (scale[i] == 0) length[i] += std::pow(matrix.value[k] * scale[j], 2);
       if (scale[j] == 0) length[j] += std::pow(matrix.value[k] * scale[i], 2);
     }
@@ -75,9 +79,8 @@ Eigen::VectorXd row_scale(const SymmetricMatrix& matrix) {
   return scale;
 }
 
-void Mumps::analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
-  place.resize(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k) + 1;
+void Mumps::analyse(const SymmetricMatrix& matrix, std::vector<int> in_order) {
+  place = std::move(in_order);
   row.clear();
   column.clear();
   for (Index c = 0; c < matrix.size; ++c)
@@ -109,13 +112,18 @@ bool Mumps::factorise(const SymmetricMatrix& matrix) {
 }
 
 Eigen::MatrixXd Mumps::solve(const Eigen::MatrixXd& rhs) {
-  Eigen::MatrixXd solution = scale.asDiagonal() * rhs;
+  Eigen::MatrixXd solution = number.empty() ? rhs : Eigen::MatrixXd(rhs(number, Eigen::all));
+  solution = (scale.asDiagonal() * solution).eval();
   instance.rhs = solution.data();
   instance.nrhs = static_cast<int>(rhs.cols());
   instance.lrhs = static_cast<int>(rhs.rows());
   [[maybe_unused]] const int status = run(3);
   assert(status >= 0);
-  return scale.asDiagonal() * solution;
+  solution = (scale.asDiagonal() * solution).eval();
+  if (number.empty()) return solution;
+  Eigen::MatrixXd by_number(rhs.rows(), rhs.cols());
+  by_number(number, Eigen::all) = solution;
+  return by_number;
 }
 
 }  // namespace
@@ -124,12 +132,11 @@ struct IndefiniteSolver::Data {
   Cholesky cholmod{Cholesky::Form::quasi_definite};
   std::optional<Mumps> mumps;
 
-  /// Analyses with MUMPS where it is wanted or pays; otherwise false.
-  bool use_mumps(const SymmetricMatrix& matrix, const EliminationOrder& order, Library library) {
+  /// Whether MUMPS is wanted or pays; then it is there, without an analysis.
+  bool use_mumps(double operations, Library library) {
     mumps.reset();
-    if (library == Library::cholmod || (library == Library::automatic && order.operations <= mumps_pays)) return false;
+    if (library == Library::cholmod || (library == Library::automatic && operations <= mumps_pays)) return false;
     mumps.emplace();
-    mumps->analyse(matrix, order.unknown);
     return true;
   }
 };
@@ -141,13 +148,18 @@ IndefiniteSolver& IndefiniteSolver::operator=(IndefiniteSolver&&) noexcept = def
 
 void IndefiniteSolver::analyse(const SymmetricMatrix& matrix, Library library) {
   const auto order = minimum_degree_order(matrix);
-  if (!data_->use_mumps(matrix, order, library)) data_->cholmod.analyse(matrix, order.unknown);
+  if (!data_->use_mumps(order.operations, library)) return data_->cholmod.analyse(matrix, order.unknown);
+  std::vector<int> place(order.unknown.size());
+  for (std::size_t k = 0; k < place.size(); ++k) place[order.unknown[k]] = static_cast<int>(k) + 1;
+  data_->mumps->analyse(matrix, std::move(place));
 }
 
-void IndefiniteSolver::analyse(Assembly& assembly) {
-  const auto order = minimum_degree_order(assembly.matrix);
-  if (!data_->use_mumps(assembly.matrix, order, Library::automatic))
-    data_->cholmod.analyse_ordered(assembly, order.unknown);
+void IndefiniteSolver::analyse_ordered(const SymmetricMatrix& matrix, const EliminationOrder& order, Library library) {
+  if (!data_->use_mumps(order.operations, library)) return data_->cholmod.analyse_ordered(matrix, order.unknown);
+  std::vector<int> place(order.unknown.size());
+  std::iota(place.begin(), place.end(), 1);
+  data_->mumps->number = order.unknown;
+  data_->mumps->analyse(matrix, std::move(place));
 }
 
 bool IndefiniteSolver::factorise(const SymmetricMatrix& matrix) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
+#include "core/ordering.hpp"
 #include "core/symmetric_matrix.hpp"
 
 namespace parison::core {
@@ -17,8 +18,9 @@ class IndefiniteSolver {
 
   enum class Library { automatic, cholmod, mumps };
   void analyse(const SymmetricMatrix& matrix, Library library = Library::automatic);
-  /// The same for the matrix of an assembly, which may come out as its upper triangle in the order of elimination.
-  void analyse(Assembly& assembly);
+  /// The same for the upper triangle of a matrix that is in the order of its elimination itself: `solve` takes and gives the
+  /// unknowns by the numbers that `order` has for them.
+  void analyse_ordered(const SymmetricMatrix& matrix, const EliminationOrder& order, Library library = Library::automatic);
   /// Numeric factorisation; false when a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
   /// Solves for each column of rhs.

@@ -26,6 +26,8 @@ std::vector<Index> order_graph(const Graph& graph, double* told) {
   return order;
 }
 
+double operations(const double* told) { return 2 * told[AMD_NMULTSUBS_LDL]; }
+
 /// A number that stands for an unknown in the fingerprint of a pattern (the finaliser of splitmix64).
 std::uint64_t mark(std::uint64_t unknown) {
   std::uint64_t z = (unknown + 1) * 0x9e3779b97f4a7c15u;
@@ -90,13 +92,15 @@ Graph quotient(const SymmetricMatrix& matrix, const Groups& groups) {
 
 }  // namespace
 
-std::vector<Index> minimum_degree_order(Index size, const std::vector<std::array<Index, 2>>& edges) {
+EliminationOrder minimum_degree_order(Index size, const std::vector<std::array<Index, 2>>& edges) {
   Graph graph{std::vector<Index>(size + 1, 0), std::vector<Index>(edges.size())};
   for (const auto& edge : edges) ++graph.start[edge[0] + 1];
   std::partial_sum(graph.start.begin(), graph.start.end(), graph.start.begin());
   std::vector<Index> next(graph.start.begin(), graph.start.end() - 1);
   for (const auto& [from, to] : edges) graph.neighbour[next[from]++] = to;
-  return order_graph(graph, nullptr);
+  double told[AMD_INFO];
+  std::vector<Index> order = order_graph(graph, told);
+  return {std::move(order), operations(told)};
 }
 
 EliminationOrder minimum_degree_order(const SymmetricMatrix& matrix) {
@@ -108,7 +112,7 @@ EliminationOrder minimum_degree_order(const SymmetricMatrix& matrix) {
   for (const Index g : order)
     result.unknown.insert(result.unknown.end(), groups.member.begin() + groups.start[g], groups.member.begin() + groups.start[g + 1]);
   const double members = double(matrix.size) / groups.count();
-  result.operations = 2 * told[AMD_NMULTSUBS_LDL] * members * members * members;
+  result.operations = operations(told) * members * members * members;
   return result;
 }
 

@@ -38,7 +38,7 @@ std::vector<Index> rank_vertices(const HeatSystem& system, const Vertices& verti
     for (const int slave : {0, 1})
       for (const int master : {2, 3}) add(coupling[slave], coupling[master]);
   const Index count = static_cast<Index>(vertices.unknown.size());
-  const std::vector<Index> order = core::minimum_degree_order(count, edges);
+  const std::vector<Index> order = core::minimum_degree_order(count, edges).unknown;
   std::vector<Index> rank(count);
   for (Index k = 0; k < count; ++k) rank[order[k]] = k;
   return rank;

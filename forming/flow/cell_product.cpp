@@ -83,9 +83,12 @@ Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const
 Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x,
                         const std::vector<Index>& batches) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.rows(), x.cols());
+  std::vector<Index> columns;
+  for (Index column = 0; column < x.cols(); ++column)
+    if (!x.col(column).isZero(0)) columns.push_back(column);
   for (const Index batch : batches) {
     const BatchUnknowns unknowns(mesh, batch);
-    for (Index column = 0; column < x.cols(); ++column) {
+    for (const Index column : columns) {
       BatchVector out;
       multiply_batch(cells.batch(batch), unknowns, x.col(column).data(), out);
       for (Index lane = 0; lane < unknowns.count; ++lane)

@@ -2,19 +2,45 @@
 #include "forming/flow/saddle_system.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace parison::flow {
 
 using core::dim;
 
-SaddleSystem::SaddleSystem(const core::Mesh& mesh) : vertices_(mesh.vertex_count) {
-  core::Cliques cliques;
-  for (Index c = 0; c < mesh.cell_count(); ++c) cliques.add(unknowns_of(mesh, c).data(), cell_unknowns);
-  assembly_ = core::make_assembly(dim * mesh.node_count() + mesh.vertex_count, cliques);
+namespace {
+
+/// All unknowns of a node couple with the same others: the nodes are ordered.
+core::EliminationOrder elimination_order(const core::Mesh& mesh) {
+  std::vector<std::array<Index, 2>> edges;
+  edges.reserve(15 * mesh.cells.size());
+  for (const auto& cell : mesh.cells)
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < i; ++j) edges.push_back({cell[i], cell[j]});
+  const auto nodes = core::minimum_degree_order(mesh.node_count(), edges);
+  core::EliminationOrder order{{}, 0};
+  for (const Index node : nodes.unknown) {
+    for (int a = 0; a < dim; ++a) order.unknown.push_back(dim * node + a);
+    if (node < mesh.vertex_count) order.unknown.push_back(dim * mesh.node_count() + node);
+  }
+  order.operations = nodes.operations * std::pow(double(order.unknown.size()) / mesh.node_count(), 3);
+  return order;
 }
 
-void SaddleSystem::analyse(const core::Mesh& mesh) {
-  linear_.analyse(assembly_);
+}  // namespace
+
+SaddleSystem::SaddleSystem(const core::Mesh& mesh) : vertices_(mesh.vertex_count) {
+  const auto order = elimination_order(mesh);
+  std::vector<Index> rank(order.unknown.size());
+  for (std::size_t k = 0; k < rank.size(); ++k) rank[order.unknown[k]] = static_cast<Index>(k);
+  core::Cliques cliques;
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    auto unknowns = unknowns_of(mesh, c);
+    for (Index& unknown : unknowns) unknown = rank[unknown];
+    cliques.add(unknowns.data(), cell_unknowns);
+  }
+  assembly_ = core::make_assembly(static_cast<Index>(rank.size()), cliques, core::Triangle::upper);
+  linear_.analyse_ordered(assembly_.matrix, order);
   diagonal_.resize(size());
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     const auto unknowns = unknowns_of(mesh, c);
@@ -47,7 +73,6 @@ void SaddleSystem::add_cell(const Lanes* entries, Index cell) {
 
 bool SaddleSystem::factorise(const core::Mesh& mesh, const CellMatrices& cells, const Held& base) {
   base_ = base;
-  if (diagonal_.empty()) analyse(mesh);
   auto& matrix = assembly_.matrix;
   std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
   for (Index c = 0; c < mesh.cell_count(); ++c) {

@@ -24,14 +24,13 @@ class SaddleSystem {
   Eigen::MatrixXd solve(Eigen::MatrixXd rhs) const;
 
  private:
-  void analyse(const core::Mesh& mesh);
   void add_held_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local);
   void add_cell(const Lanes* entries, Index cell);
 
   core::Assembly assembly_;
   core::IndefiniteSolver linear_;
   Index vertices_;
-  std::vector<Index> diagonal_;  ///< places of the diagonal entries, once the matrix is analysed
+  std::vector<Index> diagonal_;  ///< places of the diagonal entries
   bool factorised_ = false;
   Held base_;
 };

@@ -136,6 +136,42 @@ TEST(SymmetricMatrix, both_solvers_recover_a_known_solution) {
   }
 }
 
+TEST(IndefiniteSolver, takes_a_matrix_in_the_order_of_its_elimination_with_either_library) {
+  const Mesh mesh = unit_square(6);
+  std::vector<std::array<Index, 2>> edges;
+  for (const auto& cell : mesh.cells)
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < i; ++j) edges.push_back({cell[i], cell[j]});
+  const auto order = minimum_degree_order(mesh.node_count(), edges);
+  std::vector<Index> rank(order.unknown.size());
+  for (std::size_t k = 0; k < rank.size(); ++k) rank[order.unknown[k]] = static_cast<Index>(k);
+  Cliques natural, ranked;
+  for (const auto& cell : mesh.cells) {
+    auto places = cell;
+    for (Index& place : places) place = rank[place];
+    natural.add(cell.data(), 6);
+    ranked.add(places.data(), 6);
+  }
+  Assembly lower = make_assembly(mesh.node_count(), natural);
+  Assembly upper = make_assembly(mesh.node_count(), ranked, Triangle::upper);
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    std::array<double, 36> local;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) local[6 * i + j] = i == j ? (mesh.cells[c][i] % 3 == 0 ? -9 : 9) : std::cos(c + i * j);
+    add_clique(lower.matrix, lower.scatter, c, 6, local.data());
+    add_clique(upper.matrix, upper.scatter, c, 6, local.data());
+  }
+  Eigen::MatrixXd x(mesh.node_count(), 2), b(mesh.node_count(), 2);
+  x << Eigen::VectorXd::LinSpaced(mesh.node_count(), -1, 2), Eigen::VectorXd::LinSpaced(mesh.node_count(), 5, 1);
+  for (int column = 0; column < 2; ++column) b.col(column) = multiply(lower.matrix, x.col(column));
+  for (const auto library : {IndefiniteSolver::Library::cholmod, IndefiniteSolver::Library::mumps}) {
+    IndefiniteSolver solver;
+    solver.analyse_ordered(upper.matrix, order, library);
+    ASSERT_TRUE(solver.factorise(upper.matrix));
+    EXPECT_LT((solver.solve(b) - x).norm(), 1e-11 * x.norm());
+  }
+}
+
 TEST(EliminationOrder, keeps_unknowns_of_one_pattern_together_by_their_numbers) {
   const Mesh mesh = unit_square(6);
   const Index nodes = mesh.node_count();
