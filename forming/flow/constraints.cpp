@@ -74,8 +74,7 @@ NodeFrame make_frame(const Problem& problem, Index node, const NodeEqualities& e
     }
   }
   core::Tensor normals = core::Tensor::Identity();
-  Eigen::Matrix<double, dim, Eigen::Dynamic> values =
-      Eigen::Matrix<double, dim, Eigen::Dynamic>::Zero(dim, 1 + Index(driven.size()));
+  GivenVelocity values = GivenVelocity::Zero(dim, 1 + Index(driven.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     normals.row(i) = rows[i].normal.transpose();
     values(i, 0) = rows[i].value;
@@ -83,9 +82,9 @@ NodeFrame make_frame(const Problem& problem, Index node, const NodeEqualities& e
     if (k != driven.end()) values(i, 1 + (k - driven.begin())) = rows[i].normal.dot(axis);
     result.fixed[i] = true;
   }
-  if (rows.size() == dim) values = normals.inverse() * values;  // the velocity itself
+  if (rows.size() == dim) values = (normals.inverse() * values).eval();  // the velocity itself
   if (rows.size() == dim) result.frame = core::Tensor::Identity();
-  result.given = std::move(values);
+  result.given = values;
   return result;
 }
 

@@ -27,12 +27,17 @@ struct NodeEqualities {
   const NodeEquality* end() const { return list.data() + count; }
 };
 
+/// Tools driven by force at a time, at the most.
+inline constexpr int most_driven = 4;
+/// Coordinates of a velocity: column 0 constant, column 1 + k per m/s of driven tool k.
+using GivenVelocity = Eigen::Matrix<double, core::dim, Eigen::Dynamic, Eigen::ColMajor, core::dim, 1 + most_driven>;
+
 /// A node with equalities, in the frame of its columns: v = frame u, u[i] given where fixed[i].
 struct NodeFrame {
   Index node;
   core::Tensor frame = core::Tensor::Identity();
   std::array<bool, core::dim> fixed{};
-  Eigen::Matrix<double, core::dim, Eigen::Dynamic> given;  ///< column 0 constant, column 1 + k per m/s of driven tool k
+  GivenVelocity given;
   NodeEqualities equalities;
   Index friction_tool = -1;                                 ///< Navier friction acts along the last column of the frame
 };

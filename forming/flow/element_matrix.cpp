@@ -146,13 +146,14 @@ struct WeightedGradient {
 
 /// The temperature at each quadrature point, cells x cell_points, K.
 Eigen::ArrayXd temperature_at_points(const core::Mesh& mesh, const Eigen::VectorXd& temperature) {
+  const auto& shapes = shapes_at_points();
   Eigen::ArrayXd result(mesh.cell_count() * cell_points);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     double at_node[6];
     for (int i = 0; i < 6; ++i) at_node[i] = temperature[mesh.cells[c][i]];
     for (int q = 0; q < cell_points; ++q) {
       double sum = 0;
-      for (int i = 0; i < 6; ++i) sum += shapes_at_points()[q][i] * at_node[i];
+      for (int i = 0; i < 6; ++i) sum += shapes[q][i] * at_node[i];
       result[c * cell_points + q] = sum;
     }
   }

@@ -182,6 +182,8 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   Solution result;
   result.reason = free_motion(problem);
   if (!result.reason.empty()) return result;
+  if (driven_tools(problem).size() > most_driven)
+    return failed(std::move(result), "more than four tools are driven by force at a time");
   result.active = first_set(problem, warm);
   std::vector<int> releases(result.active.size(), 0);
   Discrete discrete = discretise(problem);
