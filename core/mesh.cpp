@@ -2,6 +2,7 @@
 #include "core/mesh.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <utility>
 
@@ -30,35 +31,49 @@ std::vector<BoundaryEdge> chained(const std::vector<BoundaryEdge>& edges) {
   return result;
 }
 
-/// A point of the rule with the shape functions there, which are the same in all cells.
-struct RuleShape {
-  std::array<double, 6> shape;
-  std::array<std::array<double, 2>, 6> derivative;
-  double weight;
+/// Shape functions and their derivatives at the points of a rule, which are the same in all cells.
+template <int Points>
+struct RuleShapes {
+  Eigen::Matrix<double, Points, 6> value, along_a, along_b;
+  Eigen::Array<double, Points, 1> weight;
+
+  explicit RuleShapes(int degree) {
+    const auto& rule = triangle_rule(degree);
+    assert(rule.size() == Points);
+    for (int q = 0; q < Points; ++q) {
+      const auto shape = triangle_shape(rule[q].a, rule[q].b);
+      const auto derivative = triangle_shape_derivative(rule[q].a, rule[q].b);
+      for (int k = 0; k < 6; ++k) {
+        value(q, k) = shape[k];
+        along_a(q, k) = derivative[k][0];
+        along_b(q, k) = derivative[k][1];
+      }
+      weight[q] = rule[q].weight;
+    }
+  }
 };
 
-std::vector<RuleShape> rule_shapes(int degree) {
-  std::vector<RuleShape> made;
-  for (const TriangleRulePoint& at : triangle_rule(degree))
-    made.push_back({triangle_shape(at.a, at.b), triangle_shape_derivative(at.a, at.b), at.weight});
-  return made;
+/// Weights times measures of the rule's points in a cell.
+template <int Points>
+Eigen::Array<double, Points, 1> measures(const RuleShapes<Points>& rule, const Mesh& mesh,
+                                         const std::array<Index, 6>& cell, Geometry geometry) {
+  using Values = Eigen::Array<double, Points, 1>;
+  Eigen::Matrix<double, 6, 1> x, y;
+  for (int k = 0; k < 6; ++k) x[k] = mesh.nodes[cell[k]][0], y[k] = mesh.nodes[cell[k]][1];
+  const Values xa = rule.along_a * x, ya = rule.along_a * y, xb = rule.along_b * x, yb = rule.along_b * y;
+  const Values at_x = rule.value * x, at_y = rule.value * y;
+  Values result = rule.weight * (xa * yb - xb * ya);
+  for (int q = 0; q < Points; ++q) result[q] *= depth(geometry, {at_x[q], at_y[q]});
+  return result;
 }
 
-/// Weight times measure of a point of the rule in a cell with these nodes.
-double measure(const RuleShape& at, const std::array<Point, 6>& x, Geometry geometry) {
-  Point position = Point::Zero(), along_a = Point::Zero(), along_b = Point::Zero();
-  for (int k = 0; k < 6; ++k) {
-    position += at.shape[k] * x[k];
-    along_a += at.derivative[k][0] * x[k];
-    along_b += at.derivative[k][1] * x[k];
-  }
-  return at.weight * (along_a[0] * along_b[1] - along_b[0] * along_a[1]) * depth(geometry, position);
-}
-
-std::array<Point, 6> nodes_of(const Mesh& mesh, const std::array<Index, 6>& cell) {
-  std::array<Point, 6> x;
-  for (int k = 0; k < 6; ++k) x[k] = mesh.nodes[cell[k]];
-  return x;
+/// Values of a field at the rule's points in a cell.
+template <int Points>
+Eigen::Array<double, Points, 1> values_at(const RuleShapes<Points>& rule, const Eigen::VectorXd& nodal,
+                                          const std::array<Index, 6>& cell) {
+  Eigen::Matrix<double, 6, 1> own;
+  for (int k = 0; k < 6; ++k) own[k] = nodal[cell[k]];
+  return rule.value * own;
 }
 
 }  // namespace
@@ -130,32 +145,24 @@ double volume(const Mesh& mesh, Geometry geometry) {
 
 double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal,
                 const std::function<double(double)>& function) {
-  static const std::vector<RuleShape> rule = rule_shapes(4);
+  static const RuleShapes<6> rule(4);
   double sum = 0;
   for (const auto& cell : mesh.cells) {
-    const std::array<Point, 6> x = nodes_of(mesh, cell);
-    for (const RuleShape& at : rule) {
-      double value = 0;
-      for (int k = 0; k < 6; ++k) value += at.shape[k] * nodal[cell[k]];
-      sum += measure(at, x, geometry) * function(value);
-    }
+    const auto measure = measures(rule, mesh, cell, geometry), value = values_at(rule, nodal, cell);
+    for (int q = 0; q < 6; ++q) sum += measure[q] * function(value[q]);
   }
   return sum;
 }
 
 double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal) {
-  static const std::vector<RuleShape> rule = rule_shapes(6);
+  static const RuleShapes<12> rule(6);
   const double base = nodal[0];  // a uniform field has its own value as the mean
+  const Eigen::VectorXd excess = nodal.array() - base;
   double content = 0, volume = 0;
   for (const auto& cell : mesh.cells) {
-    const std::array<Point, 6> x = nodes_of(mesh, cell);
-    for (const RuleShape& at : rule) {
-      const double part = measure(at, x, geometry);
-      double value = 0;
-      for (int k = 0; k < 6; ++k) value += at.shape[k] * (nodal[cell[k]] - base);
-      content += part * value;
-      volume += part;
-    }
+    const auto measure = measures(rule, mesh, cell, geometry);
+    content += (measure * values_at(rule, excess, cell)).sum();
+    volume += measure.sum();
   }
   return base + content / volume;
 }
