@@ -144,24 +144,31 @@ std::vector<Index> sources_of_vertices(const Mesh& mesh, const Eigen::VectorXd& 
     Index vertex, source;
     bool operator>(const Front& other) const { return std::tie(distance, vertex) > std::tie(other.distance, other.vertex); }
   };
-  std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts;
   std::vector<double> reached(mesh.vertex_count, infinity);
   std::vector<Index> source(mesh.vertex_count, -1);
   const auto reach = [&](Index vertex, Index from) {
     const double distance = (mesh.nodes[vertex] - mesh.nodes[from]).squaredNorm();
-    if (distance < reached[vertex]) fronts.push({reached[vertex] = distance, vertex, source[vertex] = from});
+    const bool nearer = distance < reached[vertex];
+    if (nearer) reached[vertex] = distance, source[vertex] = from;
+    return nearer;
   };
   for (const auto& cell : mesh.cells)
     for (const Index node : cell)
       if (std::isfinite(value[node]))
         for (int i = 0; i < 3; ++i) reach(cell[i], node);
+  std::vector<Front> first;
+  for (Index v = 0; v < mesh.vertex_count; ++v)
+    if (source[v] >= 0) first.push_back({reached[v], v, source[v]});
+  std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts(std::greater<>(), std::move(first));
   const Fans fans = fans_of(mesh);
   while (!fronts.empty()) {
     const Front front = fronts.top();
     fronts.pop();
     if (front.source != source[front.vertex]) continue;
     for (Index k = fans.start[front.vertex]; k < fans.start[front.vertex + 1]; ++k)
-      for (int i = 0; i < 3; ++i) reach(mesh.cells[fans.cell[k]][i], front.source);
+      for (int i = 0; i < 3; ++i)
+        if (const Index vertex = mesh.cells[fans.cell[k]][i]; reach(vertex, front.source))
+          fronts.push({reached[vertex], vertex, front.source});
   }
   return source;
 }
