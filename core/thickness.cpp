@@ -7,6 +7,7 @@
 #include <numeric>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include "core/element.hpp"
 
@@ -37,8 +38,9 @@ class EdgeGrid {
     bin_ = std::max(std::sqrt(extent.prod() / (4.0 * mesh.boundary.size())), extent.maxCoeff() / 500);
     low_.array() -= bin_;
     count_ = {static_cast<int>(extent[0] / bin_) + 3, static_cast<int>(extent[1] / bin_) + 3};
-    bins_.resize(static_cast<std::size_t>(count_[0]) * count_[1]);
-    for (Index i = 0; i < static_cast<Index>(mesh.boundary.size()); ++i) insert(i);
+    first_.assign(static_cast<std::size_t>(count_[0]) * count_[1], -1);
+    entries_.reserve(4 * mesh.boundary.size());
+    for (Index i = static_cast<Index>(mesh.boundary.size()) - 1; i >= 0; --i) insert(i);
   }
 
   struct Hit {
@@ -46,8 +48,8 @@ class EdgeGrid {
     Index edge = -1;
   };
 
-  /// First edge at which the ray from a node leaves the body; edges of that node do not count.
-  Hit first_exit(Index from, const Point& direction) const {
+  /// First edge at which the ray from a node leaves the body; edges of that node do not count, nor need those beyond reach.
+  Hit first_exit(Index from, const Point& direction, double reach) const {
     const Point start = mesh_.nodes[from];
     std::array<int, 2> at, step;
     Point next, stride;
@@ -60,9 +62,10 @@ class EdgeGrid {
     }
     Hit hit;
     while (at[0] >= 0 && at[0] < count_[0] && at[1] >= 0 && at[1] < count_[1]) {
-      for (const Index edge : bins_[static_cast<std::size_t>(at[1]) * count_[0] + at[0]]) try_edge(from, direction, edge, hit);
+      for (Index k = first_[static_cast<std::size_t>(at[1]) * count_[0] + at[0]]; k >= 0; k = entries_[k].next)
+        try_edge(from, direction, entries_[k].edge, hit);
       const int k = next[0] < next[1] ? 0 : 1;
-      if (hit.distance <= next[k]) break;
+      if (std::min(hit.distance, reach) <= next[k]) break;
       next[k] += stride[k];
       at[k] += step[k];
     }
@@ -70,6 +73,11 @@ class EdgeGrid {
   }
 
  private:
+  /// An edge in a bin, and the entry of the next there.
+  struct Entry {
+    Index edge, next;
+  };
+
   void insert(Index i) {
     const auto& edge = mesh_.boundary[i].nodes;
     Point low = mesh_.nodes[edge[0]], high = low;
@@ -81,7 +89,10 @@ class EdgeGrid {
       last[k] = std::clamp(static_cast<int>((high[k] + margin - low_[k]) / bin_), 0, count_[k] - 1);
     }
     for (int y = first[1]; y <= last[1]; ++y)
-      for (int x = first[0]; x <= last[0]; ++x) bins_[static_cast<std::size_t>(y) * count_[0] + x].push_back(i);
+      for (int x = first[0]; x <= last[0]; ++x) {
+        Index& head = first_[static_cast<std::size_t>(y) * count_[0] + x];
+        entries_.push_back({i, std::exchange(head, static_cast<Index>(entries_.size()))});
+      }
   }
 
   void try_edge(Index from, const Point& direction, Index i, Hit& hit) const {
@@ -105,7 +116,8 @@ class EdgeGrid {
   Point low_;
   double bin_;
   std::array<int, 2> count_;
-  std::vector<std::vector<Index>> bins_;
+  std::vector<Index> first_;  ///< entry of each bin, -1 where it is empty
+  std::vector<Entry> entries_;
 };
 
 /// Sum of the outward unit normals of the edges that meet at each node; zero away from the free and contact surface.
@@ -190,7 +202,7 @@ void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
     if (!std::isfinite(value[i]) && source[i] >= 0) value[i] = value[source[i]];
 }
 
-Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
+Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_pieces, double reach) {
   const EdgeGrid grid(mesh);
   Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
             surface_normals(mesh, symmetry_pieces)};
@@ -198,7 +210,7 @@ Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
     for (const Index node : edge.nodes) {
       if (symmetry_pieces[edge.piece] || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6) continue;
       wall.normal[node].normalize();
-      const EdgeGrid::Hit hit = grid.first_exit(node, -wall.normal[node]);
+      const EdgeGrid::Hit hit = grid.first_exit(node, -wall.normal[node], reach);
       if (hit.edge < 0) continue;
       wall.far_edge[node] = hit.edge;
       wall.thickness[node] = symmetry_pieces[mesh.boundary[hit.edge].piece] ? 2 * hit.distance : hit.distance;
@@ -208,7 +220,7 @@ Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
 }
 
 Eigen::VectorXd wall_thickness(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
-  Eigen::VectorXd thickness = surface_wall(mesh, symmetry_pieces).thickness;
+  Eigen::VectorXd thickness = surface_wall(mesh, symmetry_pieces, infinity).thickness;
   spread_inward(mesh, thickness);
   return thickness;
 }

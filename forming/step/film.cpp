@@ -30,12 +30,13 @@ bool is_slot(const State& state, Index node, const core::BoundaryEdge& other) {
                      [&](Index n) { return state.contact.tool[n] == state.contact.tool[node]; });
 }
 
-Films find_films(const Scene& scene, const State& state) {
+/// The films, and the walls that are no thicker than `reach`, m.
+Films find_films(const Scene& scene, const State& state, double reach) {
   const core::Mesh& mesh = state.bodies[0].mesh;
   const auto symmetry = symmetry_pieces(scene.glass, mesh);
   std::vector<bool> contact(mesh.nodes.size());
   for (std::size_t n = 0; n < contact.size(); ++n) contact[n] = state.contact.tool[n] >= 0;
-  Films films{core::surface_wall(mesh, symmetry), {}};
+  Films films{core::surface_wall(mesh, symmetry, reach), {}};
   films.thickness = remesh::film_thickness(mesh, films.wall, symmetry, contact);
   for (Index n = 0; n < mesh.node_count(); ++n)  // what fills a slot of one tool is not pressed thinner
     if (std::isfinite(films.thickness[n]) && is_slot(state, n, mesh.boundary[films.wall.far_edge[n]]))
@@ -75,7 +76,7 @@ bool is_crushed(const Scene& scene, const State& state, const Films& films, Inde
 std::string film_obstacle(const Scene& scene, const State& state) {
   if (touches_nothing(state)) return "";
   const FilmLimit& limit = scene.glass.film;
-  const Films films = find_films(scene, state);
+  const Films films = find_films(scene, state, limit.thinnest);
   Index node;
   const double thinnest = films.thickness.minCoeff(&node);
   if (thinnest >= (1 - landed) * limit.thinnest) return "";
@@ -94,7 +95,7 @@ std::vector<bool> frozen_cells(const Scene& scene, const State& state) {
   const FilmLimit& limit = scene.glass.film;
   if (limit.then != FilmLimit::Then::freeze || touches_nothing(state)) return {};
   const core::Mesh& mesh = state.bodies[0].mesh;
-  const Films films = find_films(scene, state);
+  const Films films = find_films(scene, state, std::numeric_limits<double>::infinity());
   if (films.thickness.minCoeff() >= limit.thinnest) return {};
   Eigen::VectorXd nearest = films.wall.thickness;  // inside, that of the nearest surface node: a film there or not
   for (Index n = 0; n < mesh.node_count(); ++n)
