@@ -7,12 +7,7 @@ namespace {
 
 Flows zero_flows(const HeatSystem& system) {
   const auto bodies = static_cast<Index>(system.bodies.size()), pairs = static_cast<Index>(system.pairs.size());
-  Flows flows{Eigen::VectorXd::Zero(bodies), Eigen::VectorXd::Zero(bodies),
-              Eigen::VectorXd::Zero(pairs), Eigen::VectorXd::Zero(pairs)};
-  for (Index b = 0; b < bodies; ++b)
-    if (system.problem->bodies[b].source)
-      for (const double source : *system.problem->bodies[b].source) flows.from_source[b] += source;
-  return flows;
+  return {Eigen::VectorXd::Zero(bodies), system.body_source, Eigen::VectorXd::Zero(pairs), Eigen::VectorXd::Zero(pairs)};
 }
 
 Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature, const Eigen::VectorXd* rate) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 namespace parison::thermal {
 
@@ -72,6 +73,7 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
   }
   system.is_prescribed.assign(system.size(), 0);
   system.source.setZero(system.size());
+  system.body_source.setZero(static_cast<Index>(problem.bodies.size()));
   std::size_t cells = 0;
   for (const BodyView& body : problem.bodies) cells += body.mesh->cells.size();
   system.cells.reserve(cells);
@@ -84,7 +86,10 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
     system.bodies.push_back({Enthalpy(body.material->heat_capacity), Conductivity(*body.material), first_cell,
                              static_cast<Index>(system.cells.size()), first_group,
                              groups_of(body, problem.geometry, kept ? &(*kept)[b] : nullptr)});
-    if (body.source) (problem.order == 2 ? add_source<6> : add_source<3>)(system, system.bodies.back(), *body.source);
+    if (body.source) {
+      (problem.order == 2 ? add_source<6> : add_source<3>)(system, system.bodies.back(), *body.source);
+      system.body_source[b] = std::accumulate(body.source->begin(), body.source->end(), 0.0);
+    }
     add_edges(system, static_cast<Index>(b), boundary_edges);
     boundary_edges += static_cast<Index>(body.mesh->boundary.size());
     add_prescribed(system, body, static_cast<Index>(b));

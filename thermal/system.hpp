@@ -33,7 +33,8 @@ struct HeatSystem {
   std::vector<BodyLaws> bodies;
   std::vector<std::array<Index, 6>> cells;  ///< their unknowns; the first three alone in a problem of order 1
   std::vector<GroupUnknowns> groups;        ///< the same of all bodies' groups
-  Eigen::VectorXd source;  ///< of volume into each unknown, W
+  Eigen::VectorXd source;       ///< of volume into each unknown, W
+  Eigen::VectorXd body_source;  ///< of volume in each body, W
   std::vector<HeatEdge> edges;
   HeatInterface interface;
   std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body
