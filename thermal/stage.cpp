@@ -69,7 +69,7 @@ void set_residual(const HeatSystem& system, const StepMatrix& matrix, const Stag
   at.residual = content - equation.step * power - equation.target;
   for (const auto& [unknown, value] : system.prescribed) at.residual[unknown] = 0;
   at.scaled = at.residual.cwiseQuotient(matrix.diagonal).lpNorm<Eigen::Infinity>();
-  if (!at.residual.allFinite()) at.scaled = std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(at.residual.lpNorm<1>())) at.scaled = std::numeric_limits<double>::quiet_NaN();
 }
 
 void move_to(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
