@@ -119,12 +119,18 @@ template <int N>
 
 template <int N>
 [[gnu::always_inline]] inline void assemble_of_order(StepMatrix& matrix, const HeatSystem& system,
-                                                     const std::vector<GroupSlopes>& groups, double step) {
+                                                     const Eigen::VectorXd& temperature, double step) {
   const auto& [value, slope_a, slope_b] = cell_shapes<N>();
   const auto work = [&](const BodyLaws& laws, const CellGroup& cells, Index g) __attribute__((always_inline)) {
+    Packs<N> own{};
+    PointPacks at, heat_capacity, conductivity;
+    gather<N>(temperature, system.groups[g], own);
+    interpolate<N>(value, own, at);
+    laws.enthalpy.set_capacities(at, heat_capacity);
+    laws.conductivity.set_values(at, cells.thin_wall, conductivity);
     std::array<Packs<N>, N> local{};  // lower triangle
     for (int q = 0; q < 6; ++q) {
-      const Pack capacity = groups[g].capacity[q], k = step * groups[g].conductivity[q];
+      const Pack capacity = heat_capacity[q] * cells.mass[q], k = step * conductivity[q];
       const Pack aa = k * cells.aa[q], ab = k * cells.ab[q], bb = k * cells.bb[q];
       for (int j = 0; j < N; ++j) {
         const Pack stored = capacity * value(q, j);
@@ -135,10 +141,10 @@ template <int N>
     }
     const Index first = laws.first_cell + group_size * (g - laws.first_group);
     for (int c = 0; c < std::min(group_size, laws.last_cell - first); ++c) {
-      std::array<double, N * N> own;
+      std::array<double, N * N> of_cell;
       for (int i = 0; i < N; ++i)
-        for (int j = 0; j <= i; ++j) own[i * N + j] = local[i][j][c];
-      add_clique(matrix, system, first + c, N, system.cells[first + c].data(), own.data());
+        for (int j = 0; j <= i; ++j) of_cell[i * N + j] = local[i][j][c];
+      add_clique(matrix, system, first + c, N, system.cells[first + c].data(), of_cell.data());
     }
   };
   for_each_group(system, work);
@@ -167,9 +173,9 @@ template <int N>
 }
 
 [[gnu::target_clones("avx2", "default")]] void assemble_cells(StepMatrix& matrix, const HeatSystem& system,
-                                                              const std::vector<GroupSlopes>& groups, double step) {
-  if (system.problem->order == 2) assemble_of_order<6>(matrix, system, groups, step);
-  else assemble_of_order<3>(matrix, system, groups, step);
+                                                              const Eigen::VectorXd& temperature, double step) {
+  if (system.problem->order == 2) assemble_of_order<6>(matrix, system, temperature, step);
+  else assemble_of_order<3>(matrix, system, temperature, step);
 }
 
 }  // namespace parison::thermal

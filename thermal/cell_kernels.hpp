@@ -15,7 +15,7 @@ void linearise_cells(const HeatSystem& system, const Eigen::VectorXd& temperatur
 void apply_cells(const HeatSystem& system, const std::vector<GroupSlopes>& groups, double step,
                  const Eigen::VectorXd& change, Eigen::VectorXd& result);
 
-/// Adds the cells' capacity and step times conduction to the matrix.
-void assemble_cells(StepMatrix& matrix, const HeatSystem& system, const std::vector<GroupSlopes>& groups, double step);
+/// Adds the cells' capacity and step times conduction at a temperature to the matrix.
+void assemble_cells(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step);
 
 }  // namespace parison::thermal

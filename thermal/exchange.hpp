@@ -70,7 +70,7 @@ void linearise_exchange(const HeatSystem& system, const Eigen::VectorXd& tempera
 void apply_exchange(const HeatSystem& system, const Linearisation& linearisation, double step,
                     const Eigen::VectorXd& change, Eigen::VectorXd& result);
 
-/// Adds step times the symmetric, positive part of those slopes to the matrix.
-void assemble_exchange(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step);
+/// Adds step times the symmetric, positive part of the slopes at a temperature to the matrix.
+void assemble_exchange(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step);
 
 }  // namespace parison::thermal

@@ -86,7 +86,9 @@ void apply_exchange(const HeatSystem& system, const Linearisation& linearisation
   }
 }
 
-void assemble_exchange(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
+void assemble_exchange(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
+  Linearisation slopes;
+  linearise_exchange(system, temperature, slopes);
   add_edges(matrix, system, slopes, step);
   if (!system.interface.segments.empty()) add_segments(matrix, system, slopes.contacts, step);
 }

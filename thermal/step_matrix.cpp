@@ -92,9 +92,8 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
 bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
   core::SymmetricMatrix& values = matrix.assembly.matrix;
   std::fill(values.value.begin(), values.value.end(), 0.0);
-  const Linearisation slopes = linearise(system, temperature);
-  assemble_cells(matrix, system, slopes.groups, step);
-  assemble_exchange(matrix, system, slopes, step);
+  assemble_cells(matrix, system, temperature, step);
+  assemble_exchange(matrix, system, temperature, step);
   matrix.diagonal.resize(values.size);
   for (Index k = 0; k < values.size; ++k) {
     double& diagonal = values.value[values.column_start[k + 1] - 1];
