@@ -40,11 +40,16 @@ using NodePacks = std::array<Packs<core::dim>, 6>;
   map.depth = Pack{depth(0), depth(1), depth(2), depth(3)};
 }
 
-/// Linear in the cell: a quadratic through thicknesses that jump would turn negative.
-double thickness_at(const BodyView& body, Index cell, int q) {
-  double w = 0;
-  for (int i = 0; i < 3; ++i) w += cell_shapes<3>().value(q, i) * (*body.wall_thickness)[body.mesh->cells[cell][i]];
-  return w;
+/// Factors on the Rosseland conductivity. Thickness is linear in the cell: a quadratic through jumps would turn negative.
+[[gnu::always_inline]] inline void set_thin_wall(const BodyView& body, const std::array<Index, group_size>& cells, PointPacks& factor) {
+  Packs<3> own;
+  PointPacks thickness;
+  for (int i = 0; i < 3; ++i) {
+    const auto at = [&](int c) { return (*body.wall_thickness)[body.mesh->cells[cells[c]][i]]; };
+    own[i] = Pack{at(0), at(1), at(2), at(3)};
+  }
+  interpolate<3>(cell_shapes<3>().value, own, thickness);
+  for (int q = 0; q < 6; ++q) factor[q] = thin_wall_factor(*body.material->radiation, thickness[q]);
 }
 
 [[gnu::always_inline]] inline void set_group(const BodyView& body, core::Geometry geometry, const std::array<Index, group_size>& cells,
@@ -66,10 +71,8 @@ double thickness_at(const BodyView& body, Index cell, int q) {
     group.bb[q] = scale * (ua * ua + va * va);
     group.mass[q] = there * body.density * rule[q].weight * then.determinant * then.depth;
     group.thin_wall[q] = Pack{} + 1;
-    if (!has_thin_wall(body)) continue;
-    const auto factor = [&](int c) { return thin_wall_factor(*body.material->radiation, thickness_at(body, cells[c], q)); };
-    group.thin_wall[q] = Pack{factor(0), factor(1), factor(2), factor(3)};
   }
+  if (has_thin_wall(body)) set_thin_wall(body, cells, group.thin_wall);
 }
 
 }  // namespace

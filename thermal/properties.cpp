@@ -5,10 +5,6 @@
 
 namespace parison::thermal {
 
-double thin_wall_factor(const Radiation& radiation, double wall_thickness) {
-  return radiation.thin_wall ? 1 / (1 + 4 / (3 * radiation.absorption * wall_thickness)) : 1.0;
-}
-
 double conductivity(const Material& material, double temperature, double thin_wall) {
   return Conductivity(material)(temperature, thin_wall);
 }

@@ -11,7 +11,10 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
 inline constexpr double content_reference = 273.15;         ///< K, where enthalpy and heat content are zero
 
 /// What diffusion through a wall of thickness w keeps of the Rosseland conductivity: 1/(1 + 4/(3 kappa w)).
-double thin_wall_factor(const Radiation& radiation, double wall_thickness);
+template <typename Number>
+[[gnu::always_inline]] inline Number thin_wall_factor(const Radiation& radiation, const Number& wall_thickness) {
+  return radiation.thin_wall ? 1 / (1 + 4 / (3 * radiation.absorption * wall_thickness)) : Number{} + 1;
+}
 
 /// Conductivity with internal radiation, W/m/K; `thin_wall` multiplies the radiative part (physics.md, section 3).
 double conductivity(const Material& material, double temperature, double thin_wall = 1);

@@ -77,6 +77,7 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
   std::size_t cells = 0;
   for (const BodyView& body : problem.bodies) cells += body.mesh->cells.size();
   system.cells.reserve(cells);
+  system.groups.reserve(cells / group_size + problem.bodies.size());
   if (kept) kept->resize(problem.bodies.size());
   Index boundary_edges = 0;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
