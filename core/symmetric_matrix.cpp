@@ -2,6 +2,8 @@
 #include "core/symmetric_matrix.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace parison::core {
 
@@ -50,39 +52,57 @@ Scatter empty_scatter(const Cliques& cliques) {
 
 }  // namespace
 
+namespace {
+
+/// The unknowns that each one meets in cliques, itself included, on one side of the diagonal; in no order.
+struct Neighbours {
+  std::vector<Index> start{0}, other;
+};
+
+/// `after`: those of higher number, otherwise those of lower.
+Neighbours neighbours_of(Index size, const Cliques& cliques, const Uses& uses, bool after) {
+  Neighbours found;
+  std::vector<Index> seen(size, -1);
+  for (Index i = 0; i < size; ++i) {
+    for (Index use = uses.start[i]; use < uses.start[i + 1]; ++use)
+      for (Index k = cliques.start[uses.clique[use]]; k < cliques.start[uses.clique[use] + 1]; ++k) {
+        const Index other = cliques.unknowns[k];
+        if ((other > i) == after && other != i && std::exchange(seen[other], i) != i) found.other.push_back(other);
+      }
+    found.other.push_back(i);
+    found.start.push_back(static_cast<Index>(found.other.size()));
+  }
+  return found;
+}
+
+}  // namespace
+
 Assembly make_assembly(Index size, const Cliques& cliques, Triangle triangle) {
   const bool upper = triangle == Triangle::upper;
   const Uses uses = uses_of(size, cliques);
   Assembly result{{}, empty_scatter(cliques)};
   SymmetricMatrix& matrix = result.matrix;
+  const Neighbours columns_of = neighbours_of(size, cliques, uses, upper);  // of each row
   matrix.size = size;
   matrix.column_start.assign(size + 1, 0);
-  std::vector<Index> seen(size, -1), position(size), rows;
-  for (Index column = 0; column < size; ++column) {  // the cliques that hold the column's unknown give its rows
-    rows.assign(1, column);
-    seen[column] = column;
-    for (Index use = uses.start[column]; use < uses.start[column + 1]; ++use)
-      for (Index k = cliques.start[uses.clique[use]]; k < cliques.start[uses.clique[use] + 1]; ++k) {
-        const Index row = cliques.unknowns[k];
-        if ((row < column) == upper && seen[row] != column) {
-          seen[row] = column;
-          rows.push_back(row);
-        }
-      }
-    std::sort(rows.begin(), rows.end());
-    for (const Index row : rows) {
-      position[row] = static_cast<Index>(matrix.row.size());
-      matrix.row.push_back(row);
+  for (const Index column : columns_of.other) ++matrix.column_start[column + 1];
+  std::partial_sum(matrix.column_start.begin(), matrix.column_start.end(), matrix.column_start.begin());
+  matrix.row.resize(columns_of.other.size());
+  matrix.value.assign(columns_of.other.size(), 0.0);
+  std::vector<Index> next(matrix.column_start.begin(), matrix.column_start.end() - 1), position(size);
+  for (Index row = 0; row < size; ++row) {  // in order: so do the rows come into the columns
+    for (Index k = columns_of.start[row]; k < columns_of.start[row + 1]; ++k) {
+      const Index column = columns_of.other[k];
+      position[column] = next[column]++;
+      matrix.row[position[column]] = row;
     }
-    matrix.column_start[column + 1] = static_cast<Index>(matrix.row.size());
-    for (Index use = uses.start[column]; use < uses.start[column + 1]; ++use) {
+    for (Index use = uses.start[row]; use < uses.start[row + 1]; ++use) {
       const Index clique = uses.clique[use], first = cliques.start[clique];
       for (Index k = first; k < cliques.start[clique + 1]; ++k)
-        if (const Index row = cliques.unknowns[k]; row == column || (row < column) == upper)
-          result.scatter.position[result.scatter.offset[clique] + packed(uses.place[use], k - first)] = position[row];
+        if (const Index column = cliques.unknowns[k]; column == row || (column > row) == upper)
+          result.scatter.position[result.scatter.offset[clique] + packed(uses.place[use], k - first)] = position[column];
     }
   }
-  matrix.value.assign(matrix.row.size(), 0.0);
   return result;
 }
 
