@@ -16,41 +16,24 @@ using core::Point;
 
 namespace {
 
-/// A place on the old boundary.
-struct Place {
-  Index edge;
-  double s;
-};
-
-/// Boundary from one kept point to the next, within one piece, as a curve over arc length.
-struct Stretch {
-  std::vector<Place> parts;         ///< old edge and the s it starts from
-  std::vector<double> until;        ///< arc length from the stretch's start to the end of each part, m
-  std::vector<double> before;       ///< arc length of each part's edge before its start, m
-  bool straight;
-  double length() const { return until.back(); }
-};
-
-Place place_at(const Mesh& old, const Stretch& stretch, double s) {
-  const auto part = std::min<std::size_t>(
-      std::lower_bound(stretch.until.begin(), stretch.until.end(), s) - stretch.until.begin(), stretch.parts.size() - 1);
-  const double start = part == 0 ? 0 : stretch.until[part - 1];
-  const Index edge = stretch.parts[part].edge;
-  return {edge, at_arc_length(old, old.boundary[edge].nodes, s - start + stretch.before[part])};
-}
-
 /// Whether an old edge starts at the end of a piece or at a corner.
 bool is_fixed(const Mesh& old, const std::vector<Link>& links, Index i) {
   return old.boundary[i].piece != old.boundary[links[i].previous].piece || std::abs(links[i].kink) > corner_angle;
 }
 
-/// Places, by old edge, where the surface passes a kept point closer than half the edge length there.
-std::map<Index, double> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
+/// Where an old edge passes a kept point, and the vertex it gets there.
+struct Kept {
+  double s;
+  Point vertex;
+};
+
+/// By old edge, where the surface passes a kept point closer than half the edge length there.
+std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
   const std::vector<Link> links = boundary_links(old);
   std::vector<Point> fixed;
   for (std::size_t i = 0; i < links.size(); ++i)
     if (is_fixed(old, links, static_cast<Index>(i))) fixed.push_back(old.nodes[old.boundary[i].nodes[0]]);
-  std::map<Index, double> kept;
+  std::map<Index, Kept> kept;
   for (const Point& corner : criteria.keep) {
     const double wished = std::min(criteria.surface_size, size(corner));
     double best = 0.5 * wished;
@@ -64,11 +47,11 @@ std::map<Index, double> kept_places(const Mesh& old, const Criteria& criteria, c
       if (gap < best) best = gap, found = {static_cast<Index>(i), s};
     }
     if (found.edge < 0) continue;
-    const Point at = point_on(old, old.boundary[found.edge].nodes, found.s);
+    const Point at = dips(old, criteria.clear, found) ? corner : clear_point(old, {}, found);
     const bool crowded =
         std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) { return (x - at).norm() < 0.3 * wished; });
     if (crowded || kept.count(found.edge)) continue;
-    kept[found.edge] = found.s;
+    kept[found.edge] = {found.s, at};
     fixed.push_back(at);
   }
   return kept;
@@ -96,15 +79,7 @@ class Resampler {
  private:
   bool starts_stretch(Index i) const {
     const auto kept = kept_.find(i);
-    return is_fixed(old_, links_, i) || (kept != kept_.end() && kept->second == 0);
-  }
-
-  void extend(Stretch& stretch, Index edge, double from, double to) const {
-    const auto& nodes = old_.boundary[edge].nodes;
-    const double before = from > 0 ? arc_length(old_, nodes, from) : 0;
-    stretch.parts.push_back({edge, from});
-    stretch.before.push_back(before);
-    stretch.until.push_back((stretch.until.empty() ? 0 : stretch.until.back()) + arc_length(old_, nodes, to) - before);
+    return is_fixed(old_, links_, i) || (kept != kept_.end() && kept->second.s == 0);
   }
 
   void loop(Index first, Index last) {
@@ -114,14 +89,14 @@ class Resampler {
     std::vector<Stretch> stretches;
     Index i = start;
     do {
-      if (i == start || starts_stretch(i)) stretches.push_back({{}, {}, {}, criteria_.straight_pieces[old_.boundary[i].piece]});
+      if (i == start || starts_stretch(i)) stretches.push_back({{}, criteria_.straight_pieces[old_.boundary[i].piece]});
       const auto kept = kept_.find(i);
-      if (kept != kept_.end() && kept->second > 0) {
-        extend(stretches.back(), i, 0, kept->second);
-        stretches.push_back({{}, {}, {}, stretches.back().straight});
-        extend(stretches.back(), i, kept->second, 1);
+      if (kept != kept_.end() && kept->second.s > 0) {
+        extend(old_, criteria_.clear, {i, 0}, kept->second.s, stretches.back());
+        stretches.push_back({{}, stretches.back().straight});
+        extend(old_, criteria_.clear, {i, kept->second.s}, 1, stretches.back());
       } else {
-        extend(stretches.back(), i, 0, 1);
+        extend(old_, criteria_.clear, {i, 0}, 1, stretches.back());
       }
       i = links_[i].next;
     } while (i != start);
@@ -137,16 +112,16 @@ class Resampler {
   }
 
   Point start_of(const Stretch& stretch) const {
-    const Place& place = stretch.parts.front();
-    const auto& nodes = old_.boundary[place.edge].nodes;
-    return place.s == 0 ? old_.nodes[nodes[0]] : point_on(old_, nodes, place.s);
+    const Place& place = stretch.parts.front().from;
+    const auto kept = kept_.find(place.edge);
+    if (kept != kept_.end() && kept->second.s == place.s) return kept->second.vertex;
+    return clear_point(old_, stretch.straight ? Clear() : criteria_.clear, place);
   }
 
   void add(const Stretch& stretch, const Stretch& next, Index at_least) {
     const Point start = start_of(stretch), end = start_of(next);
     const auto on_curve = [&](double s) -> Point {
-      const Place place = place_at(old_, stretch, s);
-      return point_on(old_, old_.boundary[place.edge].nodes, place.s);
+      return clear_point(old_, criteria_.clear, place_at(old_, stretch, s));
     };
     const auto point = [&](double s) -> Point {
       return stretch.straight ? Point(start + s / stretch.length() * (end - start)) : on_curve(s);
@@ -159,8 +134,8 @@ class Resampler {
       const double middle = 0.5 * (at[i] + at[i + 1]);
       surface_.outline.vertices.push_back(i == 0 ? start : point(at[i]));
       surface_.outline.mids.push_back(point(middle));
-      surface_.outline.pieces.push_back(old_.boundary[stretch.parts.front().edge].piece);
-      surface_.contact.push_back(touches(i == 0 ? stretch.parts.front() : place_at(old_, stretch, at[i])));
+      surface_.outline.pieces.push_back(old_.boundary[stretch.parts.front().from.edge].piece);
+      surface_.contact.push_back(touches(i == 0 ? stretch.parts.front().from : place_at(old_, stretch, at[i])));
       surface_.fixed.push_back(stretch.straight || i == 0);
       mid_contact_.push_back(touches(place_at(old_, stretch, middle)));
       mid_fixed_.push_back(stretch.straight);
@@ -171,7 +146,7 @@ class Resampler {
   const Criteria& criteria_;
   const SizeField& size_;
   std::vector<Link> links_;
-  std::map<Index, double> kept_;
+  std::map<Index, Kept> kept_;
   Surface surface_;
   std::vector<bool> mid_contact_, mid_fixed_;
 };

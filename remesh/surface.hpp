@@ -5,6 +5,7 @@
 
 #include "core/mesh.hpp"
 #include "remesh/outline.hpp"
+#include "remesh/stretch.hpp"
 
 namespace parison::remesh {
 
@@ -23,6 +24,7 @@ struct Criteria {
   std::vector<double> cell_wish = {};  ///< per old cell: edge length its solution's error asks for, m; empty where none
   double thinnest_film = 0;  ///< glass between tools has its elements across down to this thickness, m
   double most_cells = std::numeric_limits<double>::infinity();  ///< about; sizes that ask for more grow everywhere alike
+  Clear clear = {};  ///< the way out of the tools in place
 };
 
 /// A resampled surface and what is known of its points (vertices first, then mid points, in the order of the outline).
@@ -36,7 +38,8 @@ struct Surface {
 /// error of the solution.
 SizeField size_field(const core::Mesh& old, const Criteria& criteria);
 
-/// New points on the old boundary's own curves at those lengths; ends of pieces and corners are kept to the bit.
+/// New points on the old boundary's own curves at those lengths, where an edge dips into a tool on its way out of it; ends
+/// of pieces and corners are kept to the bit.
 Surface resample(const core::Mesh& old, const Criteria& criteria, const SizeField& size);
 
 }  // namespace parison::remesh

@@ -67,6 +67,7 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   result.thinnest_film = scene.glass.film.thinnest;
   result.most_cells = accuracy.most_cells;
   result.keep = tool_corners(scene, state);
+  result.clear = way_out_of_tools(scene, state);
   if (accuracy.solution_error > 0) result.cell_wish = solution_wishes(scene, state);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "contact/tool_constraints.hpp"
@@ -101,6 +102,20 @@ std::vector<Index> tools_in_place(const Scene& scene, const State& state) {
   return tools;
 }
 
+PlacedTools standing_tools(const Scene& scene, const State& state) {
+  std::vector<double> offset;
+  for (std::size_t b = 1; b < state.bodies.size(); ++b) offset.push_back(state.bodies[b].offset);
+  return {scene, tools_in_place(scene, state), offset};
+}
+
+/// A point moved out of the tools it lies in.
+Point lifted(const PlacedTools& tools, const Point& x) {
+  Point out = x;
+  for (const auto& [tool, constraint] : node_constraints(tools, x, near))
+    if (constraint.gap < 0) out -= constraint.gap * constraint.normal;
+  return out;
+}
+
 }  // namespace
 
 std::vector<Index> surface_nodes(const core::Mesh& mesh) {
@@ -194,18 +209,23 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
   return tool_gaps(scene, state, contact_nodes(scene, state.bodies[0].mesh), tool, reach);
 }
 
+std::function<Point(const Point&)> way_out_of_tools(const Scene& scene, const State& state) {
+  const auto tools = std::make_shared<const PlacedTools>(standing_tools(scene, state));
+  return [tools](const Point& x) {
+    const auto holds = [&](const PlacedTools::Tool& tool) { return tool.gap(x - tool.shift) < 0; };
+    return std::any_of(tools->tools.begin(), tools->tools.end(), holds) ? lifted(*tools, x) : x;
+  };
+}
+
 void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {
-  std::vector<double> offset;
-  for (std::size_t b = 1; b < state.bodies.size(); ++b) offset.push_back(state.bodies[b].offset);
-  const PlacedTools tools(scene, tools_in_place(scene, state), offset);
+  const PlacedTools tools = standing_tools(scene, state);
   const auto on_line = symmetry_pieces(scene.glass, mesh);
   std::vector<bool> held(mesh.nodes.size(), false);
   for (const auto& edge : mesh.boundary)
     if (on_line[edge.piece])
       for (const Index node : edge.nodes) held[node] = true;
   for (const Index node : surface_nodes(mesh))
-    for (const auto& [tool, constraint] : node_constraints(tools, mesh.nodes[node], near))
-      if (constraint.gap < 0 && !held[node]) mesh.nodes[node] -= constraint.gap * constraint.normal;
+    if (!held[node]) mesh.nodes[node] = lifted(tools, mesh.nodes[node]);
 }
 
 std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead) {

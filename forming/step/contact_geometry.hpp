@@ -1,5 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
 #include "forming/flow/problem.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/step/state.hpp"
@@ -24,6 +26,9 @@ std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass);
 /// contact_nodes, when they are known.
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vector<Index>& nodes, Index tool, double reach);
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach);
+
+/// Moves a point that lies inside a tool in place out to its surface; leaves others to the bit.
+std::function<Point(const Point&)> way_out_of_tools(const Scene& scene, const State& state);
 
 /// Moves the surface nodes of `mesh` that lie inside a tool in place out to its surface.
 void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh);

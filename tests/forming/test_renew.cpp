@@ -5,9 +5,11 @@
 
 #include "forming/step/contact_geometry.hpp"
 #include "forming/step/heat_step.hpp"
+#include "forming/step/initial_state.hpp"
 #include "forming/renew/renew.hpp"
 #include "forming/run/run.hpp"
 #include "pot_scene.hpp"
+#include "remesh/quality.hpp"
 #include "remesh/recovery.hpp"
 #include "scene_text.hpp"
 
@@ -80,6 +82,26 @@ TEST_F(Renew, a_surface_found_inside_a_tool_is_lifted_out_and_its_volume_given_b
   ASSERT_TRUE(renewed.ok) << renewed.reason;
   expect_kept(state, renewed.state);
   EXPECT_LT(deepest_penetration(scene, renewed.state), 1e-6);
+}
+
+TEST_F(Renew, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_corner) {
+  const std::string square = "(0, 0) (10, 0) (10, 10) (0, 10) mm";
+  for (const std::string edge : {"(11.7, 0) (12, 1.4)", "(10.6, 0) (12, 0.3)", "(11.5, 0) (12, 0.5)"}) {
+    const std::string chamfered = "(0, 0) " + edge + " (12, 10) (0, 10) mm";
+    scene = scene_of(replaced(square, chamfered, pot + "surface_size = \"1.8 mm\"\n"));
+    State state = initial_state(scene);
+    BodyState& glass = state.bodies[0];
+    for (const auto& side : glass.mesh.boundary) {
+      const Point along = glass.mesh.nodes[side.nodes[1]] - glass.mesh.nodes[side.nodes[0]];
+      if (along[0] > 1e-4 && along[1] > 1e-4) glass.mesh.nodes[side.nodes[2]] = Point(12e-3, 0);
+    }
+    EXPECT_LT(deepest_penetration(scene, state), 1e-12) << "a node shows what the edge does";
+    for (Index n = 0; n < glass.mesh.node_count(); ++n) glass.temperature[n] += 2e4 * glass.mesh.nodes[n][1];
+    const Renewed renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
+    ASSERT_TRUE(renewed.ok) << edge << ": " << renewed.reason;
+    expect_kept(state, renewed.state);
+    EXPECT_GE(remesh::quality(renewed.state.bodies[0].mesh).worst, 0.3) << edge;
+  }
 }
 
 TEST_F(Renew, a_wanted_solution_error_halves_that_of_the_temperature_gradient_within_the_budget_of_cells) {

@@ -203,6 +203,35 @@ TEST(RemeshGlass, a_tool_corner_on_the_surface_gets_a_vertex) {
   expect_sound(old, made, "gob_keep");
 }
 
+TEST(RemeshGlass, a_bulge_into_a_tool_is_led_out_before_the_inside_is_meshed) {
+  const core::Profile chamfered = Pen(0, 0).line(11.7, 0, "outer").line(12, 1.4, "outer").line(12, 10, "outer")
+                                      .line(0, 10, "outer").line(0, 0, "axis").closed();
+  Mesh old = meshed(chamfered, 1.8e-3);
+  const Point corner(12e-3, 0);
+  for (const auto& edge : old.boundary)
+    if ((old.nodes[edge.nodes[2]] - Point(11.85e-3, 0.7e-3)).norm() < 1e-6) old.nodes[edge.nodes[2]] = corner;
+  Criteria criteria = criteria_for(old, 1.8e-3);
+  criteria.geometry = core::Geometry::planar;
+  criteria.skin_size = criteria.smallest = 0.35e-3;
+  criteria.keep = {corner};
+  const auto clear = [](const Point& x) { return Point(std::min(x[0], 12e-3), std::max(x[1], 0.0)); };
+  const auto deepest = [&](const Remeshed& made) {
+    double depth = 0;
+    for (const Point& x : made.mesh.nodes) depth = std::max(depth, (clear(x) - x).norm());
+    return depth;
+  };
+  EXPECT_GT(deepest(remesh_glass(old, criteria)), 0.1e-3) << "no bulge";
+  criteria.clear = clear;
+  const Remeshed made = remesh_glass(old, criteria);
+  ASSERT_TRUE(made.ok) << made.reason;
+  EXPECT_LT(deepest(made), 15e-6);
+  EXPECT_GE(quality(made.mesh).worst, 0.3);
+  EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13);
+  double nearest = 1;
+  for (Index i = 0; i < made.mesh.vertex_count; ++i) nearest = std::min(nearest, (made.mesh.nodes[i] - corner).norm());
+  EXPECT_LT(nearest, 15e-6);
+}
+
 TEST(RemeshGlass, a_surface_that_crosses_itself_is_reported) {
   const Mesh old = deformed(meshed(cup(6), 1.5e-3), [](const Point& x) {
     return x[1] < 20e-3 ? Point(x[0] + 0.8 * (20e-3 - x[1]) * (28e-3 - x[0]) / 3e-3, x[1]) : x;
