@@ -27,7 +27,8 @@ struct Kept {
   Point vertex;
 };
 
-/// By old edge, where the surface passes a kept point closer than half the edge length there.
+/// By old edge, where the surface passes a kept point closer than half the edge length there, half the surface size where it
+/// lies in a tool: what is led out of that goes round the corner.
 std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
   const std::vector<Link> links = boundary_links(old);
   std::vector<Point> fixed;
@@ -36,7 +37,7 @@ std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, con
   std::map<Index, Kept> kept;
   for (const Point& corner : criteria.keep) {
     const double wished = std::min(criteria.surface_size, size(corner));
-    double best = 0.5 * wished;
+    double best = 0.5 * criteria.surface_size;
     Place found{-1, 0};
     for (std::size_t i = 0; i < old.boundary.size(); ++i) {
       const auto& edge = old.boundary[i].nodes;
@@ -44,7 +45,8 @@ std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, con
       if (criteria.straight_pieces[old.boundary[i].piece] || (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best) continue;
       const double s = closest_on(old, edge, corner);
       const double gap = (point_on(old, edge, s) - corner).norm();
-      if (gap < best) best = gap, found = {static_cast<Index>(i), s};
+      const Place here{static_cast<Index>(i), s};
+      if (gap < best && (gap < 0.5 * wished || dips(old, criteria.clear, here))) best = gap, found = here;
     }
     if (found.edge < 0) continue;
     const Point at = dips(old, criteria.clear, found) ? corner : clear_point(old, {}, found);

@@ -24,6 +24,8 @@ namespace {
 /// Shortest step after a rejected one, of the rejected one.
 constexpr double shorten = 0.4;
 
+constexpr const char* renew_advice = "a smaller numerics.surface_size or a larger numerics.quality_floor may help";
+
 /// A new glass mesh for the present state; false when none could be made and the old one cannot go on.
 bool renew(Progress& run, RemeshReason why) {
   const bool must = why == RemeshReason::failed_step;
@@ -40,7 +42,7 @@ bool renew(Progress& run, RemeshReason why) {
   if (++state.totals.remeshing.failed == 1)
     run.outcome.facts.warnings.push_back(fmt::format("at {:.5f} s {}", state.time, sentence));
   auto& reason = run.outcome.facts.reason;
-  if (must) reason = reason.empty() ? sentence : reason + "; " + sentence;
+  if (must) reason += fmt::format("{}{}; {}", reason.empty() ? "" : "; ", sentence, renew_advice);
   return !must;
 }
 

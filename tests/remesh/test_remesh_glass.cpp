@@ -203,33 +203,53 @@ TEST(RemeshGlass, a_tool_corner_on_the_surface_gets_a_vertex) {
   expect_sound(old, made, "gob_keep");
 }
 
-TEST(RemeshGlass, a_bulge_into_a_tool_is_led_out_before_the_inside_is_meshed) {
-  const core::Profile chamfered = Pen(0, 0).line(11.7, 0, "outer").line(12, 1.4, "outer").line(12, 10, "outer")
-                                      .line(0, 10, "outer").line(0, 0, "axis").closed();
-  Mesh old = meshed(chamfered, 1.8e-3);
-  const Point corner(12e-3, 0);
+/// A block whose edge from `start` to `end` bends through `mid`, into a tool with a corner.
+struct Bulge {
+  Point start, mid, end, corner;
+  Clear clear;
+};
+
+void expect_led_out(const Bulge& bulge) {
+  const Point &start = 1e3 * bulge.start, &end = 1e3 * bulge.end;
+  Pen pen(0, 0);
+  if (start[1] > 0) pen.line(start[0], 0, "outer");
+  const core::Profile block = pen.line(start[0], start[1], "outer").line(end[0], end[1], "outer")
+                                  .line(end[0], 10, "outer").line(0, 10, "outer").line(0, 0, "axis").closed();
+  Mesh old = meshed(block, 2.5e-3);
   for (const auto& edge : old.boundary)
-    if ((old.nodes[edge.nodes[2]] - Point(11.85e-3, 0.7e-3)).norm() < 1e-6) old.nodes[edge.nodes[2]] = corner;
+    if ((old.nodes[edge.nodes[0]] - bulge.start).norm() < 1e-9) old.nodes[edge.nodes[2]] = bulge.mid;
   Criteria criteria = criteria_for(old, 1.8e-3);
   criteria.geometry = core::Geometry::planar;
   criteria.skin_size = criteria.smallest = 0.35e-3;
-  criteria.keep = {corner};
-  const auto clear = [](const Point& x) { return Point(std::min(x[0], 12e-3), std::max(x[1], 0.0)); };
-  const auto deepest = [&](const Remeshed& made) {
+  criteria.keep = {bulge.corner};
+  const auto deepest = [&](const Mesh& mesh) {
     double depth = 0;
-    for (const Point& x : made.mesh.nodes) depth = std::max(depth, (clear(x) - x).norm());
+    for (const Point& x : mesh.nodes) depth = std::max(depth, (bulge.clear(x) - x).norm());
     return depth;
   };
-  EXPECT_GT(deepest(remesh_glass(old, criteria)), 0.1e-3) << "no bulge";
-  criteria.clear = clear;
+  EXPECT_EQ(deepest(old), 0) << "a node shows what the edge does";
+  EXPECT_GT(deepest(remesh_glass(old, criteria).mesh), 0.05e-3) << "no bulge";
+  criteria.clear = bulge.clear;
   const Remeshed made = remesh_glass(old, criteria);
   ASSERT_TRUE(made.ok) << made.reason;
-  EXPECT_LT(deepest(made), 15e-6);
+  EXPECT_LT(deepest(made.mesh), 15e-6);
   EXPECT_GE(quality(made.mesh).worst, 0.3);
   EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13);
   double nearest = 1;
-  for (Index i = 0; i < made.mesh.vertex_count; ++i) nearest = std::min(nearest, (made.mesh.nodes[i] - corner).norm());
+  for (Index i = 0; i < made.mesh.vertex_count; ++i)
+    nearest = std::min(nearest, (made.mesh.nodes[i] - bulge.corner).norm());
   EXPECT_LT(nearest, 15e-6);
+}
+
+TEST(RemeshGlass, a_bulge_into_a_tool_is_led_out_before_the_inside_is_meshed) {
+  const Point hollow(12e-3, 0), sharp(11.8e-3, 3e-3);
+  expect_led_out({{11.7e-3, 0}, hollow, {12e-3, 1.4e-3}, hollow,
+                  [](const Point& x) { return Point(std::min(x[0], 12e-3), std::max(x[1], 0.0)); }});
+  expect_led_out({{11.8e-3, 2e-3}, {12.3e-3, 3.02e-3}, {13e-3, 3.3e-3}, sharp, [=](const Point& x) -> Point {
+                    const Point in(x[0] - sharp[0], sharp[1] - x[1]);
+                    if (in[0] <= 0 || in[1] <= 0) return x;
+                    return in[0] < in[1] ? Point(sharp[0], x[1]) : Point(x[0], sharp[1]);
+                  }});
 }
 
 TEST(RemeshGlass, a_surface_that_crosses_itself_is_reported) {
