@@ -29,8 +29,12 @@ def step_rows(accuracy):
     return step_bench(CASE, accuracy, EVERY)
 
 
+def accuracies(options):
+    return [options.accuracy] if options.accuracy else ["draft", "standard"]
+
+
 def jar(options):
-    for accuracy in dict.fromkeys((options.accuracy, "standard")):
+    for accuracy in accuracies(options):
         measured, summary = whole_run(accuracy)
         process, key = summary["time_s"], f"jar.{accuracy}"
         target = {"draft": 1.0, "standard": 8.0}.get(accuracy)
@@ -43,44 +47,46 @@ def jar(options):
 
 
 def remesh(options):
-    _, summary = whole_run(options.accuracy)
-    share = 100 * summary["timing"]["remesh"] / summary["wall_seconds"]
-    yield Figure(f"remesh.{options.accuracy}.share", f"remesh and transfer, share of the jar's run at {options.accuracy}",
-                 share, 10, unit="%")
+    for accuracy in accuracies(options):
+        _, summary = whole_run(accuracy)
+        share = 100 * summary["timing"]["remesh"] / summary["wall_seconds"]
+        yield Figure(f"remesh.{accuracy}.share", f"remesh and transfer, share of the jar's run at {accuracy}", share, 10,
+                     unit="%")
 
 
 def flow(options):
-    rows = step_rows(options.accuracy)
-    bare, floor = math.nan, 0.0
-    for row in rows:
-        if not math.isnan(row["bare"]):
-            bare = row["bare"]
-        floor += bare
-    key = f"flow.{options.accuracy}"
-    yield Figure(f"{key}.step", "flow of a step over one factorisation and solve of its matrix, mean of the jar",
-                 sum(row["flow"] for row in rows) / floor, 1.6)
-    yield Figure(f"{key}.iterations", "  contact iterations of a step, mean",
-                 sum(row["iterations"] for row in rows) / len(rows))
+    for accuracy in accuracies(options):
+        rows = step_rows(accuracy)
+        bare, floor = math.nan, 0.0
+        for row in rows:
+            if not math.isnan(row["bare"]):
+                bare = row["bare"]
+            floor += bare
+        key = f"flow.{accuracy}"
+        yield Figure(f"{key}.step", f"flow of a step over one factorisation and solve of its matrix, jar at {accuracy}",
+                     sum(row["flow"] for row in rows) / floor, 1.6)
+        yield Figure(f"{key}.iterations", "  contact iterations of a step, mean",
+                     sum(row["iterations"] for row in rows) / len(rows))
 
 
 def interface(options):
-    rows = step_rows(options.accuracy)
-    whole = sum(row["step"] for row in rows)
-    built = sum(row["contact"] for row in rows)
-    again = sampled(rows)
-    in_heat = sum(row["interface_in_heat"] for row in again) / sum(row["heat_again"] for row in again)
-    assembled = in_heat * sum(row["heat"] for row in rows)
-    watched = sum(row["watched"] for row in again) * len(rows) / len(again)
-    key = f"interface.{options.accuracy}"
-    yield Figure(f"{key}.share", "interface built and assembled, share of the jar's steps",
-                 100 * (built + assembled) / whole, 3, unit="%")
-    yield Figure(f"{key}.built", "  of which building", 100 * built / whole, unit="%")
-    yield Figure(f"{key}.assembled", "  of which assembly in the heat solver", 100 * assembled / whole, unit="%")
-    yield Figure(f"{key}.watched", "  beside it, the surface's change of temperature for the step's control",
-                 100 * watched / whole, unit="%")
-    yield Figure(f"{key}.milliseconds", "interface built and assembled, a step", 1e3 * (built + assembled) / len(rows),
-                 unit="ms")
-
+    for accuracy in accuracies(options):
+        rows = step_rows(accuracy)
+        whole = sum(row["step"] for row in rows)
+        built = sum(row["contact"] for row in rows)
+        again = sampled(rows)
+        in_heat = sum(row["interface_in_heat"] for row in again) / sum(row["heat_again"] for row in again)
+        assembled = in_heat * sum(row["heat"] for row in rows)
+        watched = sum(row["watched"] for row in again) * len(rows) / len(again)
+        key = f"interface.{accuracy}"
+        yield Figure(f"{key}.share", f"interface built and assembled, share of the jar's steps at {accuracy}",
+                     100 * (built + assembled) / whole, 3, unit="%")
+        yield Figure(f"{key}.built", "  of which building", 100 * built / whole, unit="%")
+        yield Figure(f"{key}.assembled", "  of which assembly in the heat solver", 100 * assembled / whole, unit="%")
+        yield Figure(f"{key}.watched", "  beside it, the surface's change of temperature for the step's control",
+                     100 * watched / whole, unit="%")
+        yield Figure(f"{key}.milliseconds", "interface built and assembled, a step", 1e3 * (built + assembled) / len(rows),
+                     unit="ms")
 
 
 def errors(options):

@@ -110,7 +110,7 @@ def rows_by_mesher(folder):
 
 def section(options):
     build("mesher_bench")
-    accuracy = options.accuracy
+    accuracy = options.accuracy or "draft"
     for case, path in (("jar", ROOT / "cases/jar"), ("tumbler", ROOT / "cases/tumbler"), ("film", film())):
         rows, failed = rows_by_mesher(bench(path, accuracy, REPEATS, NOW)[1])
         again, _ = rows_by_mesher(bench(path, accuracy, 1, NOW)[1])
