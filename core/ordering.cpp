@@ -93,11 +93,18 @@ Graph quotient(const SymmetricMatrix& matrix, const Groups& groups) {
 }  // namespace
 
 EliminationOrder minimum_degree_order(Index size, const std::vector<std::array<Index, 2>>& edges) {
-  Graph graph{std::vector<Index>(size + 1, 0), std::vector<Index>(edges.size())};
-  for (const auto& edge : edges) ++graph.start[edge[0] + 1];
-  std::partial_sum(graph.start.begin(), graph.start.end(), graph.start.begin());
-  std::vector<Index> next(graph.start.begin(), graph.start.end() - 1);
-  for (const auto& [from, to] : edges) graph.neighbour[next[from]++] = to;
+  Graph named{std::vector<Index>(size + 1, 0), std::vector<Index>(edges.size())};
+  for (const auto& edge : edges) ++named.start[std::min(edge[0], edge[1]) + 1];
+  std::partial_sum(named.start.begin(), named.start.end(), named.start.begin());
+  std::vector<Index> next(named.start.begin(), named.start.end() - 1);
+  for (const auto& edge : edges) named.neighbour[next[std::min(edge[0], edge[1])]++] = std::max(edge[0], edge[1]);
+  Graph graph{{0}, {}};  // each edge once: of edges named twice AMD makes an order with up to 60 % more operations
+  for (Index i = 0; i < size; ++i) {
+    const auto first = named.neighbour.begin() + named.start[i], last = named.neighbour.begin() + named.start[i + 1];
+    std::sort(first, last);
+    graph.neighbour.insert(graph.neighbour.end(), first, std::unique(first, last));
+    graph.start.push_back(static_cast<Index>(graph.neighbour.size()));
+  }
   double told[AMD_INFO];
   std::vector<Index> order = order_graph(graph, told);
   return {std::move(order), operations(told)};
