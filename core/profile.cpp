@@ -101,14 +101,15 @@ bool contains(const Profile& profile, const Point& x) {
   int turns = 0;
   for (const auto& segment : profile.segments) {
     const Point &a = segment.start, &b = segment.end;
+    const bool rises = a[1] <= x[1] && x[1] < b[1], falls = b[1] <= x[1] && x[1] < a[1];
+    const bool in_circle = segment.is_arc && (x - segment.centre).squaredNorm() < segment.radius * segment.radius;
+    if (!rises && !falls && !in_circle) continue;
     const double side = cross(b - a, x - a);
     const bool left = side > 0 || (side == 0 && a[1] == b[1] && a[0] < b[0]);
-    if (a[1] <= x[1] && x[1] < b[1] && left) ++turns;
-    if (b[1] <= x[1] && x[1] < a[1] && !left) --turns;
-    if (!segment.is_arc) continue;
+    if (rises && left) ++turns;
+    if (falls && !left) --turns;
     const bool turns_left = segment.to > segment.from;  // then it bulges to the right of its chord
-    if (turns_left != left && (x - segment.centre).squaredNorm() < segment.radius * segment.radius)
-      turns += turns_left ? 1 : -1;
+    if (in_circle && turns_left != left) turns += turns_left ? 1 : -1;
   }
   return turns > 0;
 }
