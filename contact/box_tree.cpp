@@ -20,10 +20,6 @@ Box united(const Box& a, const Box& b) {
   return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
 }
 
-Box inflated(const Box& box, double by) {
-  return {box.low.array() - by, box.high.array() + by};
-}
-
 Box bounds(const core::Segment& segment) {
   const bool major = segment.is_arc && std::abs(segment.to - segment.from) > M_PI;
   const core::Point middle = major ? segment.centre : core::Point(0.5 * (segment.start + segment.end));

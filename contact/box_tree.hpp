@@ -13,12 +13,20 @@ struct Box {
 /// Box that holds nothing.
 Box no_box();
 Box united(const Box& a, const Box& b);
-Box inflated(const Box& box, double by);
+inline Box inflated(const Box& box, double by) {
+  return {box.low.array() - by, box.high.array() + by};
+}
 /// Box that holds a segment.
 Box bounds(const core::Segment& segment);
 inline bool overlap(const Box& a, const Box& b) {
   for (int i = 0; i < core::dim; ++i)
     if (!(a.low[i] <= b.high[i] && b.low[i] <= a.high[i])) return false;
+  return true;
+}
+/// Whether a point lies in a box inflated by a length.
+inline bool is_near(const core::Point& x, const Box& box, double by) {
+  for (int i = 0; i < core::dim; ++i)
+    if (!(x[i] <= box.high[i] + by && box.low[i] - by <= x[i])) return false;
   return true;
 }
 

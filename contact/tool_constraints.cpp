@@ -99,7 +99,7 @@ bool ToolConstraints::Query::hidden(Index i, const Point& foot) const {
 }
 
 void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& found) const {
-  if (!pieces[i].in_contact || !overlap({x, x}, inflated(pieces[i].bounds, most_off * reach)) || !projects_on(i)) return;
+  if (!pieces[i].in_contact || !is_near(x, pieces[i].bounds, most_off * reach) || !projects_on(i)) return;
   const double t = core::projected_parameter(segment(i), x);
   const Point foot = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
   const double gap = (x - foot).dot(normal);
@@ -146,7 +146,7 @@ ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bo
 }
 
 std::vector<GapConstraint> ToolConstraints::operator()(const Point& x, double reach) const {
-  if (!overlap({x, x}, inflated(in_contact_, most_off * reach))) return {};
+  if (!is_near(x, in_contact_, most_off * reach)) return {};
   const Query query{pieces_, x, reach};
   std::vector<GapConstraint> found;
   for (Index i = 0; i < query.count(); ++i) {

@@ -19,10 +19,10 @@ ToolGap::ToolGap(const Profile& tool, const std::vector<bool>& contact_pieces, d
 
 double ToolGap::operator()(const Point& x) const {
   constexpr double beyond = std::numeric_limits<double>::infinity();
-  if (!overlap({x, x}, in_reach_)) return beyond;
+  if (!is_near(x, in_reach_, 0)) return beyond;
   double best = reach_;
   for (const auto& [bounds, segment] : pieces_)
-    if (overlap({x, x}, inflated(bounds, best))) best = core::distance(*segment, x, best);
+    if (is_near(x, bounds, best)) best = core::distance(*segment, x, best);
   if (best >= reach_) return beyond;
   return core::contains(*tool_, x) ? -best : best;
 }
