@@ -28,8 +28,18 @@ struct RayEdge {
 
 std::vector<RayEdge> make_rays(const Surface& slave);
 
+/// Along the ray that leaves at s, of no certain length.
+inline Point direction(const RayEdge& slave, double s) {
+  const Point along = slope(slave.edge, s);
+  return Point(along[1], -along[0]) + along.norm() * ((1 - s) * slave.first_turn + s * slave.last_turn);
+}
+
 /// The ray that leaves at s.
-Ray ray(const RayEdge& slave, double s);
+inline Ray ray(const RayEdge& slave, double s) {
+  if (s == 0) return slave.first;
+  if (s == 1) return slave.last;
+  return {position(slave.edge, s), direction(slave, s).normalized()};
+}
 
 /// How far the smooth surface that the rays stand on lies outside the edge, m: the cubic through the edge's ends, square
 /// to their rays, and symmetric where one end is free. A chord of a convex arc gets back what it cuts off; negative where
@@ -64,8 +74,21 @@ inline bool passes_by(const Sides& sides, const SurfaceEdge& master) {
   const double nearest = std::min(std::abs(sides.first), std::abs(sides.last));
   return nearest * nearest > end_tolerance * end_tolerance * (master.x[1] - master.x[0]).squaredNorm();
 }
+/// The root between 0 and 1 of the quadratic that is `first`, `mid` and `last` at 0, 1/2 and 1, its ends of opposite
+/// signs.
+inline double quadratic_root(double first, double mid, double last) {
+  const double square = 2 * (first + last - 2 * mid), linear = last - first - square;
+  const double slope = std::copysign(std::sqrt(std::max(linear * linear - 4 * square * first, 0.0)), last - first);
+  const double t = linear * slope >= 0 ? -2 * first / (linear + slope) : (slope - linear) / (2 * square);
+  return std::clamp(t, 0.0, 1.0);
+}
+
 /// The s at which a ray meets an edge that it does not pass by.
-double meeting_parameter(const Ray& ray, const SurfaceEdge& master, const Sides& sides);
+inline double meeting_parameter(const Ray& ray, const SurfaceEdge& master, const Sides& sides) {
+  const auto [first, last] = sides;
+  if (first * last >= 0) return std::abs(first) < std::abs(last) ? 0 : 1;
+  return quadratic_root(first, aside(ray, master.x[2]), last);
+}
 
 /// The s of the point of the master that a point of the slave sees: none when its ray passes the edge by.
 inline std::optional<double> find_master_parameter(const Ray& ray, const SurfaceEdge& master) {
