@@ -52,14 +52,17 @@ void analyse(StepMatrix& matrix, const HeatSystem& system, const EdgeChain& chai
   matrix.factored_step = 0;
 }
 
-/// Which clique each segment of the interface has.
-void note_cliques(StepMatrix& matrix, const HeatSystem& system) {
+/// Which clique each segment of the interface has; false where one has none.
+bool note_cliques(StepMatrix& matrix, const HeatSystem& system) {
   const std::vector<Coupling>& couplings = matrix.couplings;
   matrix.segment_clique.clear();
   for (const HeatSegment& segment : system.interface.segments) {
-    const auto found = std::lower_bound(couplings.begin(), couplings.end(), coupling_of(segment));
+    const Coupling coupling = coupling_of(segment);
+    const auto found = std::lower_bound(couplings.begin(), couplings.end(), coupling);
+    if (found == couplings.end() || *found != coupling) return false;
     matrix.segment_clique.push_back(matrix.first_coupling + static_cast<Index>(found - couplings.begin()));
   }
+  return true;
 }
 
 }  // namespace
@@ -77,15 +80,13 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
   if (system.is_prescribed != matrix.is_prescribed) matrix.factored_step = 0;
   matrix.is_prescribed = system.is_prescribed;
   std::vector<Index> topology = list_topology(system);
-  const std::vector<Coupling> present = present_couplings(system);
   std::vector<Coupling>& couplings = matrix.couplings;
   const auto is_analysed = [&] { return topology == matrix.topology && couplings == matrix.analysed_couplings; };
-  const bool lacks = !std::includes(couplings.begin(), couplings.end(), present.begin(), present.end());
-  if (lacks || !is_analysed()) {
-    const EdgeChain chain(system);
-    if (lacks || !chain.holds(couplings)) couplings = chain.widen(present);
-    if (!is_analysed()) analyse(matrix, system, chain, std::move(topology));
-  }
+  const bool lacks = !note_cliques(matrix, system);
+  if (!lacks && is_analysed()) return;
+  const EdgeChain chain(system);
+  if (lacks || !chain.holds(couplings)) couplings = chain.widen(present_couplings(system));
+  if (!is_analysed()) analyse(matrix, system, chain, std::move(topology));
   note_cliques(matrix, system);
 }
 
