@@ -112,6 +112,7 @@ void set_point(const SurfaceEdge& slave, const SurfaceEdge& master, double s, do
 struct Edge {
   const EdgeView& view;
   const std::vector<SegmentGap>& gaps;
+  Index slave_body;
   const Eigen::VectorXd& pressure;
   std::vector<core::InterfacePoint>& points;
 };
@@ -137,14 +138,16 @@ void add_points(const Edge& edge, const Stretch& stretch, const Master& master) 
       const Ray from = ray(edge.view.slave, s);
       const auto seen_at = find_master_parameter(from, facing);
       if (!seen_at) continue;
-      auto& point = edge.points.emplace_back();
+      core::InterfacePoint point;
       set_point(slave, facing, s, *seen_at, edge.pressure, point);
       point.position = from.from;
       point.area = rule.weight * length * slope(slave, s).norm();
       point.gap = gap;
       point.closure = closure_there;
       point.law = master.law;
+      point.slave_body = edge.slave_body;
       point.master_body = master.surface.body;
+      edge.points.push_back(point);
     }
   }
 }
@@ -166,12 +169,9 @@ std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Ei
     const EdgeView view{edge, target.edges, near, range};
     divide(view, masters, parts);
     for (const Stretch& stretch : parts.stretches)
-      add_points({view, parts.gaps, pressure, points}, stretch, masters[target.edges[stretch.edge].master]);
+      add_points({view, parts.gaps, slave.body, pressure, points}, stretch, masters[target.edges[stretch.edge].master]);
   }
-  for (auto& point : points) {
-    point.slave_body = slave.body;
-    point.area *= core::depth(geometry, point.position);
-  }
+  for (auto& point : points) point.area *= core::depth(geometry, point.position);
   return points;
 }
 
