@@ -35,6 +35,7 @@ struct ToolConstraint {
 struct PlacedTools {
   struct Tool {
     Index index;
+    const core::Profile* profile;
     Point shift;
     contact::ToolConstraints constraints;
     contact::ToolGap gap;
@@ -47,7 +48,7 @@ struct PlacedTools {
     for (const Index tool : in_place) {
       const auto& profile = scene.tools[tool].profile;
       const auto pieces = contact_pieces(scene.tools[tool]);
-      tools.push_back({tool, offset[tool] * core::axis_direction(), {profile, pieces}, {profile, pieces}});
+      tools.push_back({tool, &profile, offset[tool] * core::axis_direction(), {profile, pieces}, {profile, pieces}});
       placed.push_back({&profile, pieces, offset[tool]});
     }
     joints = contact::tool_joints(placed);
@@ -212,7 +213,7 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
 std::function<Point(const Point&)> way_out_of_tools(const Scene& scene, const State& state) {
   const auto tools = std::make_shared<const PlacedTools>(standing_tools(scene, state));
   return [tools](const Point& x) {
-    const auto holds = [&](const PlacedTools::Tool& tool) { return tool.gap(x - tool.shift) < 0; };
+    const auto holds = [&](const PlacedTools::Tool& tool) { return core::contains(*tool.profile, x - tool.shift); };
     return std::any_of(tools->tools.begin(), tools->tools.end(), holds) ? lifted(*tools, x) : x;
   };
 }
