@@ -13,8 +13,7 @@ namespace {
 
 /// Slower than this into a tool is round-off to a run of seconds, m/s.
 constexpr double standstill = 1e-8;
-/// A contact released this often in one solve stays closed: the set would cycle. Where glass sticks to tools there may be
-/// no set without a contact that pulls or one that is passed through.
+/// A contact released this often in one solve stays closed: the set would cycle.
 constexpr int most_releases = 3;
 /// A node whose slip turned round this often takes the secant of its friction.
 constexpr int most_reversals = 3;
@@ -30,16 +29,13 @@ std::vector<bool> first_set(const Problem& problem, const std::vector<bool>& war
   return active;
 }
 
-SetChange update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active, SetSearch& search) {
+SetChange update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active, std::vector<int>& releases) {
   const Eigen::VectorXd pressed = shared_forces(problem, active, instant.forces.normal);
   const double force_noise = 1e-6 * instant.forces.normal.lpNorm<Eigen::Infinity>();
   const double speed_noise =
       1e-9 * instant.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + standstill;
   const Point axis = core::axis_direction();
   SetChange change;
-  if (search.linear && search.left.count(active)) search.returned = true;
-  const int most = search.returned ? 1 : most_releases;
-  const std::vector<bool> before = active;
   for (std::size_t i = 0; i < active.size(); ++i) {
     const auto& candidate = problem.candidates[i];
     if (active[i]) {
@@ -49,12 +45,12 @@ SetChange update_set(const Problem& problem, const Instant& instant, std::vector
                                ? pressed[candidate.node]
                                : instant.forces.normal[i];
       if (force >= -force_noise) continue;
-      if (search.releases[i] >= most) {
+      if (releases[i] >= most_releases) {
         ++change.latched;
         continue;
       }
       active[i] = false;
-      ++search.releases[i];
+      ++releases[i];
       ++change.changed;
     } else {
       const Point relative = node_velocity(instant.unknowns, candidate.node) - instant.tool_velocity[candidate.tool] * axis;
@@ -63,7 +59,6 @@ SetChange update_set(const Problem& problem, const Instant& instant, std::vector
       ++change.changed;
     }
   }
-  if (change.changed > 0) search.left.insert(before);
   return change;
 }
 

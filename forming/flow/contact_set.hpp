@@ -1,7 +1,5 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <set>
-
 #include "forming/flow/tool_balance.hpp"
 
 namespace parison::flow {
@@ -15,18 +13,8 @@ struct SetChange {
   int latched = 0;  ///< contacts that pull but stay closed, as they were opened too often
 };
 
-/// Where the search for the contact set stands.
-struct SetSearch {
-  /// `linear`: the same set gives the same flow.
-  SetSearch(std::size_t candidates, bool linear) : linear(linear), releases(candidates, 0) {}
-  bool linear;
-  std::vector<int> releases;         ///< how often each contact was opened
-  std::set<std::vector<bool>> left;  ///< sets that were not the answer
-  bool returned = false;             ///< to one of these: nothing is opened twice from then on
-};
-
-/// Closes the contacts that would be passed through and opens those that pull.
-SetChange update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active, SetSearch& search);
+/// Closes the contacts that would be passed through and opens those that pull. `releases` counts how often each was opened.
+SetChange update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active, std::vector<int>& releases);
 
 /// What is known of the candidates that slide at Coulomb's limit.
 struct Sliding {

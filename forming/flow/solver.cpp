@@ -185,12 +185,12 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   if (driven_tools(problem).size() > most_driven)
     return failed(std::move(result), "more than four tools are driven by force at a time");
   result.active = first_set(problem, warm);
+  std::vector<int> releases(result.active.size(), 0);
   Discrete discrete = discretise(problem);
   corrector.start(problem.more_swelling ? discrete.swelling : Eigen::VectorXd());
   Iterate iterate{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size),
                   Eigen::VectorXd::Zero(Index(driven_tools(problem).size()))};
   const bool linear = is_linear(problem), thinning = problem.material->shear_thinning.has_value();
-  SetSearch search(result.active.size(), linear);
   if (thinning) discrete.tangent = discrete.cells;
   const CellMatrices& tangent = thinning ? discrete.tangent : discrete.cells;
   NewtonGuard guard;
@@ -227,7 +227,7 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
         add_thinning_derivative(problem, discrete.geometry, discrete.viscosity, iterate.x.head(velocities), discrete.tangent);
       corrector.forget();
     }
-    const auto change = update_set(problem, *instant, result.active, search);
+    const auto change = update_set(problem, *instant, result.active, releases);
     result.contact_changes += change.changed;
     result.latched = change.latched;
     if (change.changed > 0 || !steady) {

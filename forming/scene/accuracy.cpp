@@ -72,7 +72,7 @@ const std::vector<Setting>& settings() {
       {"motion_tolerance", &A::motion_tolerance, dimension::length, "mm", 1e-3, 2, {0.05e-3, 0.025e-3, 6.25e-6}},
       {"most_cells", &A::most_cells, dimension::none, "", 1, -2, {2e4, 3e4, 4.5e4}},
       {"solution_error", &A::solution_error, dimension::none, "", 1, 2, {0, 0, 0}},
-      {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.05, 0.1, 0.1}}};
+      {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.04, 0.1, 0.1}}};
   return all;
 }
 
