@@ -10,6 +10,22 @@ using core::dim;
 
 namespace {
 
+/// For each vertex the node after which its pressure is eliminated, by place in the order. Before any velocity that it drives is
+/// out, its pivot would be next to nothing, and nodes of the boundary may all be held: so it waits for one inside.
+std::vector<Index> pressure_places(const core::Mesh& mesh, const std::vector<Index>& place) {
+  std::vector<bool> inside(mesh.nodes.size(), true);
+  for (const auto& edge : mesh.boundary)
+    for (const Index node : edge.nodes) inside[node] = false;
+  const Index last = mesh.node_count() - 1;
+  std::vector<Index> first(mesh.vertex_count, last);
+  for (const auto& cell : mesh.cells)
+    for (int v = 0; v < 3; ++v)
+      for (const Index node : cell)
+        if (inside[node]) first[cell[v]] = std::min(first[cell[v]], place[node]);
+  for (Index v = 0; v < mesh.vertex_count; ++v) first[v] = std::max(first[v], place[v]);
+  return first;
+}
+
 /// All unknowns of a node couple with the same others: the nodes are ordered.
 core::EliminationOrder elimination_order(const core::Mesh& mesh) {
   std::vector<std::array<Index, 2>> edges;
@@ -18,10 +34,15 @@ core::EliminationOrder elimination_order(const core::Mesh& mesh) {
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < i; ++j) edges.push_back({cell[i], cell[j]});
   const auto nodes = core::minimum_degree_order(mesh.node_count(), edges);
+  std::vector<Index> place(mesh.node_count());
+  for (Index k = 0; k < mesh.node_count(); ++k) place[nodes.unknown[k]] = k;
+  const std::vector<Index> pressure_place = pressure_places(mesh, place);
+  std::vector<std::vector<Index>> pressures(mesh.node_count());
+  for (Index v = 0; v < mesh.vertex_count; ++v) pressures[pressure_place[v]].push_back(dim * mesh.node_count() + v);
   core::EliminationOrder order{{}, 0};
-  for (const Index node : nodes.unknown) {
-    for (int a = 0; a < dim; ++a) order.unknown.push_back(dim * node + a);
-    if (node < mesh.vertex_count) order.unknown.push_back(dim * mesh.node_count() + node);
+  for (Index k = 0; k < mesh.node_count(); ++k) {
+    for (int a = 0; a < dim; ++a) order.unknown.push_back(dim * nodes.unknown[k] + a);
+    order.unknown.insert(order.unknown.end(), pressures[k].begin(), pressures[k].end());
   }
   order.operations = nodes.operations * std::pow(double(order.unknown.size()) / mesh.node_count(), 3);
   return order;
