@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/tool_gap.hpp"
+#include "forming/step/initial_state.hpp"
+
 namespace parison::forming {
 
 using core::Point;
@@ -46,6 +49,16 @@ void add_crossings(const Chain& first, const Chain& second, std::vector<Point>& 
     }
 }
 
+/// Whether a point lies inside a tool in place: no glass gets there.
+bool is_hidden(const Scene& scene, const State& state, const Point& x) {
+  const auto& places = scene.stages[state.stage].tools;
+  return std::any_of(places.begin(), places.end(), [&](const auto& place) {
+    const Body& tool = scene.tools[place.tool];
+    const Point local = x - state.bodies[1 + place.tool].offset * core::axis_direction();
+    return contact::signed_gap(tool.profile, contact_pieces(tool), local) < -same;
+  });
+}
+
 }  // namespace
 
 std::vector<Point> tool_corners(const Scene& scene, const State& state) {
@@ -69,6 +82,8 @@ std::vector<Point> tool_corners(const Scene& scene, const State& state) {
     for (std::size_t b = a + 1; b < chains.size(); ++b)
       for (const Chain& first : chains[a])
         for (const Chain& second : chains[b]) add_crossings(first, second, corners);
+  const auto hidden = [&](const Point& corner) { return is_hidden(scene, state, corner); };
+  corners.erase(std::remove_if(corners.begin(), corners.end(), hidden), corners.end());
   return corners;
 }
 

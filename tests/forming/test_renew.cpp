@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "contact/tool_gap.hpp"
+#include "forming/renew/tool_corners.hpp"
 #include "forming/step/contact_geometry.hpp"
 #include "forming/step/heat_step.hpp"
 #include "forming/step/initial_state.hpp"
@@ -101,6 +103,23 @@ TEST_F(Renew, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_corner
     ASSERT_TRUE(renewed.ok) << edge << ": " << renewed.reason;
     expect_kept(state, renewed.state);
     EXPECT_GE(remesh::quality(renewed.state.bodies[0].mesh).worst, 0.3) << edge;
+  }
+}
+
+TEST_F(Renew, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vertex) {
+  scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/tumbler", "draft");
+  State state = initial_state(scene);
+  for (const double down : {0.0, 20e-3, 60e-3}) {
+    for (std::size_t t = 0; t < scene.tools.size(); ++t)
+      if (scene.tools[t].name == "plunger") state.bodies[1 + t].offset = -down;
+    const auto corners = tool_corners(scene, state);
+    EXPECT_GE(corners.size(), 4u);
+    for (const auto& place : scene.stages[0].tools)
+      for (const Point& corner : corners) {
+        const Body& tool = scene.tools[place.tool];
+        const Point local = corner - state.bodies[1 + place.tool].offset * core::axis_direction();
+        EXPECT_GE(contact::signed_gap(tool.profile, contact_pieces(tool), local), -1e-5) << tool.name << " at " << down;
+      }
   }
 }
 
