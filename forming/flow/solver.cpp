@@ -21,7 +21,7 @@ namespace {
 
 constexpr int most_iterations = 200;
 /// Of a force, or a volume flow, against the products that make it up.
-constexpr double balanced = 1e-11;
+constexpr double balanced = 1e-12;
 /// Where viscosity or friction depend on the flow, the change of the velocities at which they are found, relative.
 constexpr double same_flow = 1e-6;
 
