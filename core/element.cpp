@@ -131,7 +131,7 @@ EdgePoint map_edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, Geo
     slope += derivative[i] * mesh.nodes[edge[i]];
   }
   const double stretch = slope.norm();
-  point.tangent = slope / stretch;
+  point.tangent = stretch > 0 ? Point(slope / stretch) : Point::Zero();
   point.normal = {point.tangent[1], -point.tangent[0]};
   point.area = at.weight * stretch * depth(geometry, point.position);
   return point;

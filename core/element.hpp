@@ -37,7 +37,7 @@ struct CellPoint {
 struct EdgePoint {
   std::array<double, 3> shape;
   Point position;  ///< m
-  Point normal;    ///< outward unit normal of the body on the edge's left
+  Point normal;    ///< outward unit normal of the body on the edge's left; zero, as the tangent, where the edge has no extent
   Point tangent;   ///< unit, from first to last
   double area;     ///< quadrature weight times the measure, m2
 };

@@ -77,4 +77,32 @@ std::vector<Link> boundary_links(const Mesh& mesh) {
   return links;
 }
 
+Mesh without_collapsed_edges(Mesh mesh) {
+  constexpr double collapsed = 0.01;  // of either neighbour
+  const std::vector<Link> links = boundary_links(mesh);
+  const auto chord = [&](Index i) {
+    const Edge& edge = mesh.boundary[i].nodes;
+    return (mesh.nodes[edge[1]] - mesh.nodes[edge[0]]).norm();
+  };
+  std::vector<core::BoundaryEdge> kept;
+  std::vector<bool> leaves(links.size(), false);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Index previous = links[i].previous, next = links[i].next;
+    if (leaves[previous] || leaves[next] || chord(static_cast<Index>(i)) > collapsed * std::min(chord(previous), chord(next))) continue;
+    const Edge& nodes = mesh.boundary[i].nodes;
+    const Index piece = mesh.boundary[i].piece;
+    leaves[i] = true;
+    if (mesh.boundary[previous].piece == piece)
+      mesh.boundary[previous].nodes[1] = nodes[1];
+    else if (mesh.boundary[next].piece == piece)
+      mesh.boundary[next].nodes[0] = nodes[0];
+    else
+      leaves[i] = false;
+  }
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (!leaves[i]) kept.push_back(mesh.boundary[i]);
+  mesh.boundary = std::move(kept);
+  return mesh;
+}
+
 }  // namespace parison::remesh

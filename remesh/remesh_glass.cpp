@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "core/element.hpp"
+#include "remesh/curve.hpp"
 
 namespace parison::remesh {
 
@@ -74,9 +75,10 @@ std::string describe(const Point& x) {
 
 }  // namespace
 
-Remeshed remesh_glass(const Mesh& old, const Criteria& criteria) {
+Remeshed remesh_glass(const Mesh& worn, const Criteria& criteria) {
   Remeshed result;
-  result.volume_before = core::volume(old, criteria.geometry);
+  result.volume_before = core::volume(worn, criteria.geometry);
+  const Mesh old = without_collapsed_edges(worn);
   const SizeField size = size_field(old, criteria);
   result.coarser = size.coarser();
   const Surface surface = resample(old, criteria, size);

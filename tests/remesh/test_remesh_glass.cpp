@@ -252,6 +252,26 @@ TEST(RemeshGlass, a_bulge_into_a_tool_is_led_out_before_the_inside_is_meshed) {
                   }});
 }
 
+TEST(RemeshGlass, an_edge_whose_ends_met_in_a_corner_is_left_out) {
+  const Mesh whole = meshed(gob(), 2e-3);
+  const Criteria criteria = criteria_for(whole, 2e-3);
+  const Index axis = core::find_piece(whole, "axis");
+  const auto count = static_cast<Index>(whole.boundary.size());
+  const auto on_axis = [&](Index i) { return whole.boundary[(i + count) % count].piece == axis; };
+  for (Index i = 0; i < count; ++i) {
+    if (on_axis(i)) continue;
+    Mesh old = whole;
+    const auto& nodes = old.boundary[i].nodes;
+    const int kept = on_axis(i + 1) ? 1 : 0;  // beside the axis the end of the piece stays
+    old.nodes[nodes[1 - kept]] = old.nodes[nodes[kept]];
+    const Remeshed made = remesh_glass(old, criteria);
+    ASSERT_TRUE(made.ok) << i << ": " << made.reason;
+    EXPECT_GE(quality(made.mesh).worst, 0.3) << i;
+    EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13) << i;
+    EXPECT_EQ(piece_ends(made.mesh), piece_ends(whole)) << i;
+  }
+}
+
 TEST(RemeshGlass, a_surface_that_crosses_itself_is_reported) {
   const Mesh old = deformed(meshed(cup(6), 1.5e-3), [](const Point& x) {
     return x[1] < 20e-3 ? Point(x[0] + 0.8 * (20e-3 - x[1]) * (28e-3 - x[0]) / 3e-3, x[1]) : x;
