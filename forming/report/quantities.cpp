@@ -17,20 +17,6 @@ constexpr const char* heat_prefix = "heat_";
 
 double celsius(double kelvin) { return kelvin - thermal::content_reference; }
 
-/// From the hottest to the coldest thing of the scene, K.
-double temperature_span(const Scene& scene) {
-  double low = scene.glass.initial_temperature, high = low;
-  const auto include = [&](double temperature) {
-    low = std::min(low, temperature);
-    high = std::max(high, temperature);
-  };
-  for (const Tool& tool : scene.tools)
-    if (tool.thermal) include(tool.initial_temperature);
-  for (const Stage& stage : scene.stages)
-    if (stage.air.h > 0) include(stage.air.air_temperature);
-  return high - low;
-}
-
 bool has_wall(const Scene& scene) {
   return scene.has_flow() && std::any_of(scene.stages.begin(), scene.stages.end(),
                                          [](const Stage& stage) { return !stage.pressure.empty(); });
@@ -93,7 +79,7 @@ double skin_temperature(const std::vector<ThicknessRow>& rows, bool wall) {
 }
 
 void add_heat(const Scene& scene, const Summary& summary, const std::vector<ThicknessRow>& rows, Quantities& found) {
-  const double span = temperature_span(scene);
+  const double span = temperature_range(scene).span();
   found.values.push_back({"glass_mean", "degC", celsius(summary.glass.mean), span});
   found.values.push_back({"glass_skin", "degC", celsius(skin_temperature(rows, has_wall(scene))), span});
   for (const ToolSummary& tool : summary.tools)

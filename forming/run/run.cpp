@@ -198,6 +198,9 @@ void warn_of_unused_interfaces(Progress& run) {
   }
 }
 
+/// Of the span of the scene's temperatures; more is told.
+constexpr double most_overshoot = 0.1;
+
 void warn(Progress& run) {
   const Totals& totals = run.outcome.state.totals;
   auto& warnings = run.outcome.facts.warnings;
@@ -210,6 +213,10 @@ void warn(Progress& run) {
                                    remeshing.coarser, run.scene.accuracy.most_cells));
   if (totals.table_holds > 0)
     warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.table_holds));
+  if (const double span = temperature_range(run.scene).span(); totals.overshoot > most_overshoot * span)
+    warnings.push_back(fmt::format("a temperature rose {:.0f} K above the hottest of the scene for a moment, {:.2g} % of the span "
+                                   "of all: skins too thin for the mesh; a smaller numerics.skin_size helps",
+                                   totals.overshoot, 100 * totals.overshoot / span));
   if (const long latched = run.outcome.facts.effort.latched_contacts; latched > 0)
     warnings.push_back(fmt::format(
         "in all steps together {} contacts stayed closed although they pull, as they kept opening and closing", latched));

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/files.hpp"
 #include "forming/scene/scene_reading.hpp"
 
@@ -47,6 +49,28 @@ std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
 }
 
 }  // namespace
+
+TemperatureRange temperature_range(const Scene& scene) {
+  TemperatureRange range{scene.glass.initial_temperature, scene.glass.initial_temperature};
+  const auto include = [&](double temperature) {
+    range = {std::min(range.coldest, temperature), std::max(range.hottest, temperature)};
+  };
+  const auto include_body = [&](const Body& body) {
+    if (!body.thermal) return;
+    include(body.initial_temperature);
+    for (const Piece& piece : body.pieces) {
+      if (piece.kind == PieceKind::cooled) include(piece.cooling.air_temperature);
+      if (piece.kind == PieceKind::temperature) include(piece.temperature);
+    }
+  };
+  include_body(scene.glass);
+  for (const Tool& tool : scene.tools) include_body(tool);
+  for (const Stage& stage : scene.stages) {
+    if (stage.air.h > 0) include(stage.air.air_temperature);
+    if (scene.glass.emissivity > 0) include(stage.air.ambient_temperature);
+  }
+  return range;
+}
 
 std::vector<std::string> tool_names(const Scene& scene) {
   std::vector<std::string> names;

@@ -153,6 +153,13 @@ struct Scene {
   bool has_heat() const { return glass.thermal.has_value(); }
 };
 
+/// The coldest and the hottest of the bodies at the start, their cooling and the air, K.
+struct TemperatureRange {
+  double coldest, hottest;
+  double span() const { return hottest - coldest; }
+};
+TemperatureRange temperature_range(const Scene& scene);
+
 /// Reads and validates a case file; `accuracy` is a text for read_accuracy; `overrides` as core::override_value takes them.
 /// Throws core::CaseError with `file:line: key: what was found, what is allowed`.
 Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides = {});

@@ -79,6 +79,13 @@ void note_hottest_surfaces(const Scene& scene, State& state) {
   }
 }
 
+void note_overshoot(const Scene& scene, State& state) {
+  const double hottest = temperature_range(scene).hottest;
+  for (const auto& body : state.bodies)
+    if (body.temperature.size() > 0)
+      state.totals.overshoot = std::max(state.totals.overshoot, body.temperature.maxCoeff() - hottest);
+}
+
 void take_temperatures(State& state, std::vector<Eigen::VectorXd> temperature) {
   for (std::size_t b = 0; b < temperature.size(); ++b) state.bodies[b].temperature = std::move(temperature[b]);
 }
@@ -192,7 +199,9 @@ HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<cor
     state.heat_substep = outcome.next_substep;
     result = {true, "", static_cast<int>(outcome.substeps)};
   }
-  if (result.converged) note_hottest_surfaces(scene, state);
+  if (!result.converged) return result;
+  note_hottest_surfaces(scene, state);
+  note_overshoot(scene, state);
   return result;
 }
 

@@ -77,6 +77,7 @@ struct Totals {
   double deepest = 0;       ///< deepest penetration of a glass node into a tool at any step, m
   double largest_drift = 0;  ///< of the glass volume at any step, relative to the start, without sign
   double largest_reynolds = 0;
+  double overshoot = 0;     ///< of any temperature above the hottest of the scene at any step, K
   double largest_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative
   Work work;
   RemeshLedger remeshing;

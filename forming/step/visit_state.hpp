@@ -58,6 +58,7 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("deepest", totals.deepest);
   visit("largest_drift", totals.largest_drift);
   visit("largest_reynolds", totals.largest_reynolds);
+  visit("overshoot", totals.overshoot);
   visit("largest_flux_mismatch", totals.largest_flux_mismatch);
   visit_work(visit.part("work"), totals.work);
   visit_remeshing(visit.part("remeshing"), totals.remeshing);
