@@ -95,6 +95,7 @@ void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
   json.add("dissipation_J", state.totals.dissipation);
   json.add("largest_reynolds", state.totals.largest_reynolds);
   json.add("largest_flux_mismatch", state.totals.largest_flux_mismatch);
+  json.add("temperature_overshoot_K", state.totals.overshoot);
   json.add("conductance_outside_table", static_cast<long>(state.totals.table_holds));
 }
 

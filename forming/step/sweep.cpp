@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "core/element.hpp"
@@ -32,7 +33,7 @@ constexpr int most_sweeps = 4;
 constexpr double first_share = 0.1;
 
 /// What a sweep may leave deeper in a tool than the step found it, m; and what the last sweep may.
-constexpr double most_depth = 2e-6, most_last_depth = 5e-6;
+constexpr double most_depth = 0.5e-6, most_last_depth = 4e-6;
 
 /// Steps no longer than this, of the first step of a stage, are taken with whatever depth they leave.
 constexpr double least_step = 0.1;
@@ -215,6 +216,17 @@ std::optional<flow::Solution> sweep_flow(const Scene& scene, const State& state,
   return std::move(pass.solution);
 }
 
+/// Viscous heat at the quadrature points, W: what landings and corrections put into the glass, all but solid glass above all, was
+/// done by nobody and heats nothing.
+std::vector<double> heating(flow::Solution solution) {
+  std::vector<double> heat = std::move(solution.dissipation);
+  const double whole = std::accumulate(heat.begin(), heat.end(), 0.0);
+  const double nobodys = std::max(0.0, -solution.arrival_power) + std::max(0.0, solution.correction_power);
+  if (nobodys > 0)
+    for (double& power : heat) power *= std::max(0.0, 1 - nobodys / whole);
+  return heat;
+}
+
 }  // namespace
 
 bool sweep_until_settled(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
@@ -234,7 +246,7 @@ bool sweep_until_settled(const Scene& scene, const State& state, Middle& foretol
   auto& totals = result.state.totals;
   book_work(scene, state, *solution, dt, totals.work);
   totals.largest_reynolds = std::max(totals.largest_reynolds, reynolds(scene, *solution, state.bodies[0].mesh));
-  result.dissipation = std::move(solution->dissipation);
+  result.dissipation = heating(std::move(*solution));
   move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
   return true;
 }
