@@ -22,7 +22,7 @@ namespace {
 /// Gaps beyond this are not worth a candidate unless a node moves further in the step, m.
 constexpr double near = 1e-3;
 /// A node found inside a tool is led out over at least this time, s: at once, it would ask a full cavity to burst.
-constexpr double recovery_time = 5e-3;
+constexpr double recovery_time = 20e-3;
 /// A node nearer than this to a tool touches it, m.
 constexpr double touching = 1e-9;
 
