@@ -30,7 +30,8 @@ inline bool is_near(const core::Point& x, const Box& box, double by) {
   return true;
 }
 
-/// Binary tree over boxes, halved at the median of the longer side.
+/// Binary tree over boxes in a row, each branch half of its parent's: neighbours in the row, as the edges of an outline, should
+/// be neighbours in space.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes);
@@ -41,13 +42,12 @@ class BoxTree {
  private:
   struct Branch {
     Box box;
-    core::Index begin, end;  ///< range of order_
+    core::Index begin, end;  ///< range of boxes_
     core::Index second;      ///< the first child follows its parent; -1 in a leaf
   };
-  void divide(core::Index begin, core::Index end);
+  Box divide(core::Index begin, core::Index end);
 
   std::vector<Box> boxes_;
-  std::vector<core::Index> order_;
   std::vector<Branch> branches_;
 };
 

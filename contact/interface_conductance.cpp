@@ -18,24 +18,23 @@ struct Batch {
   Values h;
   double* slope;  ///< null: not wanted
 
-  void set_slope(const Eigen::ArrayXd& dh_dlog) const {
-    if (slope) Eigen::Map<Eigen::ArrayXd>(slope, h.size()) = dh_dlog;
-  }
+  Eigen::Map<Eigen::ArrayXd> slopes() const { return {slope, h.size()}; }
 };
 
 constexpr double largest_log = 700;  ///< of x: beyond, the exponential overflows and the law is at its end
 
 core::Index evaluate(const ConstantConductance& law, Batch batch) {
   batch.h.setConstant(law.h);
-  if (batch.slope) batch.set_slope(Eigen::ArrayXd::Zero(batch.h.size()));
+  if (batch.slope) batch.slopes().setZero();
   return 0;
 }
 
 core::Index evaluate(const PressureViscosityConductance& law, Batch batch) {
-  const Eigen::ArrayXd x = (batch.log_pressed - law.b * batch.log_viscosity).max(-largest_log).min(largest_log).exp();
+  Values x = batch.h;
+  x = (batch.log_pressed - law.b * batch.log_viscosity).max(-largest_log).min(largest_log).exp();
   const double range = law.h1 - law.h0;
+  if (batch.slope) batch.slopes() = -law.b * range * (x / (1 + x)) / (1 + x);
   batch.h = law.h0 + range * (x / (1 + x));
-  if (batch.slope) batch.set_slope(-law.b * range * (x / (1 + x)) / (1 + x));
   return 0;
 }
 

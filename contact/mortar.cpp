@@ -138,7 +138,7 @@ void add_points(const Edge& edge, const Stretch& stretch, const Master& master) 
       const Ray from = ray(edge.view.slave, s);
       const auto seen_at = find_master_parameter(from, facing);
       if (!seen_at) continue;
-      core::InterfacePoint point;
+      core::InterfacePoint& point = edge.points.emplace_back();
       set_point(slave, facing, s, *seen_at, edge.pressure, point);
       point.position = from.from;
       point.area = rule.weight * length * slope(slave, s).norm();
@@ -147,7 +147,6 @@ void add_points(const Edge& edge, const Stretch& stretch, const Master& master) 
       point.law = master.law;
       point.slave_body = edge.slave_body;
       point.master_body = master.surface.body;
-      edge.points.push_back(point);
     }
   }
 }
