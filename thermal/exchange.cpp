@@ -83,17 +83,16 @@ void add_contact_heat(const HeatSystem& system, const Eigen::VectorXd& temperatu
   const auto [T1, T2] = side_temperatures(interface, temperature);
   Eigen::ArrayXd h(T1.size());
   system.problem->law(system.problem->interface, T1, h, nullptr);
-  const Eigen::ArrayXd across = interface.area * h * (T1 - T2);
-  const Eigen::ArrayXd air1 = interface.slave_air.heat(T1), air2 = interface.master_air.heat(T2);
   for (const HeatSegment& segment : interface.segments) {
     // In shares of the unknowns.
     Vector3d given = Vector3d::Zero(), taken = given, covered1 = given, covered2 = given;
     for (Index i = segment.first_point; i < segment.last_point; ++i) {
       const Eigen::Map<const Vector3d> s(&interface.shape(0, i)), m(&interface.shape(3, i));
-      given += across[i] * s;
-      taken += across[i] * m;
-      covered1 += air1[i] * s;
-      covered2 += air2[i] * m;
+      const double across = interface.area[i] * h[i] * (T1[i] - T2[i]);
+      given += across * s;
+      taken += across * m;
+      covered1 += interface.slave_air.heat(i, T1[i]) * s;
+      covered2 += interface.master_air.heat(i, T2[i]) * m;
     }
     flows.across[segment.pair] += given.sum();
     flows.received[segment.pair] += taken.sum();

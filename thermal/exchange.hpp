@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct HeatSegment {
 struct CoveredExchange {
   Eigen::ArrayXd linear, quartic, constant;  ///< W/K, W/K4, W
 
-  Eigen::ArrayXd heat(const Eigen::ArrayXd& T) const { return (linear + quartic * T.square() * T.abs()) * T - constant; }
+  /// At one point.
+  double heat(Index i, double T) const { return (linear[i] + quartic[i] * T * T * std::abs(T)) * T - constant[i]; }
   Eigen::ArrayXd slope(const Eigen::ArrayXd& T) const { return linear + 4 * quartic * T.square() * T.abs(); }
 };
 /// The closed interface: its points in arrays, segment after segment.
