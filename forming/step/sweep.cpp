@@ -33,7 +33,7 @@ constexpr int most_sweeps = 4;
 constexpr double first_share = 0.1;
 
 /// What a sweep may leave deeper in a tool than the step found it, m; and what the last sweep may.
-constexpr double most_depth = 0.5e-6, most_last_depth = 4e-6;
+constexpr double most_depth = 1e-6, most_last_depth = 4e-6;
 
 /// Steps no longer than this, of the first step of a stage, are taken with whatever depth they leave.
 constexpr double least_step = 0.1;
