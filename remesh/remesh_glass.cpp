@@ -8,6 +8,7 @@
 
 #include "core/element.hpp"
 #include "remesh/curve.hpp"
+#include "remesh/lap.hpp"
 
 namespace parison::remesh {
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double volume_tolerance = 2e-15;  ///< relative, at which the shift stops
 constexpr double largest_defect = 0.01;     ///< relative volume a resampling may miss
+constexpr double largest_lap = 5e-4;        ///< of the volume, in the notch of a lap that is closed
 /// Where the free surface would have to move by more than `far` the whole one moves, if that is by less than `slight`, m.
 constexpr double far = 20e-6, slight = 3e-6;
 
@@ -81,11 +83,13 @@ Remeshed remesh_glass(const Mesh& worn, const Criteria& criteria) {
   const Mesh old = without_collapsed_edges(worn);
   const SizeField size = size_field(old, criteria);
   result.coarser = size.coarser();
-  const Surface surface = resample(old, criteria, size);
-  const auto [first, second] = find_crossing(surface.outline);
-  if (first >= 0) {
-    result.reason = fmt::format("the glass surface crosses itself near {} and {}", describe(surface.outline.vertices[first]),
-                                describe(surface.outline.vertices[second]));
+  Surface surface = resample(old, criteria, size);
+  const Laps laps = close_laps(criteria.geometry, largest_lap * result.volume_before, surface);
+  result.laps = laps.closed;
+  if (laps.first >= 0) {
+    const auto at = [&](Index vertex) { return describe(surface.outline.vertices[vertex]); };
+    result.reason = fmt::format("the glass surface crosses itself near {} and {}, in a lap of more than {:g} of the volume",
+                                at(laps.first), at(laps.second), largest_lap);
     return result;
   }
   MeshedOutline meshed = mesh_outline(surface.outline, old.pieces, size);

@@ -11,6 +11,7 @@ struct Remeshed {
   bool ok = false;
   std::string reason;  ///< why not, a sentence
   double volume_before = 0, volume_after = 0;  ///< m3
+  int laps = 0;        ///< places where the surface had folded onto itself a little and was closed
   double coarser = 1;  ///< than the criteria ask for, for the sake of most_cells
 };
 

@@ -180,7 +180,7 @@ double new_extreme(const State& state, const State& next) {
   return std::max({0.0, now.maxCoeff() - old.maxCoeff(), old.minCoeff() - now.minCoeff()});
 }
 
-void book(const Scene& scene, const State& state, RemeshReason why, double coarser, State& next) {
+void book(const Scene& scene, const State& state, RemeshReason why, const remesh::Remeshed& made, State& next) {
   const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
   RemeshLedger& ledger = next.totals.remeshing;
   ++ledger.count[static_cast<std::size_t>(why)];
@@ -189,7 +189,8 @@ void book(const Scene& scene, const State& state, RemeshReason why, double coars
     book_change(glass_heat(scene, next) - glass_heat(scene, state), ledger.heat, ledger.largest_heat);
     ledger.new_extreme = std::max(ledger.new_extreme, new_extreme(state, next));
   }
-  ledger.coarser = std::max(ledger.coarser, coarser);
+  ledger.coarser = std::max(ledger.coarser, made.coarser);
+  ledger.laps += made.laps;
   const auto quality = remesh::quality(mesh);
   ledger.worst_quality = std::min(ledger.worst_quality, quality.worst);
   ledger.lowest_median = std::min(ledger.lowest_median, quality.median);
@@ -245,7 +246,7 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason wh
   next.mass_nodes = mesh.nodes;
   next.density = state.density * core::volume(mass_mesh(state), scene.geometry) / core::volume(mesh, scene.geometry);
   carry_temperature(scene, state, transfer, next);
-  book(scene, state, why, made.coarser, next);
+  book(scene, state, why, made, next);
   result.ok = true;
   return result;
 }

@@ -107,6 +107,7 @@ void add_remeshing(JsonWriter& json, const State& state, const Summary& summary)
   for (std::size_t i = 0; i < ledger.count.size(); ++i)
     json.add(fmt::format("for_{}", remesh_reasons[i]), static_cast<long>(ledger.count[i]));
   json.add("failed", static_cast<long>(ledger.failed));
+  json.add("laps", static_cast<long>(ledger.laps));
   json.add("heat_drift", ledger.heat / heat);
   json.add("largest_heat_change", ledger.largest_heat / heat);
   json.add("volume_drift", ledger.volume / state.first_volume);

@@ -208,6 +208,8 @@ void warn(Progress& run) {
     warnings.push_back(fmt::format("inertia was left out, but the Reynolds number reached {:.2g}", totals.largest_reynolds));
   const RemeshLedger& remeshing = totals.remeshing;
   if (remeshing.failed > 1) warnings.push_back(fmt::format("{} new glass meshes could not be made", remeshing.failed));
+  if (remeshing.laps > 0)
+    warnings.push_back(fmt::format("the glass folded onto itself a little at {} places, which were closed", remeshing.laps));
   if (remeshing.coarser > 1)
     warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have about {:g} cells",
                                    remeshing.coarser, run.scene.accuracy.most_cells));

@@ -31,6 +31,7 @@ void visit_remeshing(Visitor visit, Ledger& remeshing) {
   visit("worst_quality", remeshing.worst_quality);
   visit("lowest_median", remeshing.lowest_median);
   visit("failed", remeshing.failed);
+  visit("laps", remeshing.laps);
   visit("coarser", remeshing.coarser);
 }
 

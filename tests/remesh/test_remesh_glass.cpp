@@ -272,6 +272,33 @@ TEST(RemeshGlass, an_edge_whose_ends_met_in_a_corner_is_left_out) {
   }
 }
 
+/// The gob with a notch of a depth in its side, m, whose flanks have passed through each other by a tenth of their distance.
+Mesh lapped_gob(double depth) {
+  Mesh mesh = meshed(gob(), 2e-3);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+    if (mesh.nodes[mesh.boundary[i].nodes[0]][0] > mesh.nodes[mesh.boundary[at].nodes[0]][0]) at = i;
+  const auto &before = mesh.boundary[at - 1].nodes, &after = mesh.boundary[at].nodes;
+  const Point a = mesh.nodes[before[0]], b = mesh.nodes[after[1]], along = 0.1 * (b - a), middle = 0.5 * (a + b);
+  mesh.nodes[after[0]] = middle - Point(depth, 0);
+  mesh.nodes[before[2]] = middle - Point(0.5 * depth, 0) + along;
+  mesh.nodes[after[2]] = middle - Point(0.5 * depth, 0) - along;
+  return mesh;
+}
+
+TEST(RemeshGlass, a_little_lap_is_closed_and_a_great_one_reported) {
+  const Mesh little = lapped_gob(0.3e-3), great = lapped_gob(6e-3);
+  const Remeshed closed = remesh_glass(little, criteria_for(little, 2e-3));
+  ASSERT_TRUE(closed.ok) << closed.reason;
+  EXPECT_EQ(closed.laps, 1);
+  EXPECT_GE(quality(closed.mesh).worst, 0.3);
+  EXPECT_NEAR(closed.volume_after / closed.volume_before, 1, 1e-13);
+  EXPECT_EQ(piece_ends(closed.mesh), piece_ends(little));
+  const Remeshed left = remesh_glass(great, criteria_for(great, 2e-3));
+  EXPECT_FALSE(left.ok);
+  EXPECT_NE(left.reason.find("in a lap of more than"), std::string::npos) << left.reason;
+}
+
 TEST(RemeshGlass, a_surface_that_crosses_itself_is_reported) {
   const Mesh old = deformed(meshed(cup(6), 1.5e-3), [](const Point& x) {
     return x[1] < 20e-3 ? Point(x[0] + 0.8 * (20e-3 - x[1]) * (28e-3 - x[0]) / 3e-3, x[1]) : x;

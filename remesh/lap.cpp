@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/lap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/element.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Point;
+
+namespace {
+
+constexpr int most_laps = 16;
+constexpr int least_edges = 3;  ///< of a loop
+
+double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Volume between the outline from vertex `begin` to vertex `end` and the chord of the two, m3.
+double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry geometry) {
+  const Point& from = outline.vertices[begin];
+  double area = 0;
+  Point last = from;
+  const auto go_to = [&](const Point& x) {
+    area += 0.5 * cross(last - from, x - from);
+    last = x;
+  };
+  for (Index i = begin; i < end; ++i) {
+    go_to(outline.mids[i]);
+    go_to(outline.vertices[i + 1]);
+  }
+  return std::abs(area) * core::depth(geometry, from);
+}
+
+/// Whether all edges from `begin` to before `end` belong to one piece that may give way, in one loop with edges left over.
+bool may_cut(const Surface& surface, Index begin, Index end) {
+  const Outline& outline = surface.outline;
+  const auto after = std::upper_bound(outline.loop_start.begin(), outline.loop_start.end(), begin);
+  if (after == outline.loop_start.end() || end >= *after || *after - *(after - 1) - (end - begin) + 1 < least_edges) return false;
+  for (Index i = begin; i < end; ++i)
+    if (outline.pieces[i] != outline.pieces[begin] || surface.fixed[outline.edge_count() + i]) return false;
+  return true;
+}
+
+/// Puts one straight edge in the place of those from vertex `begin` to vertex `end`.
+void cut(Surface& surface, Index begin, Index end) {
+  Outline& outline = surface.outline;
+  const Index count = outline.edge_count(), gone = end - begin - 1;
+  outline.mids[begin] = 0.5 * (outline.vertices[begin] + outline.vertices[end]);
+  for (auto* flags : {&surface.contact, &surface.fixed}) {
+    (*flags)[count + begin] = (*flags)[begin] && (*flags)[end];
+    flags->erase(flags->begin() + count + begin + 1, flags->begin() + count + end);
+    flags->erase(flags->begin() + begin + 1, flags->begin() + end);
+  }
+  surface.fixed[count - gone + begin] = false;
+  const auto erase = [&](auto& list) { list.erase(list.begin() + begin + 1, list.begin() + end); };
+  erase(outline.vertices);
+  outline.mids.erase(outline.mids.begin() + begin + 1, outline.mids.begin() + end);
+  outline.pieces.erase(outline.pieces.begin() + begin + 1, outline.pieces.begin() + end);
+  for (Index& start : outline.loop_start)
+    if (start > begin) start -= gone;
+}
+
+}  // namespace
+
+Laps close_laps(core::Geometry geometry, double largest, Surface& surface) {
+  Laps laps;
+  for (;;) {
+    const auto [first, second] = find_crossing(surface.outline);
+    if (first < 0) return laps;
+    const auto [begin, last] = std::minmax(first, second);
+    const Index end = last + 1;
+    if (laps.closed == most_laps || !may_cut(surface, begin, end) ||
+        volume_cut(surface.outline, begin, end, geometry) > largest) {
+      laps.first = first, laps.second = second;
+      return laps;
+    }
+    cut(surface, begin, end);
+    ++laps.closed;
+  }
+}
+
+}  // namespace parison::remesh
