@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/tool_joint.hpp"
 
+#include <algorithm>
+
 namespace parison::contact {
 
 using core::Index;
@@ -32,6 +34,16 @@ std::vector<Segment> end_segments(const PlacedTool& tool, bool last) {
   return found;
 }
 
+/// Whether a point lies on a contact segment of a tool, away from its ends.
+bool lies_on(const PlacedTool& tool, const Point& x) {
+  const Point local = x - tool.offset * core::axis_direction();
+  const auto& segments = tool.profile->segments;
+  return std::any_of(segments.begin(), segments.end(), [&](const Segment& segment) {
+    return tool.contact_pieces[segment.piece] && core::distance(segment, local, 2 * joined) < joined &&
+           core::beyond_start(segment, local) < -joined && core::beyond_end(segment, local) < -joined;
+  });
+}
+
 }  // namespace
 
 std::vector<ToolJoint> tool_joints(const std::vector<PlacedTool>& tools) {
@@ -61,6 +73,27 @@ std::vector<JointConstraint> joint_constraints(const ToolJoint& joint, const Poi
     found.push_back({joint.after, {arm_before.norm(), arm_before.normalized(), -1}});
   }
   return found;
+}
+
+std::vector<ToolFoot> tool_feet(const std::vector<PlacedTool>& tools) {
+  std::vector<ToolFoot> feet;
+  for (std::size_t a = 0; a < tools.size(); ++a)
+    for (const bool at_end : {false, true})
+      for (const Segment& segment : end_segments(tools[a], at_end)) {
+        const Point end = at_end ? segment.end : segment.start;
+        for (std::size_t b = 0; b < tools.size(); ++b)
+          if (a != b && lies_on(tools[b], end)) feet.push_back({Index(a), segment, at_end});
+      }
+  return feet;
+}
+
+std::optional<JointConstraint> foot_constraint(const ToolFoot& foot, const Point& x, double reach) {
+  const Segment& segment = foot.segment;
+  const Point arm = x - (foot.at_end ? segment.end : segment.start);
+  if (arm.squaredNorm() > reach * reach) return std::nullopt;
+  if (!((foot.at_end ? core::beyond_end(segment, x) : core::beyond_start(segment, x)) > 0)) return std::nullopt;
+  const Point normal = core::normal_at(segment, foot.at_end ? 1 : 0);
+  return JointConstraint{foot.tool, {arm.dot(normal), normal, -1}};
 }
 
 }  // namespace parison::contact

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <vector>
 
 #include "contact/tool_constraints.hpp"
@@ -31,5 +32,16 @@ struct JointConstraint {
 /// What a joint constrains beyond its two segments: in a hollow one each segment goes on past the joint, within `reach`; where the
 /// joint sticks out of the tools its point itself keeps the glass away.
 std::vector<JointConstraint> joint_constraints(const ToolJoint& joint, const core::Point& x, double reach);
+
+/// Where the contact of one tool ends on the face of another, as a ring's wall on a plate.
+struct ToolFoot {
+  core::Index tool;       ///< that ends, of the placed tools
+  core::Segment segment;  ///< its last one, in space
+  bool at_end;            ///< of the segment; else at its start
+};
+std::vector<ToolFoot> tool_feet(const std::vector<PlacedTool>& tools);
+
+/// The segment of a foot goes on beyond it within `reach`: glass that lies a little inside the other tool does not pass under it.
+std::optional<JointConstraint> foot_constraint(const ToolFoot& foot, const core::Point& x, double reach);
 
 }  // namespace parison::contact

@@ -42,6 +42,7 @@ struct PlacedTools {
   };
   std::vector<Tool> tools;
   std::vector<contact::ToolJoint> joints;
+  std::vector<contact::ToolFoot> feet;
 
   PlacedTools(const Scene& scene, const std::vector<Index>& in_place, const std::vector<double>& offset) {
     std::vector<contact::PlacedTool> placed;
@@ -52,6 +53,7 @@ struct PlacedTools {
       placed.push_back({&profile, pieces, offset[tool]});
     }
     joints = contact::tool_joints(placed);
+    feet = contact::tool_feet(placed);
   }
 };
 
@@ -63,6 +65,9 @@ std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Poi
   for (const auto& joint : tools.joints)
     for (const auto& [tool, constraint] : contact::joint_constraints(joint, x, reach))
       found.push_back({tools.tools[tool].index, constraint});
+  for (const auto& foot : tools.feet)
+    if (const auto beyond = contact::foot_constraint(foot, x, reach))
+      found.push_back({tools.tools[beyond->tool].index, beyond->constraint});
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.constraint.gap < b.constraint.gap; });
   std::vector<ToolConstraint> kept;

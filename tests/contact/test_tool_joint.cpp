@@ -75,5 +75,28 @@ TEST(ToolJoint, BeyondReachNothingIsConstrained) {
   EXPECT_TRUE(joint_constraints(joint, Point(30e-3, 12e-3), 1e-3).empty());
 }
 
+/// A ring, r > 31 mm, that stands on a plate through which it does not pass.
+TEST(ToolJoint, GlassALittleInsideAPlateStaysInsideTheRingThatStandsOnIt) {
+  const Outline ring = Pen(Point(56e-3, 0)).free({56e-3, 14e-3}).free({31e-3, 14e-3}).contact({31e-3, 0}).close();
+  const Outline plate = Pen(Point(56e-3, 0)).contact({0, 0}).free({0, -25e-3}).free({56e-3, -25e-3}).close();
+  const auto placed = [&](double lift) {
+    return std::vector<PlacedTool>{{&ring.profile, ring.contact, lift}, {&plate.profile, plate.contact, 0}};
+  };
+  EXPECT_TRUE(tool_joints(placed(0)).empty());
+  EXPECT_TRUE(tool_feet(placed(0.1e-3)).empty());
+  const auto feet = tool_feet(placed(0));
+  ASSERT_EQ(feet.size(), 1u);
+  EXPECT_EQ(feet[0].tool, 0);
+  const Point under(32.4e-3, -0.2e-6);
+  EXPECT_TRUE(ToolConstraints(ring.profile, ring.contact)(under, 5e-3).empty());
+  const auto found = foot_constraint(feet[0], under, 5e-3);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->tool, 0);
+  EXPECT_NEAR(found->constraint.gap, -1.4e-3, 1e-12);
+  EXPECT_NEAR(found->constraint.normal[0], -1, 1e-12);
+  EXPECT_FALSE(foot_constraint(feet[0], {32.4e-3, 0.2e-6}, 5e-3));  // the ring's own
+  EXPECT_FALSE(foot_constraint(feet[0], under, 1e-3));
+}
+
 }  // namespace
 }  // namespace parison::contact
