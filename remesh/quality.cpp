@@ -11,7 +11,10 @@ namespace parison::remesh {
 
 using core::Index;
 
-double cell_quality(const core::Mesh& mesh, Index cell) {
+namespace {
+
+/// Lowers the quality found so far to the least of a cell.
+void lower(const core::Mesh& mesh, Index cell, double& worst) {
   const auto& [origin, u, v, bulge] = core::cell_map(mesh, cell);
   const auto& [m, n, p] = bulge;
   // Both columns of the Jacobian are linear over the cell: at the vertices as given, at the mid-sides half way between.
@@ -20,12 +23,25 @@ double cell_quality(const core::Mesh& mesh, Index cell) {
     along_a[3 + k] = 0.5 * (along_a[k] + along_a[(k + 1) % 3]);
     along_b[3 + k] = 0.5 * (along_b[k] + along_b[(k + 1) % 3]);
   }
-  double worst = 1;
+  const double root = std::sqrt(3.0);
   for (int k = 0; k < 6; ++k) {
     const core::Point &da = along_a[k], &db = along_b[k];
-    const double sides = da.squaredNorm() + db.squaredNorm() - da.dot(db);
-    worst = std::min(worst, sides > 0 ? std::sqrt(3.0) * (da[0] * db[1] - da[1] * db[0]) / sides : 0.0);
+    const double sides = da.squaredNorm() + db.squaredNorm() - da.dot(db), area = root * (da[0] * db[1] - da[1] * db[0]);
+    if (!(area >= worst * sides) || sides <= 0) worst = std::min(worst, sides > 0 ? area / sides : 0.0);
   }
+}
+
+}  // namespace
+
+double cell_quality(const core::Mesh& mesh, Index cell) {
+  double worst = 1;
+  lower(mesh, cell, worst);
+  return worst;
+}
+
+double worst_quality(const core::Mesh& mesh) {
+  double worst = 1;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) lower(mesh, cell, worst);
   return worst;
 }
 

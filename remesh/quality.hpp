@@ -10,6 +10,8 @@ struct Quality {
   core::Index worst_cell;
 };
 Quality quality(const core::Mesh& mesh);
+/// The worst cell's alone.
+double worst_quality(const core::Mesh& mesh);
 
 /// Smallest value at the six nodes of a cell, so that a curved edge that folds the cell shows.
 double cell_quality(const core::Mesh& mesh, core::Index cell);

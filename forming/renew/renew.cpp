@@ -111,11 +111,11 @@ bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
   const core::Mesh made = mesh;
   lift_out_of_tools(scene, state, mesh);
   restore_volume(scene, state, core::volume(state.bodies[0].mesh, scene.geometry), mesh);
-  double worst = remesh::quality(mesh).worst;
-  if (worst < suffering * remesh::quality(made).worst) {
+  double worst = remesh::worst_quality(mesh);
+  if (worst < suffering * remesh::worst_quality(made)) {
     core::Mesh followed = mesh;
     spread_shift(made, followed);
-    const double then = remesh::quality(followed).worst;
+    const double then = remesh::worst_quality(followed);
     if (then > worst) mesh = std::move(followed), worst = then;
   }
   return worst > 0;
@@ -223,7 +223,7 @@ void name_stretch(const NamedStretch& stretch, const std::vector<bool>& may_touc
 }  // namespace
 
 bool needs_new_mesh(const Scene& scene, const State& state) {
-  return remesh::quality(state.bodies[0].mesh).worst < scene.accuracy.quality_floor;
+  return remesh::worst_quality(state.bodies[0].mesh) < scene.accuracy.quality_floor;
 }
 
 Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason why) {

@@ -47,12 +47,14 @@ bool limits_radiation(const Scene& scene) {
   return radiation && radiation->thin_wall;
 }
 
-thermal::Problem make_problem(const Scene& scene, const State& state, const std::vector<core::Mesh>& meshes,
+using Meshes = std::vector<const core::Mesh*>;
+
+thermal::Problem make_problem(const Scene& scene, const State& state, const Meshes& meshes,
                               const std::vector<core::InterfacePoint>& interface, long& table_holds) {
   const Stage& stage = scene.stages[state.stage];
   thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
-    problem.bodies.push_back(view_of(scene, b, meshes[b], stage));
+    problem.bodies.push_back(view_of(scene, b, *meshes[b], stage));
   problem.bodies[0].density = state.density;
   problem.law = interface_law(scene, problem.interface, table_holds);
   return problem;
@@ -108,9 +110,9 @@ std::vector<thermal::Coupling> couplings_of(const State& state) {
   return couplings;
 }
 
-std::vector<core::Mesh> meshes_of(const State& state) {
-  std::vector<core::Mesh> meshes;
-  for (const auto& body : state.bodies) meshes.push_back(body.mesh);
+Meshes meshes_of(const State& state) {
+  Meshes meshes;
+  for (const auto& body : state.bodies) meshes.push_back(&body.mesh);
   return meshes;
 }
 
@@ -137,8 +139,10 @@ HeatOutcome advance_standing(const Scene& scene, State& state, const std::vector
     standing = std::make_unique<Workspace::Standing>();
     standing->stage = state.stage;
     standing->start = state.time;
-    standing->meshes = meshes_of(state);
-    auto problem = make_problem(scene, state, standing->meshes, interface, workspace.table_holds);
+    for (const auto& body : state.bodies) standing->meshes.push_back(body.mesh);
+    Meshes meshes;
+    for (const auto& mesh : standing->meshes) meshes.push_back(&mesh);
+    auto problem = make_problem(scene, state, meshes, interface, workspace.table_holds);
     if (limits_radiation(scene)) {
       standing->thickness = {
           core::wall_thickness(standing->meshes[0], symmetry_pieces(scene.glass, standing->meshes[0]))};
@@ -183,7 +187,7 @@ HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<cor
     if (!dissipation.empty()) problem.bodies[0].source = &dissipation;
     Eigen::VectorXd thickness;
     if (limits_radiation(scene)) {
-      thickness = core::wall_thickness(meshes[0], symmetry_pieces(scene.glass, meshes[0]));
+      thickness = core::wall_thickness(*meshes[0], symmetry_pieces(scene.glass, *meshes[0]));
       problem.bodies[0].wall_thickness = &thickness;
     }
     thermal::StepOptions options;

@@ -64,7 +64,7 @@ bool find_velocities(const Scene& scene, const State& state, Middle& foretold, d
 
 /// Whether every cell of the glass has kept its sense.
 bool is_unfolded(StepResult& result) {
-  if (remesh::quality(result.state.bodies[0].mesh).worst > 0) return true;
+  if (remesh::worst_quality(result.state.bodies[0].mesh) > 0) return true;
   result.reason = "a cell of the glass turned over";
   return false;
 }
