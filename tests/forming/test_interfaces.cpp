@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/files.hpp"
 #include "forming/scene/checkup.hpp"
@@ -93,6 +95,24 @@ std::string standing_scene(const std::string& height) {
   text = replaced("tools = [\"plate\"]\n[[probe]]", "tools = [\"plate\", \"plunger\"]\n[[probe]]", text);
   return replaced("duration = \"1 s\"", "duration = \"0.05 s\"",
                   replaced("10 mm\"\npiece", height + " mm\"\npiece", text));
+}
+
+TEST(Interfaces, a_skin_that_the_mesh_does_not_resolve_is_warned_of) {
+  const auto overshoot = [](const std::string& h) {
+    const Scene scene = scene_of(replaced("h = \"2000 W/m2/K\"", "h = \"" + h + "\"", standing_scene("10")));
+    const auto outcome = run(scene, tests::absent_folder());
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    const auto& warnings = outcome.facts.warnings;
+    const bool warned = std::any_of(warnings.begin(), warnings.end(),
+                                    [](const std::string& text) { return text.find("skins too thin for the mesh") != text.npos; });
+    const double share = outcome.state.totals.overshoot / temperature_range(scene).span();
+    std::printf("h = %s: a temperature %.2g %% of the span above the hottest\n", h.c_str(), 100 * share);
+    EXPECT_EQ(warned, share > 0.1);
+    return share;
+  };
+  const double real = overshoot("2000 W/m2/K"), perfect = overshoot("1e9 W/m2/K");
+  EXPECT_LT(real, 0.03);
+  EXPECT_GT(perfect, 3 * real);
 }
 
 TEST(Interfaces, one_on_bodies_that_never_meet_is_warned_of) {

@@ -56,6 +56,8 @@ TEST(Scene, TheJarIsAGobOf220GramsAmongFiveTools) {
   EXPECT_DOUBLE_EQ(scene.stages[3].name_pieces.at(0).from[1], 92e-3);
   EXPECT_DOUBLE_EQ(scene.stages[6].pressure.at("inner"), 0.35e5);
   for (const auto& tool : scene.tools) EXPECT_GT(core::signed_area(tool.profile), 0) << tool.name;
+  EXPECT_DOUBLE_EQ(temperature_range(scene).coldest, 50 + 273.15);
+  EXPECT_DOUBLE_EQ(temperature_range(scene).hottest, 1150 + 273.15);
 }
 
 TEST(Scene, TheJarsCavityIsFullWhenThePlungerStandsAt92Millimetres) {
