@@ -119,6 +119,19 @@ bool begin_stage(Progress& run, Index stage) {
   return good && (stage == 0 || !run.scene.has_flow() || renew(run, RemeshReason::stage_start));
 }
 
+/// Tools that were to come to rest in a stage whose duration was too short for that.
+void warn_of_moving_tools(Progress& run) {
+  const State& state = run.outcome.state;
+  const Stage& stage = run.scene.stages[state.stage];
+  for (const StageTool& tool : stage.tools) {
+    const double speed = std::abs(state.bodies[1 + tool.tool].velocity);
+    if (stage.end_speed && std::holds_alternative<ForceMotion>(tool.motion) && speed >= *stage.end_speed)
+      run.outcome.facts.warnings.push_back(
+          fmt::format("stage {} ended by its duration of {:g} s while {} still moved at {:.3g} mm/s, above its end_speed of {:g} mm/s",
+                      stage.name, stage.duration, run.scene.tools[tool.tool].name, 1e3 * speed, 1e3 * *stage.end_speed));
+  }
+}
+
 void end_stage(Progress& run, bool good) {
   const State& state = run.outcome.state;
   const Stage& stage = run.scene.stages[state.stage];
@@ -126,6 +139,7 @@ void end_stage(Progress& run, bool good) {
   const bool full = state.stage_time >= stage.duration - 1e-9;
   const char* reason = facts.stopped ? "stop" : !good ? "failure" : full ? "duration" : "tools at rest";
   facts.stages.push_back({stage.name, state.stage_start, state.time, reason, state.totals.work});
+  if (good && full && !facts.stopped) warn_of_moving_tools(run);
 }
 
 /// One step of the stage, after a new mesh where that is needed; false when none can be made.

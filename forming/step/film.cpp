@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "contact/tool_gap.hpp"
 #include "core/thickness.hpp"
 #include "forming/step/initial_state.hpp"
 #include "remesh/film.hpp"
@@ -55,6 +57,22 @@ Index opposite_tool(const Films& films, const State& state, Index node) {
   return -1;
 }
 
+/// The thinnest film and its node. The tools' distance counts: at the rim the glass may touch them not all along its edges.
+std::pair<double, Index> thinnest_film(const Scene& scene, const State& state, const Films& films, double limit) {
+  std::pair<double, Index> thinnest{std::numeric_limits<double>::infinity(), -1};
+  for (Index n = 0; n < films.thickness.size(); ++n) {
+    double thickness = films.thickness[n];
+    if (!(thickness < std::min(thinnest.first, limit))) continue;
+    if (const Index there = opposite_tool(films, state, n); there >= 0) {
+      const Body& tool = scene.tools[there];
+      const Point local = state.bodies[0].mesh.nodes[n] - state.bodies[1 + there].offset * core::axis_direction();
+      thickness = std::max(thickness, contact::signed_gap(tool.profile, contact_pieces(tool), local));
+    }
+    if (thickness < thinnest.first) thinnest = {thickness, n};
+  }
+  return thinnest;
+}
+
 bool is_driven(const Scene& scene, const State& state, Index tool) {
   const auto& tools = scene.stages[state.stage].tools;
   return std::any_of(tools.begin(), tools.end(), [&](const StageTool& place) {
@@ -77,9 +95,9 @@ std::string film_obstacle(const Scene& scene, const State& state) {
   if (touches_nothing(state)) return "";
   const FilmLimit& limit = scene.glass.film;
   const Films films = find_films(scene, state, limit.thinnest);
-  Index node;
-  const double thinnest = films.thickness.minCoeff(&node);
-  if (thinnest >= (1 - landed) * limit.thinnest) return "";
+  const double allowed = (1 - landed) * limit.thinnest;
+  const auto [thinnest, node] = thinnest_film(scene, state, films, allowed);
+  if (!(thinnest < allowed)) return "";
   const bool freezes = limit.then == FilmLimit::Then::freeze;
   if (freezes && !is_crushed(scene, state, films, node)) return "";
   const Index there = opposite_tool(films, state, node);
