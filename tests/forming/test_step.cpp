@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <utility>
 
 #include "forming/step/between.hpp"
 #include "forming/step/fingerprint.hpp"
@@ -51,6 +54,21 @@ TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
   for (const auto* file : {"summary.json", "thickness.csv"}) EXPECT_FALSE(std::filesystem::exists(folder / "results" / file));
   for (const auto* file : {"history.csv", "interface.csv", "glass.pvd", "plunger.pvd", "checkpoint.h5"})
     EXPECT_TRUE(std::filesystem::exists(folder / "results" / file)) << file;
+}
+
+TEST_F(Pot, a_stage_too_short_for_its_tool_to_come_to_rest_is_warned_of) {
+  const auto end_of = [&](const std::string& duration) {
+    const std::string text = replaced("duration = \"0.4 s\"", "duration = \"" + duration + "\"\nend_speed = \"2 mm/s\"", pot);
+    const auto outcome = run(scene_of(text), tests::absent_folder());
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    const auto& warnings = outcome.facts.warnings;
+    const bool warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& sentence) {
+      return sentence.find("plunger still moved at ") != sentence.npos && sentence.find("end_speed of 2 mm/s") != sentence.npos;
+    });
+    return std::pair(outcome.facts.stages.back().end_reason, warned);
+  };
+  EXPECT_EQ(end_of("0.02 s"), (std::pair<std::string, bool>("duration", true)));
+  EXPECT_EQ(end_of("0.4 s"), (std::pair<std::string, bool>("tools at rest", false)));
 }
 
 std::vector<double> written_times(const std::filesystem::path& pvd) {
