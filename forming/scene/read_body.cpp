@@ -102,6 +102,8 @@ flow::Friction read_friction(const CaseNode& node) {
   flow::Friction friction;
   if (node.kind != CaseNode::Kind::table) {
     constexpr Law laws[] = {Law::slip, Law::stick, Law::grip};
+    if (core::text(node) == "navier")
+      core::refuse(node, "\"navier\" lacks its coefficient, allowed is { law = \"navier\", coefficient = \"1e6 Pa.s/m\" }");
     friction.law = laws[core::choice(node, {"slip", "stick", "grip"})];
     return friction;
   }

@@ -21,6 +21,11 @@ TEST(SceneErrors, UnknownKey) {
                    "gravity, tools, motion, pressure, air, name_piece");
 }
 
+TEST(SceneErrors, NavierFrictionWithoutItsCoefficient) {
+  const auto message = complaint_about(replaced("friction = \"slip\"", "friction = \"navier\""));
+  EXPECT_NE(message.find("tool.friction: \"navier\" lacks its coefficient, allowed is { law = \"navier\""), message.npos) << message;
+}
+
 TEST(SceneErrors, WrongUnit) {
   expect_complaint("duration = \"2 s\"", "duration = \"2 mm\"",
                    "stage.duration: \"2 mm\" is a length, allowed is a time such as \"0.9 s\"");
