@@ -20,7 +20,7 @@ namespace {
 
 constexpr double volume_tolerance = 2e-15;  ///< relative, at which the shift stops
 constexpr double largest_defect = 0.01;     ///< relative volume a resampling may miss
-constexpr double largest_lap = 5e-4;        ///< of the volume, in the notch of a lap that is closed
+constexpr double largest_lap = 2e-4;        ///< of the volume, in the notch of a lap that is closed
 /// Where the free surface would have to move by more than `far` the whole one moves, if that is by less than `slight`, m.
 constexpr double far = 20e-6, slight = 3e-6;
 

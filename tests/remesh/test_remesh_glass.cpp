@@ -287,7 +287,7 @@ Mesh lapped_gob(double depth) {
 }
 
 TEST(RemeshGlass, a_little_lap_is_closed_and_a_great_one_reported) {
-  const Mesh little = lapped_gob(0.3e-3), great = lapped_gob(6e-3);
+  const Mesh little = lapped_gob(0.2e-3), great = lapped_gob(6e-3);
   const Remeshed closed = remesh_glass(little, criteria_for(little, 2e-3));
   ASSERT_TRUE(closed.ok) << closed.reason;
   EXPECT_EQ(closed.laps, 1);
