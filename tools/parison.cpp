@@ -91,6 +91,9 @@ CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {
   command->add_option("--only", trade.groups, "groups to run: dial, mesh, time, coupling, order, model")->delimiter(',');
   command->add_option("--set", trade.overrides, "KEY=VALUE for every rung")->take_all()->allow_extra_args(false);
   command->add_option("--jobs", trade.jobs, "runs at once, one thread each")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_option("--timings", trade.timings, "runs of a rung below a minute of CPU time; the least time counts")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   command->add_flag("--list", trade.list, "name the rungs and run none");
   return command;
 }
@@ -100,6 +103,7 @@ CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {
 int main(int argc, char** argv) {
   CLI::App app("Parison: forming of glass containers, from the gob to the take-out.");
   app.require_subcommand(1);
+  app.set_version_flag("--version", PARISON_VERSION);
   std::string path, accuracy = "standard", output;
   Overrides overrides;
   bool error_bars = false;

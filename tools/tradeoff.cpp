@@ -13,6 +13,7 @@
 #include "core/json_read.hpp"
 #include "forming/scene/scene.hpp"
 #include "tools/child_process.hpp"
+#include "tools/rung_timing.hpp"
 #include "tools/stop_request.hpp"
 #include "tools/tradeoff_report.hpp"
 
@@ -50,22 +51,40 @@ Standing standing(const Rung& rung, const std::string& case_path, const std::str
   return Standing::fresh;
 }
 
-struct Running {
+constexpr double long_run = 60;  ///< CPU seconds above which a rung is run once
+
+/// A rung to run: for its results, or once more for its CPU time alone.
+struct Task {
   std::size_t rung;
+  int round;  ///< 0 for the results
+};
+
+struct Running {
+  Task task;
   int child;
 };
 
 struct Ladder {
   const TradeoffRequest& request;
   std::vector<Rung> rungs;
+  std::vector<Task> tasks;
   std::vector<Running> running;
   std::size_t next = 0, ended = 0;
 
   std::string folder(const Rung& rung) const { return request.output + '/' + rung.name; }
 };
 
+std::string timing_folder(const std::string& folder) { return folder + ".again"; }
+
+double cpu_of(const std::string& folder) {
+  const std::string path = folder + "/summary.json";
+  if (!fs::exists(path)) return 0;
+  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  return summary.flag_of("completed") ? summary.number_of("cpu_seconds") : 0;
+}
+
 void say(const Ladder& ladder, const Rung& rung, const std::string& what) {
-  fmt::print("[{:2}/{}] {:<28} {}\n", ladder.ended, ladder.rungs.size(), rung.name, what);
+  fmt::print("[{:2}/{}] {:<28} {}\n", ladder.ended, ladder.tasks.size(), rung.name, what);
   std::fflush(stdout);
 }
 
@@ -77,38 +96,84 @@ std::string result_line(const Ladder& ladder, const Rung& rung) {
          : summary.flag_of("stopped") ? "stopped" : fmt::format("failed: {}", summary.text_of("reason"));
 }
 
-/// Starts the next rung that has something left to do; false when there is none.
+std::vector<std::string> run_arguments(const Ladder& ladder, const Rung& rung, const std::string& folder) {
+  std::vector<std::string> arguments = {"run", ladder.request.case_path, "--accuracy", rung.accuracy, "--output", folder};
+  for (const std::string& assignment : rung.overrides) arguments.insert(arguments.end(), {"--set", assignment});
+  return arguments;
+}
+
+void start(Ladder& ladder, const Task& task, const std::vector<std::string>& arguments, const std::string& folder,
+           const std::string& what) {
+  ladder.running.push_back({task, start_self(arguments, folder + ".log")});
+  say(ladder, ladder.rungs[task.rung], what);
+}
+
+/// Starts a rung that has something left to do; false where it has not.
+bool start_rung(Ladder& ladder, const Task& task) {
+  const Rung& rung = ladder.rungs[task.rung];
+  const std::string folder = ladder.folder(rung);
+  const Standing now = standing(rung, ladder.request.case_path, folder);
+  if (now == Standing::done || now == Standing::failed) {
+    ++ladder.ended;
+    say(ladder, rung, result_line(ladder, rung) + ", from before");
+    return false;
+  }
+  if (now == Standing::begun) {
+    start(ladder, task, {"resume", folder}, folder, "goes on");
+  } else {
+    fs::remove_all(folder);  // what was killed before its first checkpoint
+    forget_timings(folder);
+    start(ladder, task, run_arguments(ladder, rung, folder), folder, "starts");
+  }
+  return true;
+}
+
+/// Starts a further run of a short rung; false where its round was run before or its first run says that none is wanted.
+bool start_timing(Ladder& ladder, const Task& task) {
+  const Rung& rung = ladder.rungs[task.rung];
+  const std::string folder = ladder.folder(rung), again = timing_folder(folder);
+  const double cpu = cpu_of(folder);
+  if (cpu == 0 || cpu > long_run || static_cast<int>(read_timings(folder).size()) >= task.round) {
+    ++ladder.ended;
+    return false;
+  }
+  fs::remove_all(again);
+  start(ladder, task, run_arguments(ladder, rung, again), again, fmt::format("runs for its time, {} of {}", task.round + 1, ladder.request.timings));
+  return true;
+}
+
+/// Starts the next task that has something left to do; false when there is none.
 bool start_next(Ladder& ladder) {
-  while (ladder.next < ladder.rungs.size()) {
-    const std::size_t at = ladder.next++;
-    const Rung& rung = ladder.rungs[at];
-    const std::string folder = ladder.folder(rung);
-    const Standing now = standing(rung, ladder.request.case_path, folder);
-    if (now == Standing::done || now == Standing::failed) {
-      ++ladder.ended;
-      say(ladder, rung, result_line(ladder, rung) + ", from before");
-      continue;
-    }
-    std::vector<std::string> arguments = {"resume", folder};
-    if (now == Standing::fresh) {
-      fs::remove_all(folder);  // what was killed before its first checkpoint
-      arguments = {"run", ladder.request.case_path, "--accuracy", rung.accuracy, "--output", folder};
-      for (const std::string& assignment : rung.overrides) arguments.insert(arguments.end(), {"--set", assignment});
-    }
-    ladder.running.push_back({at, start_self(arguments, folder + ".log")});
-    say(ladder, rung, now == Standing::begun ? "goes on" : "starts");
-    return true;
+  while (ladder.next < ladder.tasks.size()) {
+    const Task& task = ladder.tasks[ladder.next];
+    // A first run that is still under way says later whether it was short.
+    if (task.round > 0 && std::any_of(ladder.running.begin(), ladder.running.end(),
+                                      [&](const Running& run) { return run.task.rung == task.rung; }))
+      return false;
+    ++ladder.next;
+    if (task.round == 0 ? start_rung(ladder, task) : start_timing(ladder, task)) return true;
   }
   return false;
+}
+
+void collect_timing(Ladder& ladder, const Rung& rung) {
+  const std::string folder = ladder.folder(rung), again = timing_folder(folder);
+  const double cpu = cpu_of(again);
+  if (cpu > 0) add_timing(folder, cpu);
+  say(ladder, rung, cpu > 0 ? fmt::format("{:.1f} s CPU", cpu) : "stopped");
+  fs::remove_all(again);
+  fs::remove(again + ".log");
 }
 
 void collect_ended(Ladder& ladder) {
   for (std::size_t i = ladder.running.size(); i-- > 0;)
     if (has_ended(ladder.running[i].child)) {
       ++ladder.ended;
-      const Rung& rung = ladder.rungs[ladder.running[i].rung];
+      const Task task = ladder.running[i].task;
+      const Rung& rung = ladder.rungs[task.rung];
       ladder.running.erase(ladder.running.begin() + static_cast<long>(i));
-      say(ladder, rung, result_line(ladder, rung));
+      if (task.round > 0) collect_timing(ladder, rung);
+      else say(ladder, rung, result_line(ladder, rung));
     }
 }
 
@@ -152,7 +217,9 @@ int tradeoff(const TradeoffRequest& given) {
   const forming::Scene scene = forming::read_scene(request.case_path, request.base, request.overrides);
   if (request.output.empty()) request.output = "results/tradeoff_" + scene.name;
   std::string base;
-  Ladder ladder{request, make_rungs(request, scene, base), {}};
+  Ladder ladder{request, make_rungs(request, scene, base), {}, {}};
+  for (int round = 0; round < request.timings; ++round)
+    for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung) ladder.tasks.push_back({rung, round});
   for (const Rung& rung : ladder.rungs) {
     forming::read_scene(request.case_path, rung.accuracy, rung.overrides);  // refused now, not hours later
     if (request.list)

@@ -11,6 +11,7 @@ struct TradeoffRequest {
   std::string base = "draft", reference = "fine";
   std::vector<std::string> overrides, groups;  ///< for every rung; the groups to run, all where none is named
   int jobs = 2;
+  int timings = 3;    ///< runs of a short rung, of which the least CPU time counts
   bool list = false;  ///< names the rungs and runs none
 };
 

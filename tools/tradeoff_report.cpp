@@ -12,6 +12,7 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "forming/study/tradeoff.hpp"
+#include "tools/rung_timing.hpp"
 
 namespace parison::tools {
 namespace {
@@ -31,6 +32,7 @@ RungResult read_result(const std::string& folder, const forming::Rung& rung) {
   result.completed = summary.flag_of("completed");
   result.reason = summary.text_of("reason");
   result.cpu = summary.number_of("cpu_seconds");
+  for (const double seconds : read_timings(folder + '/' + rung.name)) result.cpu = std::min(result.cpu, seconds);
   result.steps = static_cast<long>(summary.number_of("steps"));
   result.reynolds = summary.number_of("largest_reynolds");
   if (result.completed) result.quantities = forming::read_quantities(summary);
