@@ -16,6 +16,7 @@
 #include "forming/run/run.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/report/summary.hpp"
+#include "tools/companion_run.hpp"
 #include "tools/fit_law.hpp"
 #include "tools/stop_request.hpp"
 #include "tools/tradeoff.hpp"
@@ -31,9 +32,10 @@ int check(const std::string& path, const std::string& accuracy, const Overrides&
   return 0;
 }
 
-/// Runs the companion of a run that has completed, and tells what it says.
+/// Tells what the companion of a run that has completed says, and runs it where it has not run.
 int report_errors(const parison::forming::Scene& scene, const parison::forming::RunOutcome& outcome,
-                  const std::string& output, parison::forming::Summary& summary) {
+                  const std::string& output, parison::tools::CompanionRun& companion, parison::forming::Summary& summary) {
+  companion.wait();
   const auto bars = parison::forming::estimate_errors(scene, summary.quantities, output, parison::tools::stop_asked);
   if (!bars) {
     fmt::print(stderr, "parison: the companion run has not completed; `parison resume {} --error-bars` continues it\n", output);
@@ -44,9 +46,9 @@ int report_errors(const parison::forming::Scene& scene, const parison::forming::
   return 0;
 }
 
-/// Writes the summary of a run and tells how it ended.
+/// Writes the summary of a run and tells how it ended; its companion is null where no error bars are wanted.
 int report(const parison::forming::Scene& scene, const parison::forming::RunOutcome& outcome, const std::string& output,
-           bool error_bars) {
+           parison::tools::CompanionRun* companion) {
   const auto& facts = outcome.facts;
   if (!facts.completed) fmt::print(stderr, "parison: the run stopped in {}\n", facts.reason);
   auto summary = parison::forming::write_summary(output, scene, outcome.state, facts);
@@ -54,7 +56,7 @@ int report(const parison::forming::Scene& scene, const parison::forming::RunOutc
   std::fflush(stdout);
   if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
   if (!facts.completed) return run_failed;
-  return error_bars ? report_errors(scene, outcome, output, summary) : 0;
+  return companion ? report_errors(scene, outcome, output, *companion, summary) : 0;
 }
 
 int run(const std::string& path, const std::string& accuracy, const Overrides& overrides, std::string output,
@@ -65,7 +67,12 @@ int run(const std::string& path, const std::string& accuracy, const Overrides& o
   fmt::print("{}\n", describe_scene(scene));
   std::fflush(stdout);
   parison::tools::catch_signals();
-  return report(scene, parison::forming::run(scene, output, parison::tools::stop_asked), output, error_bars);
+  parison::tools::CompanionRun companion(scene, output);
+  const auto stop = [&] {  // asked after each step, when the folder is there
+    if (error_bars) companion.start();
+    return parison::tools::stop_asked();
+  };
+  return report(scene, parison::forming::run(scene, output, stop), output, error_bars ? &companion : nullptr);
 }
 
 int resume(const std::string& output, const std::string& path, bool error_bars) {
@@ -78,7 +85,8 @@ int resume(const std::string& output, const std::string& path, bool error_bars) 
   fmt::print("{} at {} accuracy, from the last checkpoint in {}\n", scene.name, scene.accuracy_name, output);
   std::fflush(stdout);
   parison::tools::catch_signals();
-  return report(scene, parison::forming::resume(scene, output, parison::tools::stop_asked), output, error_bars);
+  parison::tools::CompanionRun companion(scene, output);
+  return report(scene, parison::forming::resume(scene, output, parison::tools::stop_asked), output, error_bars ? &companion : nullptr);
 }
 
 CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {

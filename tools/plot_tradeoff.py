@@ -9,6 +9,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
 
 MARKS = {"dial": "o", "mesh": "s", "time": "^", "coupling": "D", "order": "v"}
 
@@ -21,7 +22,7 @@ def main():
     for group in dict.fromkeys(r["group"] for r in shown):
         members = [r for r in shown if r["group"] == group]
         axes.plot([r["cpu_seconds"] for r in members], [100 * r["error"] for r in members], MARKS.get(group, "x"),
-                  label=group, markersize=6, alpha=0.8)
+                  label={"dial": "the dial"}.get(group, f"one thing changed: {group}"), markersize=6, alpha=0.8)
     front = sorted((r for r in shown if r["on_front"]), key=lambda r: r["cpu_seconds"])
     axes.plot([r["cpu_seconds"] for r in front], [100 * r["error"] for r in front], "k-", linewidth=1, label="best line")
     for r in shown:
@@ -31,11 +32,17 @@ def main():
             axes.annotate(r["name"], at, xytext=(9, 7), textcoords="offset points", color="crimson")
     axes.set(xscale="log", yscale="log", xlabel="CPU time, s",
              ylabel="error, %: the larger of\nmean wall thickness and heat into tools")
+    for r in rungs:
+        if r["group"] == "reference" and r["completed"]:
+            axes.axvline(r["cpu_seconds"], color="crimson", linestyle=":", linewidth=1)
+            axes.annotate(f"{r['accuracy']}, the reference", (r["cpu_seconds"], 0.97), xycoords=axes.get_xaxis_transform(),
+                          xytext=(-4, 0), textcoords="offset points", rotation=90, ha="right", va="top", color="crimson")
     for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         axis.set_major_formatter("{x:g}")
-        axis.set_minor_formatter("{x:g}")
+        axis.set_minor_formatter(NullFormatter())
     axes.grid(True, which="both", alpha=0.3)
-    axes.legend(frameon=False)
+    axes.legend(frameon=False, loc="lower left")
     figure.tight_layout()
     for kind in ("png", "svg"):
         figure.savefig(folder / f"tradeoff.{kind}", dpi=150)

@@ -32,12 +32,18 @@ bool has_checkpoint(const std::string& directory) { return std::filesystem::exis
 
 }  // namespace
 
+CompanionCase companion_case(const Scene& scene, const std::string& directory) {
+  return {scene.file, coarser_text(scene.accuracy_name, companion_factor), directory + "/companion", scene.overrides};
+}
+
 std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& run, const std::string& directory,
                                          const StopRequest& stop) {
-  const std::string folder = directory + "/companion", path = folder + "/summary.json";
+  const CompanionCase companion = companion_case(scene, directory);
+  const std::string &folder = companion.directory, path = folder + "/summary.json";
   if (!is_complete(folder)) {
-    const Scene coarse = read_scene(scene.file, coarser_text(scene.accuracy_name, companion_factor), scene.overrides);
+    const Scene coarse = read_scene(companion.file, companion.accuracy, companion.overrides);
     fmt::print("\nthe companion run for the error bars, in {}\n", folder);
+    if (!has_checkpoint(folder)) std::filesystem::remove_all(folder);  // what was killed before its first checkpoint
     const RunOutcome outcome = has_checkpoint(folder) ? resume(coarse, folder, stop) : forming::run(coarse, folder, stop);
     write_summary(folder, coarse, outcome.state, outcome.facts);
     if (!outcome.facts.completed) return {};
