@@ -33,14 +33,16 @@ ConductanceValue evaluate(const ConstantConductance& law, double, double) {
 }
 
 ConductanceValue evaluate(const PressureViscosityConductance& law, double pressure, double viscosity) {
-  if (pressure <= 0) return {law.h0, 0, 0};
+  if (pressure <= 0 && law.a > 0) return {law.h0, 0, 0};
   // One exponential: this is evaluated at every point of the interface in every residual.
   const double pressed = pressure / law.p_ref, stiff = law.b * std::log(law.eta_ref / viscosity);
-  const double x = law.a == 1 ? pressed * std::exp(stiff) : std::exp(law.a * std::log(pressed) + stiff);
+  const double x = law.a == 0 ? std::exp(stiff)
+                   : law.a == 1 ? pressed * std::exp(stiff)
+                                : std::exp(law.a * std::log(pressed) + stiff);
   const double share = x < 1 ? x / (1 + x) : 1 / (1 + 1 / x);
   const double h = law.h0 + (law.h1 - law.h0) * share;
   const double dh_dlogx = (law.h1 - law.h0) * share / (1 + x);
-  return {h, dh_dlogx * law.a / pressure, -dh_dlogx * law.b / viscosity};
+  return {h, law.a == 0 ? 0 : dh_dlogx * law.a / pressure, -dh_dlogx * law.b / viscosity};
 }
 
 ConductanceValue evaluate(const TableConductance& law, double pressure, double viscosity) {

@@ -52,7 +52,9 @@ core::Index evaluate(const TableConductance& law, Batch batch) {
 
 double log_pressed(const ConductanceLaw& law, double pressure) {
   const auto* pressed = std::get_if<PressureViscosityConductance>(&law);
-  return pressed ? pressed->a * std::log(pressure / pressed->p_ref) + pressed->b * std::log(pressed->eta_ref) : 0;
+  if (!pressed) return 0;
+  const double part = pressed->a > 0 ? pressed->a * std::log(pressure / pressed->p_ref) : 0;  // 0^0 is 1
+  return part + pressed->b * std::log(pressed->eta_ref);
 }
 
 }  // namespace

@@ -100,7 +100,8 @@ Row read_row(const CaseNode& at, const std::string& line, const std::vector<Colu
     const auto parsed = core::parse_quantity(cells[i] + " " + unit, known_columns.at(name));
     if (!parsed.problem.empty()) refuse_column(at, name, parsed.problem);
     const bool above_zero = name == "eta" || name == "T_glass" || name == "T_tool";
-    if ((above_zero && !(parsed.value > 0)) || (name == "p" && parsed.value < 0))
+    const bool from_zero = name == "p" || name == "h";
+    if ((above_zero && !(parsed.value > 0)) || (from_zero && parsed.value < 0))
       refuse_column(at, name,
                     fmt::format("\"{} {}\" was found, allowed are values {}", cells[i], unit,
                                 above_zero ? "above zero" : "from zero"));
@@ -135,6 +136,9 @@ std::vector<LawMeasurement> read_law_data(const std::string& path, const std::fu
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.find_first_not_of(" \t,") == line.npos) continue;
     if (columns.empty()) {
+      if (line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // the mark with which spreadsheets begin a file
+      if (line.find(';') != line.npos && line.find(',') == line.npos)
+        core::refuse(at, "semicolons between the columns were found, allowed are commas, with points in the numbers");
       columns = read_heading(at, line);
       require_columns(at, columns, static_cast<bool>(viscosity));
     } else {

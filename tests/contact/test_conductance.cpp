@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/conductance.hpp"
+#include "contact/interface_conductance.hpp"
 
 namespace parison::contact {
 namespace {
@@ -83,6 +84,46 @@ TEST(Conductance, a_table_holds_its_ends_and_says_so) {
   EXPECT_EQ(high.dh_deta, 0);
   EXPECT_FALSE(conductance(TableConductance{{1e5}, {1e3}, {1234}}, 1e5, 1e3).outside);
   EXPECT_EQ(conductance(TableConductance{{1e5}, {1e3}, {1234}}, 2e5, 1e2).h, 1234);
+}
+
+TEST(Conductance, without_its_power_of_the_pressure_the_law_is_the_same_at_any) {
+  const PressureViscosityConductance law{300, 9000, 1e5, 1e4, 0, 0.4};
+  const auto pressed = conductance(law, 3e5, 2e3);
+  for (const double p : {0.0, 1.0, 1e8}) {
+    const auto value = conductance(law, p, 2e3);
+    EXPECT_EQ(value.h, pressed.h);
+    EXPECT_EQ(value.dh_dp, 0);
+    EXPECT_EQ(value.dh_deta, pressed.dh_deta);
+  }
+}
+
+/// What the heat solver asks: all points of an interface at once.
+TEST(Conductance, of_all_points_at_once_is_that_of_each) {
+  std::vector<ConductanceLaw> laws = {ConstantConductance{5000}, table};
+  for (const double a : {0.0, 0.7, 1.0})
+    for (const double b : {0.0, 0.4}) laws.push_back(PressureViscosityConductance{300, 9000, 1e5, 1e4, a, b});
+  std::vector<core::InterfacePoint> points;
+  std::vector<double> viscosity;
+  for (int law = 0; law < static_cast<int>(laws.size()); ++law)
+    for (const double p : {-1e3, 0.0, 1e-300, 2e4, 1.3e5, 7e5, 1e300})
+      for (const double eta : {1.0, 3e2, 5e3, 2e7, 1e12}) {
+        points.emplace_back();
+        points.back().law = law, points.back().pressure = p;
+        viscosity.push_back(eta);
+      }
+  const auto count = static_cast<Eigen::Index>(points.size());
+  const Eigen::ArrayXd log_viscosity = Eigen::Map<const Eigen::ArrayXd>(viscosity.data(), count).log();
+  Eigen::ArrayXd h(count), slope(count);
+  core::Index outside = 0;
+  const core::Index held = InterfaceConductance(laws, points)(log_viscosity, h, &slope);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto value = conductance(laws[points[i].law], points[i].pressure, viscosity[i]);
+    EXPECT_NEAR(h[i], value.h, 1e-11 * value.h) << "law " << points[i].law << " p " << points[i].pressure << " eta " << viscosity[i];
+    EXPECT_NEAR(slope[i], viscosity[i] * value.dh_deta, 1e-10 * value.h);
+    outside += value.outside;
+  }
+  EXPECT_EQ(held, outside);
+  EXPECT_GT(outside, 0);
 }
 
 }  // namespace
