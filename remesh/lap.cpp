@@ -21,17 +21,17 @@ double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0];
 /// Volume between the outline from vertex `begin` to vertex `end` and the chord of the two, m3.
 double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry geometry) {
   const Point& from = outline.vertices[begin];
-  double area = 0;
+  double volume = 0;
   Point last = from;
   const auto go_to = [&](const Point& x) {
-    area += 0.5 * cross(last - from, x - from);
+    volume += 0.5 * cross(last - from, x - from) * core::depth(geometry, (from + last + x) / 3);
     last = x;
   };
   for (Index i = begin; i < end; ++i) {
     go_to(outline.mids[i]);
     go_to(outline.vertices[i + 1]);
   }
-  return std::abs(area) * core::depth(geometry, from);
+  return std::abs(volume);
 }
 
 /// Whether all edges from `begin` to before `end` belong to one piece that may give way, in one loop with edges left over.
