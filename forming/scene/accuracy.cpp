@@ -19,6 +19,7 @@ constexpr std::array preset_names{"draft", "standard", "fine"};
 constexpr const char* coarser_word = " coarser ";
 constexpr std::array passes{1, 1, 1};
 constexpr std::array temperature_orders{2, 2, 2};
+constexpr double least_coarser = 0.05, most_coarser = 20;
 constexpr double coarsest = -2, finest = 3;  ///< levels that a target may ask for
 
 std::size_t nearest_preset(double level) {
@@ -117,6 +118,8 @@ AccuracyChoice read_accuracy(const std::string& text) {
   AccuracyChoice choice;
   if (at != text.npos) choice.coarser = number(text.substr(at + std::strlen(coarser_word)));
   if (choice.coarser == 0) refuse(text);
+  if (choice.coarser < least_coarser || choice.coarser > most_coarser)
+    throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are factors from {:g} to {:g}", text, least_coarser, most_coarser));
   const auto preset = std::find(preset_names.begin(), preset_names.end(), base);
   if (preset != preset_names.end()) {
     choice.level = double(preset - preset_names.begin());

@@ -17,6 +17,19 @@ double surface_length(const Body& body) {
   return total;
 }
 
+/// Volume of the outline, m3, of a planar one for a metre of depth; arcs by many chords.
+double outline_volume(const core::Profile& profile, core::Geometry geometry) {
+  if (geometry == core::Geometry::planar) return std::abs(core::signed_area(profile));
+  constexpr int chords = 256;
+  double volume = 0;
+  for (const core::Segment& segment : profile.segments)
+    for (int i = 0; i < chords; ++i) {
+      const core::Point a = core::point_at(segment, double(i) / chords), b = core::point_at(segment, double(i + 1) / chords);
+      volume += M_PI / 3 * (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) * (b[1] - a[1]);
+    }
+  return std::abs(volume);
+}
+
 double fastest(const StageTool& tool) {
   if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) return force->speed_limit;
   double speed = 0;
@@ -88,6 +101,8 @@ void add_heat_numbers(const Scene& scene, SceneNumbers& numbers) {
 
 SceneNumbers scene_numbers(const Scene& scene) {
   SceneNumbers numbers;
+  numbers.volume = outline_volume(scene.glass.profile, scene.geometry);
+  numbers.mass = numbers.volume * (scene.has_flow() ? scene.glass.flow->density : scene.glass.thermal->density);
   numbers.length = 2 * std::abs(core::signed_area(scene.glass.profile)) / surface_length(scene.glass);
   if (scene.has_flow()) {
     const flow::Material& material = *scene.glass.flow;

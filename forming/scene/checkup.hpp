@@ -10,6 +10,7 @@ namespace parison::forming {
 /// Dimensionless numbers of a scene at its start, none where a property is missing.
 struct SceneNumbers {
   double length;                ///< m: cross-section over half its outline without symmetry pieces, a plate's thickness
+  double volume, mass;          ///< of the glass as drawn, m3 and kg; of a planar scene for a metre of depth
   std::optional<double> speed;  ///< m/s: fastest tool, else the pressure or gravity over the viscosity
   std::optional<double> viscosity;  ///< Pa.s, at the initial temperature
   std::optional<double> reynolds, capillary, peclet, biot, brinkman;

@@ -63,9 +63,11 @@ std::string heat_parts(const Scene& scene) {
                      on ? "the glass does not flow" : no_heat);
 }
 
-std::string number_lines(const SceneNumbers& numbers) {
+std::string number_lines(const SceneNumbers& numbers, core::Geometry geometry) {
   const auto shown = [](const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "n/a"; };
-  std::string text = fmt::format("\nnumbers at the start (length {:.3g} mm, speed {} m/s, viscosity {} Pa.s)\n",
+  std::string text = fmt::format("\nglass                 {:.4g} g, {:.4g} cm3{} as drawn\n", 1e3 * numbers.mass, 1e6 * numbers.volume,
+                                 geometry == core::Geometry::planar ? " a metre of depth" : "");
+  text += fmt::format("\nnumbers at the start (length {:.3g} mm, speed {} m/s, viscosity {} Pa.s)\n",
                                  1e3 * numbers.length, shown(numbers.speed), shown(numbers.viscosity));
   text += fmt::format("  {:<20}{:<12}inertia over viscous stress\n", "Reynolds", shown(numbers.reynolds));
   text += fmt::format("  {:<20}{:<12}viscous stress over surface tension\n", "capillary", shown(numbers.capillary));
@@ -121,7 +123,7 @@ std::string describe_scene(const Scene& scene) {
   std::string head = fmt::format("{}, {}\n", scene.name, geometry);
   for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
   return head + flow_parts(scene) + heat_parts(scene) + describe_parts(scene) +
-         number_lines(scene_numbers(scene)) + stage_lines(scene) + accuracy_lines(scene);
+         number_lines(scene_numbers(scene), scene.geometry) + stage_lines(scene) + accuracy_lines(scene);
 }
 
 }  // namespace parison::forming

@@ -79,6 +79,26 @@ void check_axis(const Body& body, core::Geometry geometry, const CaseNode& piece
   }
 }
 
+/// Whether a stretch of an outline can be one of symmetry: straight, and where the section turns about the axis on it or across it.
+bool is_symmetric(const core::Segment& segment, core::Geometry geometry) {
+  const core::Point first = core::point_at(segment, 0), along = core::point_at(segment, 1) - first;
+  const double slack = 1e-6 * along.norm();
+  if ((core::point_at(segment, 0.5) - first - 0.5 * along).norm() > slack) return false;
+  if (geometry == core::Geometry::planar) return true;
+  return (std::abs(first[0]) <= slack && std::abs(along[0]) <= slack) || std::abs(along[1]) <= slack;
+}
+
+void check_symmetry(const Body& body, core::Geometry geometry, const CaseNode& pieces) {
+  for (const auto& segment : body.profile.segments) {
+    if (body.pieces[segment.piece].kind != PieceKind::symmetry || is_symmetric(segment, geometry)) continue;
+    const core::Point x = core::point_at(segment, 0.5);
+    core::refuse(pieces.items[segment.piece],
+                 fmt::format("\"{}\" has the condition symmetry beside ({:g}, {:g}) mm, allowed is that on straight stretches{}",
+                             body.pieces[segment.piece].name, 1e3 * x[0], 1e3 * x[1],
+                             geometry == core::Geometry::planar ? "" : " on the axis or across it"));
+  }
+}
+
 /// Outline, pieces and mesh; the outline is turned counterclockwise.
 void read_shape(const CaseTable& table, const BodyContext& context, Body& body) {
   const auto& pieces = table.get("piece");
@@ -87,6 +107,7 @@ void read_shape(const CaseTable& table, const BodyContext& context, Body& body) 
   for (const auto& piece : pieces.items) body.pieces.push_back(read_piece(piece));
   check_outline(body.profile, context.geometry, pieces);
   check_axis(body, context.geometry, pieces);
+  check_symmetry(body, context.geometry, pieces);
   if (const auto* mesh = table.find("mesh")) body.mesh = read_mesh(*mesh, body);
   if (core::signed_area(body.profile) < 0) body.profile = core::reversed(body.profile);
 }
@@ -158,12 +179,17 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
   if (tool.name == "glass")
     core::refuse(table.get("name"), "\"glass\" was found, allowed is any other name for a tool");
   if (context.with_heat) {
-    const auto& material = find_material(table.get("material"), context);
+    const auto& item = table.get("material");
+    const auto& material = find_material(item, context);
+    if (!material.thermal)
+      core::refuse(item, fmt::format("\"{}\" has no conductivity and heat_capacity, allowed is a material that carries heat "
+                                     "as the glass does", material.name));
+    if (material.thermal->radiation && material.thermal->radiation->thin_wall)
+      core::refuse(item, fmt::format("\"{}\" has radiation with thin_wall = true, which only the glass can have; allowed is "
+                                     "thin_wall = false or no radiation", material.name));
     tool.thermal = material.thermal;
-    if (tool.thermal) {
-      tool.emissivity = material.emissivity;
-      tool.initial_temperature = core::quantity(table.get("temperature"), dimension::temperature);
-    }
+    tool.emissivity = material.emissivity;
+    tool.initial_temperature = core::quantity(table.get("temperature"), dimension::temperature);
   }
   if (context.with_flow) tool.friction = read_friction(table.get("friction"));
   if (const auto* item = table.find("position")) tool.position = core::quantity(*item, dimension::length);

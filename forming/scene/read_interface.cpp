@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "forming/scene/scene_reading.hpp"
 
 namespace parison::forming {
@@ -22,6 +25,8 @@ contact::PressureViscosityConductance read_pressure_viscosity(const CaseNode& no
   contact::PressureViscosityConductance law;
   law.h0 = core::positive(table.get("h0"), dimension::conductance);
   law.h1 = core::positive(table.get("h1"), dimension::conductance);
+  if (law.h1 < law.h0)
+    core::refuse(table.get("h1"), fmt::format("\"{}\" lies below h0, allowed is h1 from h0 on", table.get("h1").text));
   law.p_ref = core::positive(table.get("p_ref"), dimension::pressure);
   law.eta_ref = core::positive(table.get("eta_ref"), dimension::viscosity);
   law.a = core::not_negative(table.get("a"), dimension::none);
@@ -85,8 +90,9 @@ std::vector<Interface> read_interfaces(const CaseNode& node, const Scene& scene)
     const Index tool = core::choice(item, tool_names(scene));
     if (!scene.has_heat() || !scene.tools[tool].thermal)
       core::refuse(item, fmt::format("\"{}\" or the glass carries no heat, allowed are tools that do", item.text));
-    for (const auto& other : scene.interfaces)
-      if (other.tool == tool)
+    const auto is_this = [&](const Interface& other) { return other.tool == tool; };
+    for (const auto* known : {&std::as_const(scene.interfaces), &std::as_const(interfaces)})
+      if (std::any_of(known->begin(), known->end(), is_this))
         core::refuse(item, fmt::format("\"{}\" has an interface already, allowed is one", item.text));
     interfaces.push_back({tool, law, width});
   }

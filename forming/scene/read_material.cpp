@@ -20,7 +20,10 @@ core::Table property(const CaseNode& node, const core::Dimension& dimension) {
 
 thermal::Radiation read_radiation(const CaseNode& node) {
   const CaseTable table(node, {"refractive_index", "absorption", "thin_wall"});
-  return {core::positive(table.get("refractive_index"), dimension::none),
+  const auto& index = table.get("refractive_index");
+  if (core::positive(index, dimension::none) < 1)
+    core::refuse(index, fmt::format("{} was found, allowed are refractive indices from 1", index.text));
+  return {core::positive(index, dimension::none),
           core::positive(table.get("absorption"), dimension::inverse_length), core::flag(table.get("thin_wall"))};
 }
 

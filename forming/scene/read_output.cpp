@@ -73,6 +73,9 @@ void read_numerics(const CaseNode& node, Scene& scene) {
     if (accuracy.temperature_order > 2)
       core::refuse(*item, fmt::format("{} was found, allowed are 1 and 2", accuracy.temperature_order));
   }
+  constexpr double highest_floor = 0.9;  // no mesh is better all over
+  if (const auto* item = table.find("quality_floor"); item && accuracy.quality_floor > highest_floor)
+    core::refuse(*item, fmt::format("{:g} was found, allowed are values up to {:g}", accuracy.quality_floor, highest_floor));
   require_order(table, "smallest_step", accuracy.smallest_step, "first_step", accuracy.first_step);
   require_order(table, "first_step", accuracy.first_step, "largest_step", accuracy.largest_step);
   require_order(table, "skin_size", accuracy.skin_size, "surface_size", accuracy.surface_size);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "forming/flow/constraints.hpp"
 #include "forming/scene/scene_reading.hpp"
 
 namespace parison::forming {
@@ -26,10 +27,11 @@ bool needs_air(const Body& body) {
   return body.thermal && (body.emissivity > 0 || std::any_of(body.pieces.begin(), body.pieces.end(), open));
 }
 
-void refuse_missing_air(const CaseNode& stage, const Scene& scene, const std::vector<StageTool>& tools) {
+/// Tools out of place stand in the air too.
+void refuse_missing_air(const CaseNode& stage, const Scene& scene) {
   const Body* body = needs_air(scene.glass) ? &scene.glass : nullptr;
-  for (const auto& entry : tools)
-    if (needs_air(scene.tools[entry.tool])) body = &scene.tools[entry.tool];
+  for (const Tool& tool : scene.tools)
+    if (needs_air(tool)) body = &tool;
   if (!body) return;
   CaseNode place = stage;
   place.key += ".air";
@@ -54,6 +56,8 @@ Motion read_motion(const CaseNode& node, const Scene& scene) {
                      core::positive(table.get("speed_limit"), dimension::speed)};
 }
 
+bool is_driven(const StageTool& tool) { return std::holds_alternative<ForceMotion>(tool.motion); }
+
 std::vector<StageTool> read_stage_tools(const CaseTable& table, const Scene& scene) {
   std::vector<StageTool> tools;
   std::vector<std::string> in_place;
@@ -72,6 +76,8 @@ std::vector<StageTool> read_stage_tools(const CaseTable& table, const Scene& sce
         core::refuse(item, fmt::format("a motion of \"{}\", which is not in place, allowed are the stage's tools: {}",
                                        item.name, fmt::join(in_place, ", ")));
       tools[at - in_place.begin()].motion = read_motion(item, scene);
+      if (std::count_if(tools.begin(), tools.end(), is_driven) > flow::most_driven)
+        core::refuse(item, fmt::format("one more tool driven by a force was found, allowed are {} in a stage", flow::most_driven));
     }
   return tools;
 }
@@ -120,8 +126,7 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
     }
   if (const auto* item = table.find("end_speed")) {
     stage.end_speed = core::positive(*item, dimension::speed);
-    const auto driven = [](const StageTool& tool) { return std::holds_alternative<ForceMotion>(tool.motion); };
-    if (std::none_of(stage.tools.begin(), stage.tools.end(), driven))
+    if (std::none_of(stage.tools.begin(), stage.tools.end(), is_driven))
       core::refuse(*item, "an end speed was found, allowed is it where a force drives a tool");
   }
 }
@@ -138,7 +143,7 @@ Stage read_stage(const CaseNode& node, const CaseNode* air, const Scene& scene) 
   read_loads(table, scene, stage);
   if (const auto* own = table.find("air")) air = own;
   if (air) stage.air = read_air(*air);
-  if (!air) refuse_missing_air(node, scene, stage.tools);
+  if (!air) refuse_missing_air(node, scene);
   return stage;
 }
 

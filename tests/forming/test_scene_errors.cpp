@@ -289,5 +289,51 @@ TEST(SceneErrors, AConductanceThatNeedsAPressureOnGlassThatDoesNotFlow) {
   }
 }
 
+TEST(SceneErrors, AToolThatCarriesNoHeatBesideGlassThatDoes) {
+  const std::string dense = "[material.dense]\ndensity = \"7800 kg/m3\"\n[glass]\n";
+  const std::string text = replaced("[glass]\n", dense);
+  const auto message = complaint_about(replaced("name = \"plunger\"\nmaterial = \"iron\"", "name = \"plunger\"\nmaterial = \"dense\"", text));
+  EXPECT_NE(message.find("tool.material: \"dense\" has no conductivity and heat_capacity"), message.npos) << message;
+}
+
+TEST(SceneErrors, AToolWithTheThinWallLimitOfTheGlass) {
+  const std::string clear = R"([material.clear]
+density = "2400 kg/m3"
+heat_capacity = "1300 J/kg/K"
+conductivity = "1.3 W/m/K"
+radiation = { refractive_index = 1.5, absorption = "50 1/m", thin_wall = true }
+[glass]
+)";
+  const std::string text = replaced("[glass]\n", clear);
+  const std::string used = replaced("name = \"plunger\"\nmaterial = \"iron\"", "name = \"plunger\"\nmaterial = \"clear\"", text);
+  const auto message = complaint_about(used);
+  EXPECT_NE(message.find("tool.material: \"clear\" has radiation with thin_wall = true, which only the glass can have"), message.npos) << message;
+  EXPECT_EQ(complaint_about(replaced("thin_wall = true", "thin_wall = false", used)), "");
+}
+
+TEST(SceneErrors, AToolOutOfPlaceStandsInTheAirToo) {
+  const auto message = complaint_about(replaced("path = \"(15, 20) (0, 20) mm\", condition = \"insulated\"", "path = \"(15, 20) (0, 20) mm\", condition = \"air\""));
+  EXPECT_EQ(message, std::to_string(line_of("[[stage]]\nname = \"rest\"")) +
+                         ": stage.air: missing, but \"plunger\" exchanges heat with the air; allowed is [air] for the case or air in "
+                         "each stage");
+}
+
+TEST(SceneErrors, MoreToolsDrivenByForcesThanAStageBears) {
+  std::string text = small_scene, tools, place, motions;
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "p" + std::to_string(i), low = std::to_string(40 + 10 * i), high = std::to_string(45 + 10 * i);
+    tools += "[[tool]]\nname = \"" + name + "\"\nmaterial = \"iron\"\ntemperature = \"400 degC\"\nfriction = \"slip\"\npiece = [\n" +
+             "{ name = \"face\", path = \"(0, " + low + ") (15, " + low + ") mm\", condition = \"contact\" },\n" +
+             "{ name = \"rest\", path = \"(15, " + high + ") (0, " + high + ") mm\", condition = \"insulated\" },\n" +
+             "{ name = \"axis\", path = \"(0, " + low + ") mm\", condition = \"symmetry\" },\n]\n";
+    place += ", \"" + name + "\"";
+    motions += "motion." + name + " = { force = \"-5 N\", speed_limit = \"10 mm/s\" }\n";
+  }
+  text = replaced("[[interface]]\ntools = [\"plate\", \"plunger\"", tools + "[[interface]]\ntools = [\"plate\", \"plunger\"" + place, text);
+  text = replaced("tools = [\"plate\", \"plunger\"]\nmotion", "tools = [\"plate\", \"plunger\"" + place + "]\n" + motions + "motion", text);
+  const auto message = complaint_about(text);
+  EXPECT_NE(message.find("one more tool driven by a force was found, allowed are 4 in a stage"), message.npos) << message;
+}
+
 }  // namespace
 }  // namespace parison::forming
