@@ -100,4 +100,6 @@ std::uint64_t fingerprint(const std::string& text) {
   return hash;
 }
 
+std::string fingerprint_text(std::uint64_t fingerprint) { return fmt::format("{:016x}", fingerprint); }
+
 }  // namespace parison::core

@@ -41,5 +41,7 @@ std::string csv_text(const std::string& text);
 
 /// FNV-1a hash of a text.
 std::uint64_t fingerprint(const std::string& text);
+/// A fingerprint as 16 digits.
+std::string fingerprint_text(std::uint64_t fingerprint);
 
 }  // namespace parison::core

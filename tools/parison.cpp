@@ -98,10 +98,10 @@ CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {
   command->add_option("--ladder", trade.ladder, "TOML file of [[rung]] tables in place of the standard ladder");
   command->add_option("--only", trade.groups, "groups to run: dial, mesh, time, coupling, order, model")->delimiter(',');
   command->add_option("--set", trade.overrides, "KEY=VALUE for every rung")->take_all()->allow_extra_args(false);
-  command->add_option("--jobs", trade.jobs, "runs at once, one thread each")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_option("--jobs", trade.jobs, "runs at once, one thread each")->capture_default_str()->check(CLI::Range(1, 1024));
   command->add_option("--timings", trade.timings, "runs of a rung below a minute of CPU time; the least time counts")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1000));
   command->add_flag("--list", trade.list, "name the rungs and run none");
   return command;
 }

@@ -60,7 +60,10 @@ def bodies_at(results, time):
     """The glass and the tools in place at the output nearest to a time."""
     found, actual = {}, None
     for pvd in sorted(results.glob("*.pvd"), key=lambda p: p.stem != "glass"):
-        at, path = min(collection(results, pvd.stem), key=lambda entry: abs(entry[0] - time))
+        entries = collection(results, pvd.stem)
+        at, path = min(entries, key=lambda entry: abs(entry[0] - time))
+        if not entries[0][0] - 1e-9 <= time <= entries[-1][0] + 1e-9:
+            sys.exit(f"{results}: {time:g} s was asked for, allowed are times from {entries[0][0]:g} to {entries[-1][0]:g} s")
         body = Body(path)
         actual = at if pvd.stem == "glass" else actual
         if body.in_place:

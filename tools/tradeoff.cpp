@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "core/case_error.hpp"
 #include "core/files.hpp"
 #include "core/json_read.hpp"
+#include "forming/run/checkpoint.hpp"
 #include "forming/scene/scene.hpp"
 #include "tools/child_process.hpp"
 #include "tools/rung_timing.hpp"
@@ -29,14 +31,13 @@ enum class Standing { fresh, begun, done, failed };
 void require_same(const core::JsonValue& summary, const Rung& rung, const std::string& case_path, const std::string& folder) {
   const forming::Scene scene = forming::read_scene(case_path, rung.accuracy, rung.overrides);
   const auto* numerics = summary.find("numerics");
-  bool same = numerics && summary.text_of("case") == scene.name;
+  bool same = numerics && summary.find("case_fingerprint") &&
+              summary.text_of("case_fingerprint") == core::fingerprint_text(scene.fingerprint);
   for (const forming::Setting& setting : forming::settings())
     same = same && numerics->number_of(setting.key) == scene.accuracy.*setting.value;
-  std::vector<std::string> overrides;
-  if (const auto* list = summary.find("overrides"))
-    for (const auto& item : list->items) overrides.push_back(item.text);
-  if (!same || overrides != rung.overrides)
-    throw core::CaseError(fmt::format("{}: a run of other settings was found, allowed is an --output folder of this ladder", folder));
+  if (!same)
+    throw core::CaseError(fmt::format("{}: a run of another case or of other settings was found, allowed is an --output folder of "
+                                      "this ladder of the case as it is now", folder));
 }
 
 Standing standing(const Rung& rung, const std::string& case_path, const std::string& folder) {
@@ -47,7 +48,7 @@ Standing standing(const Rung& rung, const std::string& case_path, const std::str
     if (summary.flag_of("completed")) return Standing::done;
     if (!summary.flag_of("stopped")) return Standing::failed;
   }
-  if (fs::exists(folder + "/checkpoint.h5")) return Standing::begun;
+  if (forming::has_checkpoint(folder)) return Standing::begun;
   return Standing::fresh;
 }
 
@@ -201,6 +202,12 @@ bool wanted(const TradeoffRequest& request, const Rung& rung) {
 std::vector<Rung> make_rungs(const TradeoffRequest& request, const forming::Scene& scene, std::string& base) {
   std::vector<Rung> all = request.ladder.empty() ? forming::standard_ladder(scene, request.reference)
                                                  : forming::read_ladder(request.ladder, request.base);
+  if (all.empty()) throw core::CaseError(fmt::format("{}: no [[rung]] was found, allowed is at least one", request.ladder));
+  std::set<std::string> groups;
+  for (const Rung& rung : all) groups.insert(rung.group);
+  for (const std::string& group : request.groups)
+    if (!groups.count(group))
+      throw core::CaseError(fmt::format("--only: \"{}\" was found, allowed are {}", group, fmt::join(groups, ", ")));
   base = forming::base_rung(all, request.base);
   std::vector<Rung> rungs = {{"reference", "reference", request.reference, {}, ""}};
   for (const Rung& rung : all)
@@ -226,6 +233,8 @@ int tradeoff(const TradeoffRequest& given) {
       fmt::print("{:<28} {:<10} {:<22} {}\n", rung.name, rung.group, rung.accuracy, fmt::join(rung.overrides, ", "));
   }
   if (request.list) return 0;
+  if (fs::exists(request.output + "/summary.json"))
+    throw core::CaseError(fmt::format("{}: the results of a run were found, allowed is a folder of its own for a ladder", request.output));
   fs::create_directories(request.output);
   if (!climb(ladder)) {
     fmt::print(stderr, "parison: the ladder was told to stop; the same command goes on with it\n");

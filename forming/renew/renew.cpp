@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/renew/renew.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,6 +25,9 @@ namespace parison::forming {
 using core::dim;
 
 namespace {
+
+/// From the end of a stretch that a stage names to the surface of the glass, m.
+constexpr double farthest_name = 5e-3;
 
 /// A new node this near to a tool, next to an old node that touched it, touches it.
 constexpr double touching = 2e-5;
@@ -196,25 +201,30 @@ void book(const Scene& scene, const State& state, RemeshReason why, const remesh
   ledger.lowest_median = std::min(ledger.lowest_median, quality.median);
 }
 
+/// The edge that may touch tools whose first (`end` 0) or last (1) node is nearest to x, and the distance.
+struct NearestEdge {
+  std::size_t edge = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+NearestEdge nearest_edge(const core::Mesh& mesh, const std::vector<bool>& may_touch, const Point& x, int end) {
+  NearestEdge nearest;
+  for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
+    if (!may_touch[mesh.boundary[e].piece]) continue;
+    const double d = (mesh.nodes[mesh.boundary[e].nodes[end]] - x).norm();
+    if (d < nearest.distance) nearest = {e, d};
+  }
+  return nearest;
+}
+
 /// Names the edges that may touch tools from the surface node nearest `from` to the one nearest `to`.
 void name_stretch(const NamedStretch& stretch, const std::vector<bool>& may_touch, core::Mesh& mesh) {
-  const auto nearest_start = [&](const Point& x, int end) {
-    std::size_t best = 0;
-    double distance = std::numeric_limits<double>::infinity();
-    for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
-      if (!may_touch[mesh.boundary[e].piece]) continue;
-      const double d = (mesh.nodes[mesh.boundary[e].nodes[end]] - x).norm();
-      if (d < distance) std::tie(distance, best) = std::pair{d, e};
-    }
-    return best;
-  };
   Index piece = core::find_piece(mesh, stretch.name);
   if (piece < 0) {
     piece = static_cast<Index>(mesh.pieces.size());
     mesh.pieces.push_back(stretch.name);
   }
-  const std::size_t last = nearest_start(stretch.to, 1);
-  for (std::size_t e = nearest_start(stretch.from, 0);; e = (e + 1) % mesh.boundary.size()) {
+  const std::size_t last = nearest_edge(mesh, may_touch, stretch.to, 1).edge;
+  for (std::size_t e = nearest_edge(mesh, may_touch, stretch.from, 0).edge;; e = (e + 1) % mesh.boundary.size()) {
     if (mesh.boundary[e].piece != piece && may_touch[mesh.boundary[e].piece]) mesh.boundary[e].piece = piece;
     if (e == last) break;
   }
@@ -249,6 +259,23 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason wh
   book(scene, state, why, made, next);
   result.ok = true;
   return result;
+}
+
+std::string misplaced_stretch(const Scene& scene, const State& state, Index stage) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  const auto may_touch = contact_pieces(scene.glass, mesh);
+  for (const auto& stretch : scene.stages[stage].name_pieces)
+    for (const int end : {0, 1}) {
+      const Point& x = end == 0 ? stretch.from : stretch.to;
+      const auto nearest = nearest_edge(mesh, may_touch, x, end);
+      if (nearest.distance <= farthest_name) continue;
+      const Point& found = mesh.nodes[mesh.boundary[nearest.edge].nodes[end]];
+      return fmt::format("name_piece {}: \"{}\", ({:.4g}, {:.4g}) mm, lies {:.3g} mm from the surface of the glass, nearest to ({:.4g}, {:.4g}) mm; "
+                         "allowed are {:g} mm",
+                         stretch.name, end == 0 ? "from" : "to", 1e3 * x[0], 1e3 * x[1], 1e3 * nearest.distance,
+                         1e3 * found[0], 1e3 * found[1], 1e3 * farthest_name);
+    }
+  return "";
 }
 
 State start_stage(const Scene& scene, const State& state, Index stage) {

@@ -22,4 +22,7 @@ bool needs_new_mesh(const Scene& scene, const State& state);
 /// The state at the start of stage `stage`: contacts with tools no longer in place open, stretches of the surface named.
 State start_stage(const Scene& scene, const State& state, Index stage);
 
+/// What is wrong with a stretch that a stage names on the surface as it stands when the stage begins; empty where nothing is.
+std::string misplaced_stretch(const Scene& scene, const State& state, Index stage);
+
 }  // namespace parison::forming

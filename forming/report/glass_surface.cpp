@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/report/glass_surface.hpp"
 
+#include <algorithm>
+
 #include "core/element.hpp"
 
 namespace parison::forming {
@@ -25,12 +27,14 @@ double arc_length(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
 }  // namespace
 
 std::vector<bool> loaded_pieces(const Scene& scene, const core::Mesh& glass) {
+  const auto blows = [](const Stage& stage) {
+    return std::any_of(stage.pressure.begin(), stage.pressure.end(), [](const auto& entry) { return entry.second > 0; });
+  };
   std::vector<bool> loaded(glass.pieces.size(), false);
-  for (const Stage& stage : scene.stages)
-    for (const auto& entry : stage.pressure) {
-      const Index index = core::find_piece(glass, entry.first);
-      if (index >= 0) loaded[index] = true;
-    }
+  const auto last = std::find_if(scene.stages.rbegin(), scene.stages.rend(), blows);
+  if (last == scene.stages.rend()) return loaded;
+  for (const auto& [piece, pressure] : last->pressure)
+    if (const Index index = core::find_piece(glass, piece); index >= 0 && pressure > 0) loaded[index] = true;
   return loaded;
 }
 

@@ -67,7 +67,8 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
   json.add("cpu_seconds", summary.run.cpu_seconds);
   json.add("steps", static_cast<long>(state.totals.steps));
   json.add("rejected_steps", static_cast<long>(state.totals.rejected));
-  json.add("state_fingerprint", fmt::format("{:016x}", fingerprint(state)));
+  json.add("case_fingerprint", core::fingerprint_text(scene.fingerprint));
+  json.add("state_fingerprint", core::fingerprint_text(fingerprint(state)));
   json.add("remeshes", static_cast<long>(remeshes(state)));
   json.open_object("timing");
   for (const char* part : timed_parts) {

@@ -17,7 +17,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 5;
+constexpr std::int64_t format_version = 6;
 
 void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
   std::vector<double> values;
@@ -118,6 +118,7 @@ void visit_facts(Visitor visit, Facts& facts) {
   visit("cpu_seconds", facts.cpu_seconds);
   for (const char* part : timed_parts) visit(part, facts.timing[part]);
   visit_effort(visit.part("effort"), facts.effort);
+  for (std::size_t i = 0; i < facts.warnings.size(); ++i) visit(fmt::format("warning_{}", i).c_str(), facts.warnings[i]);
   for (std::size_t i = 0; i < facts.stages.size(); ++i) {
     auto& record = facts.stages[i];
     Visitor stage = visit.part(fmt::format("stage_{}", i));
@@ -180,6 +181,7 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     file.write("overrides", fmt::format("{}", fmt::join(scene.overrides, "\n")));
     file.write("fingerprint", static_cast<std::int64_t>(scene.fingerprint));
     file.write("stages_done", static_cast<std::int64_t>(checkpoint.outcome.facts.stages.size()));
+    file.write("warnings", static_cast<std::int64_t>(checkpoint.outcome.facts.warnings.size()));
     RunFacts facts = checkpoint.outcome.facts;
     visit_facts(Writer{file.create("facts")}, facts);
     visit_files(Writer{file.create("files")}, checkpoint.files);
@@ -188,6 +190,10 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
   if (std::filesystem::exists(last)) rename_file(last, path_before(directory));
   rename_file(made, last);
   core::sync_to_disk(directory);
+}
+
+bool has_checkpoint(const std::string& directory) {
+  return core::is_hdf5(last_path(directory)) || core::is_hdf5(path_before(directory));
 }
 
 std::string find_checkpoint(const std::string& directory) {
@@ -203,6 +209,7 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
   Checkpoint checkpoint;
   auto& [state, facts] = checkpoint.outcome;
   facts.stages.resize(static_cast<std::size_t>(file.read_integer("stages_done")));
+  facts.warnings.resize(static_cast<std::size_t>(file.read_integer("warnings")));
   visit_facts(Reader{file.open("facts")}, facts);
   visit_files(Reader{file.open("files")}, checkpoint.files);
   state.bodies.resize(scene.tools.size() + 1);

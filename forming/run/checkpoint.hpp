@@ -17,6 +17,9 @@ struct Checkpoint {
 /// Writes the checkpoint of a result folder, where the one before is kept beside it. Each appears complete or not at all.
 void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint);
 
+/// Whether a folder holds a complete checkpoint.
+bool has_checkpoint(const std::string& directory);
+
 /// The last complete checkpoint of a result folder; throws core::CaseError where there is none.
 std::string find_checkpoint(const std::string& directory);
 

@@ -11,6 +11,7 @@
 #include "forming/step/contact_geometry.hpp"
 #include "forming/step/film.hpp"
 #include "forming/report/history.hpp"
+#include "forming/report/summary_parts.hpp"
 #include "forming/step/initial_state.hpp"
 #include "forming/run/progress.hpp"
 #include "forming/renew/renew.hpp"
@@ -77,7 +78,7 @@ bool step_once(Progress& run, StepTaken& step) {
     run.workspace.standing.reset();
     run.outcome.facts.reason = result.converged ? "the step deforms the glass too much" : result.reason;
     dt = result.converged ? std::max(shorten * dt, wish.dt) : shorten * dt;
-    if (dt < run.scene.accuracy.smallest_step) return false;
+    if (result.hopeless || dt < run.scene.accuracy.smallest_step) return false;
     limit = result.converged ? wish.limit : StepLimit::failure;
     state.next_step = dt;
     state.next_limit = static_cast<Index>(limit);
@@ -96,9 +97,13 @@ std::string stage_obstacle(const Scene& scene, const State& state) {
       return fmt::format("tool {} stands at {:.4g} mm, its motion starts at {:.4g} mm", scene.tools[place.tool].name,
                          1e3 * now, 1e3 * position->offset(0));
   }
-  const double overlap = deepest_penetration(scene, state);
-  if (overlap > most_overlap) return fmt::format("a tool in place overlaps the glass by {:.3g} mm", 1e3 * overlap);
-  return "";
+  Penetration deepest{};
+  for (const Penetration& inside : penetrations(scene, state, 0))
+    if (inside.depth > deepest.depth) deepest = inside;
+  if (deepest.depth <= most_overlap) return "";
+  const Point& x = state.bodies[0].mesh.nodes[deepest.node];
+  return fmt::format("tool {} in place overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the stage's tools as it is",
+                     scene.tools[deepest.tool].name, 1e3 * deepest.depth, 1e3 * x[0], 1e3 * x[1]);
 }
 
 /// Whether the stage can begin; the reason why not goes into the facts.
@@ -110,11 +115,16 @@ bool can_begin(Progress& run) {
 /// Enters a stage; false when it cannot begin.
 bool begin_stage(Progress& run, Index stage) {
   State& state = run.outcome.state;
+  const std::string misplaced = misplaced_stretch(run.scene, state, stage);
   state = start_stage(run.scene, state, stage);
   state.next_step = run.scene.accuracy.first_step;
   state.next_limit = static_cast<Index>(StepLimit::first);
   run.workspace.standing.reset();
-  const bool good = can_begin(run);
+  bool good = can_begin(run);
+  if (!misplaced.empty()) {
+    run.outcome.facts.reason = misplaced;
+    good = false;
+  }
   if (stage == 0) write_fields(run, state);
   return good && (stage == 0 || !run.scene.has_flow() || renew(run, RemeshReason::stage_start));
 }
@@ -155,8 +165,9 @@ void note_motion(const Scene& scene, State& state) {
   const Stage& stage = scene.stages[state.stage];
   for (const auto& tool : stage.tools) {
     BodyState& body = state.bodies[1 + tool.tool];
+    if (!std::holds_alternative<ForceMotion>(tool.motion)) continue;
     if (stage.end_speed && std::abs(body.velocity) > *stage.end_speed) state.has_moved = true;
-    if (std::holds_alternative<ForceMotion>(tool.motion)) body.peak_force = std::max(body.peak_force, std::abs(body.force));
+    body.peak_force = std::max(body.peak_force, std::abs(body.force));
   }
 }
 
@@ -214,6 +225,10 @@ void warn_of_unused_interfaces(Progress& run) {
 
 /// Of the span of the scene's temperatures; more is told.
 constexpr double most_overshoot = 0.1;
+/// Of the work; more is told.
+constexpr double most_work_imbalance = 1e-3;
+/// Contacts held closed against a pull for each step; more is told.
+constexpr double most_latched = 0.1;
 
 void warn(Progress& run) {
   const Totals& totals = run.outcome.state.totals;
@@ -227,13 +242,16 @@ void warn(Progress& run) {
   if (remeshing.coarser > 1)
     warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have about {:g} cells",
                                    remeshing.coarser, run.scene.accuracy.most_cells));
+  if (const double imbalance = largest_work_imbalance(run.outcome.facts); imbalance > most_work_imbalance)
+    warnings.push_back(fmt::format("the work done on the glass and what became of it differ by {:.2g} % at a stage's end; a higher accuracy or a smaller "
+                                   "numerics.strain_per_step helps", 100 * imbalance));
   if (totals.table_holds > 0)
     warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.table_holds));
   if (const double span = temperature_range(run.scene).span(); totals.overshoot > most_overshoot * span)
     warnings.push_back(fmt::format("a temperature rose {:.0f} K above the hottest of the scene for a moment, {:.2g} % of the span "
                                    "of all: skins too thin for the mesh; a smaller numerics.skin_size helps",
                                    totals.overshoot, 100 * totals.overshoot / span));
-  if (const long latched = run.outcome.facts.effort.latched_contacts; latched > 0)
+  if (const long latched = run.outcome.facts.effort.latched_contacts; latched > most_latched * double(totals.steps))
     warnings.push_back(fmt::format(
         "in all steps together {} contacts stayed closed although they pull, as they kept opening and closing", latched));
 }
@@ -273,8 +291,9 @@ RunOutcome finish(Progress& run, const std::function<bool()>& from_here) {
 }  // namespace
 
 RunOutcome run(const Scene& scene, const std::string& directory, const StopRequest& stop) {
+  State start = initial_state(scene);  // first: where an outline cannot be meshed no folder is left
   Progress run{scene, stop, ResultFiles(scene, directory), {}};
-  run.outcome.state = initial_state(scene);
+  run.outcome.state = std::move(start);
   return finish(run, [&] {
     const bool good = begin_stage(run, 0);
     save(run);

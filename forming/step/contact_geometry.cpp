@@ -86,16 +86,6 @@ double share_in_contact(double gap, double motion) {
   return motion < 0 ? std::max(0.0, 1 + gap / motion) : 0;
 }
 
-/// Flags of the nodes on contact pieces of the glass.
-std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass) {
-  const auto contact = contact_pieces(scene.glass, glass);
-  std::vector<bool> flags(glass.nodes.size(), false);
-  for (const auto& edge : glass.boundary)
-    if (contact[edge.piece])
-      for (const Index node : edge.nodes) flags[node] = true;
-  return flags;
-}
-
 /// Depth of a point inside a tool where that stands in `state`, m; 0 outside.
 double depth_inside(const PlacedTools& tools, const State& state, Index tool, const Point& x) {
   const auto at = std::find_if(tools.tools.begin(), tools.tools.end(), [&](const auto& t) { return t.index == tool; });
@@ -188,6 +178,12 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   return candidates;
 }
 
+std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass) {
+  std::vector<bool> flags(glass.nodes.size(), false);
+  for (const Index node : contact_nodes(scene, glass)) flags[node] = true;
+  return flags;
+}
+
 std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass) {
   const auto may_touch = contact_pieces(scene.glass, glass);
   std::vector<char> seen(glass.nodes.size(), 0);
@@ -247,7 +243,7 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
       Point local = glass.nodes[node] - moved;
       if (ahead > 0 && scene.has_flow()) local += ahead * flow::node_velocity(state.velocity, node);
       const double depth = core::contains(profile, local) ? -gap(local) : 0;
-      if (depth > 0 && std::isfinite(depth)) found.push_back({node, depth});
+      if (depth > 0 && std::isfinite(depth)) found.push_back({node, tool, depth});
     }
   }
   return found;

@@ -22,6 +22,9 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
 /// Nodes on the contact pieces of the glass, each once.
 std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass);
 
+/// Flags of the same among all nodes.
+std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass);
+
 /// Distance from each glass node to a tool, m; +infinity inside the glass and beyond `reach`. `nodes`: those of
 /// contact_nodes, when they are known.
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vector<Index>& nodes, Index tool, double reach);
@@ -38,7 +41,7 @@ inline constexpr double same_direction = 0.9986;
 
 /// A glass node inside a tool in place.
 struct Penetration {
-  Index node;
+  Index node, tool;
   double depth;  ///< from the contact pieces, m
 };
 /// All of them after a time `ahead` with the present velocities.

@@ -12,6 +12,7 @@ struct StepResult {
   State state;
   bool converged = false;
   std::string reason;
+  bool hopeless = false;  ///< a shorter step fails as well
   StepReport report;
   std::vector<double> dissipation;  ///< of the flow, W at each quadrature point: flow::Solution::dissipation
 };

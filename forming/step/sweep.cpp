@@ -182,6 +182,21 @@ double depth_gained(const Scene& scene, const State& before, double dt, const Fl
   return deepest > allowed ? deepest - known : 0;
 }
 
+/// Which tool a step drives into a piece of the glass without contact; empty where none is.
+std::string collision_without_contact(const Scene& scene, const State& before, const State& swept, double dt) {
+  const core::Mesh& glass = before.bodies[0].mesh;
+  const auto may_touch = touching_nodes(scene, glass);
+  Eigen::VectorXd known = Eigen::VectorXd::Zero(glass.node_count());
+  for (const auto& inside : penetrations(scene, before, 0)) known[inside.node] = std::max(known[inside.node], inside.depth);
+  for (const auto& inside : penetrations(scene, swept, dt))
+    if (!may_touch[inside.node] && inside.depth > known[inside.node] + most_last_depth)
+      for (const auto& edge : glass.boundary)
+        if (std::count(edge.nodes.begin(), edge.nodes.end(), inside.node))
+          return fmt::format("tool {} runs into {} of the glass, which cannot touch: its condition is not contact",
+                             scene.tools[inside.tool].name, glass.pieces[edge.piece]);
+  return "";
+}
+
 /// By which another velocity moves the mid-step mesh, m: the most of a linear field with the same root mean square over the nodes,
 /// so that a few at an edge of contact do not decide. A shift along the axis changes no shape and does not count.
 double unsettled_motion(const Eigen::VectorXd& velocity, const Eigen::VectorXd& foretold, double dt) {
@@ -240,7 +255,9 @@ bool sweep_until_settled(const Scene& scene, const State& state, Middle& foretol
     if (!solution) return false;
   }
   if (gained > most_last_depth && dt > least_step * scene.accuracy.first_step) {
-    result.reason = fmt::format("the step carries glass {:.2g} um into a tool", 1e6 * gained);
+    result.reason = collision_without_contact(scene, state, result.state, dt);
+    result.hopeless = !result.reason.empty() && dt <= scene.accuracy.first_step;
+    if (result.reason.empty()) result.reason = fmt::format("the step carries glass {:.2g} um into a tool", 1e6 * gained);
     return false;
   }
   auto& totals = result.state.totals;

@@ -28,8 +28,6 @@ double expected_heat(const Scene& scene) {
   return scene.has_flow() ? law.at_draft * std::exp2(-law.order * level) : 0;
 }
 
-bool has_checkpoint(const std::string& directory) { return std::filesystem::exists(directory + "/checkpoint.h5"); }
-
 }  // namespace
 
 CompanionCase companion_case(const Scene& scene, const std::string& directory) {

@@ -29,12 +29,13 @@ State busy_state(const Scene& scene) {
                         &totals.remeshing.heat, &totals.remeshing.largest_heat, &totals.remeshing.volume,
                         &totals.remeshing.largest_volume, &totals.remeshing.worst_quality,
                         &totals.remeshing.lowest_median, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds,
-                        &totals.largest_flux_mismatch, &totals.work.tools, &totals.work.gravity, &totals.work.air,
+                        &totals.largest_flux_mismatch, &totals.overshoot, &totals.remeshing.new_extreme,
+                        &totals.remeshing.coarser, &totals.work.tools, &totals.work.gravity, &totals.work.air,
                         &totals.work.dissipation, &totals.work.friction, &totals.work.arrival,
                         &totals.work.surface, &totals.work.corrections})
     fresh(*value);
   for (BodyState& body : state.bodies) {
-    for (double* value : {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.hottest_surface})
+    for (double* value : {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.hottest_surface, &body.peak_force})
       fresh(*value);
     for (double& value : body.temperature) fresh(value);
     for (Point& x : body.mesh.nodes) fresh(x[0]), fresh(x[1]);
@@ -43,6 +44,14 @@ State busy_state(const Scene& scene) {
   for (Point& x : state.probes) fresh(x[0]), fresh(x[1]);
   for (double& value : state.velocity) fresh(value);
   for (double& value : state.contact.pressure) fresh(value);
+  for (Eigen::VectorXd* values : {&state.acceleration, &state.swelling, &state.temperature_rate}) {
+    values->resize(5);
+    for (double& value : *values) fresh(value);
+  }
+  state.heat_couplings = {4, 7, 1, 3};
+  state.moves_smoothly = !state.moves_smoothly;
+  state.contact.tool_before = {2, 1, 0};
+  totals.remeshing.failed = 12, totals.remeshing.laps = 13;
   state.contact.tool[3] = 1;
   state.contact.closed = {{3, 5}, {1, 0}, {Point(0.6, 0.8), Point(-1, 0)}};
   state.stage = 1;
@@ -113,6 +122,7 @@ RunFacts some_facts() {
   facts.cpu_seconds = 1.25;
   facts.timing["heat"] = 0.75;
   facts.stages = {{"rest", 0, 1 / 3.0, "duration", {1, 2, 3, 4, 5, 6, 1 / 7.0, 8}}};
+  facts.warnings = {"at 0.1 s something", "something else"};
   facts.effort.flow_solves = 1L << 33;
   facts.effort.limited_by.back() = 3;
   return facts;
@@ -144,6 +154,18 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_EQ(read.contact.closed.tool, state.contact.closed.tool);
   EXPECT_TRUE(same(read.contact.closed.normal, state.contact.closed.normal));
   EXPECT_TRUE(same(read.contact.pressure, state.contact.pressure));
+  EXPECT_EQ(read.contact.tool_before, state.contact.tool_before);
+  EXPECT_TRUE(same(read.acceleration, state.acceleration));
+  EXPECT_TRUE(same(read.swelling, state.swelling));
+  EXPECT_TRUE(same(read.temperature_rate, state.temperature_rate));
+  EXPECT_EQ(read.heat_couplings, state.heat_couplings);
+  EXPECT_EQ(read.moves_smoothly, state.moves_smoothly);
+  EXPECT_TRUE(same(read.totals.overshoot, state.totals.overshoot));
+  EXPECT_TRUE(same(read.totals.remeshing.new_extreme, state.totals.remeshing.new_extreme));
+  EXPECT_TRUE(same(read.totals.remeshing.coarser, state.totals.remeshing.coarser));
+  EXPECT_EQ(read.totals.remeshing.failed, state.totals.remeshing.failed);
+  EXPECT_EQ(read.totals.remeshing.laps, state.totals.remeshing.laps);
+  for (std::size_t i = 0; i < read.bodies.size(); ++i) EXPECT_TRUE(same(read.bodies[i].peak_force, state.bodies[i].peak_force));
   EXPECT_TRUE(same(read.probes, state.probes));
   expect_same_totals(read.totals, state.totals);
   ASSERT_EQ(read.bodies.size(), state.bodies.size());
@@ -161,6 +183,7 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_EQ(facts.stages[0].end, 1 / 3.0);
   EXPECT_EQ(facts.stages[0].end_reason, "duration");
   EXPECT_EQ(facts.stages[0].work.surface, 1 / 7.0);
+  EXPECT_EQ(facts.warnings, (std::vector<std::string>{"at 0.1 s something", "something else"}));
   EXPECT_EQ(facts.effort.flow_solves, 1L << 33);
   EXPECT_EQ(facts.effort.limited_by.back(), 3);
 }
@@ -217,7 +240,7 @@ TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
   const std::string kept = path + ".kept";
   std::filesystem::copy_file(path, kept);
   core::write_hdf5(path, [](core::Hdf5Group& file) { file.write("version", std::int64_t{99}); });
-  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 5");
+  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 6");
   const std::int64_t version = core::open_hdf5(kept).read_integer("version");
   core::write_hdf5(path, [&](core::Hdf5Group& file) {
     file.write("version", version);

@@ -71,6 +71,16 @@ TEST_F(Pot, a_stage_too_short_for_its_tool_to_come_to_rest_is_warned_of) {
   EXPECT_EQ(end_of("0.4 s"), (std::pair<std::string, bool>("tools at rest", false)));
 }
 
+TEST_F(Pot, a_tool_moved_by_its_position_does_not_end_a_stage_that_waits_for_driven_ones) {
+  // The pot is drawn away by an offset while the plunger stands still under next to no force.
+  std::string text = replaced("duration = \"0.4 s\"", "duration = \"0.02 s\"\nend_speed = \"2 mm/s\"", pot);
+  const auto at = text.find("motion.plunger");
+  const auto end = text.find('\n', at);
+  text = text.substr(0, at) + "motion.plunger = { force = \"-1 mN\", speed_limit = \"1 um/s\" }\nmotion.pot = { offset = [[\"0 s\", \"0 mm\"], [\"0.02 s\", \"-1 mm\"]] }" + text.substr(end);
+  const auto outcome = run(scene_of(text), tests::absent_folder());
+  EXPECT_EQ(outcome.facts.stages.back().end_reason, outcome.facts.completed ? "duration" : "failure");
+}
+
 std::vector<double> written_times(const std::filesystem::path& pvd) {
   std::ifstream file(pvd);
   std::vector<double> times;
