@@ -23,7 +23,7 @@ namespace parison::forming {
 namespace {
 
 /// Shortest step after a rejected one, of the rejected one.
-constexpr double shorten = 0.4;
+constexpr double shorten = 0.4, longest_retry = 0.9;
 
 constexpr const char* renew_advice = "a smaller numerics.surface_size or a larger numerics.quality_floor may help";
 
@@ -53,6 +53,15 @@ struct StepTaken {
   StepReport report;
 };
 
+/// Whether the run was told to stop; then the facts say so.
+bool is_told_to_stop(Progress& run) {
+  RunFacts& facts = run.outcome.facts;
+  if (!run.stop || !run.stop()) return false;
+  facts.stopped = true;
+  facts.reason = "the run was told to stop";
+  return true;
+}
+
 /// A step that converged and kept within its allowance; false when the smallest one did not.
 bool step_once(Progress& run, StepTaken& step) {
   State& state = run.outcome.state;
@@ -77,11 +86,16 @@ bool step_once(Progress& run, StepTaken& step) {
     ++state.totals.rejected;
     run.workspace.standing.reset();
     run.outcome.facts.reason = result.converged ? "the step deforms the glass too much" : result.reason;
-    dt = result.converged ? std::max(shorten * dt, wish.dt) : shorten * dt;
-    if (result.hopeless || dt < run.scene.accuracy.smallest_step) return false;
+    dt = result.converged ? std::clamp(wish.dt, shorten * dt, longest_retry * dt) : shorten * dt;
+    if (result.hopeless) return false;
+    if (dt < run.scene.accuracy.smallest_step) {
+      run.outcome.facts.reason += fmt::format("; steps below {:g} s, numerics.smallest_step, would be needed", run.scene.accuracy.smallest_step);
+      return false;
+    }
     limit = result.converged ? wish.limit : StepLimit::failure;
     state.next_step = dt;
     state.next_limit = static_cast<Index>(limit);
+    if (is_told_to_stop(run)) return false;
   }
 }
 
@@ -157,6 +171,7 @@ bool advance(Progress& run, StepTaken& step) {
   const Scene& scene = run.scene;
   if (scene.has_flow() && needs_new_mesh(scene, run.outcome.state) && !renew(run, RemeshReason::quality)) return false;
   if (step_once(run, step)) return true;
+  if (run.outcome.facts.stopped) return false;
   // A mesh that is still sound may be what holds the step back.
   return scene.has_flow() && renew(run, RemeshReason::failed_step) && step_once(run, step);
 }
@@ -200,11 +215,7 @@ bool advance_stage(Progress& run) {
     write_step(run, step);
     if (is_too_thin(run)) return false;
     save_when_due(run);
-    if (run.stop && run.stop()) {
-      run.outcome.facts.stopped = true;
-      run.outcome.facts.reason = "the run was told to stop";
-      return false;
-    }
+    if (is_told_to_stop(run)) return false;
   }
   return true;
 }
