@@ -34,17 +34,21 @@ double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry
   return std::abs(volume);
 }
 
-/// Whether all edges from `begin` to before `end` belong to one piece that may give way, in one loop with edges left over.
+/// Whether all edges from `begin` to before `end` may give way, in one loop with edges left over: of one piece, or of one and the
+/// next, which goes on behind them.
 bool may_cut(const Surface& surface, Index begin, Index end) {
   const Outline& outline = surface.outline;
   const auto after = std::upper_bound(outline.loop_start.begin(), outline.loop_start.end(), begin);
   if (after == outline.loop_start.end() || end >= *after || *after - *(after - 1) - (end - begin) + 1 < least_edges) return false;
-  for (Index i = begin; i < end; ++i)
-    if (outline.pieces[i] != outline.pieces[begin] || surface.fixed[outline.edge_count() + i]) return false;
-  return true;
+  int changes = 0;
+  for (Index i = begin; i < end; ++i) {
+    if (surface.fixed[outline.edge_count() + i]) return false;
+    changes += i > begin && outline.pieces[i] != outline.pieces[i - 1];
+  }
+  return changes == 0 || (changes == 1 && outline.pieces[end] == outline.pieces[end - 1]);
 }
 
-/// Puts one straight edge in the place of those from vertex `begin` to vertex `end`.
+/// Puts one straight edge, of the first one's piece, in the place of those from vertex `begin` to vertex `end`.
 void cut(Surface& surface, Index begin, Index end) {
   Outline& outline = surface.outline;
   const Index count = outline.edge_count(), gone = end - begin - 1;
@@ -72,13 +76,14 @@ Laps close_laps(core::Geometry geometry, double largest, Surface& surface) {
     if (first < 0) return laps;
     const auto [begin, last] = std::minmax(first, second);
     const Index end = last + 1;
-    if (laps.closed == most_laps || !may_cut(surface, begin, end) ||
-        volume_cut(surface.outline, begin, end, geometry) > largest) {
+    const double volume = may_cut(surface, begin, end) ? volume_cut(surface.outline, begin, end, geometry) : 2 * largest;
+    if (laps.closed == most_laps || volume > largest) {
       laps.first = first, laps.second = second;
       return laps;
     }
     cut(surface, begin, end);
     ++laps.closed;
+    laps.volume += volume;
   }
 }
 

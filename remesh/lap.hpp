@@ -7,6 +7,7 @@ namespace parison::remesh {
 /// What became of the places where a surface crosses itself.
 struct Laps {
   int closed = 0;              ///< notches cut off
+  double volume = 0;           ///< of their air, m3
   core::Index first = -1, second = -1;  ///< vertices at the ends of a crossing that stays; -1 where none does
 };
 

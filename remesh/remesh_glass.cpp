@@ -20,7 +20,7 @@ namespace {
 
 constexpr double volume_tolerance = 2e-15;  ///< relative, at which the shift stops
 constexpr double largest_defect = 0.01;     ///< relative volume a resampling may miss
-constexpr double largest_lap = 2e-4;        ///< of the volume, in the notch of a lap that is closed
+constexpr double largest_lap = 1e-3;        ///< of the volume, in the notch of a lap that is closed
 /// Where the free surface would have to move by more than `far` the whole one moves, if that is by less than `slight`, m.
 constexpr double far = 20e-6, slight = 3e-6;
 
@@ -86,6 +86,7 @@ Remeshed remesh_glass(const Mesh& worn, const Criteria& criteria) {
   Surface surface = resample(old, criteria, size);
   const Laps laps = close_laps(criteria.geometry, largest_lap * result.volume_before, surface);
   result.laps = laps.closed;
+  result.lap_volume = laps.volume;
   if (laps.first >= 0) {
     const auto at = [&](Index vertex) { return describe(surface.outline.vertices[vertex]); };
     result.reason = fmt::format("the glass surface crosses itself near {} and {}, in a lap of more than {:g} of the volume",

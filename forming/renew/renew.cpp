@@ -196,6 +196,7 @@ void book(const Scene& scene, const State& state, RemeshReason why, const remesh
   }
   ledger.coarser = std::max(ledger.coarser, made.coarser);
   ledger.laps += made.laps;
+  ledger.lap_volume += made.lap_volume;
   const auto quality = remesh::quality(mesh);
   ledger.worst_quality = std::min(ledger.worst_quality, quality.worst);
   ledger.lowest_median = std::min(ledger.lowest_median, quality.median);

@@ -27,14 +27,11 @@ double arc_length(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
 }  // namespace
 
 std::vector<bool> loaded_pieces(const Scene& scene, const core::Mesh& glass) {
-  const auto blows = [](const Stage& stage) {
-    return std::any_of(stage.pressure.begin(), stage.pressure.end(), [](const auto& entry) { return entry.second > 0; });
-  };
   std::vector<bool> loaded(glass.pieces.size(), false);
-  const auto last = std::find_if(scene.stages.rbegin(), scene.stages.rend(), blows);
+  const auto last = std::find_if(scene.stages.rbegin(), scene.stages.rend(), [](const Stage& stage) { return !stage.pressure.empty(); });
   if (last == scene.stages.rend()) return loaded;
-  for (const auto& [piece, pressure] : last->pressure)
-    if (const Index index = core::find_piece(glass, piece); index >= 0 && pressure > 0) loaded[index] = true;
+  for (const auto& entry : last->pressure)
+    if (const Index index = core::find_piece(glass, entry.first); index >= 0) loaded[index] = true;
   return loaded;
 }
 

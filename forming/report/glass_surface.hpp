@@ -6,7 +6,7 @@
 
 namespace parison::forming {
 
-/// Which pieces of the glass mesh the last stage that blows loads with its pressure: the inner side of the container.
+/// Which pieces of the glass mesh the last stage with a pressure loads with it, be it 0: the inner side of the container.
 std::vector<bool> loaded_pieces(const Scene& scene, const core::Mesh& glass);
 
 /// A boundary edge with its place along a stretch of the surface.

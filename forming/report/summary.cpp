@@ -109,6 +109,7 @@ void add_remeshing(JsonWriter& json, const State& state, const Summary& summary)
     json.add(fmt::format("for_{}", remesh_reasons[i]), static_cast<long>(ledger.count[i]));
   json.add("failed", static_cast<long>(ledger.failed));
   json.add("laps", static_cast<long>(ledger.laps));
+  json.add("lap_volume_m3", ledger.lap_volume);
   json.add("heat_drift", ledger.heat / heat);
   json.add("largest_heat_change", ledger.largest_heat / heat);
   json.add("volume_drift", ledger.volume / state.first_volume);

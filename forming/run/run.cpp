@@ -249,7 +249,8 @@ void warn(Progress& run) {
   const RemeshLedger& remeshing = totals.remeshing;
   if (remeshing.failed > 1) warnings.push_back(fmt::format("{} new glass meshes could not be made", remeshing.failed));
   if (remeshing.laps > 0)
-    warnings.push_back(fmt::format("the glass folded onto itself a little at {} places, which were closed", remeshing.laps));
+    warnings.push_back(fmt::format("the glass folded onto itself at {} places, which were closed with {:.2g} mm3 of air in them: marks of "
+                                   "laps are to be expected there", remeshing.laps, 1e9 * remeshing.lap_volume));
   if (remeshing.coarser > 1)
     warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have about {:g} cells",
                                    remeshing.coarser, run.scene.accuracy.most_cells));

@@ -63,6 +63,7 @@ struct RemeshLedger {
   double worst_quality = 1;               ///< of a cell after any remesh
   double lowest_median = 1;               ///< quality of the median cell after any remesh
   Index failed = 0;                       ///< new meshes that could not be made
+  double lap_volume = 0;                  ///< of the air in those, m3
   Index laps = 0;                         ///< places where the glass had folded onto itself a little and was closed
   double coarser = 1;                     ///< by which a mesh was coarser than asked for, for the sake of most_cells
 };

@@ -32,6 +32,7 @@ void visit_remeshing(Visitor visit, Ledger& remeshing) {
   visit("lowest_median", remeshing.lowest_median);
   visit("failed", remeshing.failed);
   visit("laps", remeshing.laps);
+  visit("lap_volume", remeshing.lap_volume);
   visit("coarser", remeshing.coarser);
 }
 

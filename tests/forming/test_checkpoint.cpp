@@ -30,7 +30,7 @@ State busy_state(const Scene& scene) {
                         &totals.remeshing.largest_volume, &totals.remeshing.worst_quality,
                         &totals.remeshing.lowest_median, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds,
                         &totals.largest_flux_mismatch, &totals.overshoot, &totals.remeshing.new_extreme,
-                        &totals.remeshing.coarser, &totals.work.tools, &totals.work.gravity, &totals.work.air,
+                        &totals.remeshing.coarser, &totals.remeshing.lap_volume, &totals.work.tools, &totals.work.gravity, &totals.work.air,
                         &totals.work.dissipation, &totals.work.friction, &totals.work.arrival,
                         &totals.work.surface, &totals.work.corrections})
     fresh(*value);
@@ -164,6 +164,7 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_TRUE(same(read.totals.remeshing.new_extreme, state.totals.remeshing.new_extreme));
   EXPECT_TRUE(same(read.totals.remeshing.coarser, state.totals.remeshing.coarser));
   EXPECT_EQ(read.totals.remeshing.failed, state.totals.remeshing.failed);
+  EXPECT_TRUE(same(read.totals.remeshing.lap_volume, state.totals.remeshing.lap_volume));
   EXPECT_EQ(read.totals.remeshing.laps, state.totals.remeshing.laps);
   for (std::size_t i = 0; i < read.bodies.size(); ++i) EXPECT_TRUE(same(read.bodies[i].peak_force, state.bodies[i].peak_force));
   EXPECT_TRUE(same(read.probes, state.probes));

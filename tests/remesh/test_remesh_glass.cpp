@@ -291,6 +291,8 @@ TEST(RemeshGlass, a_little_lap_is_closed_and_a_great_one_reported) {
   const Remeshed closed = remesh_glass(little, criteria_for(little, 2e-3));
   ASSERT_TRUE(closed.ok) << closed.reason;
   EXPECT_EQ(closed.laps, 1);
+  EXPECT_GT(closed.lap_volume, 0);
+  EXPECT_LT(closed.lap_volume, 1e-3 * closed.volume_before);
   EXPECT_GE(quality(closed.mesh).worst, 0.3);
   EXPECT_NEAR(closed.volume_after / closed.volume_before, 1, 1e-13);
   EXPECT_EQ(piece_ends(closed.mesh), piece_ends(little));

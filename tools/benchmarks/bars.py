@@ -10,6 +10,7 @@ SCENES = (
     ("shell_inflation", ("standard",)),
     ("contact_cylinders", ("standard",)),
     ("tumbler", ("draft", "standard")),
+    ("bottle", ("draft", "standard")),
     ("jar", ("draft", "standard")),
 )
 RESOLUTION = 1e-4  # no bar is narrower: share of the scale, for a tool's heat of all heat; as forming/report/error_bars.cpp
