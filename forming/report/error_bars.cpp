@@ -12,7 +12,7 @@ namespace {
 
 /// Half width that holds 90 % of a normal scatter, in its root mean square.
 constexpr double scatter = 1.64;
-/// No bar is narrower: share of the quantity's scale, for a tool's heat of all heat into the tools.
+/// No bar is narrower: share of size_of_kind.
 constexpr double resolution = 1e-4;
 constexpr double neighbourhood = 0.1;  ///< of the arc
 constexpr double spacing = 1.0 / (profile_points - 1);
@@ -27,13 +27,14 @@ std::string kind(const Quantity& quantity) { return quantity.name.substr(0, quan
 
 bool is_thinnest(const Quantity& quantity) { return quantity.name.rfind("thickness_min", 0) == 0; }
 
-/// The differences of a kind are alike as shares of this. Heats: of all of it, as what one tool gets too much another lacks.
+/// The differences of a kind are alike as shares of this. Heats: between its own, of which the mesh and the steps get a share wrong,
+/// and all of it, as what one tool gets too much another lacks.
 double size_of_kind(const Quantities& run, const Quantity& quantity) {
   if (!is_heat(quantity)) return quantity.scale;
   double whole = 0;
   for (const Quantity& other : run.values)
     if (is_heat(other)) whole += other.scale;
-  return whole;
+  return std::sqrt(quantity.scale * whole);
 }
 
 struct Usual {

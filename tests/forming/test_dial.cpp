@@ -100,7 +100,7 @@ TEST(Dial, ABarHoldsErrorsOfTheLaddersAndOfSecondOrderAndIsAtMostFiveTimesAsWide
 
 TEST(Dial, ATooSmallDifferenceDoesNotMakeABarNarrowerThanWhatIsKnownBeforehand) {
   const Quantities run{{{"heat_a", "J", 100, 100}, {"heat_b", "J", 50, 50}}, {}};
-  EXPECT_NEAR(error_bars(run, run).quantities.values[0].error, 1e-4 * 150, 1e-12);
+  EXPECT_NEAR(error_bars(run, run).quantities.values[0].error, 1e-4 * std::sqrt(100 * 150), 1e-12);
   EXPECT_GT(error_bars(run, run, 0.01).quantities.values[0].error, 0.01 * 150 / 2);
 }
 

@@ -13,7 +13,7 @@ SCENES = (
     ("bottle", ("draft", "standard")),
     ("jar", ("draft", "standard")),
 )
-RESOLUTION = 1e-4  # no bar is narrower: share of the scale, for a tool's heat of all heat; as forming/report/error_bars.cpp
+RESOLUTION = 1e-4  # no bar is narrower: share of the scale, for a tool's heat of the mean of it and all, geometric; as forming/report/error_bars.cpp
 MARGIN, POINTS = 0.02, 401  # of the arc beside an end of the wall, as forming/report/quantities.hpp
 
 
@@ -22,7 +22,8 @@ def resolution(name, quantities):
     if name == "thickness_min_at":
         return 1 / (POINTS - 1)
     if name.startswith("heat_"):
-        return RESOLUTION * sum(abs(q["value"]) for n, q in quantities.items() if n.startswith("heat_"))
+        whole = sum(abs(q["value"]) for n, q in quantities.items() if n.startswith("heat_"))
+        return RESOLUTION * math.sqrt(abs(quantities[name]["value"]) * whole)
     return RESOLUTION * quantities[name]["scale"]
 
 
