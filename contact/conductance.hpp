@@ -10,7 +10,7 @@ struct ConstantConductance {
   double h;  ///< W/m2/K
 };
 
-/// h = h0 + (h1 - h0) x/(1 + x), x = (p/p_ref)^a (eta_ref/eta)^b (physics.md, section 4: assumed, inside the published band).
+/// h = h0 + (h1 - h0) x/(1 + x), x = (p/p_ref)^a (eta_ref/eta)^b (assumed, inside the published band).
 struct PressureViscosityConductance {
   double h0 = 500, h1 = 20000;  ///< W/m2/K
   double p_ref = 0.2e6;         ///< Pa

@@ -20,7 +20,7 @@ struct Master {
 /// and gaps below a fiftieth of the width change it by less than 1e-4.
 double closure(double gap, double width);
 
-/// The virtual surface between the slave and all its masters (physics.md, section 4): each slave edge cut at the
+/// The virtual surface between the slave and all its masters: each slave edge cut at the
 /// projections of both meshes' nodes, with Gauss points on each segment. Open stretches are left out. Every slave point
 /// faces the nearest master only, so where masters overlap their union counts and no area counts twice.
 /// The gap is linear between interface nodes: a node from the slave has its own, one from the master its distance from

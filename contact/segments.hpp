@@ -30,7 +30,7 @@ struct Sight {
 /// The nearest edge, of all masters, that the slave point sees and that looks back at it.
 std::optional<Sight> see_master(const EdgeView& view, double s);
 
-/// Node of the virtual surface (physics.md, section 4), on a slave edge. The shape functions of both edges there follow
+/// Node of the virtual surface, on a slave edge. The shape functions of both edges there follow
 /// the two rules by themselves: at a node they are 1 for its own body's node.
 struct InterfaceNode {
   double slave_s;

@@ -174,6 +174,4 @@ Eigen::MatrixXd Cholesky::solve_columns(const Eigen::MatrixXd& rhs) const {
   return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(data_->solution->x), rhs.rows(), rhs.cols());
 }
 
-double Cholesky::operations() const { return data_->common.fl; }
-
 }  // namespace parison::core

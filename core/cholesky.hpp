@@ -6,7 +6,7 @@
 
 namespace parison::core {
 
-/// CHOLMOD on a symmetric matrix; the analysis serves until the pattern changes. Positive definite: supernodal LL'.
+/// CHOLMOD on a symmetric matrix; the analysis serves until the pattern changes. Positive definite: LL', supernodal unless the order is given.
 /// Quasi-definite (a saddle point whose second block is negative definite): simplicial LDL' without pivoting.
 class Cholesky {
  public:
@@ -28,8 +28,6 @@ class Cholesky {
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
   Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& rhs) const;
-  /// Floating-point operations of a factorisation, known after the analysis.
-  double operations() const;
 
  private:
   struct Data;

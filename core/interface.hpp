@@ -7,7 +7,7 @@
 
 namespace parison::core {
 
-/// A quadrature point of the virtual surface between two bodies (physics.md, section 4): both bodies' temperatures are
+/// A quadrature point of the virtual surface between two bodies: both bodies' temperatures are
 /// interpolated by `shape` from the three nodes of the edge that faces the point.
 struct InterfacePoint {
   Index slave_body, master_body;

@@ -16,7 +16,7 @@ template <typename Number>
   return radiation.thin_wall ? 1 / (1 + 4 / (3 * radiation.absorption * wall_thickness)) : Number{} + 1;
 }
 
-/// Conductivity with internal radiation, W/m/K; `thin_wall` multiplies the radiative part (physics.md, section 3).
+/// Conductivity with internal radiation, W/m/K; `thin_wall` multiplies the radiative part.
 double conductivity(const Material& material, double temperature, double thin_wall = 1);
 
 /// The same, prepared for many evaluations.

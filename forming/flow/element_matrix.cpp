@@ -29,7 +29,7 @@ using BatchWeights = std::array<PointWeights, cell_points>;
 
 BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry, Index batch,
                            const std::vector<double>& viscosity) {
-  const Point weight = problem.material->density * problem.gravity * problem.body_force_direction;
+  const Point weight = problem.material->density * problem.gravity * core::axis_direction();
   BatchWeights weights;
   for (int q = 0; q < cell_points; ++q) {
     const auto& at = geometry.at(batch, q);

@@ -56,7 +56,6 @@ struct Problem {
   /// the volume everywhere at 1/s, leave the contacts closed and put no force on driven tools. By a little of them the motion is
   /// corrected; forces and pressures are those without any.
   std::function<double(const Eigen::VectorXd& velocity, const Eigen::VectorXd& swelling)> more_swelling;
-  Point body_force_direction = core::axis_direction();
   std::vector<PieceCondition> pieces;  ///< one for each mesh piece
   std::vector<ToolMotion> tools;
   std::vector<ContactCandidate> candidates;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <vector>
 
 #include "forming/scene/accuracy.hpp"
 
@@ -37,20 +39,25 @@ double size_of_kind(const Quantities& run, const Quantity& quantity) {
   return std::sqrt(quantity.scale * whole);
 }
 
+/// The scatter of differences, as shares: from three on by their median, so that one that stands out does not widen all bars.
 struct Usual {
-  double square = 0;
-  int count = 0;
-  double root() const { return std::sqrt(square / count); }
+  std::vector<double> sizes;
+  double scatter() const {
+    constexpr double of_median = 1.48;  // of a normal scatter
+    const std::size_t count = sizes.size();
+    if (count < 3) return std::sqrt(std::inner_product(sizes.begin(), sizes.end(), sizes.begin(), 0.0) / double(count));
+    std::vector<double> sorted = sizes;
+    std::sort(sorted.begin(), sorted.end());
+    return of_median * 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
+  }
 };
 
 /// Differences of each kind, as shares.
 std::map<std::string, Usual> usual_differences(const Quantities& run, const Quantities& companion) {
   std::map<std::string, Usual> usual;
   for (const Quantity& quantity : run.values)
-    if (const Quantity* other = companion.find(quantity.name); other && !is_thinnest(quantity)) {
-      usual[kind(quantity)].square += std::pow((other->value - quantity.value) / size_of_kind(run, quantity), 2);
-      ++usual[kind(quantity)].count;
-    }
+    if (const Quantity* other = companion.find(quantity.name); other && !is_thinnest(quantity))
+      usual[kind(quantity)].sizes.push_back(std::abs(other->value - quantity.value) / size_of_kind(run, quantity));
   return usual;
 }
 
@@ -124,9 +131,9 @@ ErrorBars error_bars(const Quantities& run, const Quantities& companion, double 
     const Usual& alike = usual[kind(quantity)];
     const double chance = quantity.name == "thickness_mean"
                               ? std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
-                              : alike.root() * size;
+                              : alike.scatter() * size;
     quantity.error = std::max(richardson() * std::max(std::abs(other->value - quantity.value), chance), resolution * size);
-    if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected_heat / alike.count * size);
+    if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected_heat / double(alike.sizes.size()) * size);
   }
   add_thinnest(bars.quantities, companion);
   const ProfileDifference profile = compare_profiles(companion.profile, run.profile);

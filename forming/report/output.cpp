@@ -21,9 +21,7 @@ namespace fs = std::filesystem;
 
 /// A body's name as part of a file name: glass, then the tools.
 std::string body_file(const Scene& scene, std::size_t body) {
-  std::string name = body == 0 ? "glass" : scene.tools[body - 1].name;
-  std::replace(name.begin(), name.end(), '/', '_');
-  return name;
+  return body == 0 ? "glass" : scene.tools[body - 1].name;
 }
 
 void make_folder(const std::string& directory) {

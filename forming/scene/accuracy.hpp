@@ -28,7 +28,7 @@ struct Accuracy {
   double quality_floor;      ///< remesh below this scaled inverse condition number
   double motion_tolerance;   ///< a sweep whose velocity moves the mid-step mesh by more than this is repeated, m
   int temperature_order;     ///< of the temperature in a cell: 2, or 1: linear between the vertices
-  int passes;                ///< flow-heat sweeps per step, at least
+  int passes;                ///< flow and heat in a step, so many times
 };
 
 /// A number of the dial: its key, how it is shown, and its values at the levels 0, 1, 2.

@@ -62,7 +62,6 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
 
 /// Books a heat ledger in the state; bodies are numbered alike in both.
 void book(const thermal::Ledger& ledger, State& state) {
-  state.totals.content_change += ledger.bodies[0].content_change;
   state.totals.to_air += ledger.bodies[0].to_air - ledger.bodies[0].from_prescribed;
   state.totals.dissipation += ledger.bodies[0].from_source;
   state.totals.to_tools += thermal::lost_through_interfaces(ledger, 0);

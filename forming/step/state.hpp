@@ -73,7 +73,6 @@ struct Totals {
   double to_air = 0;        ///< heat lost by the glass to air, J
   double to_tools = 0;      ///< heat that crossed from glass to tools, J
   double dissipation = 0;   ///< viscous, into the glass, J
-  double content_change = 0;  ///< of the glass, J, by the heat solver
   Index steps = 0, rejected = 0;
   long table_holds = 0;     ///< evaluations of h outside its table
   double deepest = 0;       ///< deepest penetration of a glass node into a tool at any step, m

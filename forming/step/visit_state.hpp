@@ -53,7 +53,6 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("to_air", totals.to_air);
   visit("to_tools", totals.to_tools);
   visit("dissipation", totals.dissipation);
-  visit("content_change", totals.content_change);
   visit("steps", totals.steps);
   visit("rejected", totals.rejected);
   visit("table_holds", totals.table_holds);

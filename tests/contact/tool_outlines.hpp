@@ -59,7 +59,7 @@ inline Point mm(double r, double z) {
   return {1e-3 * r, 1e-3 * z};
 }
 
-/// The tools of the reference jar (physics.md, section 7).
+/// The tools of the reference jar.
 inline Outline blank() {
   return Pen(mm(0, 98))
       .contact(mm(13.5, 98))

@@ -25,7 +25,7 @@ State busy_state(const Scene& scene) {
                         &state.density, &state.first_volume, &state.first_heat})
     fresh(*value);
   Totals& totals = state.totals;
-  for (double* value : {&totals.to_air, &totals.to_tools, &totals.dissipation, &totals.content_change,
+  for (double* value : {&totals.to_air, &totals.to_tools, &totals.dissipation,
                         &totals.remeshing.heat, &totals.remeshing.largest_heat, &totals.remeshing.volume,
                         &totals.remeshing.largest_volume, &totals.remeshing.worst_quality,
                         &totals.remeshing.lowest_median, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds,
@@ -86,7 +86,6 @@ void expect_same_totals(const Totals& a, const Totals& b) {
   EXPECT_TRUE(same(a.to_air, b.to_air));
   EXPECT_TRUE(same(a.to_tools, b.to_tools));
   EXPECT_TRUE(same(a.dissipation, b.dissipation));
-  EXPECT_TRUE(same(a.content_change, b.content_change));
   EXPECT_EQ(a.remeshing.count, b.remeshing.count);
   EXPECT_TRUE(same(a.remeshing.heat, b.remeshing.heat));
   EXPECT_TRUE(same(a.remeshing.largest_heat, b.remeshing.largest_heat));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One body against exact solutions: verification.md, section 4.
+// One body against exact solutions.
 #include <numeric>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Glass on steel: verification.md, section 1.
+// Glass on steel.
 #include <gtest/gtest.h>
 
 #include "thermal/bodies.hpp"

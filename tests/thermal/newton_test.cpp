@@ -14,7 +14,7 @@ namespace {
 
 using core::Geometry;
 
-/// h over the viscosity of container glass (physics.md, sections 4 and 6): x = scale / eta^power, h = 500 + 19500 x/(1 + x).
+/// h over the viscosity of container glass: x = scale / eta^power, h = 500 + 19500 x/(1 + x).
 core::Conductance softening(double T, double scale, double power) {
   const double above = T - 273.15 - 291, eta = std::pow(10, -2.309 + 3922 / above);
   const double dlog_eta = -std::log(10.0) * 3922 / (above * above), x = scale * std::pow(eta, -power);

@@ -13,7 +13,7 @@ Material glass() {
 }
 
 TEST(Properties, rosseland_conductivity_lies_in_the_published_band) {
-  // Genzel 1952: 46.5 W/m/K in clear and 8.1 in absorbing glass at 1200 degC; physics.md gives the absorptions.
+  // Genzel 1952: 46.5 W/m/K in clear and 8.1 in absorbing glass at 1200 degC.
   Material clear = glass(), absorbing = glass();
   clear.radiation->absorption = 47;
   absorbing.radiation->absorption = 267;

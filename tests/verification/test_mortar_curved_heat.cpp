@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steady heat through curved contact: a sphere in a spherical cup, a cylinder in a sleeve. verification.md, section 2.
+// Steady heat through curved contact: a sphere in a spherical cup, a cylinder in a sleeve.
 #include "mortar_cases.hpp"
 
 namespace parison::mortar_test {

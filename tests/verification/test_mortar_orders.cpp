@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Manufactured solutions across non-matching interfaces: verification.md, section 2. The contact carries the exact jump's
+// Manufactured solutions across non-matching interfaces. The contact carries the exact jump's
 // flux h (u1 - u2); what the two exact fluxes differ from it enters as a load on either contact side.
 #include "contact/conductance.hpp"
 #include "forming/flow/material.hpp"

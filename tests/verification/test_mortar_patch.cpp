@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patch test: verification.md, section 2.
+// Patch test.
 #include "mortar_cases.hpp"
 
 namespace parison::mortar_test {

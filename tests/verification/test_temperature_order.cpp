@@ -15,7 +15,7 @@ namespace {
 
 Scene bundled(const std::string& name) { return read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/" + name, "draft"); }
 
-/// verification.md, section 1: time, glass side, steel side.
+/// Time, glass side, steel side.
 constexpr std::array<std::array<double, 3>, 4> exact{
     {{1, 742.0877, 575.8608}, {2, 706.4829, 583.7917}, {5, 671.5318, 591.5769}, {10, 652.8883, 595.7298}}};
 

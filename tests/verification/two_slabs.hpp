@@ -10,7 +10,7 @@ struct Slab {
   double conductivity, density, heat_capacity, height, temperature;
 };
 
-/// Two slabs brought together with the conductance h, W/m2/K (verification.md, section 1).
+/// Two slabs brought together with the conductance h, W/m2/K.
 struct TwoSlabs {
   Slab hot, cold;
   double h;
