@@ -206,7 +206,7 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     load.head(velocities) += surface_load(mesh, discrete.surface, pressed);
     held = hold_nodes(problem, result.active);
     if (!support(problem, load, result.active, held))
-      return failed(std::move(result), "the glass is not held: no tool, symmetry plane or fixed piece carries it");
+      return failed(std::move(result), "the glass is not held: no tool, symmetry plane or fixed piece carries it (a fall is not computed: glass has to touch a tool)");
     add_friction(problem, result.active, area, instant ? &*instant : nullptr, sliding, held);
     auto correction = corrector.correct(problem, tangent, held, load, iterate);
     result.factorisations = corrector.factorisations;

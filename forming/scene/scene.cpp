@@ -102,6 +102,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));
   check_support(scene, root);
+  check_motions(scene, root.tables("stage"));
   scene.fingerprint =
       fingerprint_of(fmt::format("{}{}", core::read_text(file.path), fmt::join(scene.overrides, "\n")), scene);
   return scene;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "forming/scene/scene_reading.hpp"
 
@@ -148,6 +149,29 @@ void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode
                                tool.name, scene.stages[i].name));
     }
   }
+}
+
+void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>& stages) {
+  constexpr double same_place = 1e-6;  // m
+  std::vector<std::optional<double>> at;  // of each tool, where it is known
+  for (const Tool& tool : scene.tools) at.emplace_back(tool.position);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i)
+    for (const StageTool& entry : scene.stages[i].tools) {
+      const auto* position = std::get_if<PositionMotion>(&entry.motion);
+      if (!position) {
+        if (std::holds_alternative<ForceMotion>(entry.motion)) at[entry.tool].reset();
+        continue;
+      }
+      const double first = position->offset(0);
+      if (at[entry.tool] && std::abs(*at[entry.tool] - first) > same_place) {
+        core::CaseNode place = *stages[i];
+        place.key += ".motion." + scene.tools[entry.tool].name;
+        core::refuse(place, fmt::format("starts at {:g} mm, but the tool stands at {:g} mm then; allowed is a start from there", 1e3 * first,
+                                        1e3 * *at[entry.tool]));
+      }
+      at[entry.tool].reset();
+      if (!scene.stages[i].end_speed) at[entry.tool] = position->offset(scene.stages[i].duration);
+    }
 }
 
 void check_support(const Scene& scene, const core::CaseTable& root) {

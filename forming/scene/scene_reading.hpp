@@ -57,6 +57,8 @@ void check_sizes(const Scene& scene, const core::CaseTable& root);
 void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode*>& tools);
 /// Refuses flows without a unique answer: glass that nothing holds along the axis, and glass enclosed on all sides.
 void check_support(const Scene& scene, const core::CaseTable& root);
+/// Refuses a motion that does not start where the stages before leave its tool, as far as those say it.
+void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>& stages);
 /// Refuses stages in which hot bodies can touch without an interface between them.
 void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode*>& stages);
 

@@ -335,5 +335,13 @@ TEST(SceneErrors, MoreToolsDrivenByForcesThanAStageBears) {
   EXPECT_NE(message.find("one more tool driven by a force was found, allowed are 4 in a stage"), message.npos) << message;
 }
 
+TEST(SceneErrors, AMotionThatStartsAwayFromItsTool) {
+  const std::string moved = replaced("motion.plunger = { force = \"-5 N\", speed_limit = \"10 mm/s\" }",
+                                     "motion.plunger = { offset = [[\"0 s\", \"12 mm\"], [\"1 s\", \"9 mm\"]] }");
+  const auto message = complaint_about(moved);
+  EXPECT_NE(message.find("stage.motion.plunger: starts at 12 mm, but the tool stands at 10 mm then"), message.npos) << message;
+  EXPECT_EQ(complaint_about(replaced("\"12 mm\"", "\"10 mm\"", moved)), "");
+}
+
 }  // namespace
 }  // namespace parison::forming
