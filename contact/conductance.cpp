@@ -62,4 +62,11 @@ ConductanceValue conductance(const ConductanceLaw& law, double pressure, double 
   return std::visit([&](const auto& l) { return evaluate(l, std::max(pressure, 0.0), viscosity); }, law);
 }
 
+double highest(const ConductanceLaw& law) {
+  if (const auto* constant = std::get_if<ConstantConductance>(&law)) return constant->h;
+  if (const auto* band = std::get_if<PressureViscosityConductance>(&law)) return std::max(band->h0, band->h1);
+  const auto& table = std::get<TableConductance>(law).h;
+  return *std::max_element(table.begin(), table.end());
+}
+
 }  // namespace parison::contact

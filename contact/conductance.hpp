@@ -33,4 +33,7 @@ struct ConductanceValue {
 };
 ConductanceValue conductance(const ConductanceLaw& law, double pressure, double viscosity);
 
+/// The largest value that a law can give, W/m2/K.
+double highest(const ConductanceLaw& law);
+
 }  // namespace parison::contact

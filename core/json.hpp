@@ -20,6 +20,7 @@ class JsonWriter {
   void add(const std::string& key, long value);
   void add(const std::string& key, bool value);
   void add(const std::string& key, const std::string& value);
+  void add(const std::string& key, const char* value) { add(key, std::string(value)); }  ///< never as a flag
   /// The text, whatever is still open.
   std::string finish() const;
 

@@ -93,7 +93,7 @@ CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {
   auto* command = app.add_subcommand("tradeoff", "run a ladder of settings and model parts: error against CPU time");
   command->add_option("case", trade.case_path, "folder that holds a case.toml, or a case file")->required();
   command->add_option("--output", trade.output, "folder of the ladder; what has run there is not run again [results/tradeoff_NAME]");
-  command->add_option("--reference", trade.reference, "accuracy that the others are held against")->capture_default_str();
+  command->add_option("--reference", trade.reference, "accuracy that the others are held against [fine; \"fine coarser 0.5\" where the case maps its mesh]");
   command->add_option("--base", trade.base, "accuracy at which one thing at a time is changed")->capture_default_str();
   command->add_option("--ladder", trade.ladder, "TOML file of [[rung]] tables in place of the standard ladder");
   command->add_option("--only", trade.groups, "groups to run: dial, mesh, time, coupling, order, model")->delimiter(',');

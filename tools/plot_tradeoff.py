@@ -38,7 +38,8 @@ def main():
             axes.annotate(f"{r['accuracy']}, the reference", (r["cpu_seconds"], 0.97), xycoords=axes.get_xaxis_transform(),
                           xytext=(-4, 0), textcoords="offset points", rotation=90, ha="right", va="top", color="crimson")
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        low, high = axis.get_view_interval()
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 1e4 * low else (1,)))
         axis.set_major_formatter("{x:g}")
         axis.set_minor_formatter(NullFormatter())
     axes.grid(True, which="both", alpha=0.3)

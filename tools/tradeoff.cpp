@@ -222,6 +222,7 @@ int tradeoff(const TradeoffRequest& given) {
   catch_signals();
   TradeoffRequest request = given;
   const forming::Scene scene = forming::read_scene(request.case_path, request.base, request.overrides);
+  if (request.reference.empty()) request.reference = forming::usual_reference(scene);
   if (request.output.empty()) request.output = "results/tradeoff_" + scene.name;
   std::string base;
   Ladder ladder{request, make_rungs(request, scene, base), {}, {}};
@@ -240,7 +241,7 @@ int tradeoff(const TradeoffRequest& given) {
     fmt::print(stderr, "parison: the ladder was told to stop; the same command goes on with it\n");
     return 1;
   }
-  return report_tradeoff(request.output, ladder.rungs, base) ? 0 : 1;
+  return report_tradeoff(request.output, ladder.rungs, base, forming::estimate_parts(scene)) ? 0 : 1;
 }
 
 }  // namespace parison::tools

@@ -8,7 +8,8 @@ namespace parison::tools {
 /// What `parison tradeoff` is asked for.
 struct TradeoffRequest {
   std::string case_path, output, ladder;
-  std::string base = "draft", reference = "fine";
+  std::string base = "draft";
+  std::string reference;  ///< empty: that of forming::usual_reference
   std::vector<std::string> overrides, groups;  ///< for every rung; the groups to run, all where none is named
   int jobs = 2;
   int timings = 3;    ///< runs of a short rung, of which the least CPU time counts

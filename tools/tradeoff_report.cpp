@@ -66,9 +66,19 @@ std::string as_csv(const Results& results, const RungResult& base) {
   return text;
 }
 
-std::string as_json(const Results& results, const RungResult& base) {
+std::string as_json(const Results& results, const RungResult& base, const std::vector<forming::PartEstimate>& estimates) {
   core::JsonWriter json;
   json.add("base", base.rung.name);
+  json.open_list("estimates");
+  for (const forming::PartEstimate& part : estimates) {
+    json.open_object("");
+    json.add("part", part.name);
+    json.add("in_scene", part.in_scene);
+    json.add("thickness", part.thickness);
+    json.add("heat", part.heat);
+    json.close();
+  }
+  json.close();
   json.open_list("rungs");
   for (const RungResult& r : results) {
     json.open_object("");
@@ -120,18 +130,19 @@ std::string changes(const RungResult& r, const RungResult& base) {
 }
 
 /// What each part of the model changes against the base, and what of its time it takes.
-std::string model_table(const Results& results, const RungResult& base) {
+std::string model_table(const Results& results, const RungResult& base, const std::vector<forming::PartEstimate>& estimates) {
   std::string rows;
   for (const RungResult& r : results)
     if (r.rung.group == "model")
       rows += r.completed ? fmt::format("| {} | {} | {} | {} | {:+.0f} | {} |\n", r.rung.what, share(r.profile.mean),
                                         share(r.profile.largest), share(r.heat), 100 * (base.cpu - r.cpu) / base.cpu, changes(r, base))
                           : fmt::format("| {} | | | | | {} |\n", r.rung.what, r.reason);
-  if (base.reynolds > 0)
-    rows += fmt::format("| inertia (estimate: never in the model; largest Reynolds number {0:.2g}) | up to {1:.2g} | | | | |\n",
-                        base.reynolds, 100 * base.reynolds);
+  for (const forming::PartEstimate& part : estimates)
+    if (part.name == std::string("inertia"))
+      rows += fmt::format("| inertia (never in the model; estimated by {} {:.2g}, largest Reynolds number {:.2g}) | {:.2g} | | | | |\n",
+                          part.number_name, part.number, base.reynolds, 100 * part.thickness);
   if (rows.empty()) return {};
-  return fmt::format("\nWithout it, against {}:\n\n| part | thickness, mean % | largest % | heat into tools % | its share of the CPU time, % | changes |\n"
+  return fmt::format("\nWithout a part, or with one that the case leaves out, against {}:\n\n| part | thickness, mean % | largest % | heat into tools % | its share of the CPU time, % | changes |\n"
                      "|---|---|---|---|---|---|\n", base.rung.name) + rows;
 }
 
@@ -157,7 +168,8 @@ void plot(const std::string& folder) {
 
 }  // namespace
 
-bool report_tradeoff(const std::string& folder, const std::vector<forming::Rung>& rungs, const std::string& base_name) {
+bool report_tradeoff(const std::string& folder, const std::vector<forming::Rung>& rungs, const std::string& base_name,
+                     const std::vector<forming::PartEstimate>& estimates) {
   Results results;
   for (const forming::Rung& rung : rungs) results.push_back(read_result(folder, rung));
   const RungResult& base = *std::find_if(results.begin(), results.end(),
@@ -169,9 +181,9 @@ bool report_tradeoff(const std::string& folder, const std::vector<forming::Rung>
   }
   forming::compare_rungs(results, base_name);
   forming::mark_front(results);
-  const std::string table = numerics_table(results) + model_table(results, base) + error_laws(results);
+  const std::string table = numerics_table(results) + model_table(results, base, estimates) + error_laws(results);
   core::write_text(folder + "/tradeoff.csv", as_csv(results, base));
-  core::write_text(folder + "/tradeoff.json", as_json(results, base));
+  core::write_text(folder + "/tradeoff.json", as_json(results, base, estimates));
   core::write_text(folder + "/tradeoff.md", table);
   fmt::print("\n{}\n", table);
   std::fflush(stdout);

@@ -22,7 +22,12 @@ constexpr double spacing = 1.0 / (profile_points - 1);
 /// From the difference of both runs to the error of the finer one, by the order that the dial's ladder showed.
 double richardson() { return 1 / (std::pow(companion_factor, error_model().thickness.order) - 1); }
 
+/// What two runs may agree on by chance, over the error expected of the wall in the mean. The law is that of the case that errs most.
+constexpr double chance_in_mean = 0.1, chance_at_worst = 0.3, chance_in_time = 0.2;
+
 bool is_heat(const Quantity& quantity) { return quantity.name.rfind("heat_", 0) == 0; }
+
+bool is_time(const Quantity& quantity) { return quantity.name.rfind("time_", 0) == 0; }
 
 /// What a quantity is alike with: the first word of its name.
 std::string kind(const Quantity& quantity) { return quantity.name.substr(0, quantity.name.find('_')); }
@@ -76,7 +81,7 @@ double chance_of_mean(const Quantities& run, const Quantities& companion) {
   return count ? std::sqrt(square / count / waves) : 0;
 }
 
-/// The mean runs over whole places: what one more or less at each end of a stretch of wall changes, mm.
+/// A wall ends at a node or at the next: what one place more or less at each end of a stretch changes in the mean, mm.
 double step_of_mean(const Quantities& run, double mean) {
   double square = 0;
   int count = 0;
@@ -121,7 +126,7 @@ void add_thinnest(Quantities& run, const Quantities& companion) {
 
 }  // namespace
 
-ErrorBars error_bars(const Quantities& run, const Quantities& companion, double expected_heat) {
+ErrorBars error_bars(const Quantities& run, const Quantities& companion, const ExpectedErrors& expected) {
   ErrorBars bars{run, 0, 0, 0, 0};
   auto usual = usual_differences(run, companion);
   for (Quantity& quantity : bars.quantities.values) {
@@ -133,14 +138,15 @@ ErrorBars error_bars(const Quantities& run, const Quantities& companion, double 
                               ? std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
                               : alike.scatter() * size;
     quantity.error = std::max(richardson() * std::max(std::abs(other->value - quantity.value), chance), resolution * size);
-    if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected_heat / double(alike.sizes.size()) * size);
+    if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected.heat / double(alike.sizes.size()) * size);
+    if (is_time(quantity)) quantity.error = std::max(quantity.error, chance_in_time * expected.thickness * size);
   }
   add_thinnest(bars.quantities, companion);
   const ProfileDifference profile = compare_profiles(companion.profile, run.profile);
-  bars.profile_mean = richardson() * profile.mean;
-  bars.profile_largest = richardson() * profile.largest;
-  // Not a number where no tool receives heat.
-  bars.heat = std::max({richardson() * heat_difference(companion, run), scatter * expected_heat, resolution});
+  // Not a number where there is no wall, or no tool receives heat.
+  bars.profile_mean = std::max({richardson() * profile.mean, chance_in_mean * expected.thickness, resolution});
+  bars.profile_largest = std::max({richardson() * profile.largest, chance_at_worst * expected.thickness, resolution});
+  bars.heat = std::max({richardson() * heat_difference(companion, run), scatter * expected.heat, resolution});
   return bars;
 }
 

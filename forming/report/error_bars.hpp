@@ -15,7 +15,11 @@ struct ErrorBars {
   double heat;              ///< into all tools, a share; NaN without
   double companion_cpu_seconds = 0;
 };
-/// `expected_heat`: error of the heat into all tools known beforehand, a share; the tools' bars are not narrower than it says.
-ErrorBars error_bars(const Quantities& run, const Quantities& companion, double expected_heat = 0);
+/// Errors known beforehand, as shares: of the wall in the mean, of the heat into all tools; 0 where nothing is known.
+struct ExpectedErrors {
+  double thickness = 0, heat = 0;
+};
+/// No bar is narrower than what `expected` says of it.
+ErrorBars error_bars(const Quantities& run, const Quantities& companion, const ExpectedErrors& expected = {});
 
 }  // namespace parison::forming

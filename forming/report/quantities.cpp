@@ -55,13 +55,10 @@ void add_wall(const std::vector<ThicknessRow>& rows, Quantities& found) {
   found.profile = sample_profile(rows);
   const std::vector<int> places = inner_places(found.profile);
   if (places.empty()) return;
-  double sum = 0;
   int thinnest = places.front();
-  for (const int i : places) {
-    sum += found.profile[i];
+  for (const int i : places)
     if (found.profile[i] < found.profile[thinnest]) thinnest = i;
-  }
-  const double mean = sum / double(places.size()), lowest = found.profile[thinnest];
+  const double mean = 1e3 * thickness_range(rows).mean, lowest = found.profile[thinnest];
   found.values.push_back({"thickness_mean", "mm", mean, mean});
   found.values.push_back({"thickness_min", "mm", lowest, lowest});
   found.values.push_back({"thickness_min_at", "of the arc", double(thinnest) / (profile_points - 1), 1});

@@ -20,7 +20,7 @@ constexpr const char* coarser_word = " coarser ";
 constexpr std::array passes{1, 1, 1};
 constexpr std::array temperature_orders{2, 2, 2};
 constexpr double least_coarser = 0.05, most_coarser = 20;
-constexpr double coarsest = -2, finest = 3;  ///< levels that a target may ask for
+constexpr double smallest_target = 0.0013, largest_target = 0.07;  ///< at the levels 2.9 and -2
 
 std::size_t nearest_preset(double level) {
   return static_cast<std::size_t>(std::clamp(std::floor(level + 0.5), 0.0, double(preset_names.size() - 1)));
@@ -40,16 +40,15 @@ double number(const std::string& text) {
                                     text));
 }
 
-double law_at(const ErrorLaw& law, double level) { return law.at_draft * std::exp2(-law.order * level); }
-
 double law_level(const ErrorLaw& law, double target) { return std::log2(law.at_draft / target) / law.order; }
 
 double read_target(const std::string& text) {
   const double target = number(text.substr(0, text.find_last_not_of(" %") + 1)) / 100;
   if (target <= 0) refuse(text);
-  if (target > expected_error(coarsest) || target < expected_error(finest))
-    throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are errors from {:.2g}% to {:.2g}%", text,
-                                      100 * expected_error(finest), 100 * expected_error(coarsest)));
+  constexpr double rounding = 1e-12;
+  if (target > largest_target * (1 + rounding) || target < smallest_target * (1 - rounding))
+    throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are errors from {:g}% to {:g}%", text,
+                                      100 * smallest_target, 100 * largest_target));
   return target;
 }
 
@@ -78,7 +77,7 @@ const std::vector<Setting>& settings() {
 }
 
 const ErrorModel& error_model() {
-  static const ErrorModel model{{0.0098, 1.17}, {0.0012, 1.16}};
+  static const ErrorModel model{{0.014, 1.17}, {0.0012, 1.16}};
   return model;
 }
 
@@ -105,7 +104,7 @@ Accuracy coarsened(Accuracy accuracy, double factor) {
 }
 
 double expected_error(double level) {
-  return std::max(law_at(error_model().thickness, level), law_at(error_model().heat, level));
+  return std::max(error_model().thickness.at(level), error_model().heat.at(level));
 }
 
 double level_for(double target) {

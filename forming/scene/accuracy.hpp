@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,11 +66,13 @@ std::string coarser_text(const std::string& text, double factor);
 /// The presets draft, standard and fine, or what another text asks for.
 Accuracy accuracy_preset(const std::string& text);
 
-/// The measured error of the dial: at_draft * 2^(-order * level), as a share.
+/// An error of the dial: at_draft * 2^(-order * level), as a share.
 struct ErrorLaw {
   double at_draft, order;
+  double at(double level) const { return at_draft * std::exp2(-order * level); }
 };
-/// Mean error of the wall thickness, and error of the heat into tools.
+/// Mean error of the wall thickness, measured on the bundled container that errs most (the bottle; the order is the jar's), and
+/// error of the heat into tools. `tools/bench targets` holds runs against it.
 struct ErrorModel {
   ErrorLaw thickness, heat;
 };

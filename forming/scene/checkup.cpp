@@ -54,17 +54,10 @@ std::optional<double> flow_speed(const Scene& scene, double length, double visco
   return {};
 }
 
-double highest_conductance(const contact::ConductanceLaw& law) {
-  if (const auto* constant = std::get_if<contact::ConstantConductance>(&law)) return constant->h;
-  if (const auto* band = std::get_if<contact::PressureViscosityConductance>(&law)) return std::max(band->h0, band->h1);
-  const auto& table = std::get<contact::TableConductance>(law).h;
-  return *std::max_element(table.begin(), table.end());
-}
-
 /// W/m2/K: of the interfaces, else of the air.
 std::optional<double> exchange(const Scene& scene) {
   double h = 0;
-  for (const Interface& interface : scene.interfaces) h = std::max(h, highest_conductance(interface.law));
+  for (const Interface& interface : scene.interfaces) h = std::max(h, contact::highest(interface.law));
   if (h == 0)
     for (const Stage& stage : scene.stages) h = std::max(h, stage.air.h);
   if (h > 0) return h;

@@ -97,16 +97,35 @@ std::string stage_lines(const Scene& scene) {
 std::string choice_text(const Scene& scene) {
   const AccuracyChoice& choice = scene.accuracy_choice;
   if (!choice.target) return "preset";
-  return fmt::format("target: wall thickness and heat into tools to {:.3g} %, by the errors measured on the bundled jar", 100 * *choice.target);
+  return fmt::format("target: wall thickness and heat into tools to {:.3g} %, by the errors measured on the bundled containers", 100 * *choice.target);
+}
+
+/// What the dial's law says of a scene of its kind: glass that flows on meshes of the dial's.
+std::string expected_text(const Scene& scene) {
+  if (!scene.has_flow() || scene.glass.mesh.mapped) return "";
+  const AccuracyChoice& choice = scene.accuracy_choice;
+  return fmt::format("; error expected {:.2g} %{}", 100 * expected_error(choice.level - std::log2(choice.coarser)),
+                     scene.accuracy_origin.empty() ? "" : " but for what case and --set change");
+}
+
+/// Whether a setting is for meshes that the case maps itself.
+bool is_unused(const Scene& scene, const std::string& key) {
+  const auto maps = [](const Tool& tool) { return tool.mesh.mapped.has_value(); };
+  if (key.rfind("tool_", 0) == 0) return !scene.tools.empty() && std::all_of(scene.tools.begin(), scene.tools.end(), maps);
+  const bool of_glass = key == "surface_size" || key == "skin_size" || key == "elements_across" || key == "glass_growth";
+  return of_glass && scene.glass.mesh.mapped && !scene.has_flow();
 }
 
 std::string accuracy_lines(const Scene& scene) {
   const AccuracyChoice& choice = scene.accuracy_choice;
-  std::string text = fmt::format("\naccuracy {} ({}; level {:.3g}, 0 is draft, 1 standard, 2 fine; error expected {:.2g} %)\n",
-                                 scene.accuracy_name, choice_text(scene), choice.level, 100 * expected_error(choice.level));
+  std::string text = fmt::format("\naccuracy {} ({}; level {:.3g}, 0 is draft, 1 standard, 2 fine{})\n", scene.accuracy_name,
+                                 choice_text(scene), choice.level, expected_text(scene));
   const auto add = [&](const char* key, double value, const char* unit) {
     const auto own = scene.accuracy_origin.find(key);
-    const std::string origin = own != scene.accuracy_origin.end() ? own->second : choice.target ? "target" : "preset";
+    const std::string origin = own != scene.accuracy_origin.end() ? own->second
+                               : is_unused(scene, key)            ? "not used: the case maps its mesh"
+                               : choice.target                    ? "target"
+                                                                  : "preset";
     text += fmt::format("  {:<24}{:<12}{}{}\n", key, fmt::format("{:.4g}{}{}", value, *unit ? " " : "", unit), origin,
                         choice.coarser == 1 ? "" : ", made coarser");
   };

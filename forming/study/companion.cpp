@@ -20,12 +20,12 @@ bool is_complete(const std::string& directory) {
   return std::filesystem::exists(path) && core::read_json(core::read_text(path), path).flag_of("completed");
 }
 
-/// Error of the heat into all tools that the dial's law expects of glass that flows, a share; the law says nothing of other
-/// scenes, whose meshes and steps are often their own.
-double expected_heat(const Scene& scene) {
-  const ErrorLaw& law = error_model().heat;
+/// What the dial's law expects of glass that flows on a mesh of the dial's; the law says nothing of other scenes, whose meshes and
+/// steps are often their own.
+ExpectedErrors expected_errors(const Scene& scene) {
+  if (!scene.has_flow() || scene.glass.mesh.mapped) return {};
   const double level = scene.accuracy_choice.level - std::log2(scene.accuracy_choice.coarser);
-  return scene.has_flow() ? law.at_draft * std::exp2(-law.order * level) : 0;
+  return {error_model().thickness.at(level), error_model().heat.at(level)};
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& r
     if (!outcome.facts.completed) return {};
   }
   const core::JsonValue summary = core::read_json(core::read_text(path), path);
-  ErrorBars bars = error_bars(run, read_quantities(summary), expected_heat(scene));
+  ErrorBars bars = error_bars(run, read_quantities(summary), expected_errors(scene));
   bars.companion_cpu_seconds = summary.number_of("cpu_seconds");
   return bars;
 }

@@ -88,6 +88,8 @@ std::vector<Rung> numerical_rungs(const Scene& scene) {
 
 }  // namespace
 
+std::string usual_reference(const Scene& scene) { return scene.glass.mesh.mapped ? "fine coarser 0.5" : "fine"; }
+
 std::vector<Rung> standard_ladder(const Scene& scene, const std::string& reference) {
   std::vector<Rung> ladder = dial_rungs(reference);
   for (auto rungs : {numerical_rungs(scene), model_rungs(scene)}) ladder.insert(ladder.end(), rungs.begin(), rungs.end());

@@ -16,6 +16,9 @@ struct Rung {
   std::string what;  ///< what a rung of the group model leaves out
 };
 
+/// The accuracy that the others are held against: where the case maps its mesh the presets alone would all compute the same.
+std::string usual_reference(const Scene& scene);
+
 /// The rungs that a scene calls for. Those of the dial are the presets and what lies between, as far as they are coarser than
 /// the reference; the others change one thing each at `scene`, which was read at the base accuracy.
 std::vector<Rung> standard_ladder(const Scene& scene, const std::string& reference);

@@ -15,6 +15,7 @@ struct Parts {
   const Scene& scene;
   std::string glass;                ///< name of its material in the case
   std::set<std::string> tool_materials;
+  std::vector<std::string> still_air;  ///< overrides that take the air's h
   std::vector<Rung> rungs;
 
   void add(const char* name, const std::string& what, std::vector<std::string> overrides) {
@@ -40,11 +41,20 @@ void find_materials(Parts& parts) {
   if (const auto* tools = member(file.root, "tool"))
     for (const auto& tool : tools->items) parts.tool_materials.insert(material(tool));
   parts.tool_materials.erase("");
+  const auto still = [&](const core::CaseNode& owner, const std::string& path) {
+    if (member(owner, "air")) parts.still_air.push_back(path + "air.h=0 W/m2/K");
+  };
+  still(file.root, "");
+  if (const auto* stages = member(file.root, "stage"))
+    for (const auto& stage : stages->items) still(stage, fmt::format("stage.{}.", member(stage, "name")->text));
 }
 
 void add_heat_parts(Parts& parts) {
   const Scene& scene = parts.scene;
-  if (const auto& radiation = scene.glass.thermal->radiation) {
+  if (const auto& radiation = scene.glass.thermal->radiation; !radiation) {
+    parts.add("with_radiation", "radiation inside the glass, which the case leaves out: put in as container glass has it",
+              {parts.of_glass("radiation={refractive_index=1.518, absorption=\"150 1/m\", thin_wall=true}")});
+  } else {
     // An opaque glass carries no heat by radiation.
     parts.add("no_radiation", "radiation inside the glass (Rosseland)", {parts.of_glass("radiation.absorption=1e12 1/m")});
     if (radiation->thin_wall)
@@ -52,6 +62,7 @@ void add_heat_parts(Parts& parts) {
   }
   if (scene.glass.emissivity > 0)
     parts.add("no_emission", "radiation of the glass to its surroundings", {parts.of_glass("emissivity=0")});
+  if (!parts.still_air.empty()) parts.add("no_air_cooling", "cooling by moving air", parts.still_air);
   std::vector<std::string> held;
   for (const std::string& material : parts.tool_materials)
     if (material != parts.glass) held.push_back(fmt::format("material.{}.heat_capacity=1e9 J/kg/K", material));
@@ -75,6 +86,9 @@ void add_flow_parts(Parts& parts) {
   const Scene& scene = parts.scene;
   if (scene.glass.flow->surface_tension > 0)
     parts.add("no_tension", "surface tension", {parts.of_glass("surface_tension=0 N/m")});
+  else
+    parts.add("with_tension", "surface tension, which the case leaves out: put in as container glass has it",
+              {parts.of_glass("surface_tension=0.315 N/m")});
   if (scene.glass.flow->shear_thinning)
     parts.add("no_thinning", "shear thinning", {parts.of_glass("shear_thinning.time=1e-12 s")});
   constexpr double little = 0.01;
@@ -88,7 +102,7 @@ void add_flow_parts(Parts& parts) {
 }  // namespace
 
 std::vector<Rung> model_rungs(const Scene& scene) {
-  Parts parts{scene, {}, {}, {}};
+  Parts parts{scene, {}, {}, {}, {}};
   find_materials(parts);
   if (scene.has_heat()) add_heat_parts(parts);
   if (scene.has_flow()) add_flow_parts(parts);
