@@ -79,6 +79,8 @@ def section(options):
             continue
         for accuracy in accuracies:
             _, folder = parison(ROOT / "cases" / case, accuracy, "--error-bars")
+            if accuracy == "draft":
+                references.tell_age(case, read_summary(folder)["state_fingerprint"])
             print(f"    {case} at {accuracy}: shares of the scale, %", flush=True)
             print(f"      {'':<22}{'bar':>10}{'true':>10}{'ratio':>8}", flush=True)
             for name, bar, true, least in compare(read_summary(folder), reference):

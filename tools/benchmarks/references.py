@@ -9,7 +9,7 @@ from benchmarks.common import ROOT, Skipped, build, parison, read_summary
 
 STORED = Path(__file__).resolve().parent / "references.json"
 SECONDS = {"shell_inflation": "fine coarser 0.667", "contact_cylinders": "fine coarser 0.667"}
-MINUTES = {"jar": "fine", "tumbler": "fine", "bottle": "fine"}
+MINUTES = {"jar": "fine", "tumbler": "fine", "bottle": "fine coarser 0.8"}  # the bottle at fine is still 0.27 % off in the mean of its wall
 
 
 def fingerprint(case):
@@ -33,10 +33,19 @@ def of_case(case):
     return stored[case]
 
 
-def store(case, summary):
+def store(case, summary, draft):
     stored = json.loads(STORED.read_text()) if STORED.exists() else {}
-    stored[case] = {"case_file": fingerprint(case), "accuracy": summary["accuracy"], **kept(summary)}
+    stored[case] = {"case_file": fingerprint(case), "accuracy": summary["accuracy"],
+                    "draft_state": draft["state_fingerprint"], **kept(summary)}
     STORED.write_text(json.dumps(stored) + "\n")
+
+
+@lru_cache
+def tell_age(case, draft_state):
+    """Says so when the draft run ends otherwise than beside the reference."""
+    if case in MINUTES and of_case(case).get("draft_state") != draft_state:
+        print(f"    note: the reference of {case} was made by another state of the program or on another machine; "
+              "`tools/bench --renew-references` makes it anew", flush=True)
 
 
 def renew():
@@ -44,4 +53,5 @@ def renew():
     build("parison")
     for case, accuracy in MINUTES.items():
         print(f"reference of {case}, at {accuracy}", flush=True)
-        store(case, read_summary(parison(ROOT / "cases" / case, accuracy)[1]))
+        run, draft = (read_summary(parison(ROOT / "cases" / case, at)[1]) for at in (accuracy, "draft"))
+        store(case, run, draft)
