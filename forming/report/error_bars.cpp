@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <vector>
 
 #include "forming/scene/accuracy.hpp"
@@ -44,13 +43,14 @@ double size_of_kind(const Quantities& run, const Quantity& quantity) {
   return std::sqrt(quantity.scale * whole);
 }
 
-/// The scatter of differences, as shares: from three on by their median, so that one that stands out does not widen all bars.
+/// The scatter of differences, as shares: from three on by their median, so that one that stands out does not widen all bars; of two
+/// the larger, as the other may have vanished by chance.
 struct Usual {
   std::vector<double> sizes;
   double scatter() const {
     constexpr double of_median = 1.48;  // of a normal scatter
     const std::size_t count = sizes.size();
-    if (count < 3) return std::sqrt(std::inner_product(sizes.begin(), sizes.end(), sizes.begin(), 0.0) / double(count));
+    if (count < 3) return *std::max_element(sizes.begin(), sizes.end());
     std::vector<double> sorted = sizes;
     std::sort(sorted.begin(), sorted.end());
     return of_median * 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
@@ -134,10 +134,11 @@ ErrorBars error_bars(const Quantities& run, const Quantities& companion, const E
     if (!other || is_thinnest(quantity)) continue;
     const double size = size_of_kind(run, quantity);
     const Usual& alike = usual[kind(quantity)];
+    // What is usual bounds a chance agreement of two runs; it is scatter, which a finer run has less of but not by the order.
     const double chance = quantity.name == "thickness_mean"
-                              ? std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
+                              ? richardson() * std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
                               : alike.scatter() * size;
-    quantity.error = std::max(richardson() * std::max(std::abs(other->value - quantity.value), chance), resolution * size);
+    quantity.error = std::max({richardson() * std::abs(other->value - quantity.value), chance, resolution * size});
     if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected.heat / double(alike.sizes.size()) * size);
     if (is_time(quantity)) quantity.error = std::max(quantity.error, chance_in_time * expected.thickness * size);
   }
