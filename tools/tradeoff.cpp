@@ -91,6 +91,7 @@ void say(const Ladder& ladder, const Rung& rung, const std::string& what) {
 
 std::string result_line(const Ladder& ladder, const Rung& rung) {
   const std::string path = ladder.folder(rung) + "/summary.json";
+  if (!fs::exists(path) && stop_asked()) return "stopped before its first checkpoint, will start anew";
   if (!fs::exists(path)) return fmt::format("ended without a summary, see {}.log", ladder.folder(rung));
   const core::JsonValue summary = core::read_json(core::read_text(path), path);
   return summary.flag_of("completed") ? fmt::format("{:.1f} s CPU", summary.number_of("cpu_seconds"))

@@ -57,22 +57,22 @@ double read_target(const std::string& text) {
 const std::vector<Setting>& settings() {
   using A = Accuracy;
   static const std::vector<Setting> all = {
-      {"surface_size", &A::surface_size, dimension::length, "mm", 1e-3, 1, {1.6e-3, 1e-3, 0.6e-3}},
-      {"skin_size", &A::skin_size, dimension::length, "mm", 1e-3, 1, {0.7e-3, 0.4e-3, 0.22e-3}},
-      {"elements_across", &A::elements_across, dimension::none, "", 1, -0.6, {2, 3, 4.5}},
-      {"glass_growth", &A::glass_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}},
-      {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}},
-      {"tool_growth", &A::tool_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}},
-      {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}},
-      {"temperature_tolerance", &A::temperature_tolerance, dimension::temperature_difference, "K", 1, 2, {1, 0.2, 0.05}},
-      {"temperature_per_step", &A::temperature_per_step, dimension::temperature_difference, "K", 1, 1, {40, 20, 10}},
-      {"largest_step", &A::largest_step, dimension::time, "s", 1, 1, {0.2, 0.1, 0.05}},
-      {"first_step", &A::first_step, dimension::time, "s", 1, 0, {1e-3, 1e-3, 1e-3}},
-      {"smallest_step", &A::smallest_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}},
-      {"motion_tolerance", &A::motion_tolerance, dimension::length, "mm", 1e-3, 2, {0.05e-3, 0.025e-3, 6.25e-6}},
-      {"most_cells", &A::most_cells, dimension::none, "", 1, -2, {2e4, 3e4, 4.5e4}},
-      {"solution_error", &A::solution_error, dimension::none, "", 1, 2, {0, 0, 0}},
-      {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.04, 0.1, 0.1}}};
+      {"surface_size", &A::surface_size, dimension::length, "mm", 1e-3, 1, {1.6e-3, 1e-3, 0.6e-3}, 1e-7, 0.1},
+      {"skin_size", &A::skin_size, dimension::length, "mm", 1e-3, 1, {0.7e-3, 0.4e-3, 0.22e-3}, 1e-7, 0.1},
+      {"elements_across", &A::elements_across, dimension::none, "", 1, -0.6, {2, 3, 4.5}, 0.5, 100},
+      {"glass_growth", &A::glass_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}, 0.01, 5},
+      {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}, 1e-7, 0.5},
+      {"tool_growth", &A::tool_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}, 0.01, 5},
+      {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}, 1e-4, 2},
+      {"temperature_tolerance", &A::temperature_tolerance, dimension::temperature_difference, "K", 1, 2, {1, 0.2, 0.05}, 1e-7, 100},
+      {"temperature_per_step", &A::temperature_per_step, dimension::temperature_difference, "K", 1, 1, {40, 20, 10}, 1e-3, 2000},
+      {"largest_step", &A::largest_step, dimension::time, "s", 1, 1, {0.2, 0.1, 0.05}, 1e-9, 1e6},
+      {"first_step", &A::first_step, dimension::time, "s", 1, 0, {1e-3, 1e-3, 1e-3}, 1e-9, 1e6},
+      {"smallest_step", &A::smallest_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}, 1e-12, 1e6},
+      {"motion_tolerance", &A::motion_tolerance, dimension::length, "mm", 1e-3, 2, {0.05e-3, 0.025e-3, 6.25e-6}, 1e-10, 0.01},
+      {"most_cells", &A::most_cells, dimension::none, "", 1, -2, {2e4, 3e4, 4.5e4}, 100, 1e7},
+      {"solution_error", &A::solution_error, dimension::none, "", 1, 2, {0, 0, 0}, 0, 1},
+      {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.04, 0.1, 0.1}, 1e-4, 0.9}};
   return all;
 }
 

@@ -45,6 +45,14 @@ Output read_output(const CaseNode& node) {
 
 namespace {
 
+/// A number of the dial within what makes sense.
+double read_setting(const CaseNode& item, const Setting& setting) {
+  const double value = setting.least > 0 ? core::positive(item, setting.dimension) : core::not_negative(item, setting.dimension);
+  if (value >= setting.least && value <= setting.most) return value;
+  const auto shown = [&](double si) { return fmt::format("{:g}{}{}", si / setting.unit_size, *setting.unit ? " " : "", setting.unit); };
+  core::refuse(item, fmt::format("{} was found, allowed are values from {} to {}", shown(value), shown(setting.least), shown(setting.most)));
+}
+
 /// Refuses a value above the one that bounds it, at whichever of the two the case gives.
 void require_order(const CaseTable& table, const char* low_key, double low, const char* high_key, double high) {
   if (low <= high) return;
@@ -64,18 +72,13 @@ void read_numerics(const CaseNode& node, Scene& scene) {
   for (const std::string& key : keys)
     if (const auto* item = table.find(key)) scene.accuracy_origin[key] = item->line > 0 ? "case" : item->file;
   for (const Setting& setting : settings())
-    if (const auto* item = table.find(setting.key))
-      accuracy.*setting.value = setting.levels[0] > 0 ? core::positive(*item, setting.dimension)
-                                                      : core::not_negative(*item, setting.dimension);  // 0 leaves it out
+    if (const auto* item = table.find(setting.key)) accuracy.*setting.value = read_setting(*item, setting);
   if (const auto* item = table.find("passes")) accuracy.passes = core::count(*item);
   if (const auto* item = table.find("temperature_order")) {
     accuracy.temperature_order = core::count(*item);
     if (accuracy.temperature_order > 2)
       core::refuse(*item, fmt::format("{} was found, allowed are 1 and 2", accuracy.temperature_order));
   }
-  constexpr double highest_floor = 0.9;  // no mesh is better all over
-  if (const auto* item = table.find("quality_floor"); item && accuracy.quality_floor > highest_floor)
-    core::refuse(*item, fmt::format("{:g} was found, allowed are values up to {:g}", accuracy.quality_floor, highest_floor));
   require_order(table, "smallest_step", accuracy.smallest_step, "first_step", accuracy.first_step);
   require_order(table, "first_step", accuracy.first_step, "largest_step", accuracy.largest_step);
   require_order(table, "skin_size", accuracy.skin_size, "surface_size", accuracy.surface_size);

@@ -200,6 +200,18 @@ TEST(Dial, BothEndsOfTheTargetsThatTheErrorNamesAreTaken) {
   for (const char* text : {"0.129%", "7.01%"}) EXPECT_THROW(read_accuracy(text), core::CaseError) << text;
 }
 
+TEST(Dial, SettingsThatMakeNoSenseAreRefused) {
+  for (const char* text : {"elements_across=0.1", "most_cells=1", "surface_size=1 m", "strain_per_step=10", "tool_growth=100",
+                           "quality_floor=0.95", "solution_error=-0.1"}) {
+    EXPECT_THROW(bundled("jar", "draft", {std::string("numerics.") + text}), core::CaseError) << text;
+  }
+  try {
+    bundled("jar", "draft", {"numerics.surface_size=1 m"});
+  } catch (const core::CaseError& error) {
+    EXPECT_NE(std::string(error.what()).find("1000 mm was found, allowed are values from 0.0001 mm to 100 mm"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Dial, ATargetIsHeldMissedOrOnlyExpected) {
   const Scene scene = bundled("jar", "1%");
   for (const auto& [bar, verdict] : {std::pair{0.009, "held"}, std::pair{0.03, "expected, not proved"}, std::pair{0.06, "missed"}}) {
