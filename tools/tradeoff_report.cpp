@@ -146,7 +146,19 @@ std::string model_table(const Results& results, const RungResult& base, const st
                      "|---|---|---|---|---|---|\n", base.rung.name) + rows;
 }
 
+/// Whether the dial says nothing: where a case maps its mesh and sets its steps the presets compute the same.
+bool presets_agree(const Results& results) {
+  const RungResult* first = nullptr;
+  for (const RungResult& r : results) {
+    if (!is_preset(r) || !r.completed) continue;
+    if (first && r.error() != first->error()) return false;
+    first = &r;
+  }
+  return first && first->error() > 0;
+}
+
 std::string error_laws(const Results& results) {
+  if (presets_agree(results)) return "\nThe presets compute the same: the case sets its mesh and its steps itself.\n";
   std::string text;
   const std::pair<const char*, double (*)(const RungResult&)> laws[] = {
       {"thickness", [](const RungResult& r) { return r.profile.mean; }}, {"heat", [](const RungResult& r) { return r.heat; }}};

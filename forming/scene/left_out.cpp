@@ -75,6 +75,14 @@ double lasting(const Scene& scene) {
 /// Strain by which a stress would draw the glass out over the run, were it as hot as at the start.
 double hot_strain(const Estimator& e, double stress) { return stress * lasting(e.scene) / (3 * *e.numbers.viscosity); }
 
+/// Pa.
+double highest_pressure(const Scene& scene) {
+  double highest = 0;
+  for (const Stage& stage : scene.stages)
+    for (const auto& entry : stage.pressure) highest = std::max(highest, std::abs(entry.second));
+  return highest;
+}
+
 /// The shortest stage in which a tool or a pressure drives the glass; the whole run where none does.
 double quickest_drive(const Scene& scene) {
   double quickest = lasting(scene);
@@ -100,14 +108,16 @@ void add_flow(Estimator& e) {
   const double length = e.numbers.length;
   const double tension = flow.surface_tension > 0 ? flow.surface_tension : usual_tension;
   const bool weight = std::any_of(e.scene.stages.begin(), e.scene.stages.end(), [](const Stage& s) { return s.gravity != 0; });
-  const auto stressed = [&](const char* name, bool in_scene, const char* number_name, double strain, const Measured& jar) {
+  const auto stressed = [&](const char* name, bool in_scene, double stress, const Measured& jar) {
     // Glass that nothing forms takes the strain as it is; what forms the jar, and its cooling, hold most of it back.
+    const double strain = hot_strain(e, stress), ratio = strain / jar.number, blown = stress / highest_pressure(e.scene);
+    constexpr const char* number_name = "strain it would make in hot glass";
     if (e.shape == Shaped::unformed) e.add(name, in_scene, number_name, strain, strain, heat_of_strain * strain);
-    else e.scale(name, in_scene, number_name, strain, jar);
+    else if (e.shape == Shaped::pressed || ratio * jar.thickness > blown) e.scale(name, in_scene, number_name, strain, jar);
+    else e.add(name, in_scene, "its stress over the pressure", blown, blown, ratio * jar.heat);
   };
-  stressed("surface tension", flow.surface_tension > 0, "strain it would make in hot glass",
-           hot_strain(e, tension / length), tension_measured);
-  stressed("gravity", weight, "strain it would make in hot glass", hot_strain(e, flow.density * earth * length), gravity_measured);
+  stressed("surface tension", flow.surface_tension > 0, tension / length, tension_measured);
+  stressed("gravity", weight, flow.density * earth * length, gravity_measured);
   add_friction(e);
   // Inertia delays the flow by the time in which the slowest motion across a wall dies out, here a
   // slab held on both sides; no run measures what that changes at most.
