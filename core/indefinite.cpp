@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
+
+#include <fmt/core.h>
 
 #include "core/cholesky.hpp"
 
@@ -61,6 +64,14 @@ struct Mumps {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
 };
 
+/// What MUMPS cannot do, for want of memory as a rule, ends the run with a sentence; codes are those of its users' guide, section 8.
+void require(int status) {
+  constexpr int memory_of_analysis = -7, memory = -13;
+  if (status == memory_of_analysis || status == memory)
+    throw std::runtime_error(fmt::format("the memory does not suffice to factorise the flow's matrix (MUMPS {}); a coarser mesh needs less", status));
+  if (status < 0) throw std::runtime_error(fmt::format("the flow's matrix cannot be factorised (MUMPS {})", status));
+}
+
 /// Factors that give every positive diagonal entry 1 and every other row, so scaled, the length 1.
 Eigen::VectorXd row_scale(const SymmetricMatrix& matrix) {
   Eigen::VectorXd scale = Eigen::VectorXd::Zero(matrix.size), length = scale;
@@ -95,8 +106,7 @@ void Mumps::analyse(const SymmetricMatrix& matrix, std::vector<int> in_order) {
   instance.jcn = column.data();
   instance.a = value.data();
   instance.perm_in = place.data();
-  [[maybe_unused]] const int status = run(1);
-  assert(status >= 0);
+  require(run(1));
 }
 
 bool Mumps::factorise(const SymmetricMatrix& matrix) {
@@ -108,7 +118,10 @@ bool Mumps::factorise(const SymmetricMatrix& matrix) {
     control(14) *= 2;
     status = run(2);
   }
-  return status >= 0;
+  constexpr int singular = -10, structurally_singular = -6;
+  if (status == singular || status == structurally_singular) return false;
+  require(status);
+  return true;
 }
 
 Eigen::MatrixXd Mumps::solve(const Eigen::MatrixXd& rhs) {
@@ -117,8 +130,7 @@ Eigen::MatrixXd Mumps::solve(const Eigen::MatrixXd& rhs) {
   instance.rhs = solution.data();
   instance.nrhs = static_cast<int>(rhs.cols());
   instance.lrhs = static_cast<int>(rhs.rows());
-  [[maybe_unused]] const int status = run(3);
-  assert(status >= 0);
+  require(run(3));
   solution = (scale.asDiagonal() * solution).eval();
   if (number.empty()) return solution;
   Eigen::MatrixXd by_number(rhs.rows(), rhs.cols());

@@ -71,6 +71,12 @@ std::string share_line(const char* label, double share) {
   return std::isfinite(share) ? fmt::format("  {:<30}{:>14.2g} %\n", label, 100 * share) : "";
 }
 
+std::string error_text(const Quantity& quantity) {
+  if (!std::isfinite(quantity.error)) return "-";
+  if (quantity.name == "thickness_min_at" && quantity.error >= 1) return "anywhere";
+  return fmt::format("+- {:.2g}", quantity.error);
+}
+
 /// A bar is a bound, as a rule two to five times the error: one wider than the target shows nothing until it is five times so.
 std::string target_line(double target, double bar) {
   constexpr double widest = 5;
@@ -86,8 +92,7 @@ std::string target_line(double target, double bar) {
 std::string error_table(const Scene& scene, const ErrorBars& bars) {
   std::string text = fmt::format("\n  {:<30}{:>14}{:>16}\n", "quantity", "value", "estimated error");
   for (const Quantity& quantity : bars.quantities.values)
-    text += fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value,
-                        std::isfinite(quantity.error) ? fmt::format("+- {:.2g}", quantity.error) : "-", quantity.unit);
+    text += fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity), quantity.unit);
   text += share_line("wall thickness, mean error", bars.profile_mean);
   text += share_line("wall thickness, largest error", bars.profile_largest);
   text += share_line("heat into tools, error", bars.heat);
