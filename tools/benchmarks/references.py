@@ -33,6 +33,15 @@ def of_case(case):
     return stored[case]
 
 
+def known(cases):
+    """Cases and their references; says which are left out."""
+    for case in cases:
+        try:
+            yield case, of_case(case)
+        except Skipped as reason:
+            print(f"    {case} left out: {reason}", flush=True)
+
+
 def store(case, summary, draft):
     stored = json.loads(STORED.read_text()) if STORED.exists() else {}
     stored[case] = {"case_file": fingerprint(case), "accuracy": summary["accuracy"],
