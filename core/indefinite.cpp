@@ -66,8 +66,8 @@ struct Mumps {
 
 /// What MUMPS cannot do, for want of memory as a rule, ends the run with a sentence; codes are those of its users' guide, section 8.
 void require(int status) {
-  constexpr int memory_of_analysis = -7, memory = -13;
-  if (status == memory_of_analysis || status == memory)
+  constexpr int real_workspace = -5, integer_workspace = -7, memory = -13;
+  if (status == real_workspace || status == integer_workspace || status == memory)
     throw std::runtime_error(fmt::format("the memory does not suffice to factorise the flow's matrix (MUMPS {}); a coarser mesh needs less", status));
   if (status < 0) throw std::runtime_error(fmt::format("the flow's matrix cannot be factorised (MUMPS {})", status));
 }
@@ -118,8 +118,8 @@ bool Mumps::factorise(const SymmetricMatrix& matrix) {
     control(14) *= 2;
     status = run(2);
   }
-  constexpr int singular = -10, structurally_singular = -6;
-  if (status == singular || status == structurally_singular) return false;
+  constexpr int singular = -10, too_many_delayed = -9, too_many_delayed_indices = -8;
+  if (status == singular || status == too_many_delayed || status == too_many_delayed_indices) return false;
   require(status);
   return true;
 }

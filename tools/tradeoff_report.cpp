@@ -138,9 +138,9 @@ std::string model_table(const Results& results, const RungResult& base, const st
                                         share(r.profile.largest), share(r.heat), 100 * (base.cpu - r.cpu) / base.cpu, changes(r, base))
                           : fmt::format("| {} | | | | | {} |\n", r.rung.what, r.reason);
   for (const forming::PartEstimate& part : estimates)
-    if (part.name == std::string("inertia"))
-      rows += fmt::format("| inertia (never in the model; estimated by {} {:.2g}, largest Reynolds number {:.2g}) | {:.2g} | | | | |\n",
-                          part.number_name, part.number, base.reynolds, 100 * part.thickness);
+    if (!part.in_the_model)
+      rows += fmt::format("| {} (never in the model; estimated by {} {:.2g}, largest Reynolds number {:.2g}) | {:.2g} | | | | |\n",
+                          part.name, part.number_name, part.number, base.reynolds, 100 * part.thickness);
   if (rows.empty()) return {};
   return fmt::format("\nWithout a part, or with one that the case leaves out, against {}:\n\n| part | thickness, mean % | largest % | heat into tools % | its share of the CPU time, % | changes |\n"
                      "|---|---|---|---|---|---|\n", base.rung.name) + rows;
@@ -149,12 +149,14 @@ std::string model_table(const Results& results, const RungResult& base, const st
 /// Whether the dial says nothing: where a case maps its mesh and sets its steps the presets compute the same.
 bool presets_agree(const Results& results) {
   const RungResult* first = nullptr;
+  int alike = 0;
   for (const RungResult& r : results) {
     if (!is_preset(r) || !r.completed) continue;
     if (first && r.error() != first->error()) return false;
     first = &r;
+    ++alike;
   }
-  return first && first->error() > 0;
+  return alike > 1 && first->error() > 0;
 }
 
 std::string error_laws(const Results& results) {

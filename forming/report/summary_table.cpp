@@ -77,11 +77,12 @@ std::string error_text(const Quantity& quantity) {
   return fmt::format("+- {:.2g}", quantity.error);
 }
 
-/// A bar is a bound, as a rule two to five times the error: one wider than the target shows nothing until it is five times so.
+/// A bar is a bound, as a rule two to five times the error: one wider than the target says little until it is five times so.
 std::string target_line(double target, double bar) {
   constexpr double widest = 5;
-  std::string verdict = fmt::format("missed, the error is estimated at {:.2g} % at the least", 100 * bar / widest);
-  if (bar <= target) verdict = "held";
+  std::string verdict = fmt::format("probably missed: the bar of {:.2g} % is more than five times as wide", 100 * bar);
+  if (!std::isfinite(bar)) verdict = "not to be told, with neither a wall nor tools that receive heat";
+  else if (bar <= target) verdict = "held";
   else if (bar <= widest * target)
     verdict = fmt::format("expected, not proved: the bar of {:.2g} % is a bound, as a rule two to five times the error", 100 * bar);
   return fmt::format("  target {:.3g} % (wall in the mean, heat into tools): {}\n", 100 * target, verdict);

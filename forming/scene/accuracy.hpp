@@ -57,6 +57,8 @@ struct AccuracyChoice {
   double level = 0;
   std::optional<double> target;  ///< share of the wall thickness and of the heat into tools, when given so
   double coarser = 1;            ///< edges and steps of the whole scene, the case's own included, are so many times longer
+  /// The level at which the dial's law would see it.
+  double effective_level() const { return level - std::log2(coarser); }
 };
 /// Throws core::CaseError where the text is no choice.
 AccuracyChoice read_accuracy(const std::string& text);

@@ -30,16 +30,6 @@ double outline_volume(const core::Profile& profile, core::Geometry geometry) {
   return std::abs(volume);
 }
 
-double fastest(const StageTool& tool) {
-  if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) return force->speed_limit;
-  double speed = 0;
-  if (const auto* position = std::get_if<PositionMotion>(&tool.motion))
-    for (std::size_t i = 1; i < position->offset.x.size(); ++i)
-      speed = std::max(speed, std::abs((position->offset.y[i] - position->offset.y[i - 1]) /
-                                       (position->offset.x[i] - position->offset.x[i - 1])));
-  return speed;
-}
-
 /// m/s: the fastest tool, else what the highest pressure or the weight makes of the viscous glass over the length.
 std::optional<double> flow_speed(const Scene& scene, double length, double viscosity) {
   if (!scene.has_flow()) return {};
@@ -91,6 +81,16 @@ void add_heat_numbers(const Scene& scene, SceneNumbers& numbers) {
 }
 
 }  // namespace
+
+double fastest(const StageTool& tool) {
+  if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) return force->speed_limit;
+  double speed = 0;
+  if (const auto* position = std::get_if<PositionMotion>(&tool.motion))
+    for (std::size_t i = 1; i < position->offset.x.size(); ++i)
+      speed = std::max(speed, std::abs((position->offset.y[i] - position->offset.y[i - 1]) /
+                                       (position->offset.x[i] - position->offset.x[i - 1])));
+  return speed;
+}
 
 SceneNumbers scene_numbers(const Scene& scene) {
   SceneNumbers numbers;

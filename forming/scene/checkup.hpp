@@ -17,6 +17,9 @@ struct SceneNumbers {
 };
 SceneNumbers scene_numbers(const Scene& scene);
 
+/// m/s, of a tool in a stage; 0 where it stands.
+double fastest(const StageTool& tool);
+
 /// What a scene needs, for the terminal: physics on and off and why, numbers, stages and accuracy.
 std::string describe_scene(const Scene& scene);
 

@@ -24,7 +24,7 @@ bool is_complete(const std::string& directory) {
 /// steps are often their own.
 ExpectedErrors expected_errors(const Scene& scene) {
   if (!scene.has_flow() || scene.glass.mesh.mapped) return {};
-  const double level = scene.accuracy_choice.level - std::log2(scene.accuracy_choice.coarser);
+  const double level = scene.accuracy_choice.effective_level();
   return {error_model().thickness.at(level), error_model().heat.at(level)};
 }
 

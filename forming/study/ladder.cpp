@@ -23,7 +23,8 @@ const char* si_unit(const Setting& setting) {
 /// One setting `factor` times its value at the base; coarsening comes on top of what a case says.
 std::string scaled(const Scene& scene, const std::string& key, double factor) {
   const Setting& s = setting(key);
-  const double value = scene.accuracy.*s.value * factor / std::pow(scene.accuracy_choice.coarser, s.order);
+  const double wanted = scene.accuracy.*s.value * factor / std::pow(scene.accuracy_choice.coarser, s.order);
+  const double value = std::clamp(wanted, s.least, s.most);
   return fmt::format("numerics.{}={:.10g}{}", key, value, si_unit(s));
 }
 

@@ -7,9 +7,12 @@
 #include <set>
 
 #include "core/case_file.hpp"
+#include "forming/scene/left_out.hpp"
 
 namespace parison::forming {
 namespace {
+
+constexpr ContainerGlass usual;
 
 struct Parts {
   const Scene& scene;
@@ -53,7 +56,8 @@ void add_heat_parts(Parts& parts) {
   const Scene& scene = parts.scene;
   if (const auto& radiation = scene.glass.thermal->radiation; !radiation) {
     parts.add("with_radiation", "radiation inside the glass, which the case leaves out: put in as container glass has it",
-              {parts.of_glass("radiation={refractive_index=1.518, absorption=\"150 1/m\", thin_wall=true}")});
+              {parts.of_glass(fmt::format("radiation={{refractive_index={}, absorption=\"{} 1/m\", thin_wall={}}}", usual.radiation.refractive_index,
+                                          usual.radiation.absorption, usual.radiation.thin_wall))});
   } else {
     // An opaque glass carries no heat by radiation.
     parts.add("no_radiation", "radiation inside the glass (Rosseland)", {parts.of_glass("radiation.absorption=1e12 1/m")});
@@ -62,7 +66,8 @@ void add_heat_parts(Parts& parts) {
   }
   if (scene.glass.emissivity > 0)
     parts.add("no_emission", "radiation of the glass to its surroundings", {parts.of_glass("emissivity=0")});
-  if (!parts.still_air.empty()) parts.add("no_air_cooling", "cooling by moving air", parts.still_air);
+  const bool blows = std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) { return stage.air.h > 0; });
+  if (blows && !parts.still_air.empty()) parts.add("no_air_cooling", "cooling by moving air", parts.still_air);
   std::vector<std::string> held;
   for (const std::string& material : parts.tool_materials)
     if (material != parts.glass) held.push_back(fmt::format("material.{}.heat_capacity=1e9 J/kg/K", material));
@@ -88,7 +93,7 @@ void add_flow_parts(Parts& parts) {
     parts.add("no_tension", "surface tension", {parts.of_glass("surface_tension=0 N/m")});
   else
     parts.add("with_tension", "surface tension, which the case leaves out: put in as container glass has it",
-              {parts.of_glass("surface_tension=0.315 N/m")});
+              {parts.of_glass(fmt::format("surface_tension={} N/m", usual.surface_tension))});
   if (scene.glass.flow->shear_thinning)
     parts.add("no_thinning", "shear thinning", {parts.of_glass("shear_thinning.time=1e-12 s")});
   constexpr double little = 0.01;

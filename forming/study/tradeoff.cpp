@@ -9,10 +9,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double level_of(const Rung& rung) {
-  const AccuracyChoice choice = read_accuracy(rung.accuracy);
-  return choice.level - std::log2(choice.coarser);
-}
+double level_of(const Rung& rung) { return read_accuracy(rung.accuracy).effective_level(); }
 
 bool on_plot(const RungResult& result) {
   return result.completed && result.rung.group != "model" && result.rung.group != "reference" && result.error() > 0;

@@ -10,6 +10,7 @@ PARTS = {"no_radiation": "internal radiation", "with_radiation": "internal radia
          "no_emission": "emission to around", "no_air_cooling": "cooling by air", "fixed_tools": "warming of tools",
          "no_tension": "surface tension", "with_tension": "surface tension", "no_gravity": "gravity", "all_slip": "friction on tools"}
 MATTERS = 0.005  # smaller changes than this, estimated and measured, are left aside
+LEAST = MATTERS / 100  # for the ratio
 FACTOR = 5
 
 
@@ -37,7 +38,7 @@ def section(_):
                 estimated = estimates[part][key]
                 if measured is None or max(estimated, measured) < MATTERS:
                     continue
-                ratios.append(estimated / measured)
+                ratios.append(max(estimated, LEAST) / max(measured, LEAST))
                 print(f"    {case:<18}{part:<20}{key:<10} estimated {100 * estimated:6.2f} %, measured {100 * measured:6.2f} %", flush=True)
     off = [max(r, 1 / r) for r in ratios]
     yield Figure("parts.worst", f"estimates of `parison check`, the worst of {len(off)}: off by a factor of", max(off), FACTOR)
