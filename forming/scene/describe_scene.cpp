@@ -94,18 +94,15 @@ std::string stage_lines(const Scene& scene) {
   return text;
 }
 
-/// Whether the dial's error law is of such scenes: glass that flows on a mesh of the dial's.
-bool is_of_the_law(const Scene& scene) { return scene.has_flow() && !scene.glass.mesh.mapped; }
-
 std::string choice_text(const Scene& scene) {
   const AccuracyChoice& choice = scene.accuracy_choice;
   if (!choice.target) return "preset";
-  if (!is_of_the_law(scene)) return "target, by a law for glass that flows on a mesh of the dial's: not of this scene";
+  if (!scene.is_of_error_law()) return "target, by a law for glass that flows on a mesh of the dial's: not of this scene";
   return fmt::format("target: wall thickness and heat into tools to {:.3g} %, by the errors measured on the bundled containers", 100 * *choice.target);
 }
 
 std::string expected_text(const Scene& scene) {
-  if (!is_of_the_law(scene)) return "";
+  if (!scene.is_of_error_law()) return "";
   const AccuracyChoice& choice = scene.accuracy_choice;
   return fmt::format("; error expected {:.2g} %{}", 100 * expected_error(choice.effective_level()),
                      scene.accuracy_origin.empty() ? "" : " but for what case and --set change");

@@ -151,6 +151,8 @@ struct Scene {
 
   bool has_flow() const { return glass.flow.has_value(); }
   bool has_heat() const { return glass.thermal.has_value(); }
+  /// Whether the dial's error law is of such scenes: glass that flows on a mesh of the dial's.
+  bool is_of_error_law() const { return has_flow() && !glass.mesh.mapped; }
 };
 
 /// The coldest and the hottest of the bodies at the start, their cooling and the air, K.

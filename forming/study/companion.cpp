@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <filesystem>
 
 #include "core/files.hpp"
@@ -20,10 +19,9 @@ bool is_complete(const std::string& directory) {
   return std::filesystem::exists(path) && core::read_json(core::read_text(path), path).flag_of("completed");
 }
 
-/// What the dial's law expects of glass that flows on a mesh of the dial's; the law says nothing of other scenes, whose meshes and
-/// steps are often their own.
+/// What the dial's law expects, of scenes that it is of; the meshes and steps of others are often their own.
 ExpectedErrors expected_errors(const Scene& scene) {
-  if (!scene.has_flow() || scene.glass.mesh.mapped) return {};
+  if (!scene.is_of_error_law()) return {};
   const double level = scene.accuracy_choice.effective_level();
   return {error_model().thickness.at(level), error_model().heat.at(level)};
 }
