@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh/remesh_glass.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/core.h>
-
-#include "core/element.hpp"
-#include "remesh/curve.hpp"
-#include "remesh/lap.hpp"
+#include "core/mesh/element.hpp"
+#include "remesh/surface/curve.hpp"
+#include "remesh/surface/lap.hpp"
 
 namespace parison::remesh {
 
@@ -21,7 +21,8 @@ namespace {
 constexpr double volume_tolerance = 2e-15;  ///< relative, at which the shift stops
 constexpr double largest_defect = 0.01;     ///< relative volume a resampling may miss
 constexpr double largest_lap = 1e-3;        ///< of the volume, in the notch of a lap that is closed
-/// Where the free surface would have to move by more than `far` the whole one moves, if that is by less than `slight`, m.
+/// Where the free surface would have to move by more than `far` the whole one moves, if that is by less than `slight`,
+/// m.
 constexpr double far = 20e-6, slight = 3e-6;
 
 /// Unit normals at the surface nodes that may give way, at contacts too where wanted, zero elsewhere.
@@ -89,8 +90,9 @@ Remeshed remesh_glass(const Mesh& worn, const Criteria& criteria) {
   result.lap_volume = laps.volume;
   if (laps.first >= 0) {
     const auto at = [&](Index vertex) { return describe(surface.outline.vertices[vertex]); };
-    result.reason = fmt::format("the glass surface crosses itself near {} and {}, in a lap of more than {:g} of the volume",
-                                at(laps.first), at(laps.second), largest_lap);
+    result.reason =
+        fmt::format("the glass surface crosses itself near {} and {}, in a lap of more than {:g} of the volume",
+                    at(laps.first), at(laps.second), largest_lap);
     return result;
   }
   MeshedOutline meshed = mesh_outline(surface.outline, old.pieces, size);

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
-#include "remesh/surface.hpp"
+#include "remesh/surface/resample.hpp"
 
 namespace parison::remesh {
 
 struct Remeshed {
   core::Mesh mesh;
   bool ok = false;
-  std::string reason;  ///< why not, a sentence
+  std::string reason;                          ///< why not, a sentence
   double volume_before = 0, volume_after = 0;  ///< m3
-  int laps = 0;        ///< places where the surface had folded onto itself a little and was closed
+  int laps = 0;           ///< places where the surface had folded onto itself a little and was closed
   double lap_volume = 0;  ///< of the air closed in there, which the glass elsewhere gave, m3
-  double coarser = 1;  ///< than the criteria ask for, for the sake of most_cells
+  double coarser = 1;     ///< than the criteria ask for, for the sake of most_cells
 };
 
-/// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to round-off by
-/// a common small shift of the free surface along its normal; of the whole surface, by a few micrometres at the most, where
-/// all but a little of it touches tools.
+/// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to
+/// round-off by a common small shift of the free surface along its normal; of the whole surface, by a few micrometres
+/// at the most, where all but a little of it touches tools.
 Remeshed remesh_glass(const core::Mesh& old, const Criteria& criteria);
 
 }  // namespace parison::remesh

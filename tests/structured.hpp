@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <functional>
 
-#include "core/mesh.hpp"
+#include "core/mesh/mesh.hpp"
 
 namespace parison::tests {
 
 /// Structured quadratic mesh of the image of the unit square; its sides are the pieces bottom, right, top, left.
 /// `map` is evaluated at all nodes, mid-sides included.
-inline core::Mesh structured(core::Index columns, core::Index rows, const std::function<core::Point(double, double)>& map) {
+inline core::Mesh structured(core::Index columns, core::Index rows,
+                             const std::function<core::Point(double, double)>& map) {
   using core::Index;
   using core::Point;
   std::vector<Point> x;

@@ -17,10 +17,10 @@ struct StepMatrix;
 /// Boundary edge that exchanges heat with its surroundings.
 struct HeatEdge {
   std::array<Index, 3> unknowns;  ///< first, last, mid; in a problem of order 1 the first again, of weight nothing
-  Index boundary_edge;  ///< counted through all bodies
+  Index boundary_edge;            ///< counted through all bodies
   Index body;
   SurfaceExchange exchange;
-  std::array<double, 3> area;  ///< at the points of edge_rule(3), m2
+  std::array<double, 3> area;                  ///< at the points of edge_rule(3), m2
   std::array<std::array<double, 3>, 3> shape;  ///< weights of the unknowns there
 };
 /// Run of interface points with the same unknowns: a slave edge and a master edge that face each other.
@@ -47,8 +47,8 @@ struct HeatInterface {
 };
 /// Slopes of the heat at the interface's points with temperature, W/K.
 struct ContactSlopes {
-  Eigen::ArrayXd across;       ///< by the temperature difference: conductance times closed area
-  Eigen::ArrayXd conductance;  ///< by the slave's temperature through the conductance alone
+  Eigen::ArrayXd across;                 ///< by the temperature difference: conductance times closed area
+  Eigen::ArrayXd conductance;            ///< by the slave's temperature through the conductance alone
   Eigen::ArrayXd slave_air, master_air;  ///< of the exchanges that the closed interface replaces
 };
 

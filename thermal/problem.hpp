@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/interface.hpp"
-#include "core/mesh.hpp"
-#include "thermal/material.hpp"
+#include "core/mesh/interface_point.hpp"
+#include "core/mesh/mesh.hpp"
+#include "thermal/properties.hpp"
 
 namespace parison::thermal {
 
@@ -26,12 +26,14 @@ struct BodyView {
 };
 
 /// Whether its walls limit the radiation inside.
-inline bool has_thin_wall(const BodyView& body) { return body.wall_thickness && body.material->radiation; }
+inline bool has_thin_wall(const BodyView& body) {
+  return body.wall_thickness && body.material->radiation;
+}
 
 /// Conductances, W/m2/K, of an interface's points at the slave's temperatures there, K, and, where asked for, their
 /// derivatives with respect to those.
-using InterfaceLaw = std::function<void(const std::vector<core::InterfacePoint>& points, const Eigen::ArrayXd& temperature,
-                                        Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT)>;
+using InterfaceLaw = std::function<void(const std::vector<core::InterfacePoint>& points,
+                                        const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT)>;
 
 /// Heat in all bodies. Where the interface is closed, its conductance replaces both sides' own exchange.
 struct Problem {

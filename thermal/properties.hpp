@@ -1,11 +1,36 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <vector>
 
-#include "thermal/material.hpp"
-#include "thermal/cell_group.hpp"
+#include "core/case/table.hpp"
+#include "thermal/cells/cell_batch.hpp"
 
 namespace parison::thermal {
+
+/// Internal radiation as Rosseland conduction: k_r = 16/3 n^2 sigma T^3 / kappa, T in K.
+struct Radiation {
+  double refractive_index;
+  double absorption;      ///< kappa_R, 1/m
+  bool thin_wall = true;  ///< multiply k_r by 1/(1 + 4/(3 kappa w)), w the local wall thickness
+};
+
+/// Thermal properties of a body; tables over temperature in K.
+struct Material {
+  double density;             ///< kg/m3
+  core::Table heat_capacity;  ///< J/kg/K
+  core::Table conductivity;   ///< W/m/K, without internal radiation
+  std::optional<Radiation> radiation;
+};
+
+/// What a piece of surface exchanges with its surroundings, positive out of the body:
+/// q = h (T - air) + emissivity sigma (T^4 - ambient^4).
+struct SurfaceExchange {
+  double h = 0;                  ///< W/m2/K
+  double air_temperature = 300;  ///< K
+  double emissivity = 0;
+  double ambient_temperature = 300;  ///< K
+};
 
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
 inline constexpr double content_reference = 273.15;         ///< K, where enthalpy and heat content are zero
@@ -75,7 +100,8 @@ template <typename Law>
   if (phonon_.x.size() == 1)
     for (Pack& value : values.own) value = Pack{} + phonon_.y[0];
   else
-    detail::set_each(temperature, [this](double T) { return phonon_(T); }, values);
+    detail::set_each(
+        temperature, [this](double T) { return phonon_(T); }, values);
   if (radiant_ == 0) return;
   for (int q = 0; q < 6; ++q) add_radiant(temperature[q], thin_wall[q], values[q]);
 }
@@ -85,7 +111,8 @@ template <typename Law>
   if (phonon_.x.size() == 1)
     slopes = {};
   else
-    detail::set_each(temperature, [this](double T) { return phonon_.derivative(T); }, slopes);
+    detail::set_each(
+        temperature, [this](double T) { return phonon_.derivative(T); }, slopes);
   if (radiant_ == 0) return;
   for (int q = 0; q < 6; ++q) {
     const Pack T = temperature[q] < 0 ? Pack{} : temperature[q];
@@ -94,12 +121,16 @@ template <typename Law>
 }
 
 [[gnu::always_inline]] inline void Enthalpy::set_enthalpies(const PointPacks& temperature, PointPacks& values) const {
-  if (capacity_.x.size() > 1) return detail::set_each(temperature, [this](double T) { return (*this)(T).h; }, values);
+  if (capacity_.x.size() > 1)
+    return detail::set_each(
+        temperature, [this](double T) { return (*this)(T).h; }, values);
   for (int q = 0; q < 6; ++q) values[q] = at_knot_[0] + capacity_.y[0] * (temperature[q] - capacity_.x[0]);
 }
 
 [[gnu::always_inline]] inline void Enthalpy::set_capacities(const PointPacks& temperature, PointPacks& values) const {
-  if (capacity_.x.size() > 1) return detail::set_each(temperature, [this](double T) { return (*this)(T).c; }, values);
+  if (capacity_.x.size() > 1)
+    return detail::set_each(
+        temperature, [this](double T) { return (*this)(T).c; }, values);
   for (Pack& value : values.own) value = Pack{} + capacity_.y[0];
 }
 

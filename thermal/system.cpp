@@ -5,6 +5,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "thermal/cells/cell_kernels.hpp"
+
 namespace parison::thermal {
 
 namespace {
@@ -16,8 +18,8 @@ std::shared_ptr<const Groups> groups_of(const BodyView& body, core::Geometry geo
   if (!kept || has_thin_wall(body)) return std::make_shared<const Groups>(make_groups(body, geometry));
   if (!kept->groups || kept->geometry != geometry || kept->density != body.density || kept->cells != mesh.cells ||
       kept->nodes != mesh.nodes || kept->mass_nodes != mass.nodes)
-    *kept = {mesh.nodes, mass.nodes, mesh.cells, body.density, geometry,
-             std::make_shared<const Groups>(make_groups(body, geometry))};
+    *kept = {mesh.nodes,   mass.nodes, mesh.cells,
+             body.density, geometry,   std::make_shared<const Groups>(make_groups(body, geometry))};
   return kept->groups;
 }
 
@@ -82,7 +84,8 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
   Index boundary_edges = 0;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     const BodyView& body = problem.bodies[b];
-    const auto first_cell = static_cast<Index>(system.cells.size()), first_group = static_cast<Index>(system.groups.size());
+    const auto first_cell = static_cast<Index>(system.cells.size()),
+               first_group = static_cast<Index>(system.groups.size());
     add_unknowns(system, *body.mesh, system.first_unknown[b]);
     system.bodies.push_back({Enthalpy(body.material->heat_capacity), Conductivity(*body.material), first_cell,
                              static_cast<Index>(system.cells.size()), first_group,
@@ -157,8 +160,38 @@ void book_content(Ledger& ledger, const HeatSystem& system, const Eigen::VectorX
 
 double heat_content(const BodyView& body, core::Geometry geometry, const Eigen::VectorXd& temperature) {
   const Enthalpy enthalpy(body.material->heat_capacity);
-  return body.density *
-         core::integral(*body.mass_mesh, geometry, temperature, [&](double T) { return enthalpy(T).h; });
+  return body.density * core::integral(*body.mass_mesh, geometry, temperature, [&](double T) { return enthalpy(T).h; });
+}
+
+namespace {
+
+Flows zero_flows(const HeatSystem& system) {
+  const auto bodies = static_cast<Index>(system.bodies.size()), pairs = static_cast<Index>(system.pairs.size());
+  return {Eigen::VectorXd::Zero(bodies), system.body_source, Eigen::VectorXd::Zero(pairs),
+          Eigen::VectorXd::Zero(pairs)};
+}
+
+Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature, const Eigen::VectorXd* rate) {
+  Response response{Eigen::VectorXd::Zero(system.size()), system.source, zero_flows(system)};
+  add_cells(system, temperature, rate, response);
+  add_exchange(system, temperature, response.flows, &response.power);
+  return response;
+}
+
+}  // namespace
+
+Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature) {
+  return evaluate(system, temperature, nullptr);
+}
+
+Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature, const Eigen::VectorXd& rate) {
+  return evaluate(system, temperature, &rate);
+}
+
+Flows evaluate_flows(const HeatSystem& system, const Eigen::VectorXd& temperature) {
+  Flows flows = zero_flows(system);
+  add_exchange(system, temperature, flows, nullptr);
+  return flows;
 }
 
 }  // namespace parison::thermal

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/cholesky.hpp"
-#include "core/element.hpp"
-#include "thermal/cell_group.hpp"
+#include "core/linear/cholesky.hpp"
+#include "core/mesh/element.hpp"
+#include "thermal/cells/cell_batch.hpp"
 #include "thermal/exchange.hpp"
-#include "thermal/ledger.hpp"
+#include "thermal/heat_balance.hpp"
 #include "thermal/problem.hpp"
 #include "thermal/properties.hpp"
 
@@ -33,11 +33,11 @@ struct HeatSystem {
   std::vector<BodyLaws> bodies;
   std::vector<std::array<Index, 6>> cells;  ///< their unknowns; the first three alone in a problem of order 1
   std::vector<GroupUnknowns> groups;        ///< the same of all bodies' groups
-  Eigen::VectorXd source;       ///< of volume into each unknown, W
-  Eigen::VectorXd body_source;  ///< of volume in each body, W
+  Eigen::VectorXd source;                   ///< of volume into each unknown, W
+  Eigen::VectorXd body_source;              ///< of volume in each body, W
   std::vector<HeatEdge> edges;
   HeatInterface interface;
-  std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body
+  std::vector<std::pair<Index, Index>> pairs;        ///< slave and master body
   std::vector<std::pair<Index, double>> prescribed;  ///< unknown and its temperature, K
   std::vector<char> is_prescribed;
 
@@ -54,8 +54,8 @@ struct KeptCells {
 /// `kept`, by body, spares what has not changed since the last call with it.
 HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept = nullptr);
 
-/// Heat flows of the ledger's entries, W: to air by body, from source by body, and by pair what the interface takes from
-/// the slave's nodes and what it gives to the master's.
+/// Heat flows of the ledger's entries, W: to air by body, from source by body, and by pair what the interface takes
+/// from the slave's nodes and what it gives to the master's.
 struct Flows {
   Eigen::VectorXd to_air, from_source, across, received;
 };

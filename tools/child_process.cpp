@@ -38,8 +38,12 @@ int start_self(const std::vector<std::string>& arguments, const std::string& log
   return child;
 }
 
-bool has_ended(int child) { return waitpid(child, nullptr, WNOHANG) == child; }
+bool has_ended(int child) {
+  return waitpid(child, nullptr, WNOHANG) == child;
+}
 
-void ask_to_stop(int child) { kill(child, SIGTERM); }
+void ask_to_stop(int child) {
+  kill(child, SIGTERM);
+}
 
 }  // namespace parison::tools

@@ -5,8 +5,8 @@
 
 namespace parison::tools {
 
-/// Starts this program again with other arguments, on one thread, in a process group of its own, asked to stop where this
-/// process ends before it; what it prints goes to the end of a file. Returns its id.
+/// Starts this program again with other arguments, on one thread, in a process group of its own, asked to stop where
+/// this process ends before it; what it prints goes to the end of a file. Returns its id.
 int start_self(const std::vector<std::string>& arguments, const std::string& log);
 
 /// Whether a child has ended.

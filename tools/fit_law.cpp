@@ -8,10 +8,10 @@
 #include <cmath>
 #include <functional>
 
-#include "contact/fit_law.hpp"
-#include "contact/law_data.hpp"
-#include "core/case_file.hpp"
+#include "core/case/case_file.hpp"
 #include "forming/scene/scene.hpp"
+#include "forming/study/law_data.hpp"
+#include "forming/study/law_fit.hpp"
 
 namespace parison::tools {
 namespace {

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "core/blas_threads.hpp"
-#include "core/case_error.hpp"
-#include "forming/run/checkpoint.hpp"
-#include "forming/scene/checkup.hpp"
-#include "forming/study/companion.hpp"
-#include "forming/run/run.hpp"
-#include "forming/scene/scene.hpp"
+#include "core/case/case_error.hpp"
+#include "core/linear/blas_threads.hpp"
 #include "forming/report/summary.hpp"
-#include "tools/companion_run.hpp"
+#include "forming/run/checkpoint.hpp"
+#include "forming/run/run.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/study/coarse_run.hpp"
+#include "tools/coarse_run.hpp"
 #include "tools/fit_law.hpp"
 #include "tools/stop_request.hpp"
 #include "tools/tradeoff.hpp"
@@ -34,11 +34,13 @@ int check(const std::string& path, const std::string& accuracy, const Overrides&
 
 /// Tells what the companion of a run that has completed says, and runs it where it has not run.
 int report_errors(const parison::forming::Scene& scene, const parison::forming::RunOutcome& outcome,
-                  const std::string& output, parison::tools::CompanionRun& companion, parison::forming::Summary& summary) {
+                  const std::string& output, parison::tools::CompanionRun& companion,
+                  parison::forming::Summary& summary) {
   companion.wait();
   const auto bars = parison::forming::estimate_errors(scene, summary.quantities, output, parison::tools::stop_asked);
   if (!bars) {
-    fmt::print(stderr, "parison: the companion run has not completed; `parison resume {} --error-bars` continues it\n", output);
+    fmt::print(stderr, "parison: the companion run has not completed; `parison resume {} --error-bars` continues it\n",
+               output);
     return run_failed;
   }
   add_error_bars(output, scene, outcome.state, *bars, summary);
@@ -80,25 +82,33 @@ int resume(const std::string& output, const std::string& path, bool error_bars) 
   const CaseOrigin origin = read_origin(find_checkpoint(output));
   if (path.empty() && !std::filesystem::exists(origin.file))
     throw parison::core::CaseError(
-        fmt::format("{}: its case \"{}\" is no longer there, allowed is --case with the place it has moved to", output, origin.file));
+        fmt::format("{}: its case \"{}\" is no longer there, allowed is --case with the place it has moved to", output,
+                    origin.file));
   const Scene scene = read_scene(path.empty() ? origin.file : path, origin.accuracy, origin.overrides);
   fmt::print("{} at {} accuracy, from the last checkpoint in {}\n", scene.name, scene.accuracy_name, output);
   std::fflush(stdout);
   parison::tools::catch_signals();
   parison::tools::CompanionRun companion(scene, output);
-  return report(scene, parison::forming::resume(scene, output, parison::tools::stop_asked), output, error_bars ? &companion : nullptr);
+  return report(scene, parison::forming::resume(scene, output, parison::tools::stop_asked), output,
+                error_bars ? &companion : nullptr);
 }
 
 CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {
   auto* command = app.add_subcommand("tradeoff", "run a ladder of settings and model parts: error against CPU time");
   command->add_option("case", trade.case_path, "folder that holds a case.toml, or a case file")->required();
-  command->add_option("--output", trade.output, "folder of the ladder; what has run there is not run again [results/tradeoff_NAME]");
-  command->add_option("--reference", trade.reference, "accuracy that the others are held against [fine; \"fine coarser 0.5\" where the case maps its mesh]");
+  command->add_option("--output", trade.output,
+                      "folder of the ladder; what has run there is not run again [results/tradeoff_NAME]");
+  command->add_option(
+      "--reference", trade.reference,
+      "accuracy that the others are held against [fine; \"fine coarser 0.5\" where the case maps its mesh]");
   command->add_option("--base", trade.base, "accuracy at which one thing at a time is changed")->capture_default_str();
   command->add_option("--ladder", trade.ladder, "TOML file of [[rung]] tables in place of the standard ladder");
-  command->add_option("--only", trade.groups, "groups to run: dial, mesh, time, coupling, order, model")->delimiter(',');
+  command->add_option("--only", trade.groups, "groups to run: dial, mesh, time, coupling, order, model")
+      ->delimiter(',');
   command->add_option("--set", trade.overrides, "KEY=VALUE for every rung")->take_all()->allow_extra_args(false);
-  command->add_option("--jobs", trade.jobs, "runs at once, one thread each")->capture_default_str()->check(CLI::Range(1, 1024));
+  command->add_option("--jobs", trade.jobs, "runs at once, one thread each")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
   command->add_option("--timings", trade.timings, "runs of a rung below a minute of CPU time; the least time counts")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
@@ -118,7 +128,8 @@ int main(int argc, char** argv) {
   const auto with_case = [&](const char* name, const char* what) {
     auto* command = app.add_subcommand(name, what);
     command->add_option("case", path, "folder that holds a case.toml, or a case file")->required();
-    command->add_option("--accuracy", accuracy, "draft, standard, fine, or an error such as 0.5%")->capture_default_str();
+    command->add_option("--accuracy", accuracy, "draft, standard, fine, or an error such as 0.5%")
+        ->capture_default_str();
     command->add_option("--set", overrides, "KEY=VALUE in place of the case file's value; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
@@ -148,7 +159,8 @@ int main(int argc, char** argv) {
     if (fit_command->parsed()) return parison::tools::fit_law(fit);
     if (trade_command->parsed()) return parison::tools::tradeoff(trade);
     if (resume_command->parsed()) return resume(output, path, error_bars);
-    return check_command->parsed() ? check(path, accuracy, overrides) : run(path, accuracy, overrides, output, error_bars);
+    return check_command->parsed() ? check(path, accuracy, overrides)
+                                   : run(path, accuracy, overrides, output, error_bars);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : case_wrong;
   } catch (const parison::core::CaseError& error) {

@@ -13,7 +13,8 @@ namespace {
 volatile std::sig_atomic_t asked = 0;
 volatile std::time_t asked_at = 0;
 
-constexpr std::time_t grace = 2;  ///< s: what follows a signal so soon belongs to it, as from `timeout`, which sends two
+constexpr std::time_t grace =
+    2;  ///< s: what follows a signal so soon belongs to it, as from `timeout`, which sends two
 
 void take(int signal) {
   const std::time_t now = std::time(nullptr);  // safe in a handler
@@ -35,6 +36,8 @@ void catch_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool stop_asked() { return asked != 0; }
+bool stop_asked() {
+  return asked != 0;
+}
 
 }  // namespace parison::tools

@@ -9,13 +9,13 @@
 #include <filesystem>
 #include <set>
 
-#include "core/case_error.hpp"
-#include "core/files.hpp"
-#include "core/json_read.hpp"
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "core/io/json_read.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/scene/scene.hpp"
 #include "tools/child_process.hpp"
-#include "tools/rung_timing.hpp"
+#include "tools/run_timing.hpp"
 #include "tools/stop_request.hpp"
 #include "tools/tradeoff_report.hpp"
 
@@ -28,7 +28,8 @@ using forming::Rung;
 enum class Standing { fresh, begun, done, failed };
 
 /// A summary made with other settings than the rung's says that the folder belongs to another ladder.
-void require_same(const core::JsonValue& summary, const Rung& rung, const std::string& case_path, const std::string& folder) {
+void require_same(const core::JsonValue& summary, const Rung& rung, const std::string& case_path,
+                  const std::string& folder) {
   const forming::Scene scene = forming::read_scene(case_path, rung.accuracy, rung.overrides);
   const auto* numerics = summary.find("numerics");
   bool same = numerics && summary.find("case_fingerprint") &&
@@ -36,8 +37,10 @@ void require_same(const core::JsonValue& summary, const Rung& rung, const std::s
   for (const forming::Setting& setting : forming::settings())
     same = same && numerics->number_of(setting.key) == scene.accuracy.*setting.value;
   if (!same)
-    throw core::CaseError(fmt::format("{}: a run of another case or of other settings was found, allowed is an --output folder of "
-                                      "this ladder of the case as it is now", folder));
+    throw core::CaseError(
+        fmt::format("{}: a run of another case or of other settings was found, allowed is an --output folder of "
+                    "this ladder of the case as it is now",
+                    folder));
 }
 
 Standing standing(const Rung& rung, const std::string& case_path, const std::string& folder) {
@@ -75,7 +78,9 @@ struct Ladder {
   std::string folder(const Rung& rung) const { return request.output + '/' + rung.name; }
 };
 
-std::string timing_folder(const std::string& folder) { return folder + ".again"; }
+std::string timing_folder(const std::string& folder) {
+  return folder + ".again";
+}
 
 double cpu_of(const std::string& folder) {
   const std::string path = folder + "/summary.json";
@@ -95,11 +100,13 @@ std::string result_line(const Ladder& ladder, const Rung& rung) {
   if (!fs::exists(path)) return fmt::format("ended without a summary, see {}.log", ladder.folder(rung));
   const core::JsonValue summary = core::read_json(core::read_text(path), path);
   return summary.flag_of("completed") ? fmt::format("{:.1f} s CPU", summary.number_of("cpu_seconds"))
-         : summary.flag_of("stopped") ? "stopped" : fmt::format("failed: {}", summary.text_of("reason"));
+         : summary.flag_of("stopped") ? "stopped"
+                                      : fmt::format("failed: {}", summary.text_of("reason"));
 }
 
 std::vector<std::string> run_arguments(const Ladder& ladder, const Rung& rung, const std::string& folder) {
-  std::vector<std::string> arguments = {"run", ladder.request.case_path, "--accuracy", rung.accuracy, "--output", folder};
+  std::vector<std::string> arguments = {"run", ladder.request.case_path, "--accuracy", rung.accuracy, "--output",
+                                        folder};
   for (const std::string& assignment : rung.overrides) arguments.insert(arguments.end(), {"--set", assignment});
   return arguments;
 }
@@ -130,7 +137,8 @@ bool start_rung(Ladder& ladder, const Task& task) {
   return true;
 }
 
-/// Starts a further run of a short rung; false where its round was run before or its first run says that none is wanted.
+/// Starts a further run of a short rung; false where its round was run before or its first run says that none is
+/// wanted.
 bool start_timing(Ladder& ladder, const Task& task) {
   const Rung& rung = ladder.rungs[task.rung];
   const std::string folder = ladder.folder(rung), again = timing_folder(folder);
@@ -140,7 +148,8 @@ bool start_timing(Ladder& ladder, const Task& task) {
     return false;
   }
   fs::remove_all(again);
-  start(ladder, task, run_arguments(ladder, rung, again), again, fmt::format("runs for its time, {} of {}", task.round + 1, ladder.request.timings));
+  start(ladder, task, run_arguments(ladder, rung, again), again,
+        fmt::format("runs for its time, {} of {}", task.round + 1, ladder.request.timings));
   return true;
 }
 
@@ -174,8 +183,10 @@ void collect_ended(Ladder& ladder) {
       const Task task = ladder.running[i].task;
       const Rung& rung = ladder.rungs[task.rung];
       ladder.running.erase(ladder.running.begin() + static_cast<long>(i));
-      if (task.round > 0) collect_timing(ladder, rung);
-      else say(ladder, rung, result_line(ladder, rung));
+      if (task.round > 0)
+        collect_timing(ladder, rung);
+      else
+        say(ladder, rung, result_line(ladder, rung));
     }
 }
 
@@ -203,7 +214,8 @@ bool wanted(const TradeoffRequest& request, const Rung& rung) {
 std::vector<Rung> make_rungs(const TradeoffRequest& request, const forming::Scene& scene, std::string& base) {
   std::vector<Rung> all = request.ladder.empty() ? forming::standard_ladder(scene, request.reference)
                                                  : forming::read_ladder(request.ladder, request.base);
-  if (all.empty()) throw core::CaseError(fmt::format("{}: no [[rung]] was found, allowed is at least one", request.ladder));
+  if (all.empty())
+    throw core::CaseError(fmt::format("{}: no [[rung]] was found, allowed is at least one", request.ladder));
   std::set<std::string> groups;
   for (const Rung& rung : all) groups.insert(rung.group);
   for (const std::string& group : request.groups)
@@ -213,7 +225,8 @@ std::vector<Rung> make_rungs(const TradeoffRequest& request, const forming::Scen
   std::vector<Rung> rungs = {{"reference", "reference", request.reference, {}, ""}};
   for (const Rung& rung : all)
     if (rung.name == base || wanted(request, rung)) rungs.push_back(rung);
-  for (Rung& rung : rungs) rung.overrides.insert(rung.overrides.begin(), request.overrides.begin(), request.overrides.end());
+  for (Rung& rung : rungs)
+    rung.overrides.insert(rung.overrides.begin(), request.overrides.begin(), request.overrides.end());
   return rungs;
 }
 
@@ -236,7 +249,8 @@ int tradeoff(const TradeoffRequest& given) {
   }
   if (request.list) return 0;
   if (fs::exists(request.output + "/summary.json"))
-    throw core::CaseError(fmt::format("{}: the results of a run were found, allowed is a folder of its own for a ladder", request.output));
+    throw core::CaseError(fmt::format(
+        "{}: the results of a run were found, allowed is a folder of its own for a ladder", request.output));
   fs::create_directories(request.output);
   if (!climb(ladder)) {
     fmt::print(stderr, "parison: the ladder was told to stop; the same command goes on with it\n");

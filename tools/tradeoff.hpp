@@ -9,7 +9,7 @@ namespace parison::tools {
 struct TradeoffRequest {
   std::string case_path, output, ladder;
   std::string base = "draft";
-  std::string reference;  ///< empty: that of forming::usual_reference
+  std::string reference;                       ///< empty: that of forming::usual_reference
   std::vector<std::string> overrides, groups;  ///< for every rung; the groups to run, all where none is named
   int jobs = 2;
   int timings = 3;    ///< runs of a short rung, of which the least CPU time counts

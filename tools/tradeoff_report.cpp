@@ -9,10 +9,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/files.hpp"
-#include "core/json.hpp"
+#include "core/io/files.hpp"
+#include "core/io/json.hpp"
 #include "forming/study/tradeoff.hpp"
-#include "tools/rung_timing.hpp"
+#include "tools/run_timing.hpp"
 
 namespace parison::tools {
 namespace {
@@ -43,22 +43,29 @@ bool is_preset(const RungResult& result) {
   return result.rung.accuracy.find(' ') == std::string::npos && result.rung.group == "dial";
 }
 
-std::string share(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", 100 * value) : ""; }
+std::string share(double value) {
+  return std::isfinite(value) ? fmt::format("{:.3g}", 100 * value) : "";
+}
 
 const RungResult& compared_with(const Results& results, const RungResult& result, const RungResult& base) {
   return result.rung.group == "model" ? base : results.front();
 }
 
 std::string as_csv(const Results& results, const RungResult& base) {
-  std::string text = "rung,group,accuracy,overrides,completed,cpu_s,steps,thickness_mean_%,thickness_largest_%,at_arc_share,heat_%,on_front";
-  for (const auto& quantity : results.front().quantities.values) text += fmt::format(",{0}_{1},{0}_change", quantity.name, quantity.unit);
+  std::string text =
+      "rung,group,accuracy,overrides,completed,cpu_s,steps,thickness_mean_%,thickness_largest_%,at_arc_share,heat_%,on_"
+      "front";
+  for (const auto& quantity : results.front().quantities.values)
+    text += fmt::format(",{0}_{1},{0}_change", quantity.name, quantity.unit);
   text += '\n';
   for (const RungResult& r : results) {
-    text += fmt::format("{},{},{},{},{},{:.4g},{},{},{},{:.4g},{},{}", r.rung.name, r.rung.group, core::csv_text(r.rung.accuracy),
-                        core::csv_text(fmt::format("{}", fmt::join(r.rung.overrides, "; "))), r.completed ? 1 : 0, r.cpu,
-                        r.steps, share(r.profile.mean), share(r.profile.largest), r.profile.where, share(r.heat), r.on_front ? 1 : 0);
+    text += fmt::format(
+        "{},{},{},{},{},{:.4g},{},{},{},{:.4g},{},{}", r.rung.name, r.rung.group, core::csv_text(r.rung.accuracy),
+        core::csv_text(fmt::format("{}", fmt::join(r.rung.overrides, "; "))), r.completed ? 1 : 0, r.cpu, r.steps,
+        share(r.profile.mean), share(r.profile.largest), r.profile.where, share(r.heat), r.on_front ? 1 : 0);
     for (const auto& quantity : results.front().quantities.values) {
-      const auto *own = r.quantities.find(quantity.name), *other = compared_with(results, r, base).quantities.find(quantity.name);
+      const auto *own = r.quantities.find(quantity.name),
+                 *other = compared_with(results, r, base).quantities.find(quantity.name);
       text += own && other ? fmt::format(",{:.8g},{:.4g}", own->value, own->value - other->value) : ",,";
     }
     text += '\n';
@@ -66,7 +73,8 @@ std::string as_csv(const Results& results, const RungResult& base) {
   return text;
 }
 
-std::string as_json(const Results& results, const RungResult& base, const std::vector<forming::PartEstimate>& estimates) {
+std::string as_json(const Results& results, const RungResult& base,
+                    const std::vector<forming::PartEstimate>& estimates) {
   core::JsonWriter json;
   json.add("base", base.rung.name);
   json.open_list("estimates");
@@ -108,12 +116,14 @@ std::string as_json(const Results& results, const RungResult& base, const std::v
 }
 
 std::string numerics_table(const Results& results) {
-  std::string text = "| settings | CPU, s | thickness, mean % | largest % | heat into tools % | |\n|---|---|---|---|---|---|\n";
+  std::string text =
+      "| settings | CPU, s | thickness, mean % | largest % | heat into tools % | |\n|---|---|---|---|---|---|\n";
   for (const RungResult& r : results)
     if (r.rung.group != "model")
-      text += r.completed ? fmt::format("| {} | {:.4g} | {} | {} | {} | {} |\n", r.rung.name, r.cpu, share(r.profile.mean),
-                                        share(r.profile.largest), share(r.heat), r.on_front ? "on the best line" : "")
-                          : fmt::format("| {} | | | | | {} |\n", r.rung.name, r.reason);
+      text += r.completed
+                  ? fmt::format("| {} | {:.4g} | {} | {} | {} | {} |\n", r.rung.name, r.cpu, share(r.profile.mean),
+                                share(r.profile.largest), share(r.heat), r.on_front ? "on the best line" : "")
+                  : fmt::format("| {} | | | | | {} |\n", r.rung.name, r.reason);
   for (const RungResult& r : results)
     if (is_preset(r) && r.completed)
       if (const double over = forming::over_front(results, r); std::isfinite(over))
@@ -125,25 +135,33 @@ std::string changes(const RungResult& r, const RungResult& base) {
   std::string text;
   for (const auto& quantity : r.quantities.values)
     if (const auto* other = base.quantities.find(quantity.name))
-      text += fmt::format("{}{} {:+.3g} {}", text.empty() ? "" : ", ", quantity.name, quantity.value - other->value, quantity.unit);
+      text += fmt::format("{}{} {:+.3g} {}", text.empty() ? "" : ", ", quantity.name, quantity.value - other->value,
+                          quantity.unit);
   return text;
 }
 
 /// What each part of the model changes against the base, and what of its time it takes.
-std::string model_table(const Results& results, const RungResult& base, const std::vector<forming::PartEstimate>& estimates) {
+std::string model_table(const Results& results, const RungResult& base,
+                        const std::vector<forming::PartEstimate>& estimates) {
   std::string rows;
   for (const RungResult& r : results)
     if (r.rung.group == "model")
       rows += r.completed ? fmt::format("| {} | {} | {} | {} | {:+.0f} | {} |\n", r.rung.what, share(r.profile.mean),
-                                        share(r.profile.largest), share(r.heat), 100 * (base.cpu - r.cpu) / base.cpu, changes(r, base))
+                                        share(r.profile.largest), share(r.heat), 100 * (base.cpu - r.cpu) / base.cpu,
+                                        changes(r, base))
                           : fmt::format("| {} | | | | | {} |\n", r.rung.what, r.reason);
   for (const forming::PartEstimate& part : estimates)
     if (!part.in_the_model)
-      rows += fmt::format("| {} (never in the model; estimated by {} {:.2g}, largest Reynolds number {:.2g}) | {:.2g} | | | | |\n",
-                          part.name, part.number_name, part.number, base.reynolds, 100 * part.thickness);
+      rows += fmt::format(
+          "| {} (never in the model; estimated by {} {:.2g}, largest Reynolds number {:.2g}) | {:.2g} | | | | |\n",
+          part.name, part.number_name, part.number, base.reynolds, 100 * part.thickness);
   if (rows.empty()) return {};
-  return fmt::format("\nWithout a part, or with one that the case leaves out, against {}:\n\n| part | thickness, mean % | largest % | heat into tools % | its share of the CPU time, % | changes |\n"
-                     "|---|---|---|---|---|---|\n", base.rung.name) + rows;
+  return fmt::format(
+             "\nWithout a part, or with one that the case leaves out, against {}:\n\n| part | thickness, mean % | "
+             "largest % | heat into tools % | its share of the CPU time, % | changes |\n"
+             "|---|---|---|---|---|---|\n",
+             base.rung.name) +
+         rows;
 }
 
 /// Whether the dial says nothing: where a case maps its mesh and sets its steps the presets compute the same.
@@ -163,7 +181,8 @@ std::string error_laws(const Results& results) {
   if (presets_agree(results)) return "\nThe presets compute the same: the case sets its mesh and its steps itself.\n";
   std::string text;
   const std::pair<const char*, double (*)(const RungResult&)> laws[] = {
-      {"thickness", [](const RungResult& r) { return r.profile.mean; }}, {"heat", [](const RungResult& r) { return r.heat; }}};
+      {"thickness", [](const RungResult& r) { return r.profile.mean; }},
+      {"heat", [](const RungResult& r) { return r.heat; }}};
   for (const auto& [name, error] : laws)
     if (const auto law = forming::fit_error_law(results, error); std::isfinite(law.at_draft))
       text += fmt::format("\nerror of the {}: {:.2g} % * 2^(-{:.2f} level), level 0 draft, 1 standard, 2 fine", name,
@@ -186,8 +205,8 @@ bool report_tradeoff(const std::string& folder, const std::vector<forming::Rung>
                      const std::vector<forming::PartEstimate>& estimates) {
   Results results;
   for (const forming::Rung& rung : rungs) results.push_back(read_result(folder, rung));
-  const RungResult& base = *std::find_if(results.begin(), results.end(),
-                                         [&](const RungResult& r) { return r.rung.name == base_name; });
+  const RungResult& base =
+      *std::find_if(results.begin(), results.end(), [&](const RungResult& r) { return r.rung.name == base_name; });
   if (!results.front().completed || !base.completed) {
     const RungResult& missing = results.front().completed ? base : results.front();
     fmt::print(stderr, "parison: no comparison without {}: {}\n", missing.rung.name, missing.reason);

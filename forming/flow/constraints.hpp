@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <string>
 #include <vector>
 
 #include "forming/flow/problem.hpp"
@@ -39,7 +40,7 @@ struct NodeFrame {
   std::array<bool, core::dim> fixed{};
   GivenVelocity given;
   NodeEqualities equalities;
-  Index friction_tool = -1;                                 ///< Navier friction acts along the last column of the frame
+  Index friction_tool = -1;  ///< Navier friction acts along the last column of the frame
 };
 
 /// How the nodes are held with one set of closed contacts.
@@ -53,7 +54,9 @@ struct Held {
 };
 
 /// A direction along a surface: its normal turned left.
-inline Point perpendicular(const Point& normal) { return {-normal[1], normal[0]}; }
+inline Point perpendicular(const Point& normal) {
+  return {-normal[1], normal[0]};
+}
 
 /// Whether a contact holds the glass along the tool's surface.
 bool sticks(const Problem& problem, const ContactCandidate& candidate);
@@ -64,8 +67,12 @@ std::vector<Index> driven_tools(const Problem& problem);
 /// The nodes held by symmetry, fixed pieces and the active candidates; no friction yet.
 Held hold_nodes(const Problem& problem, const std::vector<bool>& active);
 
-/// Sees to it that no translation is left free, closing the contact that the glass would fall on under `load`; false when it
-/// would fall for ever. Radial motion of a ring is no translation.
+/// Sees to it that no translation is left free, closing the contact that the glass would fall on under `load`; false
+/// when it would fall for ever. Radial motion of a ring is no translation.
 bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Held& held);
+
+/// A rigid motion of the glass that nothing can hold, as a sentence; empty where there is none. Symmetry planes, fixed
+/// pieces and every candidate count, closed or not: tools that stick or rub hold sideways as well.
+std::string free_motion(const Problem& problem);
 
 }  // namespace parison::flow

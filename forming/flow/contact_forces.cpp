@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/contact_forces.hpp"
 
-#include <algorithm>
-
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace parison::flow {
 
@@ -39,7 +38,8 @@ ContactForces contact_forces(const Problem& problem, const std::vector<NodeFrame
 namespace {
 
 /// Per node the sum of the active candidates' values.
-Eigen::VectorXd to_nodes(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& per_candidate) {
+Eigen::VectorXd to_nodes(const Problem& problem, const std::vector<bool>& active,
+                         const Eigen::VectorXd& per_candidate) {
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(problem.mesh->node_count());
   for (std::size_t i = 0; i < problem.candidates.size(); ++i)
     if (active[i]) nodal[problem.candidates[i].node] += per_candidate[i];

@@ -5,7 +5,8 @@
 
 namespace parison::flow {
 
-/// Vogel-Fulcher-Tammann: log10 eta = A + B/(T - T0); T and T0 in K, B in K, eta in Pa.s. `constant` replaces it when set.
+/// Vogel-Fulcher-Tammann: log10 eta = A + B/(T - T0); T and T0 in K, B in K, eta in Pa.s. `constant` replaces it when
+/// set.
 struct Viscosity {
   double A = 0, B = 0, T0 = 0;
   std::optional<double> constant;
@@ -37,8 +38,8 @@ struct Material {
 /// Tangential behaviour of the glass on a tool while it is pressed against it.
 struct Friction {
   enum class Law { slip, stick, navier, grip } law = Law::stick;  ///< grip: stick that also holds in tension
-  double coefficient = 0;          ///< Navier beta, Pa.s/m
-  std::optional<double> coulomb;   ///< cap of the shear stress, times contact pressure
+  double coefficient = 0;                                         ///< Navier beta, Pa.s/m
+  std::optional<double> coulomb;                                  ///< cap of the shear stress, times contact pressure
 };
 
 }  // namespace parison::flow

@@ -1,13 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
-#include "core/mesh.hpp"
+#include "core/mesh/mesh.hpp"
 #include "forming/flow/material.hpp"
 
 namespace parison::flow {
@@ -18,26 +17,26 @@ using core::Point;
 /// What holds or loads a piece of the glass boundary.
 struct PieceCondition {
   enum class Kind { free, symmetry, fixed } kind = Kind::free;
-  double pressure = 0;         ///< over-pressure on free pieces, Pa
+  double pressure = 0;                          ///< over-pressure on free pieces, Pa
   std::function<Point(const Point&)> velocity;  ///< at which a fixed piece moves, m/s; none: it stands still
 };
 
 /// How a tool moves during the step.
 struct ToolMotion {
   Friction friction;
-  double velocity = 0;             ///< along the axis, m/s; ignored when force-driven
-  std::optional<double> force;     ///< N along +axis: the velocity becomes an unknown
-  double speed_limit = 0;          ///< m/s, of a force-driven tool
+  double velocity = 0;          ///< along the axis, m/s; ignored when force-driven
+  std::optional<double> force;  ///< N along +axis: the velocity becomes an unknown
+  double speed_limit = 0;       ///< m/s, of a force-driven tool
 };
 
 /// A glass node near a tool: n.(v - V) >= rate, with equality and a compressive reaction while active.
 struct ContactCandidate {
   Index node;
-  Index tool;    ///< index into Problem::tools
-  Point normal;  ///< unit, from the tool into the glass
-  double rate;   ///< m/s: minus the gap over the step
-  bool held = false;  ///< holds in tension and sideways as well (grip)
-  double share = 1;  ///< of the step in which the node touches the tool: friction acts no longer than that
+  Index tool;                   ///< index into Problem::tools
+  Point normal;                 ///< unit, from the tool into the glass
+  double rate;                  ///< m/s: minus the gap over the step
+  bool held = false;            ///< holds in tension and sideways as well (grip)
+  double share = 1;             ///< of the step in which the node touches the tool: friction acts no longer than that
   Point until = Point::Zero();  ///< velocity relative to the tool until it lands, m/s
 };
 
@@ -46,15 +45,15 @@ struct Problem {
   const core::Mesh* mesh;
   core::Geometry geometry;
   const Material* material;
-  const Eigen::VectorXd* temperature;  ///< per node, K
+  const Eigen::VectorXd* temperature;             ///< per node, K
   std::function<double(const Point&)> viscosity;  ///< Pa.s, in place of the material's where given
   std::function<Point(const Point&)> force;       ///< on the glass beside its weight, N/m3, where given
-  std::vector<bool> frozen;            ///< cells whose glass flows no more; empty where none
-  double gravity = 0;                  ///< along the axis, m/s2
-  double volume_rate = 0;              ///< div v everywhere, 1/s: takes back what the finite steps do to the volume
-  /// By how much that rate is to change, 1/s, now that the velocities are known, and with them the swelling: the velocities that change
-  /// the volume everywhere at 1/s, leave the contacts closed and put no force on driven tools. By a little of them the motion is
-  /// corrected; forces and pressures are those without any.
+  std::vector<bool> frozen;                       ///< cells whose glass flows no more; empty where none
+  double gravity = 0;                             ///< along the axis, m/s2
+  double volume_rate = 0;  ///< div v everywhere, 1/s: takes back what the finite steps do to the volume
+  /// By how much that rate is to change, 1/s, now that the velocities are known, and with them the swelling: the
+  /// velocities that change the volume everywhere at 1/s, leave the contacts closed and put no force on driven tools.
+  /// By a little of them the motion is corrected; forces and pressures are those without any.
   std::function<double(const Eigen::VectorXd& velocity, const Eigen::VectorXd& swelling)> more_swelling;
   std::vector<PieceCondition> pieces;  ///< one for each mesh piece
   std::vector<ToolMotion> tools;
@@ -67,7 +66,7 @@ inline constexpr double high_rate_share = 0.02;
 struct Solution {
   bool converged = false;
   std::string reason;
-  int iterations = 0;                 ///< of the contact set, refinements included
+  int iterations = 0;  ///< of the contact set, refinements included
   int factorisations = 0;
   int contact_changes = 0;            ///< contacts that an iteration closed or opened
   int latched = 0;                    ///< contacts that pull but stay closed, as they were released too often
@@ -82,9 +81,9 @@ struct Solution {
   double arrival_power = 0;           ///< that it loses by coming to rest on tools before the step is over, W
   double correction_power = 0;        ///< that leading volume and penetrated nodes back takes, W
   Eigen::VectorXd swelling;           ///< m/s, two per node: see Problem::more_swelling; empty where it was not found
-  std::vector<bool> exposed;          ///< per boundary edge: not wholly pressed, so that air and surface tension act on it
-  double mean_rate = 0;               ///< root mean square of the rate of deformation over the volume, 1/s
-  double high_rate = 0;               ///< rate of deformation sqrt(2 D:D) exceeded in `high_rate_share` of the volume, 1/s
+  std::vector<bool> exposed;  ///< per boundary edge: not wholly pressed, so that air and surface tension act on it
+  double mean_rate = 0;       ///< root mean square of the rate of deformation over the volume, 1/s
+  double high_rate = 0;       ///< rate of deformation sqrt(2 D:D) exceeded in `high_rate_share` of the volume, 1/s
 };
 
 inline Point node_velocity(const Eigen::VectorXd& velocity, Index node) {

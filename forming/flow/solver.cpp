@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "core/element.hpp"
-#include "forming/flow/contact_set.hpp"
-#include "forming/flow/correction.hpp"
-#include "forming/flow/losses.hpp"
-#include "forming/flow/support.hpp"
+#include "core/mesh/element.hpp"
+#include "forming/flow/active_set.hpp"
+#include "forming/flow/balance.hpp"
+#include "forming/flow/cells/element_matrix.hpp"
+#include "forming/flow/constraints.hpp"
+#include "forming/flow/linear/schur_update.hpp"
 #include "forming/flow/surface.hpp"
-#include "forming/flow/thinning.hpp"
 
 namespace parison::flow {
 
@@ -30,8 +30,8 @@ struct Discrete {
   CellGeometry geometry;
   std::vector<SurfaceEdge> surface;
   std::vector<double> viscosity;
-  CellMatrices cells;    ///< that give the forces of a flow
-  CellMatrices tangent;  ///< that give their changes, where the viscosity depends on the flow
+  CellMatrices cells;        ///< that give the forces of a flow
+  CellMatrices tangent;      ///< that give their changes, where the viscosity depends on the flow
   Eigen::VectorXd swelling;  ///< load of a change of volume at 1/s
   Eigen::VectorXd load;      ///< of gravity and the wanted change of volume, on every unknown
 };
@@ -75,8 +75,8 @@ bool is_linear(const Problem& problem) {
                       [](const ToolMotion& tool) { return tool.friction.coulomb.has_value(); });
 }
 
-/// Velocities and pressures, and the forces at held nodes: column 0 with the driven tools at rest, column 1 + k for each m/s
-/// of driven tool k.
+/// Velocities and pressures, and the forces at held nodes: column 0 with the driven tools at rest, column 1 + k for
+/// each m/s of driven tool k.
 struct Superposed {
   Eigen::MatrixXd unknowns, reaction;
 };
@@ -119,10 +119,12 @@ void report(const Problem& problem, const Discrete& discrete, const Held& held, 
   result.converged = true;
 }
 
-/// What a change of volume at 1/s does with the nodes held as in the solved problem, but at rest: a tool in balance gives way without
-/// a force, one at its speed limit or told where to go stays. `superposed` tells what driven tools do.
-std::optional<Instant> find_swelling(Problem problem, const CellMatrices& cells, const Held& held, const Corrector& corrector,
-                                     const std::vector<double>& tool_velocity, Superposed superposed) {
+/// What a change of volume at 1/s does with the nodes held as in the solved problem, but at rest: a tool in balance
+/// gives way without a force, one at its speed limit or told where to go stays. `superposed` tells what driven tools
+/// do.
+std::optional<Instant> find_swelling(Problem problem, const CellMatrices& cells, const Held& held,
+                                     const Corrector& corrector, const std::vector<double>& tool_velocity,
+                                     Superposed superposed) {
   for (std::size_t t = 0; t < problem.tools.size(); ++t) {
     ToolMotion& tool = problem.tools[t];
     tool.velocity = 0;
@@ -140,8 +142,8 @@ std::optional<Instant> find_swelling(Problem problem, const CellMatrices& cells,
   return instant;
 }
 
-/// Gives the motion as much swelling as it wants and takes what swelling does out of forces and pressures, so that it leaves no trace
-/// in the stress. Returns the swelling's velocities, m/s.
+/// Gives the motion as much swelling as it wants and takes what swelling does out of forces and pressures, so that it
+/// leaves no trace in the stress. Returns the swelling's velocities, m/s.
 Eigen::VectorXd swell(const Problem& problem, const Instant& swelling, Discrete& discrete, Instant& instant,
                       Solution& result) {
   const Index velocities = dim * problem.mesh->node_count(), vertices = problem.mesh->vertex_count;
@@ -206,7 +208,9 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     load.head(velocities) += surface_load(mesh, discrete.surface, pressed);
     held = hold_nodes(problem, result.active);
     if (!support(problem, load, result.active, held))
-      return failed(std::move(result), "the glass is not held: no tool, symmetry plane or fixed piece carries it (a fall is not computed: glass has to touch a tool)");
+      return failed(std::move(result),
+                    "the glass is not held: no tool, symmetry plane or fixed piece carries it (a fall is not computed: "
+                    "glass has to touch a tool)");
     add_friction(problem, result.active, area, instant ? &*instant : nullptr, sliding, held);
     auto correction = corrector.correct(problem, tangent, held, load, iterate);
     result.factorisations = corrector.factorisations;
@@ -224,7 +228,8 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
     if (thinning && !steady) {
       discrete.tangent = discrete.cells;
       if (guard.trusts(moved))
-        add_thinning_derivative(problem, discrete.geometry, discrete.viscosity, iterate.x.head(velocities), discrete.tangent);
+        add_thinning_derivative(problem, discrete.geometry, discrete.viscosity, iterate.x.head(velocities),
+                                discrete.tangent);
       corrector.forget();
     }
     const auto change = update_set(problem, *instant, result.active, releases);
@@ -241,7 +246,8 @@ Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   }
   Eigen::VectorXd swelling = Eigen::VectorXd::Zero(velocities);
   if (problem.more_swelling)
-    if (const auto unit = find_swelling(problem, tangent, held, corrector, instant->tool_velocity, std::move(superposed)))
+    if (const auto unit =
+            find_swelling(problem, tangent, held, corrector, instant->tool_velocity, std::move(superposed)))
       swelling = swell(problem, *unit, discrete, *instant, result);
   report(problem, discrete, held, *instant, swelling, result);
   return result;

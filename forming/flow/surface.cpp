@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/element.hpp"
+#include "core/mesh/element.hpp"
 
 namespace parison::flow {
 

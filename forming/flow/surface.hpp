@@ -16,11 +16,14 @@ struct SurfaceEdge {
 /// One for each edge of the mesh's boundary.
 std::vector<SurfaceEdge> surface_edges(const Problem& problem);
 
-/// Load of surface tension and gas pressure on the edges that are not pressed against a tool at all three nodes, N, two per node.
-Eigen::VectorXd surface_load(const core::Mesh& mesh, const std::vector<SurfaceEdge>& edges, const std::vector<bool>& pressed);
+/// Load of surface tension and gas pressure on the edges that are not pressed against a tool at all three nodes, N, two
+/// per node.
+Eigen::VectorXd surface_load(const core::Mesh& mesh, const std::vector<SurfaceEdge>& edges,
+                             const std::vector<bool>& pressed);
 
-/// Contact area that belongs to each pressed node, m2: over the edges that are pressed at all three nodes, or over all its
-/// edges where none is.
-Eigen::VectorXd contact_areas(const core::Mesh& mesh, const std::vector<SurfaceEdge>& edges, const std::vector<bool>& pressed);
+/// Contact area that belongs to each pressed node, m2: over the edges that are pressed at all three nodes, or over all
+/// its edges where none is.
+Eigen::VectorXd contact_areas(const core::Mesh& mesh, const std::vector<SurfaceEdge>& edges,
+                              const std::vector<bool>& pressed);
 
 }  // namespace parison::flow

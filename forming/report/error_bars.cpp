@@ -19,22 +19,33 @@ constexpr double neighbourhood = 0.1;  ///< of the arc
 constexpr double spacing = 1.0 / (profile_points - 1);
 
 /// From the difference of both runs to the error of the finer one, by the order that the dial's ladder showed.
-double richardson() { return 1 / (std::pow(companion_factor, error_model().thickness.order) - 1); }
+double richardson() {
+  return 1 / (std::pow(companion_factor, error_model().thickness.order) - 1);
+}
 
-/// What two runs may agree on by chance, over the error expected of the wall in the mean. The law is that of the case that errs most.
+/// What two runs may agree on by chance, over the error expected of the wall in the mean. The law is that of the case
+/// that errs most.
 constexpr double chance_in_mean = 0.1, chance_at_worst = 0.3, chance_in_time = 0.2;
 
-bool is_heat(const Quantity& quantity) { return quantity.name.rfind("heat_", 0) == 0; }
+bool is_heat(const Quantity& quantity) {
+  return quantity.name.rfind("heat_", 0) == 0;
+}
 
-bool is_time(const Quantity& quantity) { return quantity.name.rfind("time_", 0) == 0; }
+bool is_time(const Quantity& quantity) {
+  return quantity.name.rfind("time_", 0) == 0;
+}
 
 /// What a quantity is alike with: the first word of its name.
-std::string kind(const Quantity& quantity) { return quantity.name.substr(0, quantity.name.find('_')); }
+std::string kind(const Quantity& quantity) {
+  return quantity.name.substr(0, quantity.name.find('_'));
+}
 
-bool is_thinnest(const Quantity& quantity) { return quantity.name.rfind("thickness_min", 0) == 0; }
+bool is_thinnest(const Quantity& quantity) {
+  return quantity.name.rfind("thickness_min", 0) == 0;
+}
 
-/// The differences of a kind are alike as shares of this. Heats: between its own, of which the mesh and the steps get a share wrong,
-/// and all of it, as what one tool gets too much another lacks.
+/// The differences of a kind are alike as shares of this. Heats: between its own, of which the mesh and the steps get a
+/// share wrong, and all of it, as what one tool gets too much another lacks.
 double size_of_kind(const Quantities& run, const Quantity& quantity) {
   if (!is_heat(quantity)) return quantity.scale;
   double whole = 0;
@@ -43,8 +54,8 @@ double size_of_kind(const Quantities& run, const Quantity& quantity) {
   return std::sqrt(quantity.scale * whole);
 }
 
-/// The scatter of differences, as shares: from three on by their median, so that one that stands out does not widen all bars; of two
-/// the larger, as the other may have vanished by chance.
+/// The scatter of differences, as shares: from three on by their median, so that one that stands out does not widen all
+/// bars; of two the larger, as the other may have vanished by chance.
 struct Usual {
   std::vector<double> sizes;
   double scatter() const {
@@ -99,7 +110,8 @@ double usual_near(const std::vector<double>& profile, const std::vector<double>&
   double square = 0;
   int count = 0;
   for (int i = std::max(0, at - reach); i <= std::min(profile_points - 1, at + reach); ++i)
-    if (const double difference = profile[i] - other[i]; std::isfinite(difference)) square += difference * difference, ++count;
+    if (const double difference = profile[i] - other[i]; std::isfinite(difference))
+      square += difference * difference, ++count;
   return count ? std::sqrt(square / count) : 0;
 }
 
@@ -134,12 +146,15 @@ ErrorBars error_bars(const Quantities& run, const Quantities& companion, const E
     if (!other || is_thinnest(quantity)) continue;
     const double size = size_of_kind(run, quantity);
     const Usual& alike = usual[kind(quantity)];
-    // What is usual bounds a chance agreement of two runs; it is scatter, which a finer run has less of but not by the order.
-    const double chance = quantity.name == "thickness_mean"
-                              ? richardson() * std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
-                              : alike.scatter() * size;
+    // What is usual bounds a chance agreement of two runs; it is scatter, which a finer run has less of but not by the
+    // order.
+    const double chance =
+        quantity.name == "thickness_mean"
+            ? richardson() * std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
+            : alike.scatter() * size;
     quantity.error = std::max({richardson() * std::abs(other->value - quantity.value), chance, resolution * size});
-    if (is_heat(quantity)) quantity.error = std::max(quantity.error, scatter * expected.heat / double(alike.sizes.size()) * size);
+    if (is_heat(quantity))
+      quantity.error = std::max(quantity.error, scatter * expected.heat / double(alike.sizes.size()) * size);
     if (is_time(quantity)) quantity.error = std::max(quantity.error, chance_in_time * expected.thickness * size);
   }
   add_thinnest(bars.quantities, companion);

@@ -7,12 +7,12 @@ namespace parison::forming {
 /// Edges and steps of the companion run over those of the run itself.
 inline constexpr double companion_factor = 1.5;
 
-/// What a companion run says about a run: Richardson's estimate with the order that the dial's ladder showed. Quantities of one
-/// kind lend each other the usual size of their differences, as one of them may vanish by chance.
+/// What a companion run says about a run: Richardson's estimate with the order that the dial's ladder showed.
+/// Quantities of one kind lend each other the usual size of their differences, as one of them may vanish by chance.
 struct ErrorBars {
-  Quantities quantities;    ///< those of the run, with their errors
+  Quantities quantities;                 ///< those of the run, with their errors
   double profile_mean, profile_largest;  ///< of the wall thickness, shares; NaN without a wall
-  double heat;              ///< into all tools, a share; NaN without
+  double heat;                           ///< into all tools, a share; NaN without
   double companion_cpu_seconds = 0;
 };
 /// Errors known beforehand, as shares: of the wall in the mean, of the heat into all tools; 0 where nothing is known.

@@ -15,7 +15,9 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* heat_prefix = "heat_";
 
-double celsius(double kelvin) { return kelvin - thermal::content_reference; }
+double celsius(double kelvin) {
+  return kelvin - thermal::content_reference;
+}
 
 bool has_wall(const Scene& scene) {
   return scene.has_flow() && std::any_of(scene.stages.begin(), scene.stages.end(),
@@ -45,7 +47,8 @@ std::vector<int> inner_places(const std::vector<double>& profile) {
   const int size = static_cast<int>(profile.size());
   for (int i = 0; i < size; ++i) {
     bool inside = true;
-    for (int k = std::max(0, i - margin); k <= std::min(size - 1, i + margin); ++k) inside = inside && std::isfinite(profile[k]);
+    for (int k = std::max(0, i - margin); k <= std::min(size - 1, i + margin); ++k)
+      inside = inside && std::isfinite(profile[k]);
     if (inside) places.push_back(i);
   }
   return places;
@@ -133,11 +136,10 @@ Quantities read_quantities(const core::JsonValue& summary) {
   Quantities found;
   if (const auto* values = summary.find("quantities"))
     for (const core::JsonValue& item : values->items)
-      found.values.push_back({item.name, item.text_of("unit"), item.number_of("value"), item.number_of("scale"),
-                              item.number_of("error")});
+      found.values.push_back(
+          {item.name, item.text_of("unit"), item.number_of("value"), item.number_of("scale"), item.number_of("error")});
   if (const auto* profile = summary.find("thickness_profile_mm"))
-    for (const core::JsonValue& item : profile->items)
-      found.profile.push_back(item.number);
+    for (const core::JsonValue& item : profile->items) found.profile.push_back(item.number);
   return found;
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/json.hpp"
-#include "core/json_read.hpp"
+#include "core/io/json.hpp"
+#include "core/io/json_read.hpp"
 #include "forming/report/thickness_profile.hpp"
 
 namespace parison::forming {
@@ -44,8 +44,8 @@ struct ProfileDifference {
   double mean, largest;  ///< NaN without a profile
   double where;          ///< share of the arc where it is largest
 };
-/// Over places which are wall in both and which lie further than `profile_margin` of the arc from any that is not: there the
-/// finish begins and the thickness jumps.
+/// Over places which are wall in both and which lie further than `profile_margin` of the arc from any that is not:
+/// there the finish begins and the thickness jumps.
 ProfileDifference compare_profiles(const std::vector<double>& profile, const std::vector<double>& reference);
 inline constexpr double profile_margin = 0.02;
 

@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <limits>
 
-#include "contact/tool_gap.hpp"
-#include "core/element.hpp"
-#include "core/files.hpp"
-#include "core/json.hpp"
-#include "forming/step/fingerprint.hpp"
+#include "contact/unilateral/tool_gap.hpp"
+#include "core/io/files.hpp"
+#include "core/io/json.hpp"
+#include "core/mesh/element.hpp"
 #include "forming/report/error_bars.hpp"
-#include "forming/step/initial_state.hpp"
 #include "forming/report/summary_parts.hpp"
+#include "forming/state/fingerprint.hpp"
+#include "forming/state/initial_state.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -24,7 +24,9 @@ using core::JsonWriter;
 
 constexpr double near_tool = 0.2e-3;  ///< m
 
-double celsius(double kelvin) { return kelvin - thermal::content_reference; }
+double celsius(double kelvin) {
+  return kelvin - thermal::content_reference;
+}
 
 /// Distance to the nearest tool in place, by the exact profiles, m.
 double gap_to_tools(const Scene& scene, const State& state, const std::vector<std::vector<bool>>& contact,
@@ -197,7 +199,8 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.outer_within_02mm = share_near_tools(scene, state);
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     const BodyState& body = state.bodies.at(i + 1);
-    const double hottest = body.temperature.size() > 0 ? body.hottest_surface : std::numeric_limits<double>::quiet_NaN();
+    const double hottest =
+        body.temperature.size() > 0 ? body.hottest_surface : std::numeric_limits<double>::quiet_NaN();
     summary.tools.push_back({scene.tools[i].name, body.heat_received, hottest, body.offset, body.force});
   }
   summary.quantities = quantities(scene, state, summary, rows);

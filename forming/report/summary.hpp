@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "forming/report/effort.hpp"
-#include "forming/report/history.hpp"
+#include "forming/report/files/history.hpp"
 #include "forming/report/quantities.hpp"
-#include "forming/scene/scene.hpp"
-#include "forming/step/state.hpp"
+#include "forming/report/solver_statistics.hpp"
 #include "forming/report/thickness_profile.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
 
 namespace parison::forming {
 
@@ -29,9 +29,9 @@ inline constexpr std::array timed_parts{"flow", "heat", "contact", "remesh", "ou
 struct RunFacts {
   bool completed = false;
   bool stopped = false;  ///< on request
-  std::string reason;  ///< why not, a sentence; empty when completed
+  std::string reason;    ///< why not, a sentence; empty when completed
   double wall_seconds = 0;
-  double cpu_seconds = 0;  ///< of the whole process
+  double cpu_seconds = 0;                ///< of the whole process
   std::map<std::string, double> timing;  ///< s by part
   std::vector<std::string> warnings;
   std::vector<StageRecord> stages;
@@ -55,8 +55,8 @@ struct Summary {
   RunFacts run;
   GlassFacts glass;
   std::vector<ToolSummary> tools;
-  ThicknessRange thickness;      ///< m
-  double outer_within_02mm;      ///< share of the outer surface within 0.2 mm of a tool in place
+  ThicknessRange thickness;  ///< m
+  double outer_within_02mm;  ///< share of the outer surface within 0.2 mm of a tool in place
   Quantities quantities;
 };
 Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const std::vector<ThicknessRow>& rows);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/json.hpp"
+#include "core/io/json.hpp"
 #include "forming/report/summary.hpp"
 
 namespace parison::forming {

@@ -10,9 +10,13 @@
 namespace parison::forming {
 namespace {
 
-double celsius(double kelvin) { return kelvin - thermal::content_reference; }
+double celsius(double kelvin) {
+  return kelvin - thermal::content_reference;
+}
 
-std::string line(const std::string& label, const std::string& value) { return fmt::format("  {:<22}{}\n", label, value); }
+std::string line(const std::string& label, const std::string& value) {
+  return fmt::format("  {:<22}{}\n", label, value);
+}
 
 std::string glass_lines(const Scene& scene, const Summary& summary) {
   const GlassFacts& glass = summary.glass;
@@ -25,8 +29,8 @@ std::string glass_lines(const Scene& scene, const Summary& summary) {
                                                                    1e3 * lowest, 1e3 * mean, 1e3 * highest)
                                                      : "n/a");
   if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
-    text += line("outer surface", fmt::format("{:.1f} % within 0.2 mm of the tools in place",
-                                              100 * summary.outer_within_02mm));
+    text += line("outer surface",
+                 fmt::format("{:.1f} % within 0.2 mm of the tools in place", 100 * summary.outer_within_02mm));
   return text;
 }
 
@@ -51,14 +55,14 @@ std::string stage_lines(const RunFacts& run) {
 
 std::string run_lines(const Scene& scene, const State& state, const Summary& summary) {
   const Totals& totals = state.totals;
-  std::string text = line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, totals.rejected,
-                                               remeshes(state)));
-  text += line("volume drift", fmt::format("{:.4f} % at the end, {:.4f} % at the most", 100 * summary.glass.volume_drift,
-                                            100 * totals.largest_drift));
+  std::string text =
+      line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, totals.rejected, remeshes(state)));
+  text += line("volume drift", fmt::format("{:.4f} % at the end, {:.4f} % at the most",
+                                           100 * summary.glass.volume_drift, 100 * totals.largest_drift));
   if (scene.has_heat()) {
     text += line("energy imbalance", fmt::format("{:.4f} %", 100 * summary.glass.energy_imbalance));
-    text += line("heat lost", fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air", 1e-3 * totals.to_tools,
-                                          1e-3 * totals.to_air));
+    text += line("heat lost",
+                 fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air", 1e-3 * totals.to_tools, 1e-3 * totals.to_air));
   }
   if (scene.has_flow() && !scene.tools.empty())
     text += line("deepest penetration", fmt::format("{:.4f} mm", 1e3 * totals.deepest));
@@ -77,14 +81,18 @@ std::string error_text(const Quantity& quantity) {
   return fmt::format("+- {:.2g}", quantity.error);
 }
 
-/// A bar is a bound, as a rule two to five times the error: one wider than the target says little until it is five times so.
+/// A bar is a bound, as a rule two to five times the error: one wider than the target says little until it is five
+/// times so.
 std::string target_line(double target, double bar) {
   constexpr double widest = 5;
   std::string verdict = fmt::format("probably missed: the bar of {:.2g} % is more than five times as wide", 100 * bar);
-  if (!std::isfinite(bar)) verdict = "not to be told, with neither a wall nor tools that receive heat";
-  else if (bar <= target) verdict = "held";
+  if (!std::isfinite(bar))
+    verdict = "not to be told, with neither a wall nor tools that receive heat";
+  else if (bar <= target)
+    verdict = "held";
   else if (bar <= widest * target)
-    verdict = fmt::format("expected, not proved: the bar of {:.2g} % is a bound, as a rule two to five times the error", 100 * bar);
+    verdict = fmt::format("expected, not proved: the bar of {:.2g} % is a bound, as a rule two to five times the error",
+                          100 * bar);
   return fmt::format("  target {:.3g} % (wall in the mean, heat into tools): {}\n", 100 * target, verdict);
 }
 
@@ -93,11 +101,13 @@ std::string target_line(double target, double bar) {
 std::string error_table(const Scene& scene, const ErrorBars& bars) {
   std::string text = fmt::format("\n  {:<30}{:>14}{:>16}\n", "quantity", "value", "estimated error");
   for (const Quantity& quantity : bars.quantities.values)
-    text += fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity), quantity.unit);
+    text +=
+        fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity), quantity.unit);
   text += share_line("wall thickness, mean error", bars.profile_mean);
   text += share_line("wall thickness, largest error", bars.profile_largest);
   text += share_line("heat into tools, error", bars.heat);
-  if (const auto target = scene.accuracy_choice.target) text += target_line(*target, std::fmax(bars.profile_mean, bars.heat));
+  if (const auto target = scene.accuracy_choice.target)
+    text += target_line(*target, std::fmax(bars.profile_mean, bars.heat));
   return text + fmt::format("  by a companion run {:g} times coarser ({:.1f} s CPU)\n", companion_factor,
                             bars.companion_cpu_seconds);
 }

@@ -6,15 +6,68 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/element.hpp"
-#include "core/files.hpp"
-#include "core/thickness.hpp"
-#include "forming/report/glass_surface.hpp"
-#include "forming/step/initial_state.hpp"
-#include "forming/step/sample.hpp"
+#include "core/io/files.hpp"
+#include "core/mesh/element.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/state/sample.hpp"
+#include "remesh/surface/wall_thickness.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
+
+namespace {
+
+/// Past the last edge of the loop that begins at `begin`.
+Index loop_end(const core::Mesh& mesh, Index begin) {
+  Index end = begin + 1;
+  while (end < static_cast<Index>(mesh.boundary.size()) &&
+         mesh.boundary[end].nodes[0] == mesh.boundary[end - 1].nodes[1])
+    ++end;
+  return end;
+}
+
+double arc_length(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
+  double length = 0;
+  for (const core::EdgeRulePoint& at : core::edge_rule(3))
+    length += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, at).area;
+  return length;
+}
+
+}  // namespace
+
+std::vector<bool> loaded_pieces(const Scene& scene, const core::Mesh& glass) {
+  std::vector<bool> loaded(glass.pieces.size(), false);
+  const auto last = std::find_if(scene.stages.rbegin(), scene.stages.rend(),
+                                 [](const Stage& stage) { return !stage.pressure.empty(); });
+  if (last == scene.stages.rend()) return loaded;
+  for (const auto& entry : last->pressure)
+    if (const Index index = core::find_piece(glass, entry.first); index >= 0) loaded[index] = true;
+  return loaded;
+}
+
+std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_pieces) {
+  const auto wanted = [&](Index edge) { return wanted_pieces.at(mesh.boundary[edge].piece); };
+  std::vector<ChainEdge> chain;
+  double arc = 0;
+  for (Index begin = 0; begin < static_cast<Index>(mesh.boundary.size());) {
+    const Index end = loop_end(mesh, begin), count = end - begin;
+    Index first = begin;
+    for (Index edge = begin; edge < end; ++edge)
+      if (wanted(edge) && !wanted(edge > begin ? edge - 1 : end - 1)) {
+        first = edge;
+        break;
+      }
+    for (Index k = 0; k < count; ++k) {
+      const Index edge = begin + (first - begin + k) % count;
+      if (!wanted(edge)) continue;
+      chain.push_back({edge, arc, arc_length(mesh, mesh.boundary[edge])});
+      arc += chain.back().length;
+    }
+    begin = end;
+  }
+  return chain;
+}
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -101,7 +154,7 @@ std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& sta
   const core::Mesh& mesh = glass.mesh;
   const std::vector<bool> symmetry = symmetry_pieces(scene.glass, mesh), loaded = loaded_pieces(scene, mesh);
   const bool any_loaded = std::count(loaded.begin(), loaded.end(), true) > 0;
-  const Eigen::VectorXd thickness = core::wall_thickness(mesh, symmetry);
+  const Eigen::VectorXd thickness = remesh::wall_thickness(mesh, symmetry);
   const std::vector<Point> normals = node_normals(mesh, symmetry);
   std::vector<Index> nodes;
   std::vector<ThicknessRow> rows = make_rows(scene, mesh, nodes);
@@ -140,8 +193,7 @@ void write_thickness(const std::string& path, const std::vector<ThicknessRow>& r
   std::string text = "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_C,T_outer_C\n";
   for (const ThicknessRow& row : rows)
     text += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", 1e3 * row.arc, 1e3 * row.position[0],
-                        1e3 * row.position[1], 1e3 * row.thickness,
-                        row.inner_temperature - thermal::content_reference,
+                        1e3 * row.position[1], 1e3 * row.thickness, row.inner_temperature - thermal::content_reference,
                         row.outer_temperature - thermal::content_reference);
   core::replace_file(path, text);
 }

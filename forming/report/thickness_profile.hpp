@@ -4,21 +4,37 @@
 #include <vector>
 
 #include "forming/scene/scene.hpp"
-#include "forming/step/state.hpp"
+#include "forming/state/state.hpp"
 
 namespace parison::forming {
 
-/// Glass boundary edges of the outer surface: neither on a symmetry piece nor on one that a stage loads with a pressure.
+/// Which pieces of the glass mesh the last stage with a pressure loads with it, be it 0: the inner side of the
+/// container.
+std::vector<bool> loaded_pieces(const Scene& scene, const core::Mesh& glass);
+
+/// A boundary edge with its place along a stretch of the surface.
+struct ChainEdge {
+  Index edge;     ///< index into Mesh::boundary
+  double start;   ///< arc length from the stretch's start to its first node, m
+  double length;  ///< m
+};
+
+/// The boundary edges on wanted pieces in the order of walking them, from where they begin; further parts go on
+/// counting.
+std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_pieces);
+
+/// Glass boundary edges of the outer surface: neither on a symmetry piece nor on one that a stage loads with a
+/// pressure.
 std::vector<Index> outer_edges(const Scene& scene, const core::Mesh& glass);
 
 /// A node of the outer surface and the wall behind it.
 struct ThicknessRow {
-  double arc;        ///< along the outer surface, m
-  Point position;    ///< m
-  double thickness;  ///< m
+  double arc;                                   ///< along the outer surface, m
+  Point position;                               ///< m
+  double thickness;                             ///< m
   double inner_temperature, outer_temperature;  ///< K; NaN without heat
-  double area;       ///< of the outer surface that belongs to the node, m2
-  bool is_wall;      ///< the other side faces it and some stage loads it with a pressure; true where no stage loads any
+  double area;                                  ///< of the outer surface that belongs to the node, m2
+  bool is_wall;  ///< the other side faces it and some stage loads it with a pressure; true where no stage loads any
 };
 std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& state);
 

@@ -7,10 +7,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/case_error.hpp"
-#include "core/files.hpp"
-#include "core/hdf5.hpp"
-#include "forming/step/visit_state.hpp"
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "core/io/hdf5.hpp"
+#include "forming/state/visit_state.hpp"
 
 namespace parison::forming {
 namespace {
@@ -118,7 +118,8 @@ void visit_facts(Visitor visit, Facts& facts) {
   visit("cpu_seconds", facts.cpu_seconds);
   for (const char* part : timed_parts) visit(part, facts.timing[part]);
   visit_effort(visit.part("effort"), facts.effort);
-  for (std::size_t i = 0; i < facts.warnings.size(); ++i) visit(fmt::format("warning_{}", i).c_str(), facts.warnings[i]);
+  for (std::size_t i = 0; i < facts.warnings.size(); ++i)
+    visit(fmt::format("warning_{}", i).c_str(), facts.warnings[i]);
   for (std::size_t i = 0; i < facts.stages.size(); ++i) {
     auto& record = facts.stages[i];
     Visitor stage = visit.part(fmt::format("stage_{}", i));
@@ -137,17 +138,22 @@ void visit_files(Visitor visit, Files& files) {
   visit("output_times", files.output_times);
 }
 
-std::string last_path(const std::string& directory) { return directory + "/checkpoint.h5"; }
-std::string path_before(const std::string& directory) { return directory + "/checkpoint_before.h5"; }
+std::string last_path(const std::string& directory) {
+  return directory + "/checkpoint.h5";
+}
+std::string path_before(const std::string& directory) {
+  return directory + "/checkpoint_before.h5";
+}
 
 void require_version(const std::string& path, const Hdf5Group& file) {
   const std::int64_t version = file.has("version") ? file.read_integer("version") : 0;
   if (version != format_version)
-    throw core::CaseError(fmt::format("{}: a checkpoint of version {} was found, allowed is version {}", path, version,
-                                      format_version));
+    throw core::CaseError(
+        fmt::format("{}: a checkpoint of version {} was found, allowed is version {}", path, version, format_version));
   if (!file.has("layout") || file.read_integer("layout") != state_layout())
     throw core::CaseError(fmt::format(
-        "{}: a checkpoint whose state holds other values was found, allowed is one of this version of the program", path));
+        "{}: a checkpoint whose state holds other values was found, allowed is one of this version of the program",
+        path));
 }
 
 void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
-#include "forming/report/output.hpp"
-#include "forming/scene/scene.hpp"
+#include "forming/report/files/result_files.hpp"
 #include "forming/report/summary.hpp"
+#include "forming/scene/scene.hpp"
 
 namespace parison::forming {
 
@@ -14,7 +14,8 @@ struct Checkpoint {
   WrittenFiles files;
 };
 
-/// Writes the checkpoint of a result folder, where the one before is kept beside it. Each appears complete or not at all.
+/// Writes the checkpoint of a result folder, where the one before is kept beside it. Each appears complete or not at
+/// all.
 void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint);
 
 /// Whether a folder holds a complete checkpoint.

@@ -7,18 +7,22 @@
 #include <cstdio>
 #include <ctime>
 
-#include "forming/step/thermal_interface.hpp"
 #include "forming/step/step_control.hpp"
+#include "forming/step/thermal_interface.hpp"
 
 namespace parison::forming {
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 void account(Progress& run, const char* part, Clock::time_point start) {
   run.outcome.facts.timing[part] += seconds_since(start);
 }
 
-double cpu_seconds_of_process() { return double(std::clock()) / CLOCKS_PER_SEC; }
+double cpu_seconds_of_process() {
+  return double(std::clock()) / CLOCKS_PER_SEC;
+}
 
 void note_times(Progress& run) {
   run.outcome.facts.wall_seconds = run.wall_before + seconds_since(run.start);

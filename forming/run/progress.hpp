@@ -3,8 +3,8 @@
 #include <chrono>
 #include <string>
 
+#include "forming/report/files/result_files.hpp"
 #include "forming/run/checkpoint.hpp"
-#include "forming/report/output.hpp"
 #include "forming/run/run.hpp"
 #include "forming/step/workspace.hpp"
 
@@ -24,12 +24,11 @@ struct Progress {
   Workspace workspace = {};
   Clock::time_point start = Clock::now(), last_line = start, last_checkpoint = start;
   double cpu_start = cpu_seconds_of_process();
-  double cpu_before = 0;          ///< CPU time of the run up to its last checkpoint likewise, s
-  double wall_before = 0;         ///< wall time of the run up to its last checkpoint when it was taken up again, s
-  double share_before = 0;        ///< of the simulated time that was done by then
-  Index checkpoint_steps = -1;    ///< steps done at the last checkpoint, -1 before the first
+  double cpu_before = 0;        ///< CPU time of the run up to its last checkpoint likewise, s
+  double wall_before = 0;       ///< wall time of the run up to its last checkpoint when it was taken up again, s
+  double share_before = 0;      ///< of the simulated time that was done by then
+  Index checkpoint_steps = -1;  ///< steps done at the last checkpoint, -1 before the first
 };
-
 
 /// Books the time since `start` under a part of the run.
 void account(Progress& run, const char* part, Clock::time_point start);
@@ -46,8 +45,8 @@ void print_progress(Progress& run, const StepReport& report);
 /// A state, that of the run or one within its last step, into the result files.
 void write_fields(Progress& run, const State& state);
 
-/// Writes a checkpoint where one can be written: not while the heat of a standing stage is in an integrator with a memory
-/// of its own, which ends after `output.checkpoint_steps` steps and after 300 of its own.
+/// Writes a checkpoint where one can be written: not while the heat of a standing stage is in an integrator with a
+/// memory of its own, which ends after `output.checkpoint_steps` steps and after 300 of its own.
 void save(Progress& run);
 
 /// The same when the case's time or steps between checkpoints are over.

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <exception>
 
-#include "forming/step/between.hpp"
-#include "forming/step/contact_geometry.hpp"
-#include "forming/step/film.hpp"
-#include "forming/report/history.hpp"
+#include "forming/remeshing/remesh_state.hpp"
+#include "forming/report/files/history.hpp"
 #include "forming/report/summary_parts.hpp"
-#include "forming/step/initial_state.hpp"
 #include "forming/run/progress.hpp"
-#include "forming/renew/renew.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/state/interpolate.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/film.hpp"
 #include "forming/step/step.hpp"
 #include "forming/step/step_control.hpp"
 
@@ -89,7 +89,8 @@ bool step_once(Progress& run, StepTaken& step) {
     dt = result.converged ? std::clamp(wish.dt, shorten * dt, longest_retry * dt) : shorten * dt;
     if (result.hopeless) return false;
     if (dt < run.scene.accuracy.smallest_step) {
-      run.outcome.facts.reason += fmt::format("; steps below {:g} s, numerics.smallest_step, would be needed", run.scene.accuracy.smallest_step);
+      run.outcome.facts.reason += fmt::format("; steps below {:g} s, numerics.smallest_step, would be needed",
+                                              run.scene.accuracy.smallest_step);
       return false;
     }
     limit = result.converged ? wish.limit : StepLimit::failure;
@@ -116,8 +117,10 @@ std::string stage_obstacle(const Scene& scene, const State& state) {
     if (inside.depth > deepest.depth) deepest = inside;
   if (deepest.depth <= most_overlap) return "";
   const Point& x = state.bodies[0].mesh.nodes[deepest.node];
-  return fmt::format("tool {} in place overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the stage's tools as it is",
-                     scene.tools[deepest.tool].name, 1e3 * deepest.depth, 1e3 * x[0], 1e3 * x[1]);
+  return fmt::format(
+      "tool {} in place overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the "
+      "stage's tools as it is",
+      scene.tools[deepest.tool].name, 1e3 * deepest.depth, 1e3 * x[0], 1e3 * x[1]);
 }
 
 /// Whether the stage can begin; the reason why not goes into the facts.
@@ -150,9 +153,10 @@ void warn_of_moving_tools(Progress& run) {
   for (const StageTool& tool : stage.tools) {
     const double speed = std::abs(state.bodies[1 + tool.tool].velocity);
     if (stage.end_speed && std::holds_alternative<ForceMotion>(tool.motion) && speed >= *stage.end_speed)
-      run.outcome.facts.warnings.push_back(
-          fmt::format("stage {} ended by its duration of {:g} s while {} still moved at {:.3g} mm/s, above its end_speed of {:g} mm/s",
-                      stage.name, stage.duration, run.scene.tools[tool.tool].name, 1e3 * speed, 1e3 * *stage.end_speed));
+      run.outcome.facts.warnings.push_back(fmt::format(
+          "stage {} ended by its duration of {:g} s while {} still moved at {:.3g} mm/s, above its end_speed of {:g} "
+          "mm/s",
+          stage.name, stage.duration, run.scene.tools[tool.tool].name, 1e3 * speed, 1e3 * *stage.end_speed));
   }
 }
 
@@ -227,10 +231,11 @@ void warn_of_unused_interfaces(Progress& run) {
     const Tool& tool = scene.tools[interface.tool];
     if (run.outcome.state.bodies[1 + interface.tool].heat_received == 0 &&
         tool.initial_temperature != scene.glass.initial_temperature)
-      run.outcome.facts.warnings.push_back(fmt::format(
-          "the interface of the glass with {} was never used: in the whole run they did not come within {:.4g} mm of each "
-          "other",
-          tool.name, 1e3 * interface.handover_width));
+      run.outcome.facts.warnings.push_back(
+          fmt::format("the interface of the glass with {} was never used: in the whole run they did not come within "
+                      "{:.4g} mm of each "
+                      "other",
+                      tool.name, 1e3 * interface.handover_width));
   }
 }
 
@@ -245,27 +250,35 @@ void warn(Progress& run) {
   const Totals& totals = run.outcome.state.totals;
   auto& warnings = run.outcome.facts.warnings;
   if (totals.largest_reynolds > 1)
-    warnings.push_back(fmt::format("inertia was left out, but the Reynolds number reached {:.2g}", totals.largest_reynolds));
+    warnings.push_back(
+        fmt::format("inertia was left out, but the Reynolds number reached {:.2g}", totals.largest_reynolds));
   const RemeshLedger& remeshing = totals.remeshing;
   if (remeshing.failed > 1) warnings.push_back(fmt::format("{} new glass meshes could not be made", remeshing.failed));
   if (remeshing.laps > 0)
-    warnings.push_back(fmt::format("the glass folded onto itself at {} places, which were closed with {:.2g} mm3 of air in them: marks of "
-                                   "laps are to be expected there", remeshing.laps, 1e9 * remeshing.lap_volume));
+    warnings.push_back(fmt::format(
+        "the glass folded onto itself at {} places, which were closed with {:.2g} mm3 of air in them: marks of "
+        "laps are to be expected there",
+        remeshing.laps, 1e9 * remeshing.lap_volume));
   if (remeshing.coarser > 1)
     warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have about {:g} cells",
                                    remeshing.coarser, run.scene.accuracy.most_cells));
   if (const double imbalance = largest_work_imbalance(run.outcome.facts); imbalance > most_work_imbalance)
-    warnings.push_back(fmt::format("the work done on the glass and what became of it differ by {:.2g} % at a stage's end; a higher accuracy or a smaller "
-                                   "numerics.strain_per_step helps", 100 * imbalance));
+    warnings.push_back(
+        fmt::format("the work done on the glass and what became of it differ by {:.2g} % at a stage's end; a higher "
+                    "accuracy or a smaller "
+                    "numerics.strain_per_step helps",
+                    100 * imbalance));
   if (totals.table_holds > 0)
     warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.table_holds));
   if (const double span = temperature_range(run.scene).span(); totals.overshoot > most_overshoot * span)
-    warnings.push_back(fmt::format("a temperature rose {:.0f} K above the hottest of the scene for a moment, {:.2g} % of the span "
-                                   "of all: skins too thin for the mesh; a smaller numerics.skin_size helps",
-                                   totals.overshoot, 100 * totals.overshoot / span));
+    warnings.push_back(
+        fmt::format("a temperature rose {:.0f} K above the hottest of the scene for a moment, {:.2g} % of the span "
+                    "of all: skins too thin for the mesh; a smaller numerics.skin_size helps",
+                    totals.overshoot, 100 * totals.overshoot / span));
   if (const long latched = run.outcome.facts.effort.latched_contacts; latched > most_latched * double(totals.steps))
     warnings.push_back(fmt::format(
-        "in all steps together {} contacts stayed closed although they pull, as they kept opening and closing", latched));
+        "in all steps together {} contacts stayed closed although they pull, as they kept opening and closing",
+        latched));
 }
 
 /// The stages from the present one on, which has begun if `good`; false when one cannot end.
@@ -292,8 +305,11 @@ RunOutcome finish(Progress& run, const std::function<bool()>& from_here) {
     facts.reason = error.what();
     end_stage(run, false);
   }
-  if (facts.completed) facts.reason.clear();
-  else facts.reason = fmt::format("stage {} at {:.5f} s: {}", run.scene.stages[state.stage].name, state.time, facts.reason);
+  if (facts.completed)
+    facts.reason.clear();
+  else
+    facts.reason =
+        fmt::format("stage {} at {:.5f} s: {}", run.scene.stages[state.stage].name, state.time, facts.reason);
   warn(run);
   if (facts.completed) warn_of_unused_interfaces(run);
   note_times(run);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/case_error.hpp"
+#include "core/case/case_error.hpp"
 
 namespace parison::forming {
 namespace {
@@ -35,12 +35,15 @@ double number(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const std::string& text) {
-  throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are draft, standard, fine or an error such as "
-                                    "\"0.5%\", with \" coarser 1.5\" behind it or without",
-                                    text));
+  throw core::CaseError(
+      fmt::format("accuracy: \"{}\" was found, allowed are draft, standard, fine or an error such as "
+                  "\"0.5%\", with \" coarser 1.5\" behind it or without",
+                  text));
 }
 
-double law_level(const ErrorLaw& law, double target) { return std::log2(law.at_draft / target) / law.order; }
+double law_level(const ErrorLaw& law, double target) {
+  return std::log2(law.at_draft / target) / law.order;
+}
 
 double read_target(const std::string& text) {
   const double target = number(text.substr(0, text.find_last_not_of(" %") + 1)) / 100;
@@ -64,12 +67,36 @@ const std::vector<Setting>& settings() {
       {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}, 1e-7, 0.5},
       {"tool_growth", &A::tool_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}, 0.01, 5},
       {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}, 1e-4, 2},
-      {"temperature_tolerance", &A::temperature_tolerance, dimension::temperature_difference, "K", 1, 2, {1, 0.2, 0.05}, 1e-7, 100},
-      {"temperature_per_step", &A::temperature_per_step, dimension::temperature_difference, "K", 1, 1, {40, 20, 10}, 1e-3, 2000},
+      {"temperature_tolerance",
+       &A::temperature_tolerance,
+       dimension::temperature_difference,
+       "K",
+       1,
+       2,
+       {1, 0.2, 0.05},
+       1e-7,
+       100},
+      {"temperature_per_step",
+       &A::temperature_per_step,
+       dimension::temperature_difference,
+       "K",
+       1,
+       1,
+       {40, 20, 10},
+       1e-3,
+       2000},
       {"largest_step", &A::largest_step, dimension::time, "s", 1, 1, {0.2, 0.1, 0.05}, 1e-9, 1e6},
       {"first_step", &A::first_step, dimension::time, "s", 1, 0, {1e-3, 1e-3, 1e-3}, 1e-9, 1e6},
       {"smallest_step", &A::smallest_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}, 1e-12, 1e6},
-      {"motion_tolerance", &A::motion_tolerance, dimension::length, "mm", 1e-3, 2, {0.05e-3, 0.025e-3, 6.25e-6}, 1e-10, 0.01},
+      {"motion_tolerance",
+       &A::motion_tolerance,
+       dimension::length,
+       "mm",
+       1e-3,
+       2,
+       {0.05e-3, 0.025e-3, 6.25e-6},
+       1e-10,
+       0.01},
       {"most_cells", &A::most_cells, dimension::none, "", 1, -2, {2e4, 3e4, 4.5e4}, 100, 1e7},
       {"solution_error", &A::solution_error, dimension::none, "", 1, 2, {0, 0, 0}, 0, 1},
       {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.04, 0.1, 0.1}, 1e-4, 0.9}};
@@ -118,7 +145,8 @@ AccuracyChoice read_accuracy(const std::string& text) {
   if (at != text.npos) choice.coarser = number(text.substr(at + std::strlen(coarser_word)));
   if (choice.coarser == 0) refuse(text);
   if (choice.coarser < least_coarser || choice.coarser > most_coarser)
-    throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are factors from {:g} to {:g}", text, least_coarser, most_coarser));
+    throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are factors from {:g} to {:g}", text,
+                                      least_coarser, most_coarser));
   const auto preset = std::find(preset_names.begin(), preset_names.end(), base);
   if (preset != preset_names.end()) {
     choice.level = double(preset - preset_names.begin());

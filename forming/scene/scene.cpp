@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "core/files.hpp"
-#include "forming/scene/scene_reading.hpp"
+#include "core/io/files.hpp"
+#include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
+
 namespace {
 
 using core::CaseTable;
@@ -106,6 +108,24 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   scene.fingerprint =
       fingerprint_of(fmt::format("{}{}", core::read_text(file.path), fmt::join(scene.overrides, "\n")), scene);
   return scene;
+}
+
+namespace {
+
+void coarsen(MeshSpec& mesh, double factor) {
+  if (mesh.size) *mesh.size *= factor;
+  if (mesh.contact_size) *mesh.contact_size *= factor;
+  if (!mesh.mapped) return;
+  for (Index* divisions : {&mesh.mapped->along_first, &mesh.mapped->along_second})
+    *divisions = std::max(Index{1}, static_cast<Index>(std::lround(*divisions / factor)));
+}
+
+}  // namespace
+
+void coarsen(Scene& scene, double factor) {
+  scene.accuracy = coarsened(scene.accuracy, factor);
+  coarsen(scene.glass.mesh, factor);
+  for (Tool& tool : scene.tools) coarsen(tool.mesh, factor);
 }
 
 }  // namespace parison::forming

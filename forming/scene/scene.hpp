@@ -7,13 +7,13 @@
 #include <variant>
 #include <vector>
 
-#include "contact/conductance.hpp"
-#include "core/mesh.hpp"
-#include "core/profile.hpp"
-#include "core/table.hpp"
-#include "forming/scene/accuracy.hpp"
+#include "contact/conductance/conductance.hpp"
+#include "core/case/table.hpp"
+#include "core/mesh/mesh.hpp"
+#include "core/mesh/profile.hpp"
 #include "forming/flow/material.hpp"
-#include "thermal/material.hpp"
+#include "forming/scene/accuracy.hpp"
+#include "thermal/properties.hpp"
 
 namespace parison::forming {
 
@@ -56,7 +56,7 @@ struct Body {
   core::Profile profile;      ///< in the body's own frame, m
   std::vector<Piece> pieces;  ///< one for each of profile.pieces
   MeshSpec mesh;
-  double initial_temperature = 0;  ///< K
+  double initial_temperature = 0;            ///< K
   std::optional<thermal::Material> thermal;  ///< none: the body carries no heat in this scene
   double emissivity = 0;                     ///< of its open surfaces
   double position = 0;  ///< offset along the axis at the start, m (the profile is given at offset 0)
@@ -64,7 +64,7 @@ struct Body {
 
 /// What becomes of glass between tools that gets thinner than the mesh can follow.
 struct FilmLimit {
-  double thinnest = 0.3e-3;  ///< m
+  double thinnest = 0.3e-3;                            ///< m
   enum class Then { stop, freeze } then = Then::stop;  ///< the run ends, or the film flows no more
 };
 
@@ -100,8 +100,8 @@ struct StageTool {
   Motion motion;  ///< monostate: stands still at its present offset
 };
 
-/// Names a stretch of the glass surface at the stage's start: from the surface point nearest `from` to the one nearest `to`,
-/// walked with the glass on the left.
+/// Names a stretch of the glass surface at the stage's start: from the surface point nearest `from` to the one nearest
+/// `to`, walked with the glass on the left.
 struct NamedStretch {
   std::string name;
   core::Point from, to;
@@ -109,33 +109,34 @@ struct NamedStretch {
 
 struct Stage {
   std::string name;
-  double duration;                   ///< s; the longest when an end condition is given
-  std::optional<double> end_speed;   ///< the stage also ends when every force-driven tool is slower than this, m/s, having been faster
-  double gravity = 0;                ///< along +axis, m/s2
-  std::vector<StageTool> tools;      ///< tools in place; the others are absent
+  double duration;  ///< s; the longest when an end condition is given
+  std::optional<double>
+      end_speed;  ///< the stage also ends when every force-driven tool is slower than this, m/s, having been faster
+  double gravity = 0;                      ///< along +axis, m/s2
+  std::vector<StageTool> tools;            ///< tools in place; the others are absent
   std::map<std::string, double> pressure;  ///< over-pressure on open glass pieces by piece name, Pa
-  thermal::SurfaceExchange air;      ///< of open surfaces; emissivity is the body's own
+  thermal::SurfaceExchange air;            ///< of open surfaces; emissivity is the body's own
   std::vector<NamedStretch> name_pieces;
 };
 
 struct Probe {
   std::string name;
-  Index body;  ///< 0 glass, 1 + i tool i
+  Index body;         ///< 0 glass, 1 + i tool i
   core::Point point;  ///< in the body's frame at the start, m; a glass probe moves with the glass
 };
 
 struct Output {
-  double interval = 0.1;  ///< between field outputs, s
-  std::vector<double> times;  ///< further output times, s
-  double checkpoint_interval = 300;  ///< between checkpoints, s of wall time
+  double interval = 0.1;                  ///< between field outputs, s
+  std::vector<double> times;              ///< further output times, s
+  double checkpoint_interval = 300;       ///< between checkpoints, s of wall time
   std::optional<Index> checkpoint_steps;  ///< between checkpoints as well, steps
 };
 
 /// A whole case in SI units, validated; nothing changes it during a run.
 struct Scene {
   std::string name;
-  std::string file, directory;  ///< the case file and its folder
-  std::uint64_t fingerprint = 0;  ///< of the case file's text, the overrides and all outlines
+  std::string file, directory;         ///< the case file and its folder
+  std::uint64_t fingerprint = 0;       ///< of the case file's text, the overrides and all outlines
   std::vector<std::string> overrides;  ///< values of the case file that others replace, "path=value"
   core::Geometry geometry;
   Glass glass;
@@ -147,7 +148,8 @@ struct Scene {
   std::string accuracy_name;  ///< the text that was asked for
   AccuracyChoice accuracy_choice;
   Accuracy accuracy;
-  std::map<std::string, std::string> accuracy_origin;  ///< "case" or "--set" for each setting that the dial did not choose
+  std::map<std::string, std::string>
+      accuracy_origin;  ///< "case" or "--set" for each setting that the dial did not choose
 
   bool has_flow() const { return glass.flow.has_value(); }
   bool has_heat() const { return glass.thermal.has_value(); }
@@ -162,8 +164,8 @@ struct TemperatureRange {
 };
 TemperatureRange temperature_range(const Scene& scene);
 
-/// Reads and validates a case file; `accuracy` is a text for read_accuracy; `overrides` as core::override_value takes them.
-/// Throws core::CaseError with `file:line: key: what was found, what is allowed`.
+/// Reads and validates a case file; `accuracy` is a text for read_accuracy; `overrides` as core::override_value takes
+/// them. Throws core::CaseError with `file:line: key: what was found, what is allowed`.
 Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides = {});
 
 }  // namespace parison::forming

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/thickness.hpp"
-#include "forming/step/initial_state.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/thermal_interface.hpp"
+#include "remesh/surface/wall_thickness.hpp"
 
 namespace parison::forming {
 
@@ -76,7 +76,8 @@ void note_hottest_surfaces(const Scene& scene, State& state) {
     const auto touches = contact_pieces(body_of(scene, b), body.mesh);
     for (const auto& edge : body.mesh.boundary)
       if (touches[edge.piece])
-        for (const Index node : edge.nodes) body.hottest_surface = std::max(body.hottest_surface, body.temperature[node]);
+        for (const Index node : edge.nodes)
+          body.hottest_surface = std::max(body.hottest_surface, body.temperature[node]);
   }
 }
 
@@ -122,7 +123,8 @@ bool stands_still(const Scene& scene, const Stage& stage) {
   });
 }
 
-/// Steps after which the integrator of a standing stage starts anew, for a checkpoint to be possible: some seconds of work.
+/// Steps after which the integrator of a standing stage starts anew, for a checkpoint to be possible: some seconds of
+/// work.
 constexpr long most_inner_steps = 300;
 
 /// Whether the integrator is to start anew: after steps that depend on the case alone, never on the clock.
@@ -144,7 +146,7 @@ HeatOutcome advance_standing(const Scene& scene, State& state, const std::vector
     auto problem = make_problem(scene, state, meshes, interface, workspace.table_holds);
     if (limits_radiation(scene)) {
       standing->thickness = {
-          core::wall_thickness(standing->meshes[0], symmetry_pieces(scene.glass, standing->meshes[0]))};
+          remesh::wall_thickness(standing->meshes[0], symmetry_pieces(scene.glass, standing->meshes[0]))};
       problem.bodies[0].wall_thickness = &standing->thickness[0];
     }
     thermal::IdaOptions options;
@@ -186,7 +188,7 @@ HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<cor
     if (!dissipation.empty()) problem.bodies[0].source = &dissipation;
     Eigen::VectorXd thickness;
     if (limits_radiation(scene)) {
-      thickness = core::wall_thickness(*meshes[0], symmetry_pieces(scene.glass, *meshes[0]));
+      thickness = remesh::wall_thickness(*meshes[0], symmetry_pieces(scene.glass, *meshes[0]));
       problem.bodies[0].wall_thickness = &thickness;
     }
     thermal::StepOptions options;

@@ -5,13 +5,13 @@
 #include <chrono>
 #include <cmath>
 
-#include "forming/step/contact_geometry.hpp"
-#include "forming/step/foretell.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/flow_step.hpp"
 #include "forming/step/heat_step.hpp"
-#include "forming/step/surface_change.hpp"
-#include "forming/step/sweep.hpp"
+#include "forming/step/predictor.hpp"
+#include "forming/step/surface_temperature.hpp"
 #include "forming/step/thermal_interface.hpp"
-#include "remesh/quality.hpp"
+#include "remesh/mesher/quality.hpp"
 
 namespace parison::forming {
 
@@ -77,8 +77,7 @@ bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& 
     result.report.interface = thermal_interface(scene, result.state);
   }
   const Timer timer(result.report, "heat");
-  const auto outcome =
-      advance_heat(scene, result.state, result.report.interface, result.dissipation, dt, workspace);
+  const auto outcome = advance_heat(scene, result.state, result.report.interface, result.dissipation, dt, workspace);
   result.reason = outcome.reason;
   result.report.heat_substeps += outcome.substeps;
   return outcome.converged;
@@ -103,7 +102,8 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   StepResult result;
   Middle foretold;
   if (scene.has_flow())
-    foretold = {foretold_velocity(state, 0.5 * dt), foretold_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
+    foretold = {
+        foretold_velocity(state, 0.5 * dt), foretold_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
   result.state = state;
   const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
   for (int pass = 0; pass < passes; ++pass) {
@@ -121,8 +121,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   after.stage_time += dt;
   ++after.totals.steps;
   after.totals.table_holds = workspace.table_holds;
-  if (!workspace.standing)
-    after.totals.deepest = std::max(after.totals.deepest, deepest_penetration(scene, after));
+  if (!workspace.standing) after.totals.deepest = std::max(after.totals.deepest, deepest_penetration(scene, after));
   if (scene.has_flow()) {
     const double drift = core::volume(after.bodies[0].mesh, scene.geometry) / after.first_volume - 1;
     after.totals.largest_drift = std::max(after.totals.largest_drift, std::abs(drift));

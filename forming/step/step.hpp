@@ -3,7 +3,7 @@
 #include <string>
 
 #include "forming/scene/scene.hpp"
-#include "forming/step/state.hpp"
+#include "forming/state/state.hpp"
 #include "forming/step/workspace.hpp"
 
 namespace parison::forming {
@@ -17,8 +17,9 @@ struct StepResult {
   std::vector<double> dissipation;  ///< of the flow, W at each quadrature point: flow::Solution::dissipation
 };
 
-/// One staggered step of length dt, of second order: flow on the mid-step mesh at the temperature foretold for the middle,
-/// half the motion, interface and heat in all bodies, the other half. The given state is left as it is; a step that failed is a dropped value.
+/// One staggered step of length dt, of second order: flow on the mid-step mesh at the temperature foretold for the
+/// middle, half the motion, interface and heat in all bodies, the other half. The given state is left as it is; a step
+/// that failed is a dropped value.
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace);
 
 }  // namespace parison::forming

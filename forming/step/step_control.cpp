@@ -25,8 +25,8 @@ std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) 
 
 double next_output(const Scene& scene, double time) {
   const double interval = scene.output.interval;
-  double next = interval > 0 ? interval * (std::floor(time / interval + same_time) + 1)
-                             : std::numeric_limits<double>::infinity();
+  double next =
+      interval > 0 ? interval * (std::floor(time / interval + same_time) + 1) : std::numeric_limits<double>::infinity();
   for (const double t : scene.output.times)
     if (t > time + same_time) next = std::min(next, t);
   return next;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "forming/scene/scene.hpp"
-#include "forming/step/state.hpp"
+#include "forming/state/state.hpp"
 
 namespace parison::forming {
 
@@ -12,15 +12,15 @@ struct WishedStep {
   StepLimit limit;
 };
 
-/// Step that the next step may have, from what the last one did to the mesh and the surface temperature; `allowed`, s, is what
-/// that one was allowed, before it was shortened to land on a given time.
+/// Step that the next step may have, from what the last one did to the mesh and the surface temperature; `allowed`, s,
+/// is what that one was allowed, before it was shortened to land on a given time.
 WishedStep wished_step(const Scene& scene, const StepReport& report, double allowed);
 
 /// Whether a step did so much more than it should that it is to be repeated shorter.
 bool overshot(const Scene& scene, const StepReport& report);
 
-/// `wish`, shortened so that the stage's end is met exactly and no sliver is left before it; where nothing flows, the next output
-/// time as well (the heat integrator's own steps do not care).
+/// `wish`, shortened so that the stage's end is met exactly and no sliver is left before it; where nothing flows, the
+/// next output time as well (the heat integrator's own steps do not care).
 double landing_step(const Scene& scene, const State& state, double wish);
 
 /// Output times after `from` and not after `to`, s, in order.

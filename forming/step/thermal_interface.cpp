@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "contact/interface_conductance.hpp"
-#include "contact/mortar.hpp"
-#include "forming/step/contact_geometry.hpp"
-#include "forming/step/initial_state.hpp"
+#include "contact/conductance/interface_conductance.hpp"
+#include "contact/mortar/mortar.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
 
 namespace parison::forming {
 
@@ -18,7 +18,8 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
   std::vector<contact::Master> masters;
   for (std::size_t law = 0; law < scene.interfaces.size(); ++law) {
     const auto& interface = scene.interfaces[law];
-    if (std::none_of(in_place.begin(), in_place.end(), [&](const auto& t) { return t.tool == interface.tool; })) continue;
+    if (std::none_of(in_place.begin(), in_place.end(), [&](const auto& t) { return t.tool == interface.tool; }))
+      continue;
     const auto& tool = state.bodies[1 + interface.tool];
     const auto touches = contact_pieces(scene.tools[interface.tool], tool.mesh);
     masters.push_back(

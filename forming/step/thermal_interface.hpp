@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/scene/scene.hpp"
-#include "forming/step/state.hpp"
+#include "forming/state/state.hpp"
 #include "thermal/problem.hpp"
 
 namespace parison::forming {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/element.hpp"
-#include "forming/flow/cell_geometry.hpp"
-#include "forming/step/initial_state.hpp"
+#include "core/mesh/element.hpp"
+#include "forming/flow/cells/cell_geometry.hpp"
+#include "forming/state/initial_state.hpp"
 
 namespace parison::forming {
 
@@ -30,7 +30,8 @@ double air_power(const Scene& scene, const Stage& stage, const core::Mesh& mesh,
     for (const auto& rule : core::edge_rule(4)) {
       const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
       for (int i = 0; i < 3; ++i)
-        power -= pressure->second * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(flow.velocity, edge.nodes[i]));
+        power -=
+            pressure->second * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(flow.velocity, edge.nodes[i]));
     }
   }
   return power;
@@ -43,7 +44,8 @@ double open_area(const Scene& scene, const core::Mesh& mesh, const std::vector<b
     const auto& edge = mesh.boundary[e];
     const PieceKind kind = piece_kind(scene.glass, mesh.pieces[edge.piece]);
     if (!exposed[e] || kind == PieceKind::symmetry || kind == PieceKind::fixed) continue;
-    for (const auto& rule : core::edge_rule(4)) area += core::map_edge_point(mesh, edge.nodes, scene.geometry, rule).area;
+    for (const auto& rule : core::edge_rule(4))
+      area += core::map_edge_point(mesh, edge.nodes, scene.geometry, rule).area;
   }
   return area;
 }
@@ -62,8 +64,9 @@ void book_work(const Scene& scene, const State& start, const flow::Solution& flo
   for (const auto& tool : stage.tools) work.tools += dt * flow.tool_force[tool.tool] * flow.tool_velocity[tool.tool];
   if (stage.gravity != 0) work.gravity += dt * gravity_power(scene, start, flow.velocity);
   if (!stage.pressure.empty())  // Simpson's rule is exact
-    work.air += dt / 6 * (air_power(scene, stage, first, flow) + 4 * air_power(scene, stage, middle, flow) +
-                          air_power(scene, stage, last, flow));
+    work.air += dt / 6 *
+                (air_power(scene, stage, first, flow) + 4 * air_power(scene, stage, middle, flow) +
+                 air_power(scene, stage, last, flow));
   work.dissipation += dt * std::accumulate(flow.dissipation.begin(), flow.dissipation.end(), 0.0);
   work.friction += dt * flow.friction_power;
   work.arrival += dt * flow.arrival_power;

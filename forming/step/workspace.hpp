@@ -4,13 +4,13 @@
 #include <optional>
 
 #include "forming/flow/solver.hpp"
-#include "thermal/ida.hpp"
-#include "thermal/tr_bdf2.hpp"
+#include "thermal/time/ida.hpp"
+#include "thermal/time/tr_bdf2.hpp"
 
 namespace parison::forming {
 
-/// What the solvers keep to be fast. A step's result is that of the state and its length to the last bit, whatever is in
-/// here, but for `standing`: no checkpoint is written before that is spent.
+/// What the solvers keep to be fast. A step's result is that of the state and its length to the last bit, whatever is
+/// in here, but for `standing`: no checkpoint is written before that is spent.
 struct Workspace {
   std::optional<flow::Solver> flow;  ///< pattern and its analysis, until the glass mesh is renewed
   thermal::StepMatrix heat;          ///< pattern and its analysis from step to step, the factor within one
@@ -19,7 +19,7 @@ struct Workspace {
     std::vector<core::Mesh> meshes;
     std::vector<Eigen::VectorXd> thickness;
     std::optional<thermal::IdaIntegrator> integrator;
-    double start = 0;  ///< time, s
+    double start = 0;      ///< time, s
     long inner_steps = 0;  ///< of the integrator since then
     Index steps = 0;       ///< of the run
     bool spent = false;    ///< the next step makes a new one, so that nothing is lost with this one

@@ -9,7 +9,9 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double level_of(const Rung& rung) { return read_accuracy(rung.accuracy).effective_level(); }
+double level_of(const Rung& rung) {
+  return read_accuracy(rung.accuracy).effective_level();
+}
 
 bool on_plot(const RungResult& result) {
   return result.completed && result.rung.group != "model" && result.rung.group != "reference" && result.error() > 0;
@@ -17,10 +19,13 @@ bool on_plot(const RungResult& result) {
 
 }  // namespace
 
-double RungResult::error() const { return std::fmax(profile.mean, heat); }
+double RungResult::error() const {
+  return std::fmax(profile.mean, heat);
+}
 
 void compare_rungs(std::vector<RungResult>& results, const std::string& base) {
-  const auto found = std::find_if(results.begin(), results.end(), [&](const RungResult& r) { return r.rung.name == base; });
+  const auto found =
+      std::find_if(results.begin(), results.end(), [&](const RungResult& r) { return r.rung.name == base; });
   for (RungResult& result : results) {
     const RungResult& other = result.rung.group == "model" ? *found : results.front();
     result.profile = compare_profiles(result.quantities.profile, other.quantities.profile);

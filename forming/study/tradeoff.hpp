@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "forming/scene/accuracy.hpp"
-#include "forming/study/ladder.hpp"
 #include "forming/report/quantities.hpp"
+#include "forming/scene/accuracy.hpp"
+#include "forming/study/convergence_study.hpp"
 
 namespace parison::forming {
 
@@ -32,12 +32,12 @@ void compare_rungs(std::vector<RungResult>& results, const std::string& base);
 /// Marks the rungs no other is both faster and closer than; reference and model rungs take no part.
 void mark_front(std::vector<RungResult>& results);
 
-/// CPU time of a rung over that of the best line at the same error; the line runs straight in the logarithms between the
-/// rungs on the front. NaN off the line's ends.
+/// CPU time of a rung over that of the best line at the same error; the line runs straight in the logarithms between
+/// the rungs on the front. NaN off the line's ends.
 double over_front(const std::vector<RungResult>& results, const RungResult& rung);
 
-/// The dial's measured errors E as a law A*(2^(-p level) - 2^(-p reference)), the reference's own error taken off; at_draft is
-/// NaN where fewer than two rungs of the dial tell.
+/// The dial's measured errors E as a law A*(2^(-p level) - 2^(-p reference)), the reference's own error taken off;
+/// at_draft is NaN where fewer than two rungs of the dial tell.
 ErrorLaw fit_error_law(const std::vector<RungResult>& results, double (*error)(const RungResult&));
 
 }  // namespace parison::forming

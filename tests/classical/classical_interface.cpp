@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "core/element.hpp"
+#include "core/mesh/element.hpp"
 
 namespace parison::classical {
 

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <vector>
 
-#include "contact/mortar.hpp"
-#include "core/element.hpp"
-#include "core/mesh.hpp"
+#include "contact/mortar/mortar.hpp"
+#include "core/mesh/element.hpp"
+#include "core/mesh/mesh.hpp"
 
 namespace parison::contact::testing {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <random>
 
-#include "contact/box_tree.hpp"
+#include "contact/mortar/box_tree.hpp"
 #include "interface_cases.hpp"
 
 namespace parison::contact::testing {

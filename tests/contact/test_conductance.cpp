@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "contact/conductance.hpp"
-#include "contact/interface_conductance.hpp"
+#include "contact/conductance/conductance.hpp"
+#include "contact/conductance/interface_conductance.hpp"
 
 namespace parison::contact {
 namespace {
@@ -118,7 +118,8 @@ TEST(Conductance, of_all_points_at_once_is_that_of_each) {
   const core::Index held = InterfaceConductance(laws, points)(log_viscosity, h, &slope);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto value = conductance(laws[points[i].law], points[i].pressure, viscosity[i]);
-    EXPECT_NEAR(h[i], value.h, 1e-11 * value.h) << "law " << points[i].law << " p " << points[i].pressure << " eta " << viscosity[i];
+    EXPECT_NEAR(h[i], value.h, 1e-11 * value.h)
+        << "law " << points[i].law << " p " << points[i].pressure << " eta " << viscosity[i];
     EXPECT_NEAR(slope[i], viscosity[i] * value.dh_deta, 1e-10 * value.h);
     outside += value.outside;
   }

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <random>
 
-#include "contact/tool_constraints.hpp"
-#include "contact/tool_gap.hpp"
+#include "contact/unilateral/tool_constraints.hpp"
+#include "contact/unilateral/tool_gap.hpp"
 #include "tool_outlines.hpp"
 
 namespace parison::contact::testing {

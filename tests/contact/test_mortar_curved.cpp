@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "contact/projection.hpp"
+#include "contact/mortar/projection.hpp"
 #include "interface_cases.hpp"
 
 namespace parison::contact::testing {

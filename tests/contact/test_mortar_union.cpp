@@ -2,8 +2,8 @@
 // Several tools at one glass surface, and contact that ends between nodes.
 #include <gtest/gtest.h>
 
-#include "contact/segments.hpp"
-#include "contact/tool_gap.hpp"
+#include "contact/mortar/segments.hpp"
+#include "contact/unilateral/tool_gap.hpp"
 #include "interface_cases.hpp"
 #include "tool_outlines.hpp"
 
@@ -33,7 +33,8 @@ Surface glass_chain(const std::vector<Point>& points) {
   Surface surface{0, {}};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Index node = 2 * static_cast<Index>(i - 1);
-    surface.edges.push_back({{node, node + 2, node + 1}, {points[i - 1], points[i], 0.5 * (points[i - 1] + points[i])}});
+    surface.edges.push_back(
+        {{node, node + 2, node + 1}, {points[i - 1], points[i], 0.5 * (points[i - 1] + points[i])}});
   }
   return surface;
 }
@@ -72,7 +73,8 @@ Outline block(double a, double b, double top = 0) {
 }
 
 TEST(NodeRules, a_node_has_its_own_bodys_values_and_the_other_bodys_interpolated) {
-  const Surface slave = contact_surface(0, glass(divided(0, 0.02, 5))), tools = contact_surface(1, tool(divided(0, 0.02, 7)));
+  const Surface slave = contact_surface(0, glass(divided(0, 0.02, 5))),
+                tools = contact_surface(1, tool(divided(0, 0.02, 7)));
   std::vector<MasterEdge> masters;
   std::vector<Index> all;
   for (const auto& edge : tools.edges) {
@@ -123,11 +125,8 @@ TEST(ContactEnd, a_narrow_tool_between_two_glass_nodes_that_are_out_of_reach_tou
 
 TEST(ContactEnd, a_corner_that_digs_into_the_glass_between_its_nodes_touches_as_far_as_it_is_near) {
   const double slope = 0.2;
-  const Outline wedge = Pen({-0.01, -0.01})
-                            .free({0.01, -0.01})
-                            .contact({0.0012, 1e-6})
-                            .contact({0.0012 - 0.01 / slope, -0.01})
-                            .close();
+  const Outline wedge =
+      Pen({-0.01, -0.01}).free({0.01, -0.01}).contact({0.0012, 1e-6}).contact({0.0012 - 0.01 / slope, -0.01}).close();
   const auto points = touch(glass_chain({{-0.005, 0}, {0.005, 0}}), {{wedge, 0.05}}, Geometry::planar);
   const double left = (0.5 * width + 1e-6) / slope, right = (0.5 * width + 1e-6) / ((0.01 + 1e-6) / (0.01 - 0.0012));
   EXPECT_NEAR(closed_area(points), left + right, 0.05 * left);
@@ -158,7 +157,8 @@ std::vector<core::InterfacePoint> corner(double cut, double under, int parts, do
   for (int i = 0; i <= parts; ++i) x.push_back(a + (b - a) * i / parts);
   if (cut == 0) x.resize(2);
   x.push_back(mm(31, 13) + Point(inside, 0));
-  const Outline plate = Pen(mm(0, -20)).free(mm(31, -20) + Point(under, 0)).free(mm(31, 0) + Point(under, 0)).contact(mm(0, 0)).close();
+  const Outline plate =
+      Pen(mm(0, -20)).free(mm(31, -20) + Point(under, 0)).free(mm(31, 0) + Point(under, 0)).contact(mm(0, 0)).close();
   return touch(glass_chain(x), {{neck_ring(), 0.0023}, {plate, 0.0031}}, Geometry::planar);
 }
 
@@ -180,7 +180,8 @@ TEST(ToolUnion, glass_that_bridges_the_corner_widely_touches_at_its_ends_only) {
   for (const double under : {0.0, 0.005})
     for (const int parts : {1, 2, 5}) {
       const double cut = 0.002, legs = 0.011 + 0.013 - 2 * cut;
-      const double strips = 2 * 0.5 * width * std::sqrt(2.0);  // at 45 degrees, half the hand-over counts on either side
+      const double strips =
+          2 * 0.5 * width * std::sqrt(2.0);  // at 45 degrees, half the hand-over counts on either side
       EXPECT_NEAR(closed_area(corner(cut, under, parts)), legs + strips, 0.5 * strips) << under << " " << parts;
     }
 }

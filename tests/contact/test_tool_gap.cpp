@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "contact/tool_constraints.hpp"
-#include "contact/tool_gap.hpp"
+#include "contact/unilateral/tool_constraints.hpp"
+#include "contact/unilateral/tool_gap.hpp"
 #include "tool_outlines.hpp"
 
 namespace parison::contact::testing {

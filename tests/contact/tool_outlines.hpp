@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/profile.hpp"
+#include "core/mesh/profile.hpp"
 
 namespace parison::contact::testing {
 

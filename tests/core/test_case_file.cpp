@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/case_file.hpp"
+#include "core/case/case_file.hpp"
 #include "test_folder.hpp"
 
 namespace parison::core {
@@ -73,8 +73,8 @@ TEST(CaseFile, AMissingKeyIsNamedAtItsTable) {
 }
 
 TEST(CaseFile, BrokenTomlIsACaseErrorAtItsLine) {
-  for (const char* broken : {"[[[x", "[[[x]]]", "[", "[[", "[[x", "[]", "[x]]", "= 1", "a", "a =", "a = [", "a = {", "a = '",
-                             "a = \"\"\"", "a = 1 b = 2", ".a = 1", "a. = 1", "a = 1\na = 2", "a = 0x"}) {
+  for (const char* broken : {"[[[x", "[[[x]]]", "[", "[[", "[[x", "[]", "[x]]", "= 1", "a", "a =", "a = [", "a = {",
+                             "a = '", "a = \"\"\"", "a = 1 b = 2", ".a = 1", "a. = 1", "a = 1\na = 2", "a = 0x"}) {
     const auto path = write_case(std::string("case = 'x'\n") + broken);
     const auto message = complaint(path, [&] { read_case_file(path); });
     EXPECT_TRUE(message.rfind("2: ", 0) == 0 || message.rfind("3: ", 0) == 0) << broken << ": " << message;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/case_file.hpp"
+#include "core/case/case_file.hpp"
 #include "test_folder.hpp"
 
 namespace parison::core {

@@ -3,14 +3,13 @@
 
 #include <cmath>
 
-#include "core/cholesky.hpp"
-#include "core/element.hpp"
-#include "core/indefinite.hpp"
-#include "core/ordering.hpp"
-#include "core/mesh.hpp"
-#include "core/profile.hpp"
-#include "core/symmetric_matrix.hpp"
-#include "core/table.hpp"
+#include "core/case/table.hpp"
+#include "core/linear/cholesky.hpp"
+#include "core/linear/indefinite.hpp"
+#include "core/linear/sparse_matrix.hpp"
+#include "core/mesh/element.hpp"
+#include "core/mesh/mesh.hpp"
+#include "core/mesh/profile.hpp"
 
 namespace parison::core {
 namespace {
@@ -157,7 +156,8 @@ TEST(IndefiniteSolver, takes_a_matrix_in_the_order_of_its_elimination_with_eithe
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     std::array<double, 36> local;
     for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j) local[6 * i + j] = i == j ? (mesh.cells[c][i] % 3 == 0 ? -9 : 9) : std::cos(c + i * j);
+      for (int j = 0; j < 6; ++j)
+        local[6 * i + j] = i == j ? (mesh.cells[c][i] % 3 == 0 ? -9 : 9) : std::cos(c + i * j);
     add_clique(lower.matrix, lower.scatter, c, 6, local.data());
     add_clique(upper.matrix, upper.scatter, c, 6, local.data());
   }
@@ -231,20 +231,17 @@ TEST(Profile, knows_area_inside_and_distance_of_arcs) {
 TEST(Profile, contains_what_its_outline_turns_round_once) {
   Profile key;  // a bulge on the right, a bite out of the level top, a hollow foot
   key.pieces = {"all"};
-  key.segments = {{{0, 0}, {1, 0}},
-                  {{1, 0}, {3, 0}, true, {2, 0}, 1, M_PI, 0},
-                  {{3, 0}, {4, 0}},
-                  {{4, 0}, {4, 4}, true, {4, 2}, 2, -M_PI / 2, M_PI / 2},
-                  {{4, 4}, {3, 4}},
-                  {{3, 4}, {1, 4}, true, {2, 4}, 1, 0, -M_PI},
-                  {{1, 4}, {0, 4}},
-                  {{0, 4}, {0, 0}}};
+  key.segments = {{{0, 0}, {1, 0}}, {{1, 0}, {3, 0}, true, {2, 0}, 1, M_PI, 0},
+                  {{3, 0}, {4, 0}}, {{4, 0}, {4, 4}, true, {4, 2}, 2, -M_PI / 2, M_PI / 2},
+                  {{4, 4}, {3, 4}}, {{3, 4}, {1, 4}, true, {2, 4}, 1, 0, -M_PI},
+                  {{1, 4}, {0, 4}}, {{0, 4}, {0, 0}}};
   int inside = 0, compared = 0;
   for (double x = -0.5; x <= 6.5; x += 0.25)
     for (double y = -0.5; y <= 4.5; y += 0.25) {
       if (distance(key, {x, y}) < 1e-9) continue;
       const auto bitten = [&](double top) { return std::hypot(x - 2, y - top) < 1; };
-      const bool expected = x > 0 && y > 0 && y < 4 && !bitten(0) && !bitten(4) && (x <= 4 || std::hypot(x - 4, y - 2) < 2);
+      const bool expected =
+          x > 0 && y > 0 && y < 4 && !bitten(0) && !bitten(4) && (x <= 4 || std::hypot(x - 4, y - 2) < 2);
       EXPECT_EQ(contains(key, {x, y}), expected) << x << ' ' << y;
       inside += expected;
       ++compared;

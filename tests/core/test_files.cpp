@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
-
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -15,13 +14,12 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/element.hpp"
-#include "core/files.hpp"
-#include "core/hdf5.hpp"
-#include "core/json.hpp"
-#include "core/json_read.hpp"
-#include "core/pvd.hpp"
-#include "core/vtu.hpp"
+#include "core/io/files.hpp"
+#include "core/io/hdf5.hpp"
+#include "core/io/json.hpp"
+#include "core/io/json_read.hpp"
+#include "core/io/vtu.hpp"
+#include "core/mesh/element.hpp"
 #include "structured.hpp"
 #include "test_folder.hpp"
 
@@ -55,7 +53,8 @@ TEST(Vtu, AFileReadBackHasTheQuadraticCellsAndThePointsAndFieldsInSinglePrecisio
     EXPECT_EQ(grid.GetPoint(i)[0], static_cast<float>(mesh.nodes[i][0]));
     EXPECT_EQ(grid.GetPoint(i)[1], static_cast<float>(mesh.nodes[i][1] + 0.125));
     EXPECT_EQ(grid.GetPoint(i)[2], 0);
-    EXPECT_EQ(grid.GetPointData()->GetArray("temperature_C")->GetTuple1(i), static_cast<float>(fields.nodal[0].values[i]));
+    EXPECT_EQ(grid.GetPointData()->GetArray("temperature_C")->GetTuple1(i),
+              static_cast<float>(fields.nodal[0].values[i]));
     const double* v = grid.GetPointData()->GetArray("velocity")->GetTuple3(i);
     EXPECT_EQ(v[0], static_cast<float>(fields.nodal[1].values[2 * i]));
     EXPECT_EQ(v[1], static_cast<float>(fields.nodal[1].values[2 * i + 1]));
@@ -92,7 +91,8 @@ TEST(Vtu, ValuesBeyondSinglePrecisionAreItsLargest) {
   const Mesh mesh = bent_mesh();
   VtuFields fields;
   fields.nodal.push_back({"viscosity_Pa_s", Eigen::VectorXd::Constant(mesh.node_count(), 1e200)});
-  fields.nodal.push_back({"lowest", Eigen::VectorXd::Constant(mesh.node_count(), -std::numeric_limits<double>::infinity())});
+  fields.nodal.push_back(
+      {"lowest", Eigen::VectorXd::Constant(mesh.node_count(), -std::numeric_limits<double>::infinity())});
   fields.nodal.push_back({"none", Eigen::VectorXd::Constant(mesh.node_count(), std::nan(""))});
   const std::string path = new_folder() + "/glass.vtu";
   write_vtu(path, mesh, fields);
@@ -144,7 +144,8 @@ TEST(Hdf5, ValuesComeBackToTheBit) {
     group.write("vector", vector);
     group.write("large", large);
     group.write("small", 5e-324);
-    group.write("text", std::string("Glas, 1150 \xc2\xb0""C"));
+    group.write("text", std::string("Glas, 1150 \xc2\xb0"
+                                    "C"));
     group.write("no_text", std::string());
   });
   const Hdf5Group file = open_hdf5(path);
@@ -157,7 +158,9 @@ TEST(Hdf5, ValuesComeBackToTheBit) {
   EXPECT_EQ(group.read_vector("vector"), vector);
   EXPECT_EQ(group.read_integer("large"), large);
   EXPECT_EQ(group.read_double("small"), 5e-324);
-  EXPECT_EQ(group.read_string("text"), "Glas, 1150 \xc2\xb0""C");
+  EXPECT_EQ(group.read_string("text"),
+            "Glas, 1150 \xc2\xb0"
+            "C");
   EXPECT_EQ(group.read_string("no_text"), "");
   EXPECT_TRUE(group.has("text"));
   EXPECT_FALSE(group.has("texts"));
@@ -270,7 +273,8 @@ TEST(Json, WhatWasWrittenIsReadBackInItsOrderAndATornTextIsRefused) {
   json.add("third", 1 / 3.0);
   json.add("nan", std::nan(""));
   json.add("two", 2.0);
-  json.add("text", std::string("a \"b\"\n\xc2\xb0""C \xff"));
+  json.add("text", std::string("a \"b\"\n\xc2\xb0"
+                               "C \xff"));
   json.add("flag", true);
   json.open_list("list");
   json.add("", 5e-324);
@@ -282,7 +286,9 @@ TEST(Json, WhatWasWrittenIsReadBackInItsOrderAndATornTextIsRefused) {
   EXPECT_TRUE(std::isnan(read.number_of("nan")));
   EXPECT_TRUE(std::isnan(read.number_of("absent")));
   EXPECT_EQ(read.number_of("two"), 2);
-  EXPECT_EQ(read.text_of("text"), "a \"b\"\n\xc2\xb0""C \xef\xbf\xbd");
+  EXPECT_EQ(read.text_of("text"),
+            "a \"b\"\n\xc2\xb0"
+            "C \xef\xbf\xbd");
   EXPECT_TRUE(read.flag_of("flag"));
   EXPECT_EQ(read.find("list")->items.at(0).number, 5e-324);
   try {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/units.hpp"
+#include "core/case/units.hpp"
 
 namespace parison::core {
 namespace {

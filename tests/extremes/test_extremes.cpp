@@ -10,13 +10,12 @@
 namespace parison::flow {
 namespace {
 
-/// A block of two glasses, one on the other, pressed between slippery plates: the softer one takes all the motion, and the
-/// force does not depend on how stiff the other is.
+/// A block of two glasses, one on the other, pressed between slippery plates: the softer one takes all the motion, and
+/// the force does not depend on how stiff the other is.
 TEST(Extremes, a_viscosity_jump_of_ten_decades_leaves_force_and_work_balance_alone) {
   double first = 0;
   for (const double decades : {4.0, 7.0, 10.0}) {
-    const core::Mesh mesh =
-        tests::structured(8, 8, [](double s, double t) { return Point(0.01 * s, 0.01 * t); });
+    const core::Mesh mesh = tests::structured(8, 8, [](double s, double t) { return Point(0.01 * s, 0.01 * t); });
     Material material{};
     material.density = 2400;
     material.viscosity = {2.0, 0, 0, {}};  // log10 eta = A + B/(T - T0)

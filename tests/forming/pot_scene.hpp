@@ -16,8 +16,8 @@ duration = "0.4 s"
 gravity = "-9.81 m/s2"
 tools = ["pot", "plunger"]
 motion.plunger = { force = "-3 kN", speed_limit = "50 mm/s" }
-)" + container_glass("3 W/m/K") + "emissivity = 0.89\n" + iron +
-                              pressed_contact(R"("pot", "plunger")") + R"([glass]
+)" + container_glass("3 W/m/K") +
+                               "emissivity = 0.89\n" + iron + pressed_contact(R"("pot", "plunger")") + R"([glass]
 material = "glass"
 temperature = "1100 degC"
 piece = [

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/case_error.hpp"
+#include "core/case/case_error.hpp"
 #include "forming/scene/scene.hpp"
 #include "scene_parts.hpp"
 #include "test_folder.hpp"

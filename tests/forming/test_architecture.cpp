@@ -12,8 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folder that a source file belongs to.
-std::string layer_of(const std::string& path) { return path.substr(0, path.rfind('/')); }
+/// Layer that a source file belongs to: its top folder, in forming the folder below that.
+std::string layer_of(const std::string& path) {
+  const auto first = path.find('/');
+  return path.substr(0, path.compare(0, first, "forming") == 0 ? path.find('/', first + 1) : first);
+}
 
 TEST(Architecture, every_include_points_down_the_layers) {
   const std::map<std::string, std::set<std::string>> may_see{
@@ -23,11 +26,18 @@ TEST(Architecture, every_include_points_down_the_layers) {
       {"remesh", {"remesh", "core"}},
       {"forming/flow", {"forming/flow", "core"}},
       {"forming/scene", {"forming/scene", "forming/flow", "thermal", "contact", "core"}},
-      {"forming/step", {"forming/step", "forming/scene", "forming/flow", "thermal", "contact", "remesh", "core"}},
-      {"forming/renew", {"forming/renew", "forming/step", "forming/scene", "contact", "remesh", "core"}},
-      {"forming/report", {"forming/report", "forming/step", "forming/scene", "contact", "thermal", "core"}},
-      {"forming/run", {"forming/run", "forming/report", "forming/renew", "forming/step", "forming/scene", "core"}},
-      {"forming/study", {"forming/study", "forming/run", "forming/report", "forming/scene", "core"}}};
+      {"forming/state", {"forming/state", "forming/scene", "forming/flow", "thermal", "contact", "remesh", "core"}},
+      {"forming/step",
+       {"forming/step", "forming/state", "forming/scene", "forming/flow", "thermal", "contact", "remesh", "core"}},
+      {"forming/remeshing",
+       {"forming/remeshing", "forming/step", "forming/state", "forming/scene", "contact", "remesh", "core"}},
+      {"forming/report",
+       {"forming/report", "forming/step", "forming/state", "forming/scene", "contact", "thermal", "remesh", "core"}},
+      {"forming/run",
+       {"forming/run", "forming/report", "forming/remeshing", "forming/step", "forming/state", "forming/scene",
+        "core"}},
+      {"forming/study",
+       {"forming/study", "forming/run", "forming/report", "forming/state", "forming/scene", "contact", "core"}}};
   const fs::path root = PARISON_SOURCE_DIR;
   const std::regex quoted("^\\s*#include \"([^\"]+)\"");
   int read = 0;

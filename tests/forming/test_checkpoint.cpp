@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/files.hpp"
-#include "core/hdf5.hpp"
-#include "forming/step/fingerprint.hpp"
+#include "core/io/files.hpp"
+#include "core/io/hdf5.hpp"
 #include "forming/run/checkpoint.hpp"
-#include "forming/step/initial_state.hpp"
+#include "forming/state/fingerprint.hpp"
+#include "forming/state/initial_state.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {
@@ -21,21 +21,39 @@ State busy_state(const Scene& scene) {
   State state = initial_state(scene);
   double next = 1 / 3.0;
   const auto fresh = [&](double& value) { value = next *= -1.0000001; };
-  for (double* value : {&state.time, &state.stage_time, &state.stage_start, &state.next_step, &state.heat_substep, &state.last_step,
-                        &state.density, &state.first_volume, &state.first_heat})
+  for (double* value : {&state.time, &state.stage_time, &state.stage_start, &state.next_step, &state.heat_substep,
+                        &state.last_step, &state.density, &state.first_volume, &state.first_heat})
     fresh(*value);
   Totals& totals = state.totals;
-  for (double* value : {&totals.to_air, &totals.to_tools, &totals.dissipation,
-                        &totals.remeshing.heat, &totals.remeshing.largest_heat, &totals.remeshing.volume,
-                        &totals.remeshing.largest_volume, &totals.remeshing.worst_quality,
-                        &totals.remeshing.lowest_median, &totals.deepest, &totals.largest_drift, &totals.largest_reynolds,
-                        &totals.largest_flux_mismatch, &totals.overshoot, &totals.remeshing.new_extreme,
-                        &totals.remeshing.coarser, &totals.remeshing.lap_volume, &totals.work.tools, &totals.work.gravity, &totals.work.air,
-                        &totals.work.dissipation, &totals.work.friction, &totals.work.arrival,
-                        &totals.work.surface, &totals.work.corrections})
+  for (double* value : {&totals.to_air,
+                        &totals.to_tools,
+                        &totals.dissipation,
+                        &totals.remeshing.heat,
+                        &totals.remeshing.largest_heat,
+                        &totals.remeshing.volume,
+                        &totals.remeshing.largest_volume,
+                        &totals.remeshing.worst_quality,
+                        &totals.remeshing.lowest_median,
+                        &totals.deepest,
+                        &totals.largest_drift,
+                        &totals.largest_reynolds,
+                        &totals.largest_flux_mismatch,
+                        &totals.overshoot,
+                        &totals.remeshing.new_extreme,
+                        &totals.remeshing.coarser,
+                        &totals.remeshing.lap_volume,
+                        &totals.work.tools,
+                        &totals.work.gravity,
+                        &totals.work.air,
+                        &totals.work.dissipation,
+                        &totals.work.friction,
+                        &totals.work.arrival,
+                        &totals.work.surface,
+                        &totals.work.corrections})
     fresh(*value);
   for (BodyState& body : state.bodies) {
-    for (double* value : {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.hottest_surface, &body.peak_force})
+    for (double* value :
+         {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.hottest_surface, &body.peak_force})
       fresh(*value);
     for (double& value : body.temperature) fresh(value);
     for (Point& x : body.mesh.nodes) fresh(x[0]), fresh(x[1]);
@@ -64,9 +82,12 @@ State busy_state(const Scene& scene) {
   return state;
 }
 
-bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same(double a, double b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
 bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return same(x, y); });
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return same(x, y); });
 }
 bool same(const std::vector<Point>& a, const std::vector<Point>& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const Point& x, const Point& y) {
@@ -97,8 +118,8 @@ void expect_same_totals(const Totals& a, const Totals& b) {
   EXPECT_TRUE(same(a.largest_drift, b.largest_drift));
   EXPECT_TRUE(same(a.largest_reynolds, b.largest_reynolds));
   EXPECT_TRUE(same(a.largest_flux_mismatch, b.largest_flux_mismatch));
-  for (double Work::*part : {&Work::tools, &Work::gravity, &Work::air, &Work::dissipation, &Work::friction, &Work::arrival,
-                              &Work::surface, &Work::corrections})
+  for (double Work::*part : {&Work::tools, &Work::gravity, &Work::air, &Work::dissipation, &Work::friction,
+                             &Work::arrival, &Work::surface, &Work::corrections})
     EXPECT_TRUE(same(a.work.*part, b.work.*part));
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.rejected, b.rejected);
@@ -165,7 +186,8 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_EQ(read.totals.remeshing.failed, state.totals.remeshing.failed);
   EXPECT_TRUE(same(read.totals.remeshing.lap_volume, state.totals.remeshing.lap_volume));
   EXPECT_EQ(read.totals.remeshing.laps, state.totals.remeshing.laps);
-  for (std::size_t i = 0; i < read.bodies.size(); ++i) EXPECT_TRUE(same(read.bodies[i].peak_force, state.bodies[i].peak_force));
+  for (std::size_t i = 0; i < read.bodies.size(); ++i)
+    EXPECT_TRUE(same(read.bodies[i].peak_force, state.bodies[i].peak_force));
   EXPECT_TRUE(same(read.probes, state.probes));
   expect_same_totals(read.totals, state.totals);
   ASSERT_EQ(read.bodies.size(), state.bodies.size());
@@ -231,8 +253,9 @@ TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
   EXPECT_EQ(read_origin(path).file, scene.file);
   EXPECT_EQ(read_origin(path).accuracy, "draft");
   EXPECT_EQ(complaint_of_reading(path, scene_of(replaced("1000 degC", "1001 degC"))),
-            path + ": a checkpoint of the case \"small\" with another case file was found, allowed is one of \"small\" as "
-                   "it is now");
+            path +
+                ": a checkpoint of the case \"small\" with another case file was found, allowed is one of \"small\" as "
+                "it is now");
   Scene fine = scene;
   fine.accuracy_name = "fine";
   EXPECT_EQ(complaint_of_reading(path, fine),
@@ -246,8 +269,9 @@ TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
     file.write("version", version);
     file.write("layout", core::open_hdf5(kept).read_integer("layout") + 1);
   });
-  EXPECT_EQ(complaint_of_reading(path, scene),
-            path + ": a checkpoint whose state holds other values was found, allowed is one of this version of the program");
+  EXPECT_EQ(
+      complaint_of_reading(path, scene),
+      path + ": a checkpoint whose state holds other values was found, allowed is one of this version of the program");
 }
 
 TEST(Checkpoint, TheCaseSaysHowOftenTheyAreWritten) {

@@ -8,8 +8,8 @@
 #include <map>
 #include <sstream>
 
-#include "forming/step/film.hpp"
 #include "forming/run/run.hpp"
+#include "forming/step/contact/film.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {
@@ -93,8 +93,9 @@ std::vector<std::map<std::string, double>> steps_of(const Scene& scene) {
   return steps;
 }
 
-/// Mean over the time in which the disc is thinner than `below`, m, of its force against that of a thin film that sticks to both tools, and
-/// of its height over its radius. Nodes that land at the rim one by one make the force of single steps uneven.
+/// Mean over the time in which the disc is thinner than `below`, m, of its force against that of a thin film that
+/// sticks to both tools, and of its height over its radius. Nodes that land at the rim one by one make the force of
+/// single steps uneven.
 std::pair<double, double> thin_film_ratio(const Scene& scene, double below) {
   const double volume = M_PI * std::pow(4e-3, 2) * 0.8e-3, speed = 1e-3;
   double time = 0, ratio = 0, slenderness = 0;
@@ -117,7 +118,8 @@ TEST(Film, a_disc_squeezed_to_300_micrometres_pushes_back_as_theory_says_and_end
   EXPECT_FALSE(outcome.facts.completed);
   EXPECT_NE(outcome.facts.reason.find("the glass between "), std::string::npos) << outcome.facts.reason;
   EXPECT_NE(outcome.facts.reason.find(" mm thick near ("), std::string::npos) << outcome.facts.reason;
-  EXPECT_NE(outcome.facts.reason.find("allowed are films of 0.3 mm and more"), std::string::npos) << outcome.facts.reason;
+  EXPECT_NE(outcome.facts.reason.find("allowed are films of 0.3 mm and more"), std::string::npos)
+      << outcome.facts.reason;
   const double height = state.bodies[2].offset;
   const double radius = std::sqrt(core::volume(state.bodies[0].mesh, scene.geometry) / (M_PI * height));
   EXPECT_GT(state.time, 0.5);
@@ -126,8 +128,9 @@ TEST(Film, a_disc_squeezed_to_300_micrometres_pushes_back_as_theory_says_and_end
   for (double at = 0.05; at < 0.95; at += 0.043) EXPECT_GE(cells_across(state.bodies[0].mesh, at * radius), 7) << at;
   EXPECT_GE(state.totals.remeshing.worst_quality, 0.3);
   const auto [ratio, slenderness] = thin_film_ratio(scene, 0.4e-3);
-  std::printf("film from 0.4 to %.4f mm: force %.4f times that of thin film theory, height over radius %.4f, %d cells\n", 1e3 * height,
-              ratio, slenderness, state.bodies[0].mesh.cell_count());
+  std::printf(
+      "film from 0.4 to %.4f mm: force %.4f times that of thin film theory, height over radius %.4f, %d cells\n",
+      1e3 * height, ratio, slenderness, state.bodies[0].mesh.cell_count());
   // The theory knows no rim, which is about as wide as the film is high.
   EXPECT_LT(ratio, 1 - 0.5 * slenderness);
   EXPECT_GT(ratio, 1 - 1.5 * slenderness);

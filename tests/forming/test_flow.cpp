@@ -4,10 +4,10 @@
 #include <cmath>
 #include <set>
 
-#include "core/element.hpp"
-#include "forming/flow/cell_product.hpp"
+#include "core/mesh/element.hpp"
+#include "forming/flow/cells/cell_product.hpp"
+#include "forming/flow/cells/element_matrix.hpp"
 #include "forming/flow/solver.hpp"
-#include "forming/flow/thinning.hpp"
 #include "structured.hpp"
 
 namespace parison::flow {
@@ -47,7 +47,6 @@ struct FlowCase {
   }
 };
 
-
 /// A quarter of a shell of radii 10 and 15 mm: left its inner surface, right the outer, bottom and top symmetry planes.
 FlowCase shell_case(Index along, Index across, double viscosity) {
   Mesh mesh = tests::structured(across, along, [=](double t, double s) {
@@ -81,8 +80,8 @@ TEST(Flow, a_pressurised_spherical_shell_grows_at_the_exact_rate_to_third_order)
 
 /// A disc of radius 20 mm and height 10 mm on a fixed plate, pressed from above by tool 1.
 FlowCase disc_case(Friction::Law law, Index n) {
-  FlowCase flow(tests::structured(2 * n, n, [](double s, double t) { return Point(0.02 * s, 0.01 * t); }), newtonian(1e3),
-              Geometry::axisymmetric);
+  FlowCase flow(tests::structured(2 * n, n, [](double s, double t) { return Point(0.02 * s, 0.01 * t); }),
+                newtonian(1e3), Geometry::axisymmetric);
   flow.piece("left").kind = PieceCondition::Kind::symmetry;
   flow.problem.tools.resize(2);
   for (auto& tool : flow.problem.tools) tool.friction.law = law;
@@ -184,8 +183,10 @@ TEST(Flow, shear_thinning_of_a_sticking_squeeze_takes_few_iterations_and_dissipa
     double lost = 0;
     for (const double w : solution.dissipation) lost += w;
     const double work = solution.tool_force[1] * solution.tool_velocity[1];
-    std::printf("Carreau, %.1g s, exponent 0.3: plunger %.4e m/s, %d solves, %d factorisations; work against dissipation %.1e\n", time,
-                solution.tool_velocity[1], solution.iterations, solution.factorisations, lost / work - 1);
+    std::printf(
+        "Carreau, %.1g s, exponent 0.3: plunger %.4e m/s, %d solves, %d factorisations; work against dissipation "
+        "%.1e\n",
+        time, solution.tool_velocity[1], solution.iterations, solution.factorisations, lost / work - 1);
     EXPECT_NEAR(solution.tool_force[1], -20, 1e-9);
     EXPECT_NEAR(lost, work, 1e-8 * work);
     EXPECT_LE(solution.factorisations, 12);
@@ -218,7 +219,8 @@ TEST(Flow, a_full_cavity_stops_the_tool_and_carries_its_force) {
     EXPECT_LT(std::abs(solution.tool_velocity[1]), 1e-6);
     EXPECT_NEAR(solution.tool_force[1], -8000, 1e-3);
     const double pressure = 8000 / (M_PI * 0.02 * 0.02);
-    for (const Index node : flow.nodes_of("right")) EXPECT_NEAR(solution.contact_pressure[node], pressure, 1e-2 * pressure);
+    for (const Index node : flow.nodes_of("right"))
+      EXPECT_NEAR(solution.contact_pressure[node], pressure, 1e-2 * pressure);
   }
 }
 
@@ -235,7 +237,7 @@ TEST(Flow, a_tool_that_moves_away_pulls_nothing) {
 
 TEST(Flow, contact_closes_where_the_glass_would_pass_through_within_the_step) {
   FlowCase flow(tests::structured(8, 8, [](double s, double t) { return Point(0.01 * s, 0.01 * t); }), newtonian(100),
-              Geometry::planar);
+                Geometry::planar);
   flow.piece("bottom").kind = PieceCondition::Kind::fixed;
   flow.piece("top").pressure = 1e4;
   flow.problem.tools.resize(1);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/files.hpp"
-#include "forming/scene/checkup.hpp"
+#include "core/io/files.hpp"
 #include "forming/run/run.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {
@@ -73,8 +73,10 @@ TEST(Interfaces, a_table_of_wrong_order_or_size_is_refused) {
 TEST(Interfaces, a_named_stretch_is_open_to_contact_and_needs_an_interface_too) {
   const std::string contact = "(20, 10) (0, 10) mm\", condition = \"contact\"";
   const std::string whole = "name = \"surface\", path = \"(0, 0) (20, 0) " + contact;
-  auto closed = replaced(whole, "name = \"bottom\", path = \"(0, 0) (20, 0) mm\", condition = \"fixed\" },\n"
-                                "  { name = \"surface\", path = \"" + replaced("contact", "air", contact));
+  auto closed = replaced(whole,
+                         "name = \"bottom\", path = \"(0, 0) (20, 0) mm\", condition = \"fixed\" },\n"
+                         "  { name = \"surface\", path = \"" +
+                             replaced("contact", "air", contact));
   closed = replaced("tools = [\"plate\", \"plunger\"]\nlaw", "tools = [\"plate\"]\nlaw", closed);
   closed = replaced("geometry",
                     "air = { temperature = \"50 degC\", h = \"9 W/m2/K\", ambient = \"50 degC\" }\ngeometry", closed);
@@ -103,8 +105,9 @@ TEST(Interfaces, a_skin_that_the_mesh_does_not_resolve_is_warned_of) {
     const auto outcome = run(scene, tests::absent_folder());
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
     const auto& warnings = outcome.facts.warnings;
-    const bool warned = std::any_of(warnings.begin(), warnings.end(),
-                                    [](const std::string& text) { return text.find("skins too thin for the mesh") != text.npos; });
+    const bool warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
+      return text.find("skins too thin for the mesh") != text.npos;
+    });
     const double share = outcome.state.totals.overshoot / temperature_range(scene).span();
     std::printf("h = %s: a temperature %.2g %% of the span above the hottest\n", h.c_str(), 100 * share);
     EXPECT_EQ(warned, share > 0.1);

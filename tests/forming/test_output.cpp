@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <sstream>
 
-#include "core/files.hpp"
-#include "forming/step/thermal_interface.hpp"
-#include "forming/report/history.hpp"
-#include "forming/step/initial_state.hpp"
-#include "forming/report/interface_rows.hpp"
-#include "forming/report/output.hpp"
+#include "core/io/files.hpp"
+#include "forming/report/files/history.hpp"
+#include "forming/report/files/interface_rows.hpp"
+#include "forming/report/files/result_files.hpp"
 #include "forming/report/summary.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/thermal_interface.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {
@@ -41,10 +41,11 @@ std::vector<std::string> fields_of(const std::string& line) {
 }
 
 TEST(History, TheColumnsAreThoseOfTheReadme) {
-  EXPECT_EQ(history_header(scene_of(small_scene)),
-            "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
-            "contact_area_m2,plate_force_N,plunger_force_N,plate_position_m,plunger_position_m,centre_C,sweeps,flow_solves,"
-            "contact_changes,heat_substeps,limited_by\n");
+  EXPECT_EQ(
+      history_header(scene_of(small_scene)),
+      "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
+      "contact_area_m2,plate_force_N,plunger_force_N,plate_position_m,plunger_position_m,centre_C,sweeps,flow_solves,"
+      "contact_changes,heat_substeps,limited_by\n");
 }
 
 TEST(History, ARowSaysWhatTheStateHolds) {
@@ -122,7 +123,8 @@ TEST(ResultFiles, EveryOutputHasAPieceForEachBodyAndRepeatsAreLeftOut) {
     EXPECT_TRUE(fs::exists(folder + "/vtu/" + body + "_0002.vtu")) << body;
     EXPECT_FALSE(fs::exists(folder + "/vtu/" + body + "_0003.vtu")) << body;
     const std::string pvd = core::read_text(folder + '/' + body + ".pvd");
-    EXPECT_NE(pvd.find(std::string("timestep=\"1\" group=\"\" part=\"0\" file=\"vtu/") + body + "_0002.vtu\""), pvd.npos);
+    EXPECT_NE(pvd.find(std::string("timestep=\"1\" group=\"\" part=\"0\" file=\"vtu/") + body + "_0002.vtu\""),
+              pvd.npos);
   }
 }
 
@@ -159,8 +161,9 @@ TEST(InterfaceRows, TheyRunAlongTheContactWithBothTemperaturesAndTheFlux) {
   }
   EXPECT_GT(last, 19);
   const core::Mesh& glass = state.bodies[0].mesh;
-  const auto on_plate = std::count_if(glass.boundary.begin(), glass.boundary.end(),
-                                      [&](const core::BoundaryEdge& edge) { return std::abs(glass.nodes[edge.nodes[2]][1]) < 1e-9; });
+  const auto on_plate =
+      std::count_if(glass.boundary.begin(), glass.boundary.end(),
+                    [&](const core::BoundaryEdge& edge) { return std::abs(glass.nodes[edge.nodes[2]][1]) < 1e-9; });
   EXPECT_GT(static_cast<long>(lines.size()), 2 * on_plate);
   EXPECT_LE(static_cast<long>(lines.size()), 4 * on_plate);
 }
@@ -213,10 +216,11 @@ TEST(ThicknessProfile, OnlyTheWallInFrontOfALoadedPieceCounts) {
 }
 
 TEST(ThicknessProfile, AnEndFaceLooksAlongTheWallAndDoesNotCount) {
-  std::string text = replaced("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\" },",
-                              "{ name = \"end\", path = \"(27, 0) (31, 0) mm\", condition = \"contact\" },"
-                              "{ name = \"outer\", path = \"(31, 40) mm\", condition = \"contact\" },"
-                              "{ name = \"top\", path = \"(27, 40) mm\", condition = \"contact\" },");
+  std::string text =
+      replaced("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\" },",
+               "{ name = \"end\", path = \"(27, 0) (31, 0) mm\", condition = \"contact\" },"
+               "{ name = \"outer\", path = \"(31, 40) mm\", condition = \"contact\" },"
+               "{ name = \"top\", path = \"(27, 40) mm\", condition = \"contact\" },");
   text = replaced("{ name = \"axis\", path = \"(0, 0) mm\", condition = \"symmetry\" },",
                   "{ name = \"inner\", path = \"(27, 0) mm\", condition = \"contact\" },", text);
   text = replaced("pressure.surface", "pressure.inner", replaced("(0, 5) mm", "(29, 5) mm", text));
@@ -254,13 +258,46 @@ TEST(Summary, TheFileIsValidJsonWithTheNamesOfTheReadme) {
   ResultFiles files(scene, folder);
   write_summary(folder, scene, initial_state(scene), some_facts());
   const std::string text = core::read_text(folder + "/summary.json");
-  for (const char* key :
-       {"case", "accuracy", "completed", "wall_seconds", "steps", "rejected_steps", "remeshes", "timing", "flow", "heat",
-        "contact", "remesh", "output", "state_fingerprint", "remeshing", "for_stage_start",
-        "for_quality", "for_failed_step", "heat_drift", "largest_heat_change", "largest_volume_change", "worst_quality",
-        "lowest_median_quality", "seconds", "volume_drift", "energy_imbalance", "glass", "mass_kg", "temperature_mean_C",
-        "temperature_min_C", "temperature_max_C", "tools", "heat_received_J", "surface_temperature_max_C", "stages",
-        "thickness", "min_mm", "mean_mm", "max_mm", "warnings"})
+  for (const char* key : {"case",
+                          "accuracy",
+                          "completed",
+                          "wall_seconds",
+                          "steps",
+                          "rejected_steps",
+                          "remeshes",
+                          "timing",
+                          "flow",
+                          "heat",
+                          "contact",
+                          "remesh",
+                          "output",
+                          "state_fingerprint",
+                          "remeshing",
+                          "for_stage_start",
+                          "for_quality",
+                          "for_failed_step",
+                          "heat_drift",
+                          "largest_heat_change",
+                          "largest_volume_change",
+                          "worst_quality",
+                          "lowest_median_quality",
+                          "seconds",
+                          "volume_drift",
+                          "energy_imbalance",
+                          "glass",
+                          "mass_kg",
+                          "temperature_mean_C",
+                          "temperature_min_C",
+                          "temperature_max_C",
+                          "tools",
+                          "heat_received_J",
+                          "surface_temperature_max_C",
+                          "stages",
+                          "thickness",
+                          "min_mm",
+                          "mean_mm",
+                          "max_mm",
+                          "warnings"})
     EXPECT_NE(text.find('"' + std::string(key) + "\": "), text.npos) << key;
   const std::string check = "python3 -c \"import json; s = json.load(open('" + folder +
                             "/summary.json')); assert abs(s['glass']['mass_kg'] - 0.0628319) < 1e-6; "

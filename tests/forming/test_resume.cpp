@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
-
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,12 +12,12 @@
 #include <set>
 #include <thread>
 
-#include "core/files.hpp"
-#include "forming/step/fingerprint.hpp"
+#include "core/io/files.hpp"
+#include "forming/remeshing/remesh_state.hpp"
 #include "forming/run/checkpoint.hpp"
-#include "forming/step/initial_state.hpp"
-#include "forming/renew/renew.hpp"
 #include "forming/run/run.hpp"
+#include "forming/state/fingerprint.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/step.hpp"
 #include "pot_scene.hpp"
 #include "scene_text.hpp"
@@ -33,8 +32,10 @@ std::string two_stages() {
   std::string text = pot + "quality_floor = 0.6\n";
   text = replaced("output.interval = \"0.2 s\"", "output.interval = \"0.02 s\"\noutput.checkpoint_steps = 3", text);
   text = replaced("duration = \"0.4 s\"", "duration = \"0.1 s\"", text);
-  return replaced("[material.glass]",
-                  "[[stage]]\nname = \"rest\"\nduration = \"0.1 s\"\ngravity = \"-9.81 m/s2\"\ntools = [\"pot\"]\n[material.glass]", text);
+  return replaced(
+      "[material.glass]",
+      "[[stage]]\nname = \"rest\"\nduration = \"0.1 s\"\ngravity = \"-9.81 m/s2\"\ntools = [\"pot\"]\n[material.glass]",
+      text);
 }
 
 class Resume : public ::testing::Test {
@@ -69,7 +70,9 @@ std::map<std::string, std::string> results(const std::string& folder) {
     if (!entry.is_regular_file() || entry.path().extension() == ".h5") continue;
     files[name] = core::read_text(entry.path());
     if (name == "summary.json")
-      files[name] = std::regex_replace(files[name], std::regex("\"(wall_seconds|cpu_seconds|seconds|flow|heat|contact|remesh|output)\": [^\n]*\n"), "");
+      files[name] = std::regex_replace(
+          files[name], std::regex("\"(wall_seconds|cpu_seconds|seconds|flow|heat|contact|remesh|output)\": [^\n]*\n"),
+          "");
   }
   return files;
 }
@@ -152,15 +155,18 @@ TEST_F(Resume, a_run_killed_three_times_ends_as_the_uninterrupted_one_to_the_las
   const auto whole = run(scene, in("whole"));
   write_summary_of(scene, in("whole"), whole);
   const long steps = whole.state.totals.steps;
-  ASSERT_TRUE(kill_at(start_process([&] { return run(scene, in("killed")).facts.completed; }), in("killed"), steps / 5));
+  ASSERT_TRUE(
+      kill_at(start_process([&] { return run(scene, in("killed")).facts.completed; }), in("killed"), steps / 5));
   for (const long lines : {2 * steps / 5, 4 * steps / 5})
-    ASSERT_TRUE(kill_at(start_process([&] { return resume(scene, in("killed")).facts.completed; }), in("killed"), lines));
+    ASSERT_TRUE(
+        kill_at(start_process([&] { return resume(scene, in("killed")).facts.completed; }), in("killed"), lines));
   write_summary_of(scene, in("killed"), resume(scene, in("killed")));
   expect_same_results(in("killed"), in("whole"));
 }
 
 TEST_F(Resume, a_folder_in_use_by_a_run_is_refused_to_another) {
-  const pid_t process = start_process([&] { return run(scene, in("used"), [] { return ::pause() != 0; }).facts.completed; });
+  const pid_t process =
+      start_process([&] { return run(scene, in("used"), [] { return ::pause() != 0; }).facts.completed; });
   while (!fs::exists(in("used/checkpoint.h5"))) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_THROW(resume(scene, in("used")), std::runtime_error);
   ::kill(process, SIGKILL);
@@ -188,7 +194,9 @@ TEST_F(Resume, a_run_out_of_room_says_so_and_goes_on_from_its_last_checkpoint_wh
     const rlimit room{130000, 130000};
     ::setrlimit(RLIMIT_FSIZE, &room);
   });
-  EXPECT_TRUE(std::regex_match(reason, std::regex("stage (press|rest) at 0\\.\\d+ s: .*: cannot be written: File too large"))) << reason;
+  EXPECT_TRUE(
+      std::regex_match(reason, std::regex("stage (press|rest) at 0\\.\\d+ s: .*: cannot be written: File too large")))
+      << reason;
   const std::string summary = core::read_text(in("full/summary.json"));
   EXPECT_NE(summary.find("\"completed\": false"), summary.npos);
   EXPECT_NE(summary.find("cannot be written: File too large\""), summary.npos);
@@ -262,8 +270,9 @@ TEST_F(Resume, a_folder_without_a_checkpoint_is_refused) {
     resume(scene, in("nothing"));
     FAIL() << "nothing was thrown";
   } catch (const core::CaseError& error) {
-    EXPECT_EQ(std::string(error.what()), in("nothing") + ": no checkpoint was found, allowed is the result folder of a run "
-                                                         "that has begun");
+    EXPECT_EQ(std::string(error.what()), in("nothing") +
+                                             ": no checkpoint was found, allowed is the result folder of a run "
+                                             "that has begun");
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/case_file.hpp"
+#include "core/case/case_file.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {
@@ -96,9 +96,9 @@ TEST(Scene, TheBundledExpectationsAreReadable) {
 TEST(Scene, AClockwiseOutlineIsTurnedAndItsPiecesStayWithTheirLines) {
   const std::string axis = "(0, 0) mm\", condition = \"symmetry\"";
   const std::string surface = "(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\"";
-  const auto scene = scene_of(replaced(
-      surface, "(0, 0) (0, 10) mm\", condition = \"symmetry\"",
-      replaced(axis, "(20, 10) (20, 0) (0, 0) mm\", condition = \"contact\"", replaced("pressure.surface", "pressure.axis"))));
+  const auto scene = scene_of(replaced(surface, "(0, 0) (0, 10) mm\", condition = \"symmetry\"",
+                                       replaced(axis, "(20, 10) (20, 0) (0, 0) mm\", condition = \"contact\"",
+                                                replaced("pressure.surface", "pressure.axis"))));
   const auto& profile = scene.glass.profile;
   EXPECT_NEAR(core::signed_area(profile), 2e-4, 1e-15);
   for (const auto& segment : profile.segments) {
@@ -138,7 +138,8 @@ TEST(Scene, AStagesAirReplacesTheAirOfTheCase) {
 }
 
 TEST(Scene, NumericsOverrideTheAccuracyDial) {
-  const auto scene = scene_of(small_scene + "[numerics]\nsurface_size = \"0.7 mm\"\npasses = 3\ntemperature_order = 1\n");
+  const auto scene =
+      scene_of(small_scene + "[numerics]\nsurface_size = \"0.7 mm\"\npasses = 3\ntemperature_order = 1\n");
   const auto preset = accuracy_preset("draft");
   EXPECT_DOUBLE_EQ(scene.accuracy.surface_size, 0.7e-3);
   EXPECT_EQ(scene.accuracy.passes, 3);

@@ -23,7 +23,9 @@ TEST(SceneErrors, UnknownKey) {
 
 TEST(SceneErrors, NavierFrictionWithoutItsCoefficient) {
   const auto message = complaint_about(replaced("friction = \"slip\"", "friction = \"navier\""));
-  EXPECT_NE(message.find("tool.friction: \"navier\" lacks its coefficient, allowed is { law = \"navier\""), message.npos) << message;
+  EXPECT_NE(message.find("tool.friction: \"navier\" lacks its coefficient, allowed is { law = \"navier\""),
+            message.npos)
+      << message;
 }
 
 TEST(SceneErrors, WrongUnit) {
@@ -65,8 +67,7 @@ TEST(SceneErrors, ToolOverlappingTheGlassAtTheStart) {
 }
 
 TEST(SceneErrors, ToolInsideTheGlassIsFoundByItsOwnPoints) {
-  const auto pin = replaced("(30, 0) (0, 0) mm", "(1, 0) (0.01, 3) (0, 3) mm",
-                            replaced("(30, -10) mm", "(1, -10) mm"));
+  const auto pin = replaced("(30, 0) (0, 0) mm", "(1, 0) (0.01, 3) (0, 3) mm", replaced("(30, -10) mm", "(1, -10) mm"));
   EXPECT_EQ(complaint_about(pin).rfind(std::to_string(line_of("[[tool]]")) + ": tool: \"plate\" overlaps", 0), 0u);
 }
 
@@ -178,11 +179,13 @@ TEST(SceneErrors, SizesThatWouldGiveTooManyCells) {
     return complaint_about(replaced("temperature = \"1000 degC\"", "temperature = \"1000 degC\"\nmesh = " + mesh));
   };
   const auto line = std::to_string(line_of("temperature = \"1000 degC\"") + 1);
-  EXPECT_EQ(glass("{ size = \"10 um\" }"), line + ": glass.mesh.size: 0.01 mm would give \"glass\" about 4.6e+06 cells, "
-                                                  "allowed are sizes that give up to 500000");
+  EXPECT_EQ(glass("{ size = \"10 um\" }"), line +
+                                               ": glass.mesh.size: 0.01 mm would give \"glass\" about 4.6e+06 cells, "
+                                               "allowed are sizes that give up to 500000");
   EXPECT_EQ(glass("{ contact_size = \"1 um\" }"),
-            line + ": glass.mesh.contact_size: 0.001 mm would give \"glass\" about 6e+04 edges along its outline, allowed "
-                   "are sizes that give up to 50000");
+            line +
+                ": glass.mesh.contact_size: 0.001 mm would give \"glass\" about 6e+04 edges along its outline, allowed "
+                "are sizes that give up to 50000");
   EXPECT_EQ(glass("{ size = \"0.1 mm\", contact_size = \"10 um\" }"), "");
   const auto numerics = [](const std::string& entry) {
     const auto message = complaint_about(small_scene + "[numerics]\n" + entry + "\n");
@@ -196,10 +199,12 @@ TEST(SceneErrors, SizesThatWouldGiveTooManyCells) {
 TEST(SceneErrors, AMappedMeshOfTooManyDivisions) {
   const auto text = replaced(
       "{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\" }",
-      "{ name = \"a\", path = \"(0, 0) (20, 0) mm\", condition = \"contact\" }, { name = \"b\", path = \"(20, 10) mm\", "
+      "{ name = \"a\", path = \"(0, 0) (20, 0) mm\", condition = \"contact\" }, { name = \"b\", path = \"(20, 10) "
+      "mm\", "
       "condition = \"contact\" }, { name = \"c\", path = \"(0, 10) mm\", condition = \"contact\" }",
-      replaced("pressure.surface", "pressure.a",
-               replaced("temperature = \"1000 degC\"", "temperature = \"1000 degC\"\nmesh = { mapped = [1000, 1000] }")));
+      replaced(
+          "pressure.surface", "pressure.a",
+          replaced("temperature = \"1000 degC\"", "temperature = \"1000 degC\"\nmesh = { mapped = [1000, 1000] }")));
   EXPECT_EQ(complaint_about(text), std::to_string(line_of("mesh", text)) +
                                        ": glass.mesh.mapped: 1000 by 1000 divisions were found, allowed are up to "
                                        "250000 in all");
@@ -253,8 +258,8 @@ TEST(SceneErrors, AStretchIsNamedOnce) {
   const std::string one = "duration = \"1 s\"\n", two = "duration = \"2 s\"\n";
   const auto twice = replaced(one, one + "name_piece = [" + stretch + ",\n" + stretch + "]\n");
   EXPECT_NE(complaint_about(twice).find("\"inner\" was found twice"), std::string::npos);
-  const auto later = replaced(one, one + "name_piece = [" + stretch + "]\n",
-                              replaced(two, two + "name_piece = [" + stretch + "]\n"));
+  const auto later =
+      replaced(one, one + "name_piece = [" + stretch + "]\n", replaced(two, two + "name_piece = [" + stretch + "]\n"));
   EXPECT_NE(complaint_about(later).find("stage \"rest\" names \"inner\" already"), std::string::npos);
 }
 
@@ -271,11 +276,14 @@ TEST(SceneErrors, CsvFilesWithoutHeadingOrRows) {
     return complaint_about(text);
   };
   EXPECT_EQ(complaint("r_mm,z_mm\n0,0\n20,0\n20,10\n0,10\n"), "");
-  EXPECT_EQ(complaint("0,0\n20,0\n"), file + ":1: glass.piece.csv: the heading is missing (\"0,0\" was found), allowed is a "
-                                               "heading such as r_mm,z_mm");
+  EXPECT_EQ(complaint("0,0\n20,0\n"),
+            file +
+                ":1: glass.piece.csv: the heading is missing (\"0,0\" was found), allowed is a "
+                "heading such as r_mm,z_mm");
   for (const char* empty : {"", "\n\n", "r_mm,z_mm\n"})
-    EXPECT_EQ(complaint(empty), std::to_string(line_of("(0, 0) (20, 0)")) + ": glass.piece.csv: no points were found in \"" +
-                                    file + "\", allowed is a heading such as r_mm,z_mm and rows of numbers");
+    EXPECT_EQ(complaint(empty), std::to_string(line_of("(0, 0) (20, 0)")) +
+                                    ": glass.piece.csv: no points were found in \"" + file +
+                                    "\", allowed is a heading such as r_mm,z_mm and rows of numbers");
 }
 
 TEST(SceneErrors, AConductanceThatNeedsAPressureOnGlassThatDoesNotFlow) {
@@ -292,7 +300,8 @@ TEST(SceneErrors, AConductanceThatNeedsAPressureOnGlassThatDoesNotFlow) {
 TEST(SceneErrors, AToolThatCarriesNoHeatBesideGlassThatDoes) {
   const std::string dense = "[material.dense]\ndensity = \"7800 kg/m3\"\n[glass]\n";
   const std::string text = replaced("[glass]\n", dense);
-  const auto message = complaint_about(replaced("name = \"plunger\"\nmaterial = \"iron\"", "name = \"plunger\"\nmaterial = \"dense\"", text));
+  const auto message = complaint_about(
+      replaced("name = \"plunger\"\nmaterial = \"iron\"", "name = \"plunger\"\nmaterial = \"dense\"", text));
   EXPECT_NE(message.find("tool.material: \"dense\" has no conductivity and heat_capacity"), message.npos) << message;
 }
 
@@ -305,41 +314,53 @@ radiation = { refractive_index = 1.5, absorption = "50 1/m", thin_wall = true }
 [glass]
 )";
   const std::string text = replaced("[glass]\n", clear);
-  const std::string used = replaced("name = \"plunger\"\nmaterial = \"iron\"", "name = \"plunger\"\nmaterial = \"clear\"", text);
+  const std::string used =
+      replaced("name = \"plunger\"\nmaterial = \"iron\"", "name = \"plunger\"\nmaterial = \"clear\"", text);
   const auto message = complaint_about(used);
-  EXPECT_NE(message.find("tool.material: \"clear\" has radiation with thin_wall = true, which only the glass can have"), message.npos) << message;
+  EXPECT_NE(message.find("tool.material: \"clear\" has radiation with thin_wall = true, which only the glass can have"),
+            message.npos)
+      << message;
   EXPECT_EQ(complaint_about(replaced("thin_wall = true", "thin_wall = false", used)), "");
 }
 
 TEST(SceneErrors, AToolOutOfPlaceStandsInTheAirToo) {
-  const auto message = complaint_about(replaced("path = \"(15, 20) (0, 20) mm\", condition = \"insulated\"", "path = \"(15, 20) (0, 20) mm\", condition = \"air\""));
-  EXPECT_EQ(message, std::to_string(line_of("[[stage]]\nname = \"rest\"")) +
-                         ": stage.air: missing, but \"plunger\" exchanges heat with the air; allowed is [air] for the case or air in "
-                         "each stage");
+  const auto message = complaint_about(replaced("path = \"(15, 20) (0, 20) mm\", condition = \"insulated\"",
+                                                "path = \"(15, 20) (0, 20) mm\", condition = \"air\""));
+  EXPECT_EQ(
+      message,
+      std::to_string(line_of("[[stage]]\nname = \"rest\"")) +
+          ": stage.air: missing, but \"plunger\" exchanges heat with the air; allowed is [air] for the case or air in "
+          "each stage");
 }
 
 TEST(SceneErrors, MoreToolsDrivenByForcesThanAStageBears) {
   std::string text = small_scene, tools, place, motions;
   for (int i = 0; i < 4; ++i) {
-    const std::string name = "p" + std::to_string(i), low = std::to_string(40 + 10 * i), high = std::to_string(45 + 10 * i);
-    tools += "[[tool]]\nname = \"" + name + "\"\nmaterial = \"iron\"\ntemperature = \"400 degC\"\nfriction = \"slip\"\npiece = [\n" +
+    const std::string name = "p" + std::to_string(i), low = std::to_string(40 + 10 * i),
+                      high = std::to_string(45 + 10 * i);
+    tools += "[[tool]]\nname = \"" + name +
+             "\"\nmaterial = \"iron\"\ntemperature = \"400 degC\"\nfriction = \"slip\"\npiece = [\n" +
              "{ name = \"face\", path = \"(0, " + low + ") (15, " + low + ") mm\", condition = \"contact\" },\n" +
              "{ name = \"rest\", path = \"(15, " + high + ") (0, " + high + ") mm\", condition = \"insulated\" },\n" +
              "{ name = \"axis\", path = \"(0, " + low + ") mm\", condition = \"symmetry\" },\n]\n";
     place += ", \"" + name + "\"";
     motions += "motion." + name + " = { force = \"-5 N\", speed_limit = \"10 mm/s\" }\n";
   }
-  text = replaced("[[interface]]\ntools = [\"plate\", \"plunger\"", tools + "[[interface]]\ntools = [\"plate\", \"plunger\"" + place, text);
-  text = replaced("tools = [\"plate\", \"plunger\"]\nmotion", "tools = [\"plate\", \"plunger\"" + place + "]\n" + motions + "motion", text);
+  text = replaced("[[interface]]\ntools = [\"plate\", \"plunger\"",
+                  tools + "[[interface]]\ntools = [\"plate\", \"plunger\"" + place, text);
+  text = replaced("tools = [\"plate\", \"plunger\"]\nmotion",
+                  "tools = [\"plate\", \"plunger\"" + place + "]\n" + motions + "motion", text);
   const auto message = complaint_about(text);
-  EXPECT_NE(message.find("one more tool driven by a force was found, allowed are 4 in a stage"), message.npos) << message;
+  EXPECT_NE(message.find("one more tool driven by a force was found, allowed are 4 in a stage"), message.npos)
+      << message;
 }
 
 TEST(SceneErrors, AMotionThatStartsAwayFromItsTool) {
   const std::string moved = replaced("motion.plunger = { force = \"-5 N\", speed_limit = \"10 mm/s\" }",
                                      "motion.plunger = { offset = [[\"0 s\", \"12 mm\"], [\"1 s\", \"9 mm\"]] }");
   const auto message = complaint_about(moved);
-  EXPECT_NE(message.find("stage.motion.plunger: starts at 12 mm, but the tool stands at 10 mm then"), message.npos) << message;
+  EXPECT_NE(message.find("stage.motion.plunger: starts at 12 mm, but the tool stands at 10 mm then"), message.npos)
+      << message;
   EXPECT_EQ(complaint_about(replaced("\"12 mm\"", "\"10 mm\"", moved)), "");
 }
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "core/files.hpp"
+#include "core/io/files.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {

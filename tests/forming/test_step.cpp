@@ -9,16 +9,16 @@
 #include <string>
 #include <utility>
 
-#include "forming/step/between.hpp"
-#include "forming/step/fingerprint.hpp"
-#include "forming/step/heat_step.hpp"
-#include "forming/report/history.hpp"
-#include "forming/step/initial_state.hpp"
-#include "forming/renew/renew.hpp"
+#include "forming/remeshing/remesh_state.hpp"
+#include "forming/report/files/history.hpp"
 #include "forming/run/run.hpp"
+#include "forming/state/fingerprint.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/state/interpolate.hpp"
+#include "forming/step/heat_step.hpp"
 #include "forming/step/step.hpp"
 #include "pot_scene.hpp"
-#include "remesh/quality.hpp"
+#include "remesh/mesher/quality.hpp"
 #include "scene_text.hpp"
 
 namespace parison::forming {
@@ -37,9 +37,10 @@ TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
   const double full = 10.0 * 10.0 * 10.0 / (12.0 * 12.0);  // mm
   const double height = 10 + 1e3 * state.bodies[2].offset;
   const auto facts = glass_facts(scene, state);
-  std::printf("pot: plunger at %.3f mm (full at %.3f), drift %.1e (largest %.1e), imbalance %.1e, %d steps, %d remeshes\n",
-              height, full, facts.volume_drift, state.totals.largest_drift, facts.energy_imbalance, state.totals.steps,
-              remeshes(state));
+  std::printf(
+      "pot: plunger at %.3f mm (full at %.3f), drift %.1e (largest %.1e), imbalance %.1e, %d steps, %d remeshes\n",
+      height, full, facts.volume_drift, state.totals.largest_drift, facts.energy_imbalance, state.totals.steps,
+      remeshes(state));
   EXPECT_NEAR(height, full, 0.05);
   EXPECT_NEAR(state.bodies[2].force, -3000, 1);
   EXPECT_LT(std::abs(state.bodies[2].velocity), 1e-3);
@@ -51,19 +52,22 @@ TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
               1e-9 * state.totals.to_tools);
   // The work of the plunger all turns to heat, but for what gravity and the last speeds take.
   EXPECT_GT(state.totals.dissipation, 0);
-  for (const auto* file : {"summary.json", "thickness.csv"}) EXPECT_FALSE(std::filesystem::exists(folder / "results" / file));
+  for (const auto* file : {"summary.json", "thickness.csv"})
+    EXPECT_FALSE(std::filesystem::exists(folder / "results" / file));
   for (const auto* file : {"history.csv", "interface.csv", "glass.pvd", "plunger.pvd", "checkpoint.h5"})
     EXPECT_TRUE(std::filesystem::exists(folder / "results" / file)) << file;
 }
 
 TEST_F(Pot, a_stage_too_short_for_its_tool_to_come_to_rest_is_warned_of) {
   const auto end_of = [&](const std::string& duration) {
-    const std::string text = replaced("duration = \"0.4 s\"", "duration = \"" + duration + "\"\nend_speed = \"2 mm/s\"", pot);
+    const std::string text =
+        replaced("duration = \"0.4 s\"", "duration = \"" + duration + "\"\nend_speed = \"2 mm/s\"", pot);
     const auto outcome = run(scene_of(text), tests::absent_folder());
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
     const auto& warnings = outcome.facts.warnings;
     const bool warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& sentence) {
-      return sentence.find("plunger still moved at ") != sentence.npos && sentence.find("end_speed of 2 mm/s") != sentence.npos;
+      return sentence.find("plunger still moved at ") != sentence.npos &&
+             sentence.find("end_speed of 2 mm/s") != sentence.npos;
     });
     return std::pair(outcome.facts.stages.back().end_reason, warned);
   };
@@ -76,7 +80,10 @@ TEST_F(Pot, a_tool_moved_by_its_position_does_not_end_a_stage_that_waits_for_dri
   std::string text = replaced("duration = \"0.4 s\"", "duration = \"0.02 s\"\nend_speed = \"2 mm/s\"", pot);
   const auto at = text.find("motion.plunger");
   const auto end = text.find('\n', at);
-  text = text.substr(0, at) + "motion.plunger = { force = \"-1 mN\", speed_limit = \"1 um/s\" }\nmotion.pot = { offset = [[\"0 s\", \"0 mm\"], [\"0.02 s\", \"-1 mm\"]] }" + text.substr(end);
+  text = text.substr(0, at) +
+         "motion.plunger = { force = \"-1 mN\", speed_limit = \"1 um/s\" }\nmotion.pot = { offset = [[\"0 s\", \"0 "
+         "mm\"], [\"0.02 s\", \"-1 mm\"]] }" +
+         text.substr(end);
   const auto outcome = run(scene_of(text), tests::absent_folder());
   EXPECT_EQ(outcome.facts.stages.back().end_reason, outcome.facts.completed ? "duration" : "failure");
 }
@@ -114,10 +121,14 @@ TEST_F(Pot, a_state_within_a_step_lies_on_its_straight_motion) {
   const State& after = result.state;
   const State state = between(before, after, 1e-3);
   for (Index n = 0; n < state.bodies[0].mesh.node_count(); ++n)
-    EXPECT_NEAR((before.bodies[0].mesh.nodes[n] + 1e-3 * flow::node_velocity(after.velocity, n) -
-                 state.bodies[0].mesh.nodes[n]).norm(), 0, 1e-15);
+    EXPECT_NEAR(
+        (before.bodies[0].mesh.nodes[n] + 1e-3 * flow::node_velocity(after.velocity, n) - state.bodies[0].mesh.nodes[n])
+            .norm(),
+        0, 1e-15);
   EXPECT_NEAR(state.bodies[2].offset, before.bodies[2].offset + 1e-3 * after.bodies[2].velocity, 1e-15);
-  EXPECT_NEAR((0.75 * before.bodies[0].temperature + 0.25 * after.bodies[0].temperature - state.bodies[0].temperature).norm(), 0, 1e-9);
+  EXPECT_NEAR(
+      (0.75 * before.bodies[0].temperature + 0.25 * after.bodies[0].temperature - state.bodies[0].temperature).norm(),
+      0, 1e-9);
   EXPECT_EQ(state.time, 1e-3);
 }
 

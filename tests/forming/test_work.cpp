@@ -6,7 +6,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "core/files.hpp"
+#include "core/io/files.hpp"
 #include "forming/run/run.hpp"
 #include "forming/step/work.hpp"
 #include "pot_scene.hpp"
@@ -32,15 +32,19 @@ TEST(Work, done_on_the_glass_is_lost_or_in_its_surface_at_the_end_of_every_stage
   ASSERT_EQ(outcome.facts.stages.size(), 2u);
   for (const StageRecord& stage : outcome.facts.stages) {
     const Work& work = stage.work;
-    std::printf("%s: tools %.4g J, gravity %.2g, air %.2g, dissipated %.4g, friction %.2g, arrival %.4g, surface %.2g, corrections %.2g; off by %.1e\n",
-                stage.name.c_str(), work.tools, work.gravity, work.air, work.dissipation, work.friction, work.arrival, work.surface, work.corrections,
-                work_imbalance(work));
+    std::printf(
+        "%s: tools %.4g J, gravity %.2g, air %.2g, dissipated %.4g, friction %.2g, arrival %.4g, surface %.2g, "
+        "corrections %.2g; off by %.1e\n",
+        stage.name.c_str(), work.tools, work.gravity, work.air, work.dissipation, work.friction, work.arrival,
+        work.surface, work.corrections, work_imbalance(work));
     const double lost = work.dissipation + work.friction + work.arrival;
     EXPECT_LT(std::abs(work_imbalance(work)), 2e-2);
-    EXPECT_LT(std::abs(work_imbalance(work) - work.corrections / lost), 1e-3);  // 3 kN on a full pot: correcting its volume costs work
+    EXPECT_LT(std::abs(work_imbalance(work) - work.corrections / lost),
+              1e-3);  // 3 kN on a full pot: correcting its volume costs work
   }
   const Work& all = outcome.state.totals.work;
-  for (const double part : {all.tools, all.gravity, all.air, all.dissipation, all.friction, all.arrival, all.surface}) EXPECT_NE(part, 0);
+  for (const double part : {all.tools, all.gravity, all.air, all.dissipation, all.friction, all.arrival, all.surface})
+    EXPECT_NE(part, 0);
 }
 
 TEST(Effort, of_the_steps_is_summed_and_every_step_has_its_limit) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "core/profile.hpp"
+#include "core/mesh/profile.hpp"
 
 namespace parison::remesh {
 
@@ -51,26 +51,53 @@ class Pen {
 
 /// Gob of the reference jar: radius 26, hemispherical ends, lower pole at z = 20.
 inline core::Profile gob(double straight = 8.4) {
-  return Pen(0, 20).arc(0, 46, -90, 0, "surface").line(26, 46 + straight, "surface")
-      .arc(0, 46 + straight, 0, 90, "surface").line(0, 20, "axis").closed();
+  return Pen(0, 20)
+      .arc(0, 46, -90, 0, "surface")
+      .line(26, 46 + straight, "surface")
+      .arc(0, 46 + straight, 0, 90, "surface")
+      .line(0, 20, "axis")
+      .closed();
 }
 
 inline core::Profile blank() {
-  return Pen(31, 14).line(29.5, 20, "cavity").line(27.5, 84, "cavity").arc(13.5, 84, 0, 90, "cavity")
-      .line(0, 98, "cavity").line(0, 123, "axis").line(52.5, 123, "outside").line(56, 14, "outside")
-      .line(31, 14, "joint").closed();
+  return Pen(31, 14)
+      .line(29.5, 20, "cavity")
+      .line(27.5, 84, "cavity")
+      .arc(13.5, 84, 0, 90, "cavity")
+      .line(0, 98, "cavity")
+      .line(0, 123, "axis")
+      .line(52.5, 123, "outside")
+      .line(56, 14, "outside")
+      .line(31, 14, "joint")
+      .closed();
 }
 
 inline core::Profile plunger(double tip = 20) {
-  return Pen(27, tip - 140).line(27, tip - 78, "outer").line(24.5, tip - 72, "outer").line(21.5, tip - 12, "outer")
-      .arc(9.5, tip - 12, 0, 90, "outer").line(0, tip, "outer").line(0, tip - 12, "axis").line(12, tip - 12, "bore")
-      .line(12, tip - 140, "bore").line(27, tip - 140, "foot").closed();
+  return Pen(27, tip - 140)
+      .line(27, tip - 78, "outer")
+      .line(24.5, tip - 72, "outer")
+      .line(21.5, tip - 12, "outer")
+      .arc(9.5, tip - 12, 0, 90, "outer")
+      .line(0, tip, "outer")
+      .line(0, tip - 12, "axis")
+      .line(12, tip - 12, "bore")
+      .line(12, tip - 140, "bore")
+      .line(27, tip - 140, "foot")
+      .closed();
 }
 
 inline core::Profile blow_mould() {
-  return Pen(31, 14).line(37, 26, "cavity").line(37, 122, "cavity").arc(30, 122, 0, 90, "cavity").line(12, 129, "cavity")
-      .line(0, 126, "cavity").line(0, 154, "axis").line(62, 154, "outside").line(62, 14, "outside")
-      .line(31, 14, "joint").closed();
+  return Pen(31, 14)
+      .line(37, 26, "cavity")
+      .line(37, 122, "cavity")
+      .arc(30, 122, 0, 90, "cavity")
+      .line(12, 129, "cavity")
+      .line(0, 126, "cavity")
+      .line(0, 154, "axis")
+      .line(62, 154, "outside")
+      .line(62, 14, "outside")
+      .line(31, 14, "joint")
+      .closed();
 }
 
 inline core::Profile neck_ring() {
@@ -79,8 +106,14 @@ inline core::Profile neck_ring() {
 
 /// Cup open at the bottom with a wall of the given thickness (mm): inner radius 25, 60 high, domed.
 inline core::Profile cup(double wall) {
-  return Pen(25, 0).line(25 + wall, 0, "rim").line(25 + wall, 60, "outer").arc(0, 60, 0, 90, "outer")
-      .line(0, 85, "axis").arc(0, 60, 90, 0, "inner").line(25, 0, "inner").closed();
+  return Pen(25, 0)
+      .line(25 + wall, 0, "rim")
+      .line(25 + wall, 60, "outer")
+      .arc(0, 60, 0, 90, "outer")
+      .line(0, 85, "axis")
+      .arc(0, 60, 90, 0, "inner")
+      .line(25, 0, "inner")
+      .closed();
 }
 
 }  // namespace parison::remesh

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/mesh.hpp"
+#include "core/mesh/mesh.hpp"
 
 namespace parison::remesh {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-
 #include <gtest/gtest.h>
 
-#include "remesh/film.hpp"
-#include "remesh/mesh_profile.hpp"
+#include <cmath>
+
+#include "remesh/mesher/mesh_profile.hpp"
 #include "remesh/profiles.hpp"
+#include "remesh/surface/film.hpp"
 
 namespace parison::remesh {
 namespace {
@@ -30,7 +30,7 @@ double share_of_film(const Mesh& mesh, const std::vector<std::string>& touching,
     for (const auto& edge : mesh.boundary)
       if (edge.piece == core::find_piece(mesh, name))
         for (const Index node : edge.nodes) contact[node] = true;
-  const Eigen::VectorXd film = film_thickness(mesh, core::surface_wall(mesh, symmetry), symmetry, contact);
+  const Eigen::VectorXd film = film_thickness(mesh, remesh::surface_wall(mesh, symmetry), symmetry, contact);
   double thin = 0, all = 0;
   for (const auto& edge : mesh.boundary)
     if (edge.piece == core::find_piece(mesh, "bottom")) {

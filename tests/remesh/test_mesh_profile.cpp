@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <chrono>
-
 #include <gtest/gtest.h>
 
-#include "core/element.hpp"
-#include "remesh/mesh_profile.hpp"
-#include "remesh/quality.hpp"
+#include <chrono>
+
+#include "core/mesh/element.hpp"
+#include "remesh/mesher/mesh_profile.hpp"
+#include "remesh/mesher/quality.hpp"
 #include "remesh/profiles.hpp"
 #include "remesh/show.hpp"
 
@@ -43,8 +43,11 @@ struct Case {
 };
 
 std::vector<Case> jar() {
-  return {{"gob", gob(), "surface"}, {"blank", blank(), "cavity"}, {"plunger", plunger(), "outer"},
-          {"blow_mould", blow_mould(), "cavity"}, {"neck_ring", neck_ring(), "cavity"}};
+  return {{"gob", gob(), "surface"},
+          {"blank", blank(), "cavity"},
+          {"plunger", plunger(), "outer"},
+          {"blow_mould", blow_mould(), "cavity"},
+          {"neck_ring", neck_ring(), "cavity"}};
 }
 
 void expect_chained(const Mesh& mesh, const Profile& profile) {
@@ -126,14 +129,16 @@ TEST(MeshProfile, an_outline_that_crosses_itself_is_refused_and_the_next_body_st
 }
 
 TEST(MeshMapped, a_graded_block_has_the_asked_divisions_and_ratio) {
-  const Profile block = Pen(5, 0).line(15, 0, "bottom").line(15, 20, "right").line(5, 20, "top").line(5, 0, "left").closed();
+  const Profile block =
+      Pen(5, 0).line(15, 0, "bottom").line(15, 20, "right").line(5, 20, "top").line(5, 0, "left").closed();
   const Mesh mesh = mesh_mapped(block, 5, 8, 1, 10);
   EXPECT_EQ(mesh.cell_count(), 2 * 5 * 8);
   EXPECT_EQ(mesh.vertex_count, 6 * 9);
   expect_chained(mesh, block);
   std::vector<double> lengths;
   for (const auto& edge : mesh.boundary)
-    if (mesh.pieces[edge.piece] == "right") lengths.push_back((mesh.nodes[edge.nodes[0]] - mesh.nodes[edge.nodes[1]]).norm());
+    if (mesh.pieces[edge.piece] == "right")
+      lengths.push_back((mesh.nodes[edge.nodes[0]] - mesh.nodes[edge.nodes[1]]).norm());
   ASSERT_EQ(lengths.size(), 8u);
   EXPECT_NEAR(lengths.back() / lengths.front(), 10, 1e-9);
   for (int i = 0; i + 2 < 8; ++i) EXPECT_NEAR(lengths[i + 2] / lengths[i + 1], lengths[i + 1] / lengths[i], 1e-9);
@@ -143,7 +148,8 @@ TEST(MeshMapped, a_graded_block_has_the_asked_divisions_and_ratio) {
 }
 
 TEST(MeshMapped, arcs_are_followed_inside_and_out) {
-  const Profile shell = Pen(20, 0).line(24, 0, "cut").arc(0, 0, 0, 90, "outer").line(0, 20, "axis").arc(0, 0, 90, 0, "inner").closed();
+  const Profile shell =
+      Pen(20, 0).line(24, 0, "cut").arc(0, 0, 0, 90, "outer").line(0, 20, "axis").arc(0, 0, 90, 0, "inner").closed();
   const Mesh mesh = mesh_mapped(shell, 4, 24, 3, 1);
   expect_chained(mesh, shell);
   EXPECT_NEAR(core::volume(mesh, core::Geometry::axisymmetric) / exact_volume(shell), 1, 1e-6);
@@ -156,7 +162,8 @@ TEST(MeshMapped, arcs_are_followed_inside_and_out) {
 }
 
 TEST(MeshMapped, five_pieces_are_refused) {
-  const Profile five = Pen(5, 0).line(9, 0, "a").line(15, 0, "b").line(15, 20, "c").line(5, 20, "d").line(5, 0, "e").closed();
+  const Profile five =
+      Pen(5, 0).line(9, 0, "a").line(15, 0, "b").line(15, 20, "c").line(5, 20, "d").line(5, 0, "e").closed();
   EXPECT_THROW(mesh_mapped(five, 4, 4, 1, 1), std::invalid_argument);
 }
 

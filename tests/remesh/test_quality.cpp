@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include <gtest/gtest.h>
-
-#include "core/element.hpp"
-#include "remesh/quality.hpp"
+#include "core/mesh/element.hpp"
+#include "remesh/mesher/quality.hpp"
 
 namespace parison::remesh {
 namespace {
@@ -13,7 +13,9 @@ namespace {
 using core::Mesh;
 using core::Point;
 
-Mesh one_triangle(const Point& a, const Point& b, const Point& c) { return core::make_quadratic_mesh({a, b, c}, {{0, 1, 2}}); }
+Mesh one_triangle(const Point& a, const Point& b, const Point& c) {
+  return core::make_quadratic_mesh({a, b, c}, {{0, 1, 2}});
+}
 
 TEST(Quality, an_equilateral_triangle_has_one) {
   EXPECT_NEAR(quality(one_triangle({1, 1}, {2, 1}, {1.5, 1 + std::sqrt(3.0) / 2})).worst, 1, 1e-14);

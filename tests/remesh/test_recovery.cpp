@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
-#include <Eigen/SparseCholesky>
-
-#include "core/element.hpp"
-#include "remesh/mesh_profile.hpp"
+#include "core/mesh/element.hpp"
+#include "remesh/mesher/mesh_profile.hpp"
 #include "remesh/profiles.hpp"
-#include "remesh/recovery.hpp"
 #include "remesh/remesh_glass.hpp"
+#include "remesh/sizing/recovery.hpp"
 #include "structured.hpp"
 
 namespace parison::remesh {
@@ -60,8 +59,10 @@ Eigen::VectorXd galerkin(const Mesh& mesh, Geometry geometry, const Field& field
         load[nodes[i]] += point.volume * point.gradient[i].dot(field.gradient(point.position));
         for (int j = 0; j < 6; ++j) {
           const double entry = point.volume * point.gradient[i].dot(point.gradient[j]);
-          if (given[nodes[j]]) load[nodes[i]] -= entry * solution[nodes[j]];
-          else entries.emplace_back(nodes[i], nodes[j], entry);
+          if (given[nodes[j]])
+            load[nodes[i]] -= entry * solution[nodes[j]];
+          else
+            entries.emplace_back(nodes[i], nodes[j], entry);
         }
       }
     }
@@ -93,10 +94,17 @@ Mesh distorted(Index n) {
 
 /// A quarter of a ring, meshed without structure.
 core::Profile quarter_ring() {
-  return Pen(500, 0).line(1500, 0, "low").arc(0, 0, 0, 90, "outer").line(0, 500, "left").arc(0, 0, 90, 0, "inner").closed();
+  return Pen(500, 0)
+      .line(1500, 0, "low")
+      .arc(0, 0, 0, 90, "outer")
+      .line(0, 500, "left")
+      .arc(0, 0, 90, 0, "inner")
+      .closed();
 }
 
-Mesh quarter_ring(double size) { return mesh_profile(quarter_ring(), {size, size, 0.3, std::vector<bool>(4, false)}); }
+Mesh quarter_ring(double size) {
+  return mesh_profile(quarter_ring(), {size, size, 0.3, std::vector<bool>(4, false)});
+}
 
 double effectivity(const Mesh& mesh, Geometry geometry) {
   const Eigen::VectorXd nodal = galerkin(mesh, geometry, smooth());
@@ -196,7 +204,8 @@ Adapted adapted(const Field& field, double wanted, int times, double most_cells 
 
 TEST(Recovery, two_remeshes_reach_the_wanted_error_of_a_layer_with_a_seventh_of_the_cells_of_even_ones) {
   const Field field = layer(1, 0.02);
-  const Adapted start = judged(quarter_ring(0.1), field), end = adapted(field, 0.02, 2), even = judged(quarter_ring(0.0125), field);
+  const Adapted start = judged(quarter_ring(0.1), field), end = adapted(field, 0.02, 2),
+                even = judged(quarter_ring(0.0125), field);
   EXPECT_GT(start.relative, 0.5);
   EXPECT_LT(end.relative, 0.02);
   EXPECT_GT(end.relative, 0.01);
@@ -218,7 +227,8 @@ TEST(Recovery, a_field_that_changes_by_rounding_only_asks_for_no_cells) {
   Eigen::VectorXd warm = Eigen::VectorXd::Constant(mesh.node_count(), 1423.0);
   Eigen::VectorXd falling = Eigen::VectorXd::Zero(2 * mesh.node_count());
   for (Index n = 0; n < mesh.node_count(); ++n) warm[n] += 1e-12 * n, falling[2 * n + 1] = -0.3 - 1e-16 * n;
-  for (const DerivativeError& error : {gradient_error(mesh, Geometry::planar, warm), rate_error(mesh, Geometry::planar, falling)})
+  for (const DerivativeError& error :
+       {gradient_error(mesh, Geometry::planar, warm), rate_error(mesh, Geometry::planar, falling)})
     EXPECT_EQ(equidistributing_sizes(mesh, error, 0.1).minCoeff(), std::numeric_limits<double>::infinity());
 }
 

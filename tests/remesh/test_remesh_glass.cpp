@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <malloc.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <limits>
 
-#include <gtest/gtest.h>
-#include <malloc.h>
-
-#include "core/thickness.hpp"
-#include "remesh/mesh_profile.hpp"
+#include "remesh/mesher/mesh_profile.hpp"
+#include "remesh/mesher/quality.hpp"
 #include "remesh/profiles.hpp"
-#include "remesh/quality.hpp"
 #include "remesh/remesh_glass.hpp"
 #include "remesh/show.hpp"
+#include "remesh/surface/wall_thickness.hpp"
 
 namespace parison::remesh {
 namespace {
@@ -213,8 +213,12 @@ void expect_led_out(const Bulge& bulge) {
   const Point &start = 1e3 * bulge.start, &end = 1e3 * bulge.end;
   Pen pen(0, 0);
   if (start[1] > 0) pen.line(start[0], 0, "outer");
-  const core::Profile block = pen.line(start[0], start[1], "outer").line(end[0], end[1], "outer")
-                                  .line(end[0], 10, "outer").line(0, 10, "outer").line(0, 0, "axis").closed();
+  const core::Profile block = pen.line(start[0], start[1], "outer")
+                                  .line(end[0], end[1], "outer")
+                                  .line(end[0], 10, "outer")
+                                  .line(0, 10, "outer")
+                                  .line(0, 0, "axis")
+                                  .closed();
   Mesh old = meshed(block, 2.5e-3);
   for (const auto& edge : old.boundary)
     if ((old.nodes[edge.nodes[0]] - bulge.start).norm() < 1e-9) old.nodes[edge.nodes[2]] = bulge.mid;
@@ -243,8 +247,9 @@ void expect_led_out(const Bulge& bulge) {
 
 TEST(RemeshGlass, a_bulge_into_a_tool_is_led_out_before_the_inside_is_meshed) {
   const Point hollow(12e-3, 0), sharp(11.8e-3, 3e-3);
-  expect_led_out({{11.7e-3, 0}, hollow, {12e-3, 1.4e-3}, hollow,
-                  [](const Point& x) { return Point(std::min(x[0], 12e-3), std::max(x[1], 0.0)); }});
+  expect_led_out({{11.7e-3, 0}, hollow, {12e-3, 1.4e-3}, hollow, [](const Point& x) {
+                    return Point(std::min(x[0], 12e-3), std::max(x[1], 0.0));
+                  }});
   expect_led_out({{11.8e-3, 2e-3}, {12.3e-3, 3.02e-3}, {13e-3, 3.3e-3}, sharp, [=](const Point& x) -> Point {
                     const Point in(x[0] - sharp[0], sharp[1] - x[1]);
                     if (in[0] <= 0 || in[1] <= 0) return x;
@@ -272,7 +277,8 @@ TEST(RemeshGlass, an_edge_whose_ends_met_in_a_corner_is_left_out) {
   }
 }
 
-/// The gob with a notch of a depth in its side, m, whose flanks have passed through each other by a tenth of their distance.
+/// The gob with a notch of a depth in its side, m, whose flanks have passed through each other by a tenth of their
+/// distance.
 Mesh lapped_gob(double depth) {
   Mesh mesh = meshed(gob(), 2e-3);
   std::size_t at = 0;

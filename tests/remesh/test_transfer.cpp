@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
 #include <chrono>
 #include <functional>
 
-#include <gtest/gtest.h>
-
-#include "core/element.hpp"
-#include "remesh/mesh_profile.hpp"
+#include "core/mesh/element.hpp"
+#include "remesh/mesher/mesh_profile.hpp"
 #include "remesh/profiles.hpp"
 #include "remesh/remesh_glass.hpp"
-#include "remesh/transfer.hpp"
+#include "remesh/transfer/transfer.hpp"
 
 namespace parison::remesh {
 namespace {
@@ -19,7 +19,9 @@ using core::Mesh;
 using core::Point;
 using Field = std::function<double(const Point&)>;
 
-Mesh gob_mesh(double size) { return mesh_profile(gob(), {size, size, 0.3, {false, false}}); }
+Mesh gob_mesh(double size) {
+  return mesh_profile(gob(), {size, size, 0.3, {false, false}});
+}
 
 Mesh again(const Mesh& mesh, double size) {
   const Criteria criteria{Geometry::axisymmetric, size, 1e-4, 2, 0.3, 5e-5, {false, true}, {}, {}, {}};
@@ -48,14 +50,20 @@ double error_l2(const Mesh& mesh, const Eigen::VectorXd& nodal, const Field& fie
 }
 
 /// Core and skin of a gob, with its hottest and coldest points inside.
-double smooth(const Point& x) { return 1300 + 80 * std::cos(160 * x[0]) * std::sin(140 * x[1]); }
+double smooth(const Point& x) {
+  return 1300 + 80 * std::cos(160 * x[0]) * std::sin(140 * x[1]);
+}
 
 /// A skin about 1 mm deep under the surface.
-double skin(const Point& x) { return 900 + 520 * (1 - std::exp(-core::distance(gob(), x) / 1e-3)); }
+double skin(const Point& x) {
+  return 900 + 520 * (1 - std::exp(-core::distance(gob(), x) / 1e-3));
+}
 
 TEST(Transfer, quadratic_fields_are_carried_over_exactly) {
   const Mesh from = gob_mesh(3e-3), to = again(from, 2.3e-3);
-  const Field quadratic = [](const Point& x) { return 1000 + 3e3 * x[0] - 2e3 * x[1] + 5e4 * x[0] * x[1] + 4e4 * x[0] * x[0]; };
+  const Field quadratic = [](const Point& x) {
+    return 1000 + 3e3 * x[0] - 2e3 * x[1] + 5e4 * x[0] * x[1] + 4e4 * x[0] * x[0];
+  };
   const Transfer transfer = make_transfer(from, to);
   const Eigen::VectorXd carried = interpolate(from, transfer, sample(from, quadratic)), exact = sample(to, quadratic);
   double inner = 0, all = 0;
@@ -103,7 +111,9 @@ TEST(Transfer, any_content_is_kept_within_the_old_extremes_where_a_common_shift_
   const Mesh from = gob_mesh(2.5e-3), to = again(from, 2e-3);
   const Field thin = [](const Point& x) { return 900 + 520 * (1 - std::exp(-core::distance(gob(), x) / 0.1e-3)); };
   const Eigen::VectorXd old = sample(from, thin);
-  const Content squares = [&](const Eigen::VectorXd& field) { return mean(to, Geometry::axisymmetric, field.cwiseAbs2()); };
+  const Content squares = [&](const Eigen::VectorXd& field) {
+    return mean(to, Geometry::axisymmetric, field.cwiseAbs2());
+  };
   for (const int order : {2, 1}) {
     const Carried carried = project(from, to, Geometry::axisymmetric, make_transfer(from, to), old, order);
     const Eigen::VectorXd free = order == 2 ? carried.value : core::from_vertices(to, carried.value);
@@ -175,9 +185,13 @@ void carry_hundred_times(const Field& field, const char* name) {
   EXPECT_NEAR(mean(mesh, Geometry::axisymmetric, carried) / start, 1, 1e-12) << name;
 }
 
-TEST(Transfer, a_smooth_field_survives_a_hundred_remeshes) { carry_hundred_times(smooth, "smooth"); }
+TEST(Transfer, a_smooth_field_survives_a_hundred_remeshes) {
+  carry_hundred_times(smooth, "smooth");
+}
 
-TEST(Transfer, a_thermal_skin_survives_a_hundred_remeshes) { carry_hundred_times(skin, "skin"); }
+TEST(Transfer, a_thermal_skin_survives_a_hundred_remeshes) {
+  carry_hundred_times(skin, "skin");
+}
 
 }  // namespace
 }  // namespace parison::remesh

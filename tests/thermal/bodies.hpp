@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/element.hpp"
-#include "core/interface.hpp"
-#include "core/mesh.hpp"
+#include "core/mesh/element.hpp"
+#include "core/mesh/interface_point.hpp"
+#include "core/mesh/mesh.hpp"
 #include "thermal/problem.hpp"
 
 namespace parison::thermal::test {
@@ -57,7 +57,11 @@ inline core::Mesh rectangle(const std::vector<double>& x, const std::vector<doub
 }
 
 inline BodyView body(const core::Mesh& mesh, const Material& material) {
-  return {&mesh, &mesh, material.density, &material, std::vector<std::optional<SurfaceExchange>>(mesh.pieces.size()),
+  return {&mesh,
+          &mesh,
+          material.density,
+          &material,
+          std::vector<std::optional<SurfaceExchange>>(mesh.pieces.size()),
           std::vector<std::optional<double>>(mesh.pieces.size())};
 }
 
@@ -95,8 +99,8 @@ inline std::vector<core::InterfacePoint> stack(const core::Mesh& slave, const co
     const auto facing = std::find_if(master.boundary.begin(), master.boundary.end(), faces);
     for (const auto& at : core::edge_rule(3)) {
       const core::EdgePoint on = core::map_edge_point(slave, edge.nodes, geometry, at);
-      points.push_back({0, 1, edge.nodes, facing->nodes, on.shape, core::edge_shape(1 - at.s), on.position, on.area, 0,
-                        1, 1e5, 0});
+      points.push_back(
+          {0, 1, edge.nodes, facing->nodes, on.shape, core::edge_shape(1 - at.s), on.position, on.area, 0, 1, 1e5, 0});
     }
   }
   return points;

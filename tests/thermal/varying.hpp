@@ -8,8 +8,10 @@ namespace parison::thermal::test {
 /// an exact solution with both properties varying by a factor of four.
 struct Varying {
   static constexpr double base = 1000, slope = 1e-3, amplitude = 900, side = 0.01, k0 = 30, c0 = 600, density = 7800;
-  Material material{density, {{200, 3000}, {c0 * factor(200), c0 * factor(3000)}},
-                    {{200, 3000}, {k0 * factor(200), k0 * factor(3000)}}, {}};
+  Material material{density,
+                    {{200, 3000}, {c0 * factor(200), c0* factor(3000)}},
+                    {{200, 3000}, {k0 * factor(200), k0* factor(3000)}},
+                    {}};
 
   static double factor(double T) { return 1 + slope * (T - base); }
   static double exact(const Point& x, double t) {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "contact/mortar.hpp"
+#include "contact/mortar/mortar.hpp"
 #include "thermal/bodies.hpp"
-#include "thermal/stage.hpp"
+#include "thermal/time/stage_solver.hpp"
 
 namespace parison::mortar_test {
 
@@ -34,8 +34,7 @@ inline core::Mesh mapped(const std::vector<double>& x, const std::vector<double>
 /// With all edges straight.
 inline core::Mesh faceted(core::Mesh mesh) {
   for (const auto& cell : mesh.cells)
-    for (int i = 0; i < 3; ++i)
-      mesh.nodes[cell[3 + i]] = 0.5 * (mesh.nodes[cell[i]] + mesh.nodes[cell[(i + 1) % 3]]);
+    for (int i = 0; i < 3; ++i) mesh.nodes[cell[3 + i]] = 0.5 * (mesh.nodes[cell[i]] + mesh.nodes[cell[(i + 1) % 3]]);
   return mesh;
 }
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include "forming/step/initial_state.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/step.hpp"
 #include "forming/step/step_control.hpp"
 

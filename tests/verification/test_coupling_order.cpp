@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "forming/step/initial_state.hpp"
 #include "forming/scene_text.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/step.hpp"
 
 namespace parison::forming {
@@ -16,11 +16,13 @@ namespace {
 const std::string pressed_disc = R"(case = "pressed_disc"
 geometry = "axisymmetric"
 air = { temperature = "50 degC", h = "20 W/m2/K", ambient = "50 degC" }
-)" + container_glass("20 W/m/K") + iron + pressed_contact(R"("plate", "plunger")") +
+)" + container_glass("20 W/m/K") +
+                                 iron + pressed_contact(R"("plate", "plunger")") +
                                  disc_between_plates(8, R"(material = "glass"
 temperature = "1000 degC"
 mesh = { mapped = [6, 6] }
-)", R"(material = "iron"
+)",
+                                                     R"(material = "iron"
 temperature = "500 degC"
 friction = { law = "navier", coefficient = "1e5 Pa.s/m" }
 )") + R"([[stage]]
@@ -65,11 +67,12 @@ TEST(Coupling, of_flow_and_heat_is_of_second_order_in_one_sweep) {
                 end[i].force);
   }
   const auto order = [&](double End::*quantity, int i) {
-    return std::log2(std::abs((end[i].*quantity - end[i + 1].*quantity) / (end[i + 1].*quantity - end[i + 2].*quantity)));
+    return std::log2(
+        std::abs((end[i].*quantity - end[i + 1].*quantity) / (end[i + 1].*quantity - end[i + 2].*quantity)));
   };
   for (int i = 0; i < 3; ++i)
-    std::printf("orders: mean temperature %.2f, radius %.2f, force %.2f\n", order(&End::mean, i), order(&End::radius, i),
-                order(&End::force, i));
+    std::printf("orders: mean temperature %.2f, radius %.2f, force %.2f\n", order(&End::mean, i),
+                order(&End::radius, i), order(&End::force, i));
   for (const auto quantity : {&End::mean, &End::radius, &End::force}) EXPECT_GT(order(quantity, 2), 1.9);
   RecordProperty("mean_temperature", std::to_string(order(&End::mean, 2)));
   RecordProperty("radius", std::to_string(order(&End::radius, 2)));

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/element.hpp"
+#include "core/mesh/element.hpp"
 #include "forming/scene_text.hpp"
 #include "stepping.hpp"
 
@@ -17,9 +17,12 @@ geometry = "axisymmetric"
 [material.liquid]
 density = "2400 kg/m3"
 viscosity = { law = "constant", value = "1e3 Pa.s" }
-)" + disc_between_plates(10, R"(material = "liquid"
+)" +
+                            disc_between_plates(10, R"(material = "liquid"
 mesh = { mapped = [8, 4] }
-)", "friction = \"slip\"\n") + R"([[stage]]
+)",
+                                                "friction = \"slip\"\n") +
+                            R"([[stage]]
 name = "squeeze"
 duration = "0.85 s"
 tools = ["plate", "plunger"]
@@ -50,8 +53,10 @@ SqueezeErrors squeeze_errors(double strain_per_step) {
   for (const auto& x : mesh.nodes) radius = std::max(radius, x[0]);
   errors.radius = radius / (0.02 * std::sqrt(10 / 1.5)) - 1;
   errors.drift = core::volume(mesh, scene.geometry) / start.first_volume - 1;
-  std::printf("slipping squeeze to 1.5 mm, strain %.4f a step: force off by %.1e at the worst of %d heights, radius by %.1e, volume by %.1e\n",
-              strain_per_step, errors.force, heights, errors.radius, errors.drift);
+  std::printf(
+      "slipping squeeze to 1.5 mm, strain %.4f a step: force off by %.1e at the worst of %d heights, radius by %.1e, "
+      "volume by %.1e\n",
+      strain_per_step, errors.force, heights, errors.radius, errors.drift);
   return errors;
 }
 
@@ -89,8 +94,10 @@ TEST(Punch, whose_corner_sinks_into_smooth_glass_keeps_the_glass_out_and_its_vol
   });
   double rise = 0;
   for (const auto& x : end.bodies[0].mesh.nodes) rise = std::max(rise, x[1] - 0.01);
-  std::printf("punch: %d steps, force %.2f N, glass in the tools at most %.2f um, volume off by %.1e, glass beside it rises %.2f mm\n",
-              end.totals.steps, end.bodies[1].force, 1e6 * end.totals.deepest, end.totals.largest_drift, 1e3 * rise);
+  std::printf(
+      "punch: %d steps, force %.2f N, glass in the tools at most %.2f um, volume off by %.1e, glass beside it rises "
+      "%.2f mm\n",
+      end.totals.steps, end.bodies[1].force, 1e6 * end.totals.deepest, end.totals.largest_drift, 1e3 * rise);
   EXPECT_NEAR(end.time, 0.1, 1e-9);
   EXPECT_GT(weakest, 0);
   EXPECT_LT(end.totals.deepest, 5e-6);

@@ -10,9 +10,11 @@
 namespace parison::forming {
 namespace {
 
-constexpr double inner_radius = 0.01, outer_radius = 0.015, viscosity = 1e4, pressure = 1e5;  // of cases/shell_inflation
+constexpr double inner_radius = 0.01, outer_radius = 0.015, viscosity = 1e4,
+                 pressure = 1e5;  // of cases/shell_inflation
 
-/// Time at which the inner radius has doubled: dp = 4 eta a^2 a' (1/a^3 - 1/b^3) + 2 gamma (1/a + 1/b), b^3 - a^3 constant.
+/// Time at which the inner radius has doubled: dp = 4 eta a^2 a' (1/a^3 - 1/b^3) + 2 gamma (1/a + 1/b), b^3 - a^3
+/// constant.
 double doubling_time(double tension) {
   const double shell = std::pow(outer_radius, 3) - std::pow(inner_radius, 3);
   const auto per_radius = [&](double a) {
@@ -69,8 +71,8 @@ TEST(ShellInflation, doubles_its_inner_radius_in_the_exact_time_with_and_without
     scene.stages[0].duration = time;
     const State state = steps_to(scene, initial_state(scene), time);
     const double worst = radius_error(state.bodies[0].mesh, 2 * inner_radius), drift = volume_drift(scene, state);
-    std::printf("shell, tension %5.1f N/m: inner radius doubled off by %.2e, volume by %.2e (largest %.2e), %d steps\n", tension,
-                worst, drift, state.totals.largest_drift, state.totals.steps);
+    std::printf("shell, tension %5.1f N/m: inner radius doubled off by %.2e, volume by %.2e (largest %.2e), %d steps\n",
+                tension, worst, drift, state.totals.largest_drift, state.totals.steps);
     EXPECT_LT(worst, 5e-4);
     EXPECT_LT(std::abs(drift), 1e-5);
   }

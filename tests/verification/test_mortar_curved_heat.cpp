@@ -9,7 +9,9 @@ constexpr double inner = 0.02, contact_radius = 0.03, outer = 0.045, h = 5000;
 const std::array<double, 2> k{2.77, 37};
 
 /// Angle and minus the radius to a place; angle 0 points down the axis.
-Point around(const Point& x) { return -x[1] * Point(std::sin(x[0]), -std::cos(x[0])); }
+Point around(const Point& x) {
+  return -x[1] * Point(std::sin(x[0]), -std::cos(x[0]));
+}
 
 /// How the meshes differ from touching ones.
 struct Flaws {
@@ -29,8 +31,9 @@ double heat_across(Geometry geometry, int first, int second, Index slave, const 
   Pair pair(geometry, ball, cup, k);
   const double facing = slave == 0 ? contact_radius + flaws.gap : contact_radius;  // the master's exact profile
   const double sign = slave == 0 ? 1 : -1;
-  pair.join(slave, flaws.handover, [&](const Point& x) { return sign * (facing - x.norm()); },
-            [](const Point&) { return 1e5; });
+  pair.join(
+      slave, flaws.handover, [&](const Point& x) { return sign * (facing - x.norm()); },
+      [](const Point&) { return 1e5; });
   pair.problem.law = thermal::test::constant_conductance(h);
   pair.problem.bodies[0].prescribed[Side::top] = 1423;
   pair.problem.bodies[1].prescribed[Side::bottom] = 758;
@@ -71,8 +74,8 @@ TEST(MortarCurved, gaps_and_overlaps_to_a_micrometre_change_the_heat_by_less_tha
         double largest = 0;
         for (const double size : {1e-15, 1e-13, 1e-11, 1e-9, 1e-8, 1e-7, 1e-6})
           for (const double gap : {size, -size})
-            largest = std::max(largest,
-                               std::abs(heat_across(geometry, first, second, slave, {false, gap}) / touching - 1));
+            largest =
+                std::max(largest, std::abs(heat_across(geometry, first, second, slave, {false, gap}) / touching - 1));
         std::printf("%s, %d/%d edges, slave %s: gaps and overlaps to 1e-6 m change the heat by %.1e\n", name(geometry),
                     first, second, slave == 0 ? "inside" : "outside", largest);
         EXPECT_LT(largest, 1e-3);

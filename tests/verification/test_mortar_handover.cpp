@@ -2,10 +2,10 @@
 // Contact that closes, spreads, shrinks and opens between the steps of a transient run.
 #include <set>
 
-#include "contact/conductance.hpp"
+#include "contact/conductance/conductance.hpp"
 #include "forming/flow/material.hpp"
 #include "mortar_cases.hpp"
-#include "thermal/tr_bdf2.hpp"
+#include "thermal/time/tr_bdf2.hpp"
 
 namespace parison::mortar_test {
 namespace {
@@ -52,14 +52,14 @@ struct Press {
       });
       for (Index i = 0; i < gap.size(); ++i)
         if (upper.nodes[i][1] == 0) pressure[i] = std::max(pressure[i], -5e9 * gap[i]);
-      masters.push_back({contact::make_surface(1 + t, moved[t], {false, false, true, false}, Point::Zero()), gap,
-                         handover, 0});
+      masters.push_back(
+          {contact::make_surface(1 + t, moved[t], {false, false, true, false}, Point::Zero()), gap, handover, 0});
     }
-    thermal::Problem problem{Geometry::axisymmetric,
-                             {thermal::test::body(upper, glass), thermal::test::body(moved[0], steel),
-                              thermal::test::body(moved[1], steel)},
-                             {},
-                             {}};
+    thermal::Problem problem{
+        Geometry::axisymmetric,
+        {thermal::test::body(upper, glass), thermal::test::body(moved[0], steel), thermal::test::body(moved[1], steel)},
+        {},
+        {}};
     const auto slave = contact::make_surface(0, upper, {true, false, false, false}, Point::Zero());
     problem.interface = contact::build_interface(slave, pressure, masters, problem.geometry);
     problem.law = thermal::test::pointwise([&](const core::InterfacePoint& point, double T) {
@@ -94,8 +94,8 @@ void expect_conserved(int glass_edges, int tool_edges) {
   std::set<Index> before, now;
   for (int i = 0; i < 40; ++i) {
     const double t = i / 20.0;  // twice closed and open
-    const auto outcome = press.step({-40e-6 + 2.4e-4 * std::sin(2 * M_PI * t), -40e-6 + 2.4e-4 * std::sin(2 * M_PI * t - 1)},
-                                    0.05, now);
+    const auto outcome =
+        press.step({-40e-6 + 2.4e-4 * std::sin(2 * M_PI * t), -40e-6 + 2.4e-4 * std::sin(2 * M_PI * t - 1)}, 0.05, now);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     for (const Index node : now) joined += before.count(node) == 0;
     for (const Index node : before) left += now.count(node) == 0;
@@ -110,9 +110,10 @@ void expect_conserved(int glass_edges, int tool_edges) {
     factorisations += outcome.factorisations;
     most_substeps = std::max(most_substeps, outcome.substeps);
   }
-  std::printf("%d/2x%d edges: %d nodes joined, %d left, in contact in %d of 40 steps; heat exchanged %.0f J, total "
-              "changed by %.1e J of %.0f J; flux out against in %.1e\n",
-              glass_edges, tool_edges, joined, left, closed, exchanged, lost, whole, mismatch);
+  std::printf(
+      "%d/2x%d edges: %d nodes joined, %d left, in contact in %d of 40 steps; heat exchanged %.0f J, total "
+      "changed by %.1e J of %.0f J; flux out against in %.1e\n",
+      glass_edges, tool_edges, joined, left, closed, exchanged, lost, whole, mismatch);
   std::printf("  %d substeps (%d at most in a step), %d rejected, %.1f solves a substep, %d factorisations\n", substeps,
               most_substeps, rejected, double(solves) / (substeps + rejected), factorisations);
   EXPECT_GT(exchanged, 1000);

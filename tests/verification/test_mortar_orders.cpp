@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Manufactured solutions across non-matching interfaces. The contact carries the exact jump's
 // flux h (u1 - u2); what the two exact fluxes differ from it enters as a load on either contact side.
-#include "contact/conductance.hpp"
+#include "contact/conductance/conductance.hpp"
 #include "forming/flow/material.hpp"
 #include "mortar_cases.hpp"
 
@@ -34,8 +34,10 @@ Pair make_squares(int n1, int n2, const std::array<double, 2>& k) {
 double error(const Manufactured& m, int order, int n1, int n2, Index slave) {
   Pair pair = make_squares(n1, n2, m.k);
   pair.problem.order = order;
-  pair.join(slave, 1e-3, [](const Point&) { return 0.0; }, m.pressure);
-  pair.problem.law = thermal::test::pointwise([&](const core::InterfacePoint& point, double T) { return m.law(point.pressure, T); });
+  pair.join(
+      slave, 1e-3, [](const Point&) { return 0.0; }, m.pressure);
+  pair.problem.law =
+      thermal::test::pointwise([&](const core::InterfacePoint& point, double T) { return m.law(point.pressure, T); });
   const auto flux = [&](const Point& x) {
     const double u1 = m.u[0].value(x), u2 = m.u[1].value(x);
     return m.law(m.pressure(x), slave == 0 ? u1 : u2).h * (u1 - u2);
@@ -70,8 +72,9 @@ void expect_order(const std::function<Manufactured(Index)>& made, const char* na
           errors.push_back(error(m, order, swapped ? b : a, swapped ? a : b, slave));
         }
         const double first = std::log2(errors[0] / errors[1]), second = std::log2(errors[1] / errors[2]);
-        std::printf("%s P%d %d:%d slave %d: L2 error %.3e %.3e %.3e, order %.2f %.2f\n", name, order, swapped ? finer : 2,
-                    swapped ? 2 : finer, slave + 1, errors[0], errors[1], errors[2], first, second);
+        std::printf("%s P%d %d:%d slave %d: L2 error %.3e %.3e %.3e, order %.2f %.2f\n", name, order,
+                    swapped ? finer : 2, swapped ? 2 : finer, slave + 1, errors[0], errors[1], errors[2], first,
+                    second);
         EXPECT_GT(first, order + 0.9);
         EXPECT_GT(second, order + 0.9);
       }
@@ -94,22 +97,25 @@ Manufactured moose() {
                    return 12 * x * x + 24 * y * y + 6 * x * y;
                  }};
   };
-  return {{shifted(0), shifted(1)}, {1, 1}, [](const Point&) { return 1e5; },
-          [](double, double) { return core::Conductance{1, 0}; }};
+  return {{shifted(0), shifted(1)},
+          {1, 1},
+          [](const Point&) { return 1e5; },
+          [](double, double) {
+            return core::Conductance{1, 0};
+          }};
 }
 
 /// Glass at 1040 to 1160 degC on a tool at 440 to 520 degC, lengths in units in which k is 3 and 40; h by the
 /// pressure-viscosity law, scaled to compete with k: it varies twofold along the contact.
 Manufactured pressure_and_viscosity(Index slave) {
   const auto wave = [](double mean, double size, double a, double b) {
-    return Field{[=](const Point& x) { return mean + size * std::sin(a * x[0] + 0.3) * std::cos(b * x[1]); },
-                 [=](const Point& x) {
-                   return Point(size * a * std::cos(a * x[0] + 0.3) * std::cos(b * x[1]),
-                                -size * b * std::sin(a * x[0] + 0.3) * std::sin(b * x[1]));
-                 },
-                 [=](const Point& x) {
-                   return -size * (a * a + b * b) * std::sin(a * x[0] + 0.3) * std::cos(b * x[1]);
-                 }};
+    return Field{
+        [=](const Point& x) { return mean + size * std::sin(a * x[0] + 0.3) * std::cos(b * x[1]); },
+        [=](const Point& x) {
+          return Point(size * a * std::cos(a * x[0] + 0.3) * std::cos(b * x[1]),
+                       -size * b * std::sin(a * x[0] + 0.3) * std::sin(b * x[1]));
+        },
+        [=](const Point& x) { return -size * (a * a + b * b) * std::sin(a * x[0] + 0.3) * std::cos(b * x[1]); }};
   };
   const contact::PressureViscosityConductance law{0.5, 20, 0.2e6, 1e3, 1, 0.25};
   const flow::Viscosity viscosity{-2.309, 3922, 564.15, {}};

@@ -11,7 +11,9 @@ struct Shape {
   std::vector<double> joints;  ///< columns that both meshes have
 };
 
-double roof(double x) { return x < 0.3 ? 0.4 * x : x < 0.65 ? 0.12 - 0.25 * (x - 0.3) : 0.0325 + 0.7 * (x - 0.65); }
+double roof(double x) {
+  return x < 0.3 ? 0.4 * x : x < 0.65 ? 0.12 - 0.25 * (x - 0.3) : 0.0325 + 0.7 * (x - 0.65);
+}
 
 const std::vector<Shape> shapes{
     {"flat", [](const Point& x) { return x; }, {0, 1}},
@@ -39,7 +41,8 @@ double patch_error(const Shape& shape, Geometry geometry, int order, int first, 
   const Point q(geometry == Geometry::planar ? 150 : 0, -1000);
   const auto exact = [&](Index b, const Point& x) { return (b == 0 ? 1150 : 485) - q.dot(x) / k[b]; };
   const double sign = slave == 0 ? 1 : -1;  // h from the exact flux and jump, whatever they are
-  pair.join(slave, 1e-3, [](const Point&) { return 0.0; }, [](const Point&) { return 1e5; });
+  pair.join(
+      slave, 1e-3, [](const Point&) { return 0.0; }, [](const Point&) { return 1e5; });
   pair.problem.law = thermal::test::pointwise([&](const core::InterfacePoint& point, double) {
     const double flux = sign * q.dot(facet_normal(pair.mesh[slave], point));
     return core::Conductance{flux / (exact(0, point.position) - exact(1, point.position)), 0};

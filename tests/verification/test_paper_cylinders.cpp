@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "classical/classical_interface.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/heat_step.hpp"
-#include "forming/step/initial_state.hpp"
 #include "stepping.hpp"
 #include "verification/two_slabs.hpp"
 
@@ -116,7 +116,8 @@ double deviation(const Outcome& run) {
 }
 
 double spread(const Outcome& run) {
-  return std::max(run.glass.back().highest - run.glass.back().lowest, run.steel.back().highest - run.steel.back().lowest);
+  return std::max(run.glass.back().highest - run.glass.back().lowest,
+                  run.steel.back().highest - run.steel.back().lowest);
 }
 
 /// All mesh pairs in both roles, and unstructured triangles, run once.
@@ -148,8 +149,8 @@ TEST(PaperCylinders, the_inverted_transform_agrees_with_the_published_table) {
 
 TEST(PaperCylinders, follow_the_exact_solution_on_all_mesh_pairs_in_both_roles) {
   for (const auto& [meshes, run] : all_runs()) {
-    std::printf("glass/steel %2d/%2d, slave %s: deviation %.4f K, spread at 10 s %.2e K, heat off by %.1e\n", meshes.glass,
-                meshes.steel, meshes.steel_is_slave ? "steel" : "glass", deviation(run), spread(run),
+    std::printf("glass/steel %2d/%2d, slave %s: deviation %.4f K, spread at 10 s %.2e K, heat off by %.1e\n",
+                meshes.glass, meshes.steel, meshes.steel_is_slave ? "steel" : "glass", deviation(run), spread(run),
                 run.heat / (slabs.heat(10) * contact_area) - 1);
     EXPECT_LT(deviation(run), 0.1);
     EXPECT_NEAR(run.heat, slabs.heat(10) * contact_area, 1e-4 * run.heat);
@@ -177,7 +178,7 @@ TEST(PaperCylinders, differ_little_between_any_two_meshes_at_any_output) {
 
 TEST(PaperCylinders, the_classical_coupling_is_off_by_tens_of_kelvin_with_the_balance_in_order) {
   const Outcome matching = run_classical({20, 20, false}), fine_master = run_classical({7, 20, false}),
-            coarse_slave = run_classical({20, 7, true});
+                coarse_slave = run_classical({20, 7, true});
   std::printf("classical: 20/20 %.4f K, 7/20 %.1f K, 20/7 with the steel as slave %.1f K, heat off by %.3f\n",
               deviation(matching), deviation(fine_master), deviation(coarse_slave),
               coarse_slave.heat / (slabs.heat(10) * contact_area) - 1);

@@ -5,15 +5,17 @@
 #include <cmath>
 #include <cstdio>
 
+#include "forming/remeshing/remesh_state.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/heat_step.hpp"
-#include "forming/step/initial_state.hpp"
-#include "forming/renew/renew.hpp"
 #include "forming/step/step.hpp"
 
 namespace parison::forming {
 namespace {
 
-Scene bundled(const std::string& name) { return read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/" + name, "draft"); }
+Scene bundled(const std::string& name) {
+  return read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/" + name, "draft");
+}
 
 /// Time, glass side, steel side.
 constexpr std::array<std::array<double, 3>, 4> exact{

@@ -5,9 +5,9 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "core/indefinite.hpp"
-#include "forming/flow/cell_product.hpp"
-#include "forming/step/initial_state.hpp"
+#include "core/linear/indefinite.hpp"
+#include "forming/flow/cells/cell_product.hpp"
+#include "forming/state/initial_state.hpp"
 
 namespace parison::bench {
 

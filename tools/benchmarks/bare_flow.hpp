@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "forming/scene/scene.hpp"
-#include "forming/step/state.hpp"
+#include "forming/state/state.hpp"
 
 namespace parison::bench {
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/benchmarks/cgal_mesher.hpp"
 
-#include <algorithm>
-#include <map>
-
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_vertex_base_2.h>
@@ -11,6 +8,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/lloyd_optimize_mesh_2.h>
+
+#include <algorithm>
+#include <map>
 
 namespace parison::bench {
 
@@ -68,7 +68,8 @@ struct FieldCriteria {
   Is_bad is_bad_object() const { return {size}; }
 };
 
-/// Stands in for the level of CGAL's mesher that splits edges: drops circumcentres that are too near to one or beyond it.
+/// Stands in for the level of CGAL's mesher that splits edges: drops circumcentres that are too near to one or beyond
+/// it.
 struct KeptEdges : CGAL::Null_mesher_level {
   void set_imperative_refinement(bool) {}
 
@@ -94,7 +95,8 @@ std::vector<Handle> insert_outline(const remesh::Outline& outline, Delaunay& tri
     corners.push_back(triangles.insert({x[0], x[1]}, near));
     near = corners.back()->face();
   }
-  for (std::size_t i = 0; i < corners.size(); ++i) triangles.insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    triangles.insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
   return corners;
 }
 
@@ -110,7 +112,8 @@ void refine(const remesh::SizeField& size, bool keep_edges, Delaunay& triangles)
 }
 
 /// Puts the points that stand on an edge of the outline, shares of its chord, on the edge itself.
-void add_edge(const remesh::Outline& from, Index edge, Index end, const std::vector<double>& shares, remesh::Outline& to) {
+void add_edge(const remesh::Outline& from, Index edge, Index end, const std::vector<double>& shares,
+              remesh::Outline& to) {
   const Point &a = from.vertices[edge], &b = from.vertices[end], &mid = from.mids[edge];
   const auto on_edge = [&](double s) -> Point {
     return (1 - s) * (1 - 2 * s) * a + s * (2 * s - 1) * b + 4 * s * (1 - s) * mid;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "remesh/triangulate.hpp"
+#include "remesh/mesher/triangulate.hpp"
 
 namespace parison::bench {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/files.hpp"
-#include "remesh/quality.hpp"
+#include "core/io/files.hpp"
+#include "remesh/mesher/quality.hpp"
 
 namespace parison::bench {
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mesher_bench CASE ACCURACY FOLDER REPEATS MESHER [KEY=VALUE ...]: runs a case with its glass meshed by MESHER and at each
-// new glass mesh gives the same outline and size field REPEATS times to every mesher; FOLDER.meshes.csv has a row for each.
+// mesher_bench CASE ACCURACY FOLDER REPEATS MESHER [KEY=VALUE ...]: runs a case with its glass meshed by MESHER and at
+// each new glass mesh gives the same outline and size field REPEATS times to every mesher; FOLDER.meshes.csv has a row
+// for each.
+#include <gmsh.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
 
-#include <gmsh.h>
-
-#include "core/blas_threads.hpp"
+#include "core/linear/blas_threads.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/run.hpp"
 #include "remesh/remesh_glass.hpp"
@@ -39,13 +40,13 @@ struct Mesher {
 };
 constexpr int frontal_delaunay = 6;
 constexpr std::array<Mesher, 8> meshers{{{"gmsh", frontal_delaunay, {}},
-                                        {"gmsh Delaunay", 5, {}},
-                                        {"CGAL", 0, {false, 0, 0}},
-                                        {"CGAL Lloyd", 0, {false, 5, 0}},
-                                        {"CGAL kept", 0, {true, 0, 0}},
-                                        {"CGAL kept Lloyd", 0, {true, 5, 0}},
-                                        {"CGAL kept mended", 0, {true, 0, 0.7}},
-                                        {"CGAL kept mended more", 0, {true, 0, 0.9}}}};
+                                         {"gmsh Delaunay", 5, {}},
+                                         {"CGAL", 0, {false, 0, 0}},
+                                         {"CGAL Lloyd", 0, {false, 5, 0}},
+                                         {"CGAL kept", 0, {true, 0, 0}},
+                                         {"CGAL kept Lloyd", 0, {true, 5, 0}},
+                                         {"CGAL kept mended", 0, {true, 0, 0.7}},
+                                         {"CGAL kept mended more", 0, {true, 0, 0.9}}}};
 
 struct Bench {
   std::ofstream table;
@@ -138,7 +139,8 @@ int main(int argc, char** argv) {
   }
   core::use_one_blas_thread();
   ledger.repeats = std::atoi(argv[4]);
-  ledger.in_run = std::find_if(meshers.begin(), meshers.end(), [&](const Mesher& m) { return std::string(argv[5]) == m.name; });
+  ledger.in_run =
+      std::find_if(meshers.begin(), meshers.end(), [&](const Mesher& m) { return std::string(argv[5]) == m.name; });
   if (ledger.in_run == meshers.end() || !(ledger.in_run->gmsh_algorithm || ledger.in_run->cgal.keep_edges))
     return std::fprintf(stderr, "mesher_bench: no mesher \"%s\" that keeps the outline\n", argv[5]), 2;
   ledger.table.open(std::string(argv[3]) + ".meshes.csv");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// solver_share CASE ACCURACY FOLDER THREADS: runs a case and prints CPU seconds of the whole run, of numeric factorisation,
-// of back-substitution and of the first thread; THREADS are those of OpenBLAS, of which `parison` itself takes one. The calls of CHOLMOD and MUMPS go through this file (see CMakeLists.txt).
+// solver_share CASE ACCURACY FOLDER THREADS: runs a case and prints CPU seconds of the whole run, of numeric
+// factorisation, of back-substitution and of the first thread; THREADS are those of OpenBLAS, of which `parison` itself
+// takes one. The calls of CHOLMOD and MUMPS go through this file (see CMakeLists.txt).
 #include <cholmod.h>
 #include <dmumps_c.h>
 
@@ -44,8 +45,9 @@ int __wrap_cholmod_factorize(cholmod_sparse* matrix, cholmod_factor* factor, cho
 
 int __real_cholmod_solve2(int, cholmod_factor*, cholmod_dense*, cholmod_sparse*, cholmod_dense**, cholmod_sparse**,
                           cholmod_dense**, cholmod_dense**, cholmod_common*);
-int __wrap_cholmod_solve2(int system, cholmod_factor* factor, cholmod_dense* b, cholmod_sparse* b_set, cholmod_dense** x,
-                          cholmod_sparse** x_set, cholmod_dense** y, cholmod_dense** e, cholmod_common* common) {
+int __wrap_cholmod_solve2(int system, cholmod_factor* factor, cholmod_dense* b, cholmod_sparse* b_set,
+                          cholmod_dense** x, cholmod_sparse** x_set, cholmod_dense** y, cholmod_dense** e,
+                          cholmod_common* common) {
   return timed(spent.solving, [&] { return __real_cholmod_solve2(system, factor, b, b_set, x, x_set, y, e, common); });
 }
 
@@ -65,8 +67,10 @@ int main(int argc, char** argv) {
     return 2;
   }
   const int threads = std::atoi(argv[4]);
-  if (openblas_set_num_threads) openblas_set_num_threads(threads);
-  else if (threads > 1) return std::fprintf(stderr, "solver_share: the BLAS is not OpenBLAS\n"), 1;
+  if (openblas_set_num_threads)
+    openblas_set_num_threads(threads);
+  else if (threads > 1)
+    return std::fprintf(stderr, "solver_share: the BLAS is not OpenBLAS\n"), 1;
   const auto outcome = parison::forming::run(parison::forming::read_scene(argv[1], argv[2]), argv[3]);
   if (!outcome.facts.completed) {
     std::fprintf(stderr, "solver_share: %s\n", outcome.facts.reason.c_str());
@@ -74,7 +78,7 @@ int main(int argc, char** argv) {
   }
   timespec first{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &first);
-  std::printf("\nwhole %.4f factorising %.4f solving %.4f first %.4f\n", cpu_seconds(), spent.factorising, spent.solving,
-              double(first.tv_sec) + 1e-9 * double(first.tv_nsec));
+  std::printf("\nwhole %.4f factorising %.4f solving %.4f first %.4f\n", cpu_seconds(), spent.factorising,
+              spent.solving, double(first.tv_sec) + 1e-9 * double(first.tv_nsec));
   return 0;
 }

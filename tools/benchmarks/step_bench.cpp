@@ -10,11 +10,11 @@
 #include <fstream>
 #include <limits>
 
-#include "core/blas_threads.hpp"
-#include "forming/step/heat_step.hpp"
+#include "core/linear/blas_threads.hpp"
 #include "forming/run/run.hpp"
+#include "forming/step/heat_step.hpp"
 #include "forming/step/step.hpp"
-#include "forming/step/surface_change.hpp"
+#include "forming/step/surface_temperature.hpp"
 #include "tools/benchmarks/bare_flow.hpp"
 
 namespace parison::forming {
@@ -31,7 +31,8 @@ using namespace parison;
 
 /// Interfaces, each with its share of the area, that replace the step's own to see what one costs.
 constexpr int copies = 5;
-/// Times that the heat is measured with the one and with the copies, in turn; the least counts, for what else runs here.
+/// Times that the heat is measured with the one and with the copies, in turn; the least counts, for what else runs
+/// here.
 constexpr int repeats = 5;
 
 struct Bench {
@@ -109,7 +110,8 @@ int main(int argc, char** argv) {
   core::use_one_blas_thread();
   ledger.every = std::atoi(argv[4]);
   ledger.table.open(std::string(argv[3]) + ".steps.csv");
-  ledger.table << "time,converged,triangles,iterations,step,flow,heat,contact,bare,heat_again,interface_in_heat,watched\n";
+  ledger.table
+      << "time,converged,triangles,iterations,step,flow,heat,contact,bare,heat_again,interface_in_heat,watched\n";
   const auto scene = forming::read_scene(argv[1], argv[2]);
   const auto outcome = forming::run(scene, argv[3]);
   if (!outcome.facts.completed) std::fprintf(stderr, "step_bench: %s\n", outcome.facts.reason.c_str());

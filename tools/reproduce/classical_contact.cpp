@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// classical_contact CASE OUTPUT: runs a case of standing bodies as `parison run --accuracy standard` does, the interface
-// element replaced by the classical coupling. For comparison only.
+// classical_contact CASE OUTPUT: runs a case of standing bodies as `parison run --accuracy standard` does, the
+// interface element replaced by the classical coupling. For comparison only.
 #include <fmt/core.h>
 
 #include <exception>
 
 #include "classical/classical_interface.hpp"
-#include "core/blas_threads.hpp"
-#include "core/case_error.hpp"
+#include "core/case/case_error.hpp"
+#include "core/linear/blas_threads.hpp"
+#include "forming/report/files/history.hpp"
+#include "forming/report/files/result_files.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/heat_step.hpp"
-#include "forming/report/history.hpp"
-#include "forming/step/initial_state.hpp"
-#include "forming/report/output.hpp"
 #include "forming/step/step_control.hpp"
 
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact_flows.hpp"
 
-#include <complex>
-
 #include <Eigen/Dense>
+#include <complex>
 
 namespace parison::flow {
 
@@ -41,11 +40,14 @@ ExactFlow sol_cx(double jump) {
   Eigen::Matrix<long double, 8, 1> rhs;
   const auto fill = [&](int side, int column, const CxMode& wall, const CxMode& middle, long double scale) {
     const int sign = side == 0 ? 1 : -1;
-    const std::array<long double, 6> rows{wall.U, wall.slope, middle.U * sign, middle.V * sign, middle.S * sign, middle.T * sign};
+    const std::array<long double, 6> rows{wall.U,          wall.slope,      middle.U * sign,
+                                          middle.V * sign, middle.S * sign, middle.T * sign};
     for (int i = 0; i < 6; ++i) {
       const int row = i < 2 ? 2 * side + i : 2 + i;
-      if (column < 8) conditions(row, column) = rows[i] / scale;
-      else rhs[row] -= rows[i];
+      if (column < 8)
+        conditions(row, column) = rows[i] / scale;
+      else
+        rhs[row] -= rows[i];
     }
   };
   rhs.setZero();

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "core/element.hpp"
+#include "core/mesh/element.hpp"
 #include "forming/flow/solver.hpp"
 #include "structured.hpp"
 

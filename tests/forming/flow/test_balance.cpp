@@ -10,15 +10,15 @@ namespace {
 
 using core::Geometry;
 
-/// Two layers on a fixed floor, pulled sideways by a unit force and free of shear at the top y = 1: dv/dy = (1 - y)/eta,
-/// which quadratic velocities hold exactly, so that all that is left is round-off.
+/// Two layers on a fixed floor, pulled sideways by a unit force and free of shear at the top y = 1: dv/dy = (1 -
+/// y)/eta, which quadratic velocities hold exactly, so that all that is left is round-off.
 struct Layers {
   double lower, upper;
 
   double viscosity(double y) const { return y < 0.5 ? lower : upper; }
   double speed(double y) const {
     const auto in = [](double z) { return z - 0.5 * z * z; };
-    return y < 0.5 ? in(y) / lower : in(0.5) / lower + (in(y) - in(0.5)) / upper;
+    return y < 0.5 ? in(y) / lower : in(0.5) / lower + (in(y)-in(0.5)) / upper;
   }
 };
 
@@ -52,14 +52,14 @@ std::array<double, 2> layer_errors(const Layers& layers) {
 TEST(StiffSkin, layers_of_ten_and_twelve_decades_flow_exactly) {
   for (const double jump : {1e6, 1e10, 1e12}) {
     const auto under = layer_errors({1e2, 1e2 * jump}), over = layer_errors({1e2 * jump, 1e2});
-    std::printf("jump %.0e: error soft below %.1e, stiff on it %.1e; stiff below %.1e, soft on it %.1e\n", jump, under[0],
-                under[1], over[0], over[1]);
+    std::printf("jump %.0e: error soft below %.1e, stiff on it %.1e; stiff below %.1e, soft on it %.1e\n", jump,
+                under[0], under[1], over[0], over[1]);
     for (const double error : {under[0], under[1], over[0], over[1]}) EXPECT_LT(error, 1e-12);
   }
 }
 
-/// Glass between 565 degC on a fixed floor and 1200 degC at its top, pulled sideways by a unit force: its own law takes the viscosity
-/// from 1e12 to 1e2 Pa.s. Largest error of a node's velocity, relative to the exact one there.
+/// Glass between 565 degC on a fixed floor and 1200 degC at its top, pulled sideways by a unit force: its own law takes
+/// the viscosity from 1e12 to 1e2 Pa.s. Largest error of a node's velocity, relative to the exact one there.
 double skin_error(Index n) {
   constexpr double cold = 838, hot = 1473;
   FlowProblem flow(tests::structured(2, n, [](double s, double t) { return Point(0.1 * s, t); }), Geometry::planar);
@@ -88,8 +88,8 @@ double skin_error(Index n) {
 
 TEST(StiffSkin, every_layer_of_a_skin_from_1e12_to_1e2_by_its_temperature_has_its_own_speed) {
   const double coarse = skin_error(128), fine = skin_error(256);
-  std::printf("skin by temperature: 128 layers off by %.2e of each node's own speed, 256 by %.2e, order %.2f\n", coarse, fine,
-              std::log2(coarse / fine));
+  std::printf("skin by temperature: 128 layers off by %.2e of each node's own speed, 256 by %.2e, order %.2f\n", coarse,
+              fine, std::log2(coarse / fine));
   EXPECT_LT(fine, 5e-3);
   EXPECT_GT(std::log2(coarse / fine), 1.9);  // speeds vanish towards the floor: an order less
 }
@@ -98,11 +98,13 @@ double free_area(const FlowProblem& flow, const core::Mesh& mesh) {
   double area = 0;
   for (const auto& edge : mesh.boundary)
     if (mesh.pieces[edge.piece] == "right")
-      for (const auto& rule : core::edge_rule(5)) area += core::map_edge_point(mesh, edge.nodes, flow.problem.geometry, rule).area;
+      for (const auto& rule : core::edge_rule(5))
+        area += core::map_edge_point(mesh, edge.nodes, flow.problem.geometry, rule).area;
   return area;
 }
 
-/// Power of gravity, air and surface tension on the moving glass, W; that of the tension from how fast the free surface grows.
+/// Power of gravity, air and surface tension on the moving glass, W; that of the tension from how fast the free surface
+/// grows.
 double loads_power(const FlowProblem& flow, const Solution& solution) {
   double power = 0;
   for (Index c = 0; c < flow.mesh.cell_count(); ++c)
@@ -158,10 +160,11 @@ TEST(StiffSkin, work_done_on_the_glass_is_dissipated_at_any_range_of_viscosity) 
     EXPECT_NEAR(solution.tool_force[1], -200, 1e-6);
     double dissipated = 0;
     for (const double w : solution.dissipation) dissipated += w;
-    const double tools = solution.tool_force[0] * solution.tool_velocity[0] + solution.tool_force[1] * solution.tool_velocity[1];
+    const double tools =
+        solution.tool_force[0] * solution.tool_velocity[0] + solution.tool_force[1] * solution.tool_velocity[1];
     const double loads = loads_power(flow, solution);
-    std::printf("viscosity 1e2 to %.0e: plunger %.4e m/s, tools %.4e W, loads %.4e W, dissipated %.4e W, off by %.1e\n", 100 * jump,
-                solution.tool_velocity[1], tools, loads, dissipated, (tools + loads) / dissipated - 1);
+    std::printf("viscosity 1e2 to %.0e: plunger %.4e m/s, tools %.4e W, loads %.4e W, dissipated %.4e W, off by %.1e\n",
+                100 * jump, solution.tool_velocity[1], tools, loads, dissipated, (tools + loads) / dissipated - 1);
     EXPECT_LT(std::abs((tools + loads) / dissipated - 1), 1e-6);
     EXPECT_GT(std::abs(loads), 1e-3 * dissipated);
   }
@@ -171,7 +174,8 @@ TEST(StiffSkin, work_done_on_the_glass_is_dissipated_at_any_range_of_viscosity) 
 double power_left(const FlowProblem& flow, const Solution& solution) {
   double lost = solution.friction_power + solution.arrival_power, tools = 0;
   for (const double w : solution.dissipation) lost += w;
-  for (std::size_t t = 0; t < flow.problem.tools.size(); ++t) tools += solution.tool_force[t] * solution.tool_velocity[t];
+  for (std::size_t t = 0; t < flow.problem.tools.size(); ++t)
+    tools += solution.tool_force[t] * solution.tool_velocity[t];
   return (tools + loads_power(flow, solution)) / lost - 1;
 }
 
@@ -181,7 +185,8 @@ TEST(Balance, what_slides_along_plates_loses_the_rest_of_their_work) {
     for (auto& tool : flow.problem.tools) tool.friction = {Friction::Law::navier, drag, std::nullopt};
     const auto solution = flow.solve();
     ASSERT_TRUE(solution.converged) << solution.reason;
-    std::printf("drag %.0e Pa.s/m: friction %.3e W, off by %.1e\n", drag, solution.friction_power, power_left(flow, solution));
+    std::printf("drag %.0e Pa.s/m: friction %.3e W, off by %.1e\n", drag, solution.friction_power,
+                power_left(flow, solution));
     EXPECT_GT(solution.friction_power, 0);
     EXPECT_LT(std::abs(power_left(flow, solution)), 1e-6);
   }

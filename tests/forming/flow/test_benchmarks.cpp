@@ -5,7 +5,7 @@
 #include <map>
 
 #include "exact_flows.hpp"
-#include "remesh/mesh_profile.hpp"
+#include "remesh/mesher/mesh_profile.hpp"
 
 namespace parison::flow {
 namespace {
@@ -13,13 +13,15 @@ namespace {
 using core::Geometry;
 using core::Mesh;
 
-// Published: ASPECT, Q2-Q1 quadrilaterals, 16 x 16; the velocity vector and the pressure of mean zero in L2 over the domain;
-// 2467 unknowns of flow.
+// Published: ASPECT, Q2-Q1 quadrilaterals, 16 x 16; the velocity vector and the pressure of mean zero in L2 over the
+// domain; 2467 unknowns of flow.
 constexpr Index published_unknowns = 2467;
 constexpr double published_cx = 1.670e-6, published_cx_pressure = 9.778e-3, published_kz = 2.638e-7,
                  published_kz_pressure = 1.070e-3, published_vi = 0.128;
 
-Index unknowns(const Mesh& mesh) { return core::dim * mesh.node_count() + mesh.vertex_count; }
+Index unknowns(const Mesh& mesh) {
+  return core::dim * mesh.node_count() + mesh.vertex_count;
+}
 
 /// A straight-sided mesh to be made quadratic.
 struct Triangles {
@@ -41,8 +43,8 @@ Triangles cut_squares(Index n) {
   return made;
 }
 
-/// What the program's own mesher makes of the rectangle from x = `from` to `to` with edges of `size`, and of `line_size` on the
-/// line x = 1/2 and growing from there.
+/// What the program's own mesher makes of the rectangle from x = `from` to `to` with edges of `size`, and of
+/// `line_size` on the line x = 1/2 and growing from there.
 Mesh own_mesh(double from, double to, double size, double line_size) {
   constexpr double growth = 0.5;
   const std::array<Point, 4> corners{Point(from, 0), Point(to, 0), Point(to, 1), Point(from, 1)};
@@ -75,7 +77,9 @@ Triangles united(const std::vector<Mesh>& parts) {
   return made;
 }
 
-Mesh square_mesh(const Triangles& made) { return core::make_quadratic_mesh(made.vertices, made.cells); }
+Mesh square_mesh(const Triangles& made) {
+  return core::make_quadratic_mesh(made.vertices, made.cells);
+}
 
 /// The finest mesh, of sizes a hundredth apart, with no more unknowns than the published one.
 Mesh finest(const std::function<Triangles(double size)>& make) {
@@ -98,7 +102,8 @@ FlowErrors report(const char* name, FlowProblem& flow, const ExactFlow& exact) {
   const auto solution = flow.solve();
   EXPECT_TRUE(solution.converged) << solution.reason;
   const auto errors = flow_errors(flow, solution, exact);
-  std::printf("%s, %d unknowns: velocity %.3e, pressure %.3e\n", name, unknowns(flow.mesh), errors.velocity, errors.pressure);
+  std::printf("%s, %d unknowns: velocity %.3e, pressure %.3e\n", name, unknowns(flow.mesh), errors.velocity,
+              errors.pressure);
   return errors;
 }
 
@@ -181,8 +186,9 @@ Point around_inclusion(double s, double t) {
 }
 
 TEST(StokesBenchmarks, solvi_is_closer_than_published_whether_or_not_the_mesh_follows_the_inclusion) {
-  const auto through = vi_errors("SolVi, 16 x 16 across the inclusion",
-                                 tests::structured(16, 16, [](double s, double t) { return Point(2 * s - 1, 2 * t - 1); }));
+  const auto through =
+      vi_errors("SolVi, 16 x 16 across the inclusion",
+                tests::structured(16, 16, [](double s, double t) { return Point(2 * s - 1, 2 * t - 1); }));
   const auto along = vi_errors("SolVi, 16 x 16 following it", tests::structured(16, 16, around_inclusion));
   EXPECT_LE(through.velocity, published_vi);
   EXPECT_LE(along.velocity, published_vi / 20);

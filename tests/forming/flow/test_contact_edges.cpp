@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "flow_case.hpp"
-#include "forming/flow/element_matrix.hpp"
+#include "forming/flow/cells/element_matrix.hpp"
 #include "forming/flow/surface.hpp"
 
 namespace parison::flow {
@@ -15,8 +15,7 @@ using core::Geometry;
 /// Force that holds each node in place of the stresses, gravity, air and surface tension, N, two rows a node.
 Eigen::VectorXd nodal_reactions(const FlowProblem& flow, const Solution& solution) {
   const auto geometry = cell_geometry(flow.mesh, flow.problem.geometry);
-  const auto cells =
-      cell_matrices(flow.problem, geometry, viscosity_field(flow.problem, geometry, solution.velocity));
+  const auto cells = cell_matrices(flow.problem, geometry, viscosity_field(flow.problem, geometry, solution.velocity));
   std::vector<bool> pressed(flow.mesh.nodes.size(), false);
   for (std::size_t i = 0; i < solution.active.size(); ++i)
     if (solution.active[i]) pressed[flow.problem.candidates[i].node] = true;
@@ -37,16 +36,19 @@ void expect_complementary(const FlowProblem& flow, const Solution& solution) {
   const Eigen::VectorXd reaction = nodal_reactions(flow, solution);
   Eigen::VectorXd shared = reaction;
   for (const auto& edge : flow.mesh.boundary)
-    for (int end = 0; end < 2; ++end) shared.segment<2>(2 * edge.nodes[end]) += 0.5 * reaction.segment<2>(2 * edge.nodes[2]);
+    for (int end = 0; end < 2; ++end)
+      shared.segment<2>(2 * edge.nodes[end]) += 0.5 * reaction.segment<2>(2 * edge.nodes[2]);
   const double fastest = solution.velocity.lpNorm<Eigen::Infinity>(), strongest = reaction.lpNorm<Eigen::Infinity>();
   for (std::size_t i = 0; i < flow.problem.candidates.size(); ++i) {
     const auto& candidate = flow.problem.candidates[i];
     const Point tool = solution.tool_velocity[candidate.tool] * core::axis_direction();
-    const double opening = candidate.normal.dot(node_velocity(solution.velocity, candidate.node) - tool) - candidate.rate;
+    const double opening =
+        candidate.normal.dot(node_velocity(solution.velocity, candidate.node) - tool) - candidate.rate;
     const double own = candidate.normal.dot(node_velocity(reaction, candidate.node));
     const double borne = candidate.normal.dot(node_velocity(shared, candidate.node));
-    const std::string where = "candidate " + std::to_string(i) + " at (" + std::to_string(1e3 * flow.mesh.nodes[candidate.node][0]) +
-                              ", " + std::to_string(1e3 * flow.mesh.nodes[candidate.node][1]) + ") mm";
+    const std::string where = "candidate " + std::to_string(i) + " at (" +
+                              std::to_string(1e3 * flow.mesh.nodes[candidate.node][0]) + ", " +
+                              std::to_string(1e3 * flow.mesh.nodes[candidate.node][1]) + ") mm";
     EXPECT_GE(opening, -1e-9 * fastest - 1e-8) << where;
     if (solution.active[i]) {
       EXPECT_LE(std::abs(opening), 1e-9 * fastest) << where;
@@ -56,7 +58,8 @@ void expect_complementary(const FlowProblem& flow, const Solution& solution) {
 }
 
 FlowProblem block(Index n, Geometry geometry, double viscosity = 1e3) {
-  return FlowProblem(tests::structured(n, n, [](double s, double t) { return Point(0.01 * s, 0.01 * t); }), geometry, viscosity);
+  return FlowProblem(tests::structured(n, n, [](double s, double t) { return Point(0.01 * s, 0.01 * t); }), geometry,
+                     viscosity);
 }
 
 TEST(ContactEdges, two_tools_that_close_on_the_glass_press_alike) {
@@ -115,7 +118,8 @@ TEST(ContactEdges, a_node_in_the_corner_of_two_tools_is_held_by_both) {
   ASSERT_TRUE(solution.converged) << solution.reason;
   expect_complementary(flow, solution);
   for (std::size_t i = 0; i < solution.active.size(); ++i) EXPECT_TRUE(solution.active[i]);
-  EXPECT_NEAR(solution.tool_force[0], (4 * viscosity * speed / side + air) * side, 1e-7);  // plane strain: 4 eta rate + air
+  EXPECT_NEAR(solution.tool_force[0], (4 * viscosity * speed / side + air) * side,
+              1e-7);  // plane strain: 4 eta rate + air
   EXPECT_NEAR(solution.tool_force[2], -solution.tool_force[0], 1e-7);
   const Eigen::VectorXd reaction = nodal_reactions(flow, solution);
   double wall = 0;
@@ -144,7 +148,8 @@ TEST(ContactEdges, the_corner_of_a_punch_presses_into_a_smooth_surface) {
       if (x == 0) middle = pressure;
       if (x > half_width - 5e-4) rim = std::max(rim, pressure);
     }
-    std::printf("punch: force %.2f N/m, pressure by its corner %.2f times that of its middle\n", solution.tool_force[0], rim / middle);
+    std::printf("punch: force %.2f N/m, pressure by its corner %.2f times that of its middle\n", solution.tool_force[0],
+                rim / middle);
     EXPECT_GT(rim, 1.2 * middle);  // singular at the corner
   }
 }
@@ -167,7 +172,8 @@ TEST(ContactEdges, surface_tension_lifts_the_rim_and_the_rest_bears_the_weight) 
     const double weight = 2400 * 9.81 * M_PI * 1e-6;
     EXPECT_NEAR(solution.tool_force[0], weight, 1e-7 * weight);
     const auto closed = std::count(solution.active.begin(), solution.active.end(), true);
-    std::printf("tension %.1f N/m: %ld of %zu nodes stay, %d solves\n", tension, long(closed), solution.active.size(), solution.iterations);
+    std::printf("tension %.1f N/m: %ld of %zu nodes stay, %d solves\n", tension, long(closed), solution.active.size(),
+                solution.iterations);
     if (tension > 0) EXPECT_LT(closed, last);
     last = closed;
   }

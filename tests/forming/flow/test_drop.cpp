@@ -14,7 +14,8 @@ constexpr double radius = 0.01, viscosity = 100, tension = 0.3;
 
 using Mode = std::function<double(double angle)>;
 
-/// A quarter of a drop of radius R (1 + amplitude mode(angle)), the angle taken from the horizontal; bottom and left are symmetry planes.
+/// A quarter of a drop of radius R (1 + amplitude mode(angle)), the angle taken from the horizontal; bottom and left
+/// are symmetry planes.
 FlowProblem drop(Geometry geometry, Index n, double amplitude, const Mode& mode) {
   const auto map = [&](double s, double t) {
     const Point x(s, t);
@@ -52,10 +53,11 @@ double growth(FlowProblem flow, const Mode& mode) {
 void expect_decay(const char* name, Geometry geometry, const Mode& mode, double exact) {
   constexpr double amplitude = 1e-3;
   for (const Index n : {8, 16}) {
-    const double rate = -(growth(drop(geometry, n, amplitude, mode), mode) - growth(drop(geometry, n, -amplitude, mode), mode)) /
-                        (2 * amplitude);
-    std::printf("%s, %2d elements along the quarter: decays at %.6f 1/s, exact %.6f, off by %.1e\n", name, 2 * n, rate, exact,
-                rate / exact - 1);
+    const double rate =
+        -(growth(drop(geometry, n, amplitude, mode), mode) - growth(drop(geometry, n, -amplitude, mode), mode)) /
+        (2 * amplitude);
+    std::printf("%s, %2d elements along the quarter: decays at %.6f 1/s, exact %.6f, off by %.1e\n", name, 2 * n, rate,
+                exact, rate / exact - 1);
     EXPECT_NEAR(rate, exact, (n == 8 ? 1e-3 : 1e-4) * exact);
   }
 }
@@ -67,8 +69,9 @@ TEST(Drop, second_mode_decays_at_the_exact_rate) {
 
 TEST(Drop, plane_modes_decay_at_the_exact_rates) {
   for (const int n : {2, 4})
-    expect_decay(n == 2 ? "plane drop, mode 2" : "plane drop, mode 4", Geometry::planar,
-                 [=](double angle) { return std::cos(n * angle); }, n * tension / (2 * viscosity * radius));
+    expect_decay(
+        n == 2 ? "plane drop, mode 2" : "plane drop, mode 4", Geometry::planar,
+        [=](double angle) { return std::cos(n * angle); }, n * tension / (2 * viscosity * radius));
 }
 
 TEST(Drop, a_round_drop_rests_under_its_surface_tension) {

@@ -8,8 +8,8 @@
 namespace parison::flow {
 namespace {
 
-using core::Geometry;
 using core::dim;
+using core::Geometry;
 using Real = long double;
 using Vector = std::array<Real, dim>;
 
@@ -32,7 +32,9 @@ Real along(const F& f, Vector x, int axis) {
   return (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
 }
 
-Real hoop_rate(const Manufactured& flow, const Vector& x) { return flow.rings ? flow.velocity(x)[0] / x[0] : 0; }
+Real hoop_rate(const Manufactured& flow, const Vector& x) {
+  return flow.rings ? flow.velocity(x)[0] / x[0] : 0;
+}
 
 Real gradient(const Manufactured& flow, const Vector& x, int component, int axis) {
   return along([&](const Vector& y) { return flow.velocity(y)[component]; }, x, axis);
@@ -48,7 +50,8 @@ Point force(const Manufactured& flow, const Point& at) {
   const Vector x{at[0], at[1]};
   Point result = Point::Zero();
   for (int i = 0; i < dim; ++i) {
-    for (int j = 0; j < dim; ++j) result[i] -= double(along([&](const Vector& y) { return stress(flow, y, i, j); }, x, j));
+    for (int j = 0; j < dim; ++j)
+      result[i] -= double(along([&](const Vector& y) { return stress(flow, y, i, j); }, x, j));
     if (flow.rings) result[i] -= double(stress(flow, x, i, 0) / x[0]);
   }
   if (flow.rings) result[0] += double((2 * flow.viscosity(x) * hoop_rate(flow, x) - flow.pressure(x)) / x[0]);
@@ -60,7 +63,9 @@ ExactFlow exact_of(const Manufactured& flow) {
             const Vector v = flow.velocity({x[0], x[1]});
             return Point(double(v[0]), double(v[1]));
           },
-          [=](const Point& x) { return double(flow.pressure({x[0], x[1]})); }};
+          [=](const Point& x) {
+            return double(flow.pressure({x[0], x[1]}));
+          }};
 }
 
 /// Errors on a bent square of n x n; where points lie on rings its left side is the axis.
@@ -84,7 +89,8 @@ void expect_orders(const char* name, const Manufactured& flow) {
   FlowErrors last;
   for (const Index n : {8, 16, 32}) {
     const auto errors = solve_manufactured(flow, n);
-    const double velocity = std::log2(last.velocity / errors.velocity), pressure = std::log2(last.pressure / errors.pressure);
+    const double velocity = std::log2(last.velocity / errors.velocity),
+                 pressure = std::log2(last.pressure / errors.pressure);
     std::printf("%s, %2d x %2d: velocity %.3e (order %.2f), pressure %.3e (order %.2f)\n", name, n, n, errors.velocity,
                 velocity, errors.pressure, pressure);
     if (n == 32) EXPECT_GT(velocity, 2.9);
@@ -106,15 +112,15 @@ TEST(ManufacturedFlow, planar_velocity_is_of_third_order_and_pressure_of_second)
 
 TEST(ManufacturedFlow, axisymmetric_velocity_is_of_third_order_and_pressure_of_second) {
   // Stokes stream function r^2 sin(2z) cos(r^2).
-  expect_orders("axisymmetric",
-                {true,
-                 [](const Vector& x) {
-                   const Real square = x[0] * x[0];
-                   return Vector{-2 * x[0] * std::cos(2 * x[1]) * std::cos(square),
-                                 2 * std::sin(2 * x[1]) * (std::cos(square) - square * std::sin(square))};
-                 },
-                 [](const Vector& x) { return 3 * std::cos(2 * x[0] * x[0] + x[1]); },
-                 [](const Vector& x) { return std::exp(x[0] * x[0] - 2 * x[1]); }});
+  expect_orders("axisymmetric", {true,
+                                 [](const Vector& x) {
+                                   const Real square = x[0] * x[0];
+                                   return Vector{
+                                       -2 * x[0] * std::cos(2 * x[1]) * std::cos(square),
+                                       2 * std::sin(2 * x[1]) * (std::cos(square) - square * std::sin(square))};
+                                 },
+                                 [](const Vector& x) { return 3 * std::cos(2 * x[0] * x[0] + x[1]); },
+                                 [](const Vector& x) { return std::exp(x[0] * x[0] - 2 * x[1]); }});
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ TEST(Squeeze, a_sticking_disc_tends_to_the_thin_film_force) {
     const double ratio = squeezing_force(Friction::Law::stick, radius, std::max(16, int(2 * slender)), 8) / thin;
     std::printf("sticking disc, radius %4.0f heights: force %.5f of the thin film's\n", slender, ratio);
     if (slender < 10) EXPECT_GT(ratio, 1);
-    if (slender >= 10) EXPECT_LT(std::abs(ratio - 1), 0.2 / slender);  // the film's own error is of the order of height over radius
+    if (slender >= 10)
+      EXPECT_LT(std::abs(ratio - 1), 0.2 / slender);  // the film's own error is of the order of height over radius
   }
 }
 

@@ -5,7 +5,7 @@
 
 #include "../scene_text.hpp"
 #include "flow_case.hpp"
-#include "forming/flow/support.hpp"
+#include "forming/flow/constraints.hpp"
 
 namespace parison::flow {
 namespace {
@@ -13,7 +13,8 @@ namespace {
 using core::Geometry;
 
 FlowProblem block(Geometry geometry) {
-  FlowProblem flow(tests::structured(6, 6, [](double s, double t) { return Point(0.01 * (1 + s), 0.01 * t); }), geometry, 1e3);
+  FlowProblem flow(tests::structured(6, 6, [](double s, double t) { return Point(0.01 * (1 + s), 0.01 * t); }),
+                   geometry, 1e3);
   flow.material.density = 2400;
   flow.problem.gravity = -9.81;
   flow.problem.tools.resize(1);
@@ -22,7 +23,8 @@ FlowProblem block(Geometry geometry) {
 }
 
 void expect_named(FlowProblem& flow, const std::string& motion) {
-  const std::string sentence = "the glass is not held: it is free to " + motion + ", which no tool, symmetry plane or fixed piece prevents";
+  const std::string sentence =
+      "the glass is not held: it is free to " + motion + ", which no tool, symmetry plane or fixed piece prevents";
   EXPECT_EQ(free_motion(flow.bound()), sentence);
   const auto solution = flow.solve();
   EXPECT_FALSE(solution.converged);
@@ -95,18 +97,20 @@ namespace {
 TEST(Support, a_stage_in_which_nothing_holds_the_glass_is_refused) {
   const std::string stage = "name = \"rest\"\nduration = \"1 s\"\ntools = [\"plate\"]";
   const auto text = replaced(stage, "name = \"rest\"\nduration = \"1 s\"");
-  EXPECT_EQ(complaint_about(text), std::to_string(line_of("[[stage]]", text)) +
-                                       ": stage.tools: nothing holds the glass along the axis in stage \"rest\"; allowed is a tool "
-                                       "that it can touch, a fixed piece or a symmetry plane across the axis");
+  EXPECT_EQ(complaint_about(text),
+            std::to_string(line_of("[[stage]]", text)) +
+                ": stage.tools: nothing holds the glass along the axis in stage \"rest\"; allowed is a tool "
+                "that it can touch, a fixed piece or a symmetry plane across the axis");
 }
 
 TEST(Support, glass_enclosed_by_fixed_pieces_is_refused) {
   const auto unpressed = replaced("pressure.surface = \"0.1 bar\"\n", "");
   const auto text = replaced("condition = \"contact\" },\n  { name = \"axis\", path = \"(0, 0) mm\"",
                              "condition = \"fixed\" },\n  { name = \"axis\", path = \"(0, 0) mm\"", unpressed);
-  EXPECT_EQ(complaint_about(text), std::to_string(line_of("piece = [", text)) +
-                                       ": glass.piece: every piece is fixed or a symmetry plane and the pressure of the glass has no "
-                                       "level; allowed is at least one piece that is neither");
+  EXPECT_EQ(complaint_about(text),
+            std::to_string(line_of("piece = [", text)) +
+                ": glass.piece: every piece is fixed or a symmetry plane and the pressure of the glass has no "
+                "level; allowed is at least one piece that is neither");
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/mortar/segment_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "contact/mortar/root.hpp"
+
+namespace parison::contact {
+
+namespace {
+
+constexpr double touching = 1e-9;  ///< of the hand-over width: gaps this near to an end of the hand-over are at it
+constexpr double nearly_closed = 0.02;
+
+constexpr double out_of_reach = std::numeric_limits<double>::infinity();
+
+/// Whether the gap passes zero between a segment's ends, where it is `first` and `last`.
+bool passes_zero(double first, double last, double width) {
+  return std::min(first, last) < -touching * width && std::max(first, last) > touching * width;
+}
+
+}  // namespace
+
+double closure(double gap, double width) {
+  if (gap <= 0) return 1;
+  if (!(gap < width)) return 0;
+  const double u = gap / width;
+  return 1 - u * u * u * (10 - 15 * u + 6 * u * u);
+}
+
+SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const Master& master)
+    : slave_(&view.slave), begin_(segment.begin.slave_s), end_(segment.end.slave_s) {
+  // A node of the slave has its own gap; out of reach, it is how far the mesh is, and open where that lies behind the
+  // slave.
+  const auto at = [&](const InterfaceNode& node) {
+    const bool of_slave = node.slave_node >= 0;
+    const double known = of_slave ? master.gap[slave_->edge.nodes[node.slave_node]] : out_of_reach;
+    if (std::isfinite(known)) return known;
+    const auto hit = hit_master(ray(*slave_, node.slave_s), view.masters[segment.edge].edge);
+    const double distance = hit ? hit->distance : view.range;
+    return of_slave && distance < -master.handover_width ? master.handover_width : distance;
+  };
+  first_ = at(segment.begin);
+  last_ = at(segment.end);
+  const auto closed = [&](int i) { return closure(master.gap[slave_->edge.nodes[i]], master.handover_width); };
+  chord_ = closed(0) * closed(1);
+}
+
+bool is_closed(const SegmentGap& gap, double begin, double end, double width) {
+  const double most = nearly_closed * width;
+  return gap(begin) <= most && gap(end) <= most && gap(0.5 * (begin + end)) <= most;
+}
+
+Closing closing(const SegmentGap& gap, double width) {
+  const double most = nearly_closed * width, first = gap(gap.begin()), last = gap(gap.end());
+  if (!(first <= most && last <= most) || passes_zero(first, last, width)) return Closing::open;
+  const double middle = gap(0.5 * (gap.begin() + gap.end()));
+  if (!(middle <= most)) return Closing::open;
+  return middle <= touching * width ? Closing::touching : Closing::near;
+}
+
+Parts cut_at_handover(const SegmentGap& gap, double width) {
+  Parts parts{{gap.begin()}, 1};
+  for (const double level : {0.0, width}) {
+    const auto excess = [&](double s) { return gap(s) - level; };
+    const double first = excess(gap.begin()), last = excess(gap.end());
+    if (passes_zero(first, last, width))
+      parts.end[parts.count++] = find_root(excess, gap.begin(), first, gap.end(), last);
+  }
+  if (parts.count == 3 && parts.end[1] > parts.end[2]) std::swap(parts.end[1], parts.end[2]);
+  parts.end[parts.count++] = gap.end();
+  return parts;
+}
+
+}  // namespace parison::contact

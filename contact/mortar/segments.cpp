@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/mortar/segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parison::contact {
+
+namespace {
+
+constexpr double opposing_cosine =
+    0.3;  ///< bodies face each other where their outward normals' product is below its negative
+constexpr double coincident = 1e-12;  ///< nodes closer than this on an edge are one
+constexpr double just_inside = 1e-6;  ///< of a segment's length: where its ends are looked at
+constexpr int halvings = 50;
+constexpr int most_cuts = 4;  ///< between two nodes; what is left after them goes to the last edge seen
+
+bool faces(const Ray& from, const SurfaceEdge& master, const Hit& hit) {
+  const Point along = slope(master, hit.s);
+  const double opposed =
+      from.along[1] * along[0] - from.along[0] * along[1];  // to the outward normal, times its length
+  return opposed > 0 && opposed * opposed > opposing_cosine * opposing_cosine * along.squaredNorm();
+}
+
+Index edge_seen(const EdgeView& view, double s) {
+  const auto sight = see_master(view, s);
+  return sight ? sight->edge : -1;
+}
+
+/// The edge seen at the far end of an interval between neighbouring nodes, from what is seen at its near end: an edge
+/// that is met alone there is met alone all along.
+Index edge_seen_too(const EdgeView& view, const std::optional<Sight>& near_end, double s) {
+  if (!near_end || !near_end->alone) return edge_seen(view, s);
+  const Ray from = ray(view.slave, s);
+  const SurfaceEdge& master = view.masters[near_end->edge].edge;
+  const auto hit = hit_master(from, master);
+  const bool seen = hit && std::abs(hit->distance) <= view.range && faces(from, master, *hit);
+  return seen ? near_end->edge : edge_seen(view, s);
+}
+
+/// Where, between two points, the edge that is seen ceases to be the one seen from `begin`.
+double end_of_sight(const EdgeView& view, double begin, double end, Index seen) {
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (begin + end);
+    (edge_seen(view, middle) == seen ? begin : end) = middle;
+  }
+  return 0.5 * (begin + end);
+}
+
+}  // namespace
+
+std::optional<Sight> see_master(const EdgeView& view, double s) {
+  std::optional<Sight> nearest;
+  int met = 0;
+  const Ray from = ray(view.slave, s);
+  for (const Index m : view.near) {
+    const SurfaceEdge& master = view.masters[m].edge;
+    const auto hit = hit_master(from, master);
+    if (!hit) continue;
+    ++met;
+    const double away = std::abs(hit->distance);
+    if (away > view.range || (nearest && away >= std::abs(nearest->hit.distance))) continue;
+    if (faces(from, master, *hit)) nearest = Sight{m, *hit, false};
+  }
+  if (nearest) nearest->alone = met == 1;
+  return nearest;
+}
+
+InterfaceNode node_from_slave(int node) {
+  return {node == 0 ? 0.0 : node == 1 ? 1.0 : 0.5, node};
+}
+
+std::optional<InterfaceNode> node_from_master(const EdgeView& view, const Point& node) {
+  const auto s = find_slave_parameter(view.slave, node);
+  if (!s || (node - position(view.slave.edge, *s)).norm() > view.range) return std::nullopt;
+  return InterfaceNode{*s, -1};
+}
+
+void find_interface_nodes(const EdgeView& view, std::vector<InterfaceNode>& nodes) {
+  nodes.clear();
+  for (const int node : {0, 2, 1}) nodes.push_back(node_from_slave(node));
+  const Point* before = nullptr;
+  for (const Index edge : view.near)
+    for (const int end : {0, 1}) {
+      const Point& node = view.masters[edge].edge.x[end];
+      const bool joined = before && *before == node;
+      before = &node;
+      if (joined) continue;
+      const auto found = node_from_master(view, node);
+      const auto known = [&](const InterfaceNode& n) { return std::abs(n.slave_s - found->slave_s) < coincident; };
+      if (found && std::none_of(nodes.begin(), nodes.end(), known)) nodes.push_back(*found);
+    }
+  std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.slave_s < b.slave_s; });
+}
+
+void find_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes, std::vector<Segment>& segments) {
+  segments.clear();
+  const auto add = [&](const InterfaceNode& begin, const InterfaceNode& end, Index edge) {
+    if (edge >= 0 && end.slave_s > begin.slave_s) segments.push_back({begin, end, edge});
+  };
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    const double inside = just_inside * (nodes[i].slave_s - nodes[i - 1].slave_s);
+    const double last_s = nodes[i].slave_s - inside;
+    InterfaceNode from = nodes[i - 1];
+    const auto first = see_master(view, from.slave_s + inside);
+    const Index last = edge_seen_too(view, first, last_s);
+    Index seen = first ? first->edge : -1;
+    for (int cuts = 0; cuts < most_cuts && seen != last; ++cuts) {
+      const double cut = end_of_sight(view, from.slave_s + inside, last_s, seen);
+      add(from, {cut, -1}, seen);
+      from = {cut, -1};
+      seen = cut + inside < last_s ? edge_seen(view, cut + inside) : last;
+    }
+    add(from, nodes[i], last);
+  }
+}
+
+}  // namespace parison::contact

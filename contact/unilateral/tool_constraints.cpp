@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/unilateral/tool_constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parison::contact {
+
+using core::Index;
+using core::Point;
+using core::Segment;
+
+namespace {
+
+constexpr double smooth_angle =
+    M_PI / 9;  ///< 20 degrees: joints that turn less are smooth, normals that differ less are one
+constexpr double end_tolerance = 1e-9;  ///< of the segment's length: on the end counts as on the segment
+constexpr double touching = 1e-9;       ///< m
+constexpr double most_off = 2;  ///< reaches from a segment: past its end by no more than one, and beside it as well
+
+double cross(const Point& a, const Point& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/// Angle by which the outline turns from a segment to the next; positive at a corner that sticks out of the tool.
+double turn_between(const Segment& before, const Segment& after) {
+  const Point in = core::tangent_at(before, 1), out = core::tangent_at(after, 0);
+  return std::atan2(cross(in, out), in.dot(out));
+}
+
+/// Whether the straight path from a to b, its ends left out, crosses a segment.
+bool crosses(const Segment& segment, const Point& a, const Point& b) {
+  constexpr double margin = 1e-6;
+  const auto inside = [&](double u) { return u > margin && u < 1 - margin; };
+  const Point path = b - a;
+  if (!segment.is_arc) {
+    const Point along = segment.end - segment.start, offset = segment.start - a;
+    const double determinant = cross(path, along);
+    if (determinant == 0) return false;
+    const double t = cross(offset, path) / determinant;
+    return inside(cross(offset, along) / determinant) && t >= 0 && t <= 1;
+  }
+  const Point arm = a - segment.centre;
+  const double half = arm.dot(path) / path.squaredNorm();
+  const double root = half * half - (arm.squaredNorm() - segment.radius * segment.radius) / path.squaredNorm();
+  if (!(root > 0)) return false;
+  for (const double u : {-half - std::sqrt(root), -half + std::sqrt(root)}) {
+    const double t = core::projected_parameter(segment, a + u * path);
+    if (inside(u) && t >= 0 && t <= 1) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+/// A tool and a point, and what is asked about them.
+struct ToolConstraints::Query {
+  const std::vector<Piece>& pieces;
+  const Point& x;
+  double reach;
+
+  Index count() const { return static_cast<Index>(pieces.size()); }
+  const Segment& segment(Index i) const { return *pieces[i].segment; }
+  Index next(Index i) const { return i + 1 < count() ? i + 1 : 0; }
+  Index previous(Index i) const { return i > 0 ? i - 1 : count() - 1; }
+  bool joined(Index i, Index j) const { return next(i) == j || next(j) == i; }
+  bool joined_in_hollow(Index i, Index j) const {
+    return (next(i) == j && pieces[i].hollow_after) || (next(j) == i && pieces[j].hollow_after);
+  }
+  bool projects_on(Index i) const;
+  bool hidden(Index i, const Point& foot) const;
+  void add_segment(Index i, std::vector<GapConstraint>& found) const;
+  void add_joint(Index i, std::vector<GapConstraint>& found) const;
+  void keep_shortest_way_out(std::vector<GapConstraint>& found) const;
+};
+
+/// Whether x projects on segment i, or past an end in a hollow corner while still on the neighbour's side of that one's
+/// far end.
+bool ToolConstraints::Query::projects_on(Index i) const {
+  const double slack = pieces[i].slack;
+  const double before = core::beyond_start(segment(i), x), past = core::beyond_end(segment(i), x);
+  if (before <= slack && past <= slack) return true;
+  if (past > slack) {
+    const Index j = next(i);
+    return past <= reach && pieces[j].in_contact && pieces[i].hollow_after && core::beyond_end(segment(j), x) <= 0 &&
+           core::beyond_start(segment(j), x) <= reach;
+  }
+  const Index j = previous(i);
+  return before <= reach && pieces[j].in_contact && pieces[j].hollow_after && core::beyond_start(segment(j), x) <= 0 &&
+         core::beyond_end(segment(j), x) <= reach;
+}
+
+/// Whether another part of the outline lies between x and its foot on segment i.
+bool ToolConstraints::Query::hidden(Index i, const Point& foot) const {
+  const Box path{x.cwiseMin(foot), x.cwiseMax(foot)};
+  for (Index j = 0; j < count(); ++j)
+    if (j != i && overlap(path, pieces[j].bounds) && !joined_in_hollow(i, j) && crosses(segment(j), x, foot))
+      return true;
+  return false;
+}
+
+void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& found) const {
+  if (!pieces[i].in_contact || !is_near(x, pieces[i].bounds, most_off * reach) || !projects_on(i)) return;
+  const double t = core::projected_parameter(segment(i), x);
+  const Point foot = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
+  const double gap = (x - foot).dot(normal);
+  if (std::abs(gap) <= reach && !hidden(i, foot)) found.push_back({gap, normal, i});
+}
+
+/// The joint after segment i, for a point that projects on neither side of it.
+void ToolConstraints::Query::add_joint(Index i, std::vector<GapConstraint>& found) const {
+  const Piece &before = pieces[i], &after = pieces[next(i)];
+  if (!before.in_contact || !after.in_contact || before.hollow_after) return;
+  const Point joint = before.segment->end, arm = x - joint;
+  if (arm.squaredNorm() > reach * reach) return;
+  if (core::beyond_end(*before.segment, x) <= before.slack || core::beyond_start(*after.segment, x) <= after.slack)
+    return;
+  const double distance = arm.norm(), side = arm.dot(before.normal_after) < 0 ? -1 : 1;
+  if ((side < 0 && !before.smooth_after) || hidden(i, joint)) return;
+  found.push_back(
+      {side * distance, distance > 1e-3 * touching ? Point(side / distance * arm) : before.normal_after, i});
+}
+
+/// A point inside the tool leaves it the shortest way: of the penetrated segments only the nearest one counts, and its
+/// neighbours in a hollow corner. On the edge of a sharp corner, too, one of the two sides counts.
+void ToolConstraints::Query::keep_shortest_way_out(std::vector<GapConstraint>& found) const {
+  if (found.empty()) return;
+  const Index nearest = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+                          return std::abs(a.gap) < std::abs(b.gap);
+                        })->segment;
+  const auto needless = [&](const GapConstraint& c) {
+    if (c.segment == nearest || joined_in_hollow(c.segment, nearest)) return false;
+    return c.gap < (joined(c.segment, nearest) ? touching : 0.0);
+  };
+  found.erase(std::remove_if(found.begin(), found.end(), needless), found.end());
+}
+
+ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_pieces)
+    : in_contact_(no_box()) {
+  const auto& segments = tool.segments;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment &segment = segments[i], &next = segments[i + 1 < segments.size() ? i + 1 : 0];
+    const double turn = turn_between(segment, next);
+    pieces_.push_back({&segment, bounds(segment), bool(contact_pieces[segment.piece]),
+                       end_tolerance * core::length(segment), turn < -smooth_angle, std::abs(turn) <= smooth_angle,
+                       (core::normal_at(segment, 1) + core::normal_at(next, 0)).normalized()});
+    if (pieces_.back().in_contact) in_contact_ = united(in_contact_, pieces_.back().bounds);
+  }
+}
+
+std::vector<GapConstraint> ToolConstraints::operator()(const Point& x, double reach) const {
+  if (!is_near(x, in_contact_, most_off * reach)) return {};
+  const Query query{pieces_, x, reach};
+  std::vector<GapConstraint> found;
+  for (Index i = 0; i < query.count(); ++i) {
+    query.add_segment(i, found);
+    query.add_joint(i, found);
+  }
+  query.keep_shortest_way_out(found);
+  merge_constraints(found);
+  return found;
+}
+
+void merge_constraints(std::vector<GapConstraint>& constraints) {
+  std::stable_sort(constraints.begin(), constraints.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
+  std::vector<GapConstraint> kept;
+  for (const auto& c : constraints) {
+    const auto parallel = [&](const GapConstraint& k) { return k.normal.dot(c.normal) > std::cos(smooth_angle); };
+    if (static_cast<int>(kept.size()) < core::dim && std::none_of(kept.begin(), kept.end(), parallel))
+      kept.push_back(c);
+  }
+  constraints = kept;
+}
+
+}  // namespace parison::contact

@@ -1,0 +1,34 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+#include <vector>
+
+#include "contact/mortar/box_tree.hpp"
+#include "core/mesh/profile.hpp"
+
+namespace parison::contact {
+
+/// Distance from points to a tool's contact pieces, m, negative inside the tool; +infinity without contact pieces and
+/// where they are further away than `reach`. The tool outlives it.
+class ToolGap {
+ public:
+  ToolGap(const core::Profile& tool, const std::vector<bool>& contact_pieces,
+          double reach = std::numeric_limits<double>::infinity());
+  double operator()(const core::Point& x) const;
+
+ private:
+  struct Piece {
+    Box bounds;
+    const core::Segment* segment;
+  };
+  const core::Profile* tool_;
+  double reach_;
+  std::vector<Piece> pieces_;
+  Box in_reach_;
+};
+
+/// The same for one point.
+double signed_gap(const core::Profile& tool, const std::vector<bool>& contact_pieces, const core::Point& x,
+                  double reach = std::numeric_limits<double>::infinity());
+
+}  // namespace parison::contact

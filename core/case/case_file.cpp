@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case/case_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+
+namespace parison::core {
+namespace {
+
+std::string found(const CaseNode& node) {
+  switch (node.kind) {
+    case CaseNode::Kind::text:
+      return fmt::format("the text \"{}\"", node.text);
+    case CaseNode::Kind::number:
+      return fmt::format("the number {}", node.number);
+    case CaseNode::Kind::flag:
+      return node.flag ? "true" : "false";
+    case CaseNode::Kind::list:
+      return "a list";
+    case CaseNode::Kind::table:
+      return "a table";
+  }
+  return {};
+}
+
+void require_kind(const CaseNode& node, CaseNode::Kind kind, const std::string& allowed) {
+  if (node.kind != kind) refuse(node, fmt::format("{} was found, allowed is {}", found(node), allowed));
+}
+
+std::string shown(const CaseNode& node) {
+  return node.kind == CaseNode::Kind::text ? fmt::format("\"{}\"", node.text) : fmt::format("{}", node.number);
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const auto substitute = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, substitute});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
+  std::string best;
+  auto limit = std::max<std::size_t>(2, word.size() / 2);
+  for (const auto& candidate : candidates)
+    if (const auto apart = edit_distance(word, candidate); apart <= limit && apart < candidate.size()) {
+      best = candidate;
+      limit = apart - (apart > 0);
+    }
+  return best;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const auto near = nearest(word, candidates);
+  return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
+}
+
+void refuse(const CaseNode& at, const std::string& message) {
+  const std::string place = at.line > 0 ? fmt::format("{}:{}", at.file, at.line) : at.file;
+  throw CaseError(at.key.empty() ? fmt::format("{}: {}", place, message)
+                                 : fmt::format("{}: {}: {}", place, at.key, message));
+}
+
+CaseTable::CaseTable(const CaseNode& node, std::vector<std::string> keys) : node_(&node), keys_(std::move(keys)) {
+  require_kind(node, CaseNode::Kind::table, fmt::format("a table with the keys {}", fmt::join(keys_, ", ")));
+  for (const auto& item : node.items)
+    if (std::find(keys_.begin(), keys_.end(), item.name) == keys_.end())
+      refuse(item,
+             fmt::format("unknown key{}, allowed are {}", did_you_mean(item.name, keys_), fmt::join(keys_, ", ")));
+}
+
+const CaseNode* CaseTable::find(const std::string& key) const {
+  assert(std::find(keys_.begin(), keys_.end(), key) != keys_.end());
+  for (const auto& item : node_->items)
+    if (item.name == key) return &item;
+  return nullptr;
+}
+
+const CaseNode& CaseTable::get(const std::string& key) const {
+  if (const auto* item = find(key)) return *item;
+  CaseNode place = *node_;
+  place.key = place.key.empty() ? key : place.key + "." + key;
+  refuse(place, fmt::format("missing, the table that starts here needs the key \"{}\"", key));
+}
+
+std::vector<const CaseNode*> CaseTable::tables(const std::string& key) const {
+  std::vector<const CaseNode*> result;
+  if (const auto* node = find(key))
+    for (const auto& item : list(*node)) {
+      require_kind(item, CaseNode::Kind::table, "a table");
+      result.push_back(&item);
+    }
+  return result;
+}
+
+double quantity(const CaseNode& node, const Dimension& dimension) {
+  const bool plain = dimension.length == 0 && dimension.mass == 0 && dimension.time == 0 && dimension.temperature == 0;
+  if (node.kind == CaseNode::Kind::number && plain && std::isfinite(node.number)) return node.number;
+  require_kind(node, CaseNode::Kind::text, describe(dimension));
+  const auto parsed = parse_quantity(node.text, dimension);
+  if (!parsed.problem.empty()) refuse(node, parsed.problem);
+  if (dimension.absolute && parsed.value <= 0)
+    refuse(node, fmt::format("\"{}\" is not above absolute zero, allowed is {}", node.text, describe(dimension)));
+  return parsed.value;
+}
+
+double positive(const CaseNode& node, const Dimension& dimension) {
+  const double value = quantity(node, dimension);
+  if (!(value > 0))
+    refuse(node, fmt::format("{} was found, allowed is {}, above zero", shown(node), describe(dimension)));
+  return value;
+}
+
+double not_negative(const CaseNode& node, const Dimension& dimension) {
+  const double value = quantity(node, dimension);
+  if (!(value >= 0))
+    refuse(node, fmt::format("{} was found, allowed is {}, not below zero", shown(node), describe(dimension)));
+  return value;
+}
+
+int count(const CaseNode& node) {
+  constexpr double largest = 1e6;
+  if (node.kind != CaseNode::Kind::number || !(node.number >= 1 && node.number <= largest) ||
+      node.number != std::floor(node.number))
+    refuse(node, fmt::format("{} was found, allowed is a whole number from 1 to {}", found(node), largest));
+  return static_cast<int>(node.number);
+}
+
+bool flag(const CaseNode& node) {
+  require_kind(node, CaseNode::Kind::flag, "true or false");
+  return node.flag;
+}
+
+const std::string& text(const CaseNode& node) {
+  require_kind(node, CaseNode::Kind::text, "a text in quotes");
+  if (node.text.empty()) refuse(node, "an empty text was found, allowed is a name");
+  return node.text;
+}
+
+const std::string& identifier(const CaseNode& node) {
+  const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_' || c == '-'); };
+  if (!std::all_of(text(node).begin(), text(node).end(), allowed))
+    refuse(node, fmt::format("\"{}\" was found, allowed are names of letters, digits, _ and -", node.text));
+  return node.text;
+}
+
+CaseNode key_of(const CaseNode& node) {
+  CaseNode key = node;
+  key.kind = CaseNode::Kind::text;
+  key.text = node.name;
+  return key;
+}
+
+const std::vector<CaseNode>& list(const CaseNode& node) {
+  require_kind(node, CaseNode::Kind::list, "a list in brackets");
+  return node.items;
+}
+
+const std::vector<CaseNode>& entries(const CaseNode& table) {
+  require_kind(table, CaseNode::Kind::table, "a table");
+  return table.items;
+}
+
+int choice(const CaseNode& node, const std::vector<std::string>& allowed) {
+  const auto at = std::find(allowed.begin(), allowed.end(), text(node));
+  if (at == allowed.end())
+    refuse(node, fmt::format("\"{}\" was found{}, allowed {}", node.text, did_you_mean(node.text, allowed),
+                             allowed.empty() ? "is nothing here" : fmt::format("are {}", fmt::join(allowed, ", "))));
+  return static_cast<int>(at - allowed.begin());
+}
+
+Table quantity_table(const CaseNode& node, const Dimension& x, const Dimension& y) {
+  if (node.kind != CaseNode::Kind::list) return constant(quantity(node, y));
+  if (node.items.empty()) refuse(node, "an empty list was found, allowed are pairs of quantities");
+  Table table;
+  for (const auto& pair : node.items) {
+    if (list(pair).size() != 2)
+      refuse(pair, fmt::format("{} members were found, allowed are pairs of {} and {}", pair.items.size(), describe(x),
+                               describe(y)));
+    table.x.push_back(quantity(pair.items[0], x));
+    table.y.push_back(quantity(pair.items[1], y));
+    if (table.x.size() > 1 && !(table.x.back() > table.x[table.x.size() - 2]))
+      refuse(pair,
+             fmt::format("{} does not lie above the entry before, allowed are rising entries", shown(pair.items[0])));
+  }
+  return table;
+}
+
+}  // namespace parison::core

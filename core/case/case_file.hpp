@@ -1,0 +1,90 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "core/case/case_error.hpp"
+#include "core/case/table.hpp"
+#include "core/case/units.hpp"
+
+namespace parison::core {
+
+/// A value of a case file and the place where it stands.
+struct CaseNode {
+  enum class Kind { text, number, flag, list, table };
+  Kind kind = Kind::table;
+  std::string file;
+  int line = 0;      ///< 0 for a value that comes from the command line
+  std::string key;   ///< with the keys that lead to it, "glass.mesh.size"
+  std::string name;  ///< the last of them
+  std::string text;
+  double number = 0;
+  bool flag = false;
+  std::vector<CaseNode> items;  ///< of a list in its order, of a table by name
+};
+
+/// A case file as text with line numbers; nothing of it is interpreted.
+struct CaseFile {
+  std::string path, directory;
+  CaseNode root;
+  std::vector<std::string> overrides;  ///< assignments that were applied, as given
+};
+
+/// Parses a case file, or the case.toml of a folder.
+CaseFile read_case_file(const std::string& path);
+
+/// Puts a value in place of the file's: `path=value`, the path keys joined by dots, the entry of a list by its number
+/// from 0 or its name (an interface's by a tool it is for, which then gets one of its own), the value TOML or plain
+/// text.
+void override_value(CaseFile& file, const std::string& assignment);
+/// A TOML value as it may stand in a case file, or a text without quotes; `place` is where it is meant for.
+CaseNode parse_value(const std::string& text, const CaseNode& place);
+
+/// Throws a CaseError about a node: `file:line: key: message`.
+[[noreturn]] void refuse(const CaseNode& at, const std::string& message);
+
+/// A table read key by key. All keys it may have are named at once; any other is refused.
+class CaseTable {
+ public:
+  CaseTable(const CaseNode& node, std::vector<std::string> keys);
+
+  /// The value of one of the named keys, null when it is absent.
+  const CaseNode* find(const std::string& key) const;
+  /// The same; refused when it is absent.
+  const CaseNode& get(const std::string& key) const;
+  /// The entries of an array of tables, none when it is absent.
+  std::vector<const CaseNode*> tables(const std::string& key) const;
+  const CaseNode& node() const { return *node_; }
+
+ private:
+  const CaseNode* node_;
+  std::vector<std::string> keys_;
+};
+
+/// A quantity in SI; plain numbers serve where the dimension is none.
+double quantity(const CaseNode& node, const Dimension& dimension);
+/// A quantity above zero.
+double positive(const CaseNode& node, const Dimension& dimension);
+/// A quantity not below zero.
+double not_negative(const CaseNode& node, const Dimension& dimension);
+/// A whole number above zero.
+int count(const CaseNode& node);
+bool flag(const CaseNode& node);
+const std::string& text(const CaseNode& node);
+/// A text of letters, digits, '_' and '-' only.
+const std::string& identifier(const CaseNode& node);
+/// A node that stands for the key of another one.
+CaseNode key_of(const CaseNode& node);
+const std::vector<CaseNode>& list(const CaseNode& node);
+const std::vector<CaseNode>& entries(const CaseNode& table);
+/// Index of a text among the allowed ones.
+int choice(const CaseNode& node, const std::vector<std::string>& allowed);
+/// A constant, or pairs [["20 degC", "850 J/kg/K"], ...] with rising first members.
+Table quantity_table(const CaseNode& node, const Dimension& x, const Dimension& y);
+
+/// The candidate with the smallest edit distance from a word, empty when none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
+/// The same as part of a sentence: ` (did you mean "tools"?)`.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
+
+}  // namespace parison::core

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/case/case_file.hpp"
+
+namespace parison::core {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == text.npos ? "" : text.substr(first, last - first + 1);
+}
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> words;
+  for (std::size_t from = 0;;) {
+    const auto dot = path.find('.', from);
+    words.push_back(trimmed(path.substr(from, dot - from)));
+    if (dot == path.npos) return words;
+    from = dot + 1;
+  }
+}
+
+CaseNode* member(CaseNode& table, const std::string& name) {
+  for (auto& item : table.items)
+    if (item.name == name) return &item;
+  return nullptr;
+}
+
+/// Names that pick an entry of a list of tables: its own, or without one those in its `tools`.
+std::vector<std::string> names_of(CaseNode& entry) {
+  if (entry.kind != CaseNode::Kind::table) return {};
+  if (const auto* name = member(entry, "name")) return {name->text};
+  std::vector<std::string> names;
+  if (const auto* tools = member(entry, "tools"))
+    for (const auto& tool : tools->items) names.push_back(tool.text);
+  return names;
+}
+
+/// The entry alone for one of its several tools: that tool leaves it and gets a copy.
+CaseNode& split_off(CaseNode& list, std::size_t at, const std::string& tool) {
+  CaseNode copy = list.items[at];
+  const auto other = [&](const CaseNode& item) { return item.text != tool; };
+  auto &rest = member(list.items[at], "tools")->items, &own = member(copy, "tools")->items;
+  own.erase(std::remove_if(own.begin(), own.end(), other), own.end());
+  rest.erase(std::stable_partition(rest.begin(), rest.end(), other), rest.end());
+  list.items.push_back(std::move(copy));
+  return list.items.back();
+}
+
+CaseNode& entry(CaseNode& list, const std::string& word, const CaseNode& place) {
+  std::size_t index = 0;
+  const auto end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, index);
+  if (read.ec == std::errc{} && read.ptr == end && index < list.items.size()) return list.items[index];
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    const auto names = names_of(list.items[i]);
+    if (std::count(names.begin(), names.end(), word))
+      return names.size() == 1 ? list.items[i] : split_off(list, i, word);
+    known.insert(known.end(), names.begin(), names.end());
+  }
+  const std::string names = known.empty() ? "" : fmt::format(", and the names {}", fmt::join(known, ", "));
+  refuse(place, fmt::format("no entry \"{}\" was found{}, allowed are numbers from 0 to {}{}", word,
+                            did_you_mean(word, known), static_cast<long>(list.items.size()) - 1, names));
+}
+
+CaseNode& step_down(CaseNode& at, const std::string& word, const CaseNode& place, bool may_be_new) {
+  if (at.kind == CaseNode::Kind::list) return entry(at, word, place);
+  if (at.kind != CaseNode::Kind::table)
+    refuse(place, fmt::format("nothing below \"{}\" was found, allowed is to set the value itself", at.key));
+  if (auto* item = member(at, word)) return *item;
+  std::vector<std::string> known;
+  for (const auto& item : at.items) known.push_back(item.name);
+  if (!may_be_new)
+    refuse(place, fmt::format("no \"{}\" was found{}, allowed are {}", word, did_you_mean(word, known),
+                              fmt::join(known, ", ")));
+  at.items.push_back(place);
+  at.items.back().name = word;
+  return at.items.back();
+}
+
+}  // namespace
+
+void override_value(CaseFile& file, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  CaseNode place;
+  place.file = "--set";
+  place.key = trimmed(assignment.substr(0, equals));
+  const auto words = split(place.key);
+  if (equals == assignment.npos || std::count(words.begin(), words.end(), ""))
+    refuse(place, "allowed is KEY=VALUE such as tool.blank.temperature=\"480 degC\"");
+  const CaseNode value = parse_value(trimmed(assignment.substr(equals + 1)), place);
+  CaseNode* at = &file.root;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool last = i + 1 == words.size();
+    // A new name in the middle of a path would make a table that nothing uses; the case's own tables are known.
+    at = &step_down(*at, words[i], place, i == 0 || last);
+  }
+  const std::string name = at->name;
+  *at = value;
+  at->name = name;
+  file.overrides.push_back(assignment);
+}
+
+}  // namespace parison::core

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/hdf5.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "core/io/files.hpp"
+
+namespace parison::core {
+namespace {
+
+using Id = std::int64_t;
+
+[[noreturn]] void fail(const std::string& file, const std::string& what) {
+  throw std::runtime_error(fmt::format("{}: {}", file, what));
+}
+
+/// An identifier of the library, closed at the end of its scope.
+struct Handle {
+  hid_t id;
+  herr_t (*close)(hid_t);
+  ~Handle() {
+    if (id >= 0) close(id);
+  }
+};
+
+/// Where data goes to or comes from, for the sentence of an error.
+struct Place {
+  const std::string& file;
+  hid_t group;
+  const std::string& name;
+};
+
+void write_array(const Place& place, hid_t type, const void* data, std::size_t count, int columns = 1) {
+  const hsize_t size[2] = {count / columns, static_cast<hsize_t>(columns)};
+  const Handle space{H5Screate_simple(columns > 1 ? 2 : 1, size, nullptr), H5Sclose};
+  const Handle kind{H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
+  H5Pset_obj_track_times(kind.id, false);  // the same content makes the same file
+  const Handle set{H5Dcreate2(place.group, place.name.c_str(), type, space.id, H5P_DEFAULT, kind.id, H5P_DEFAULT),
+                   H5Dclose};
+  if (set.id < 0 || (count > 0 && H5Dwrite(set.id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0))
+    fail(place.file, fmt::format("\"{}\" cannot be written", place.name));
+}
+
+template <typename Value>
+std::vector<Value> read_array(const Place& place, hid_t type) {
+  const Handle set{H5Dopen2(place.group, place.name.c_str(), H5P_DEFAULT), H5Dclose};
+  if (set.id < 0) fail(place.file, fmt::format("\"{}\" is missing", place.name));
+  const Handle space{H5Dget_space(set.id), H5Sclose};
+  std::vector<Value> values(H5Sget_simple_extent_npoints(space.id));
+  if (!values.empty() && H5Dread(set.id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    fail(place.file, fmt::format("\"{}\" cannot be read", place.name));
+  return values;
+}
+
+template <typename Value>
+Value only(const Place& place, const std::vector<Value>& values) {
+  if (values.size() != 1) fail(place.file, fmt::format("\"{}\" is not a single value", place.name));
+  return values[0];
+}
+
+std::string folder_of(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+/// The library prints nothing by itself: errors come as exceptions.
+void silence() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+}  // namespace
+
+Hdf5Group::Hdf5Group(Hdf5Group&& other) noexcept
+    : file_(std::move(other.file_)), id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+
+Hdf5Group::~Hdf5Group() {
+  if (id_ >= 0) close_(id_);
+}
+
+Hdf5Group Hdf5Group::create(const std::string& name) {
+  const Id id = H5Gcreate2(id_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  if (id < 0) fail(file_, fmt::format("group \"{}\" cannot be made", name));
+  return {file_, id, H5Gclose};
+}
+
+Hdf5Group Hdf5Group::open(const std::string& name) const {
+  const Id id = H5Gopen2(id_, name.c_str(), H5P_DEFAULT);
+  if (id < 0) fail(file_, fmt::format("group \"{}\" is missing", name));
+  return {file_, id, H5Gclose};
+}
+
+bool Hdf5Group::has(const std::string& name) const {
+  return H5Lexists(id_, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+void Hdf5Group::write(const std::string& name, const std::vector<double>& values, int columns) {
+  write_array({file_, id_, name}, H5T_NATIVE_DOUBLE, values.data(), values.size(), columns);
+}
+void Hdf5Group::write(const std::string& name, const std::vector<int>& values, int columns) {
+  write_array({file_, id_, name}, H5T_NATIVE_INT, values.data(), values.size(), columns);
+}
+void Hdf5Group::write(const std::string& name, const Eigen::VectorXd& values) {
+  write_array({file_, id_, name}, H5T_NATIVE_DOUBLE, values.data(), values.size());
+}
+void Hdf5Group::write(const std::string& name, double value) {
+  write_array({file_, id_, name}, H5T_NATIVE_DOUBLE, &value, 1);
+}
+void Hdf5Group::write(const std::string& name, std::int64_t value) {
+  write_array({file_, id_, name}, H5T_NATIVE_INT64, &value, 1);
+}
+void Hdf5Group::write(const std::string& name, const std::string& value) {
+  write_array({file_, id_, name}, H5T_NATIVE_CHAR, value.data(), value.size());
+}
+
+std::vector<double> Hdf5Group::read_doubles(const std::string& name) const {
+  return read_array<double>({file_, id_, name}, H5T_NATIVE_DOUBLE);
+}
+std::vector<int> Hdf5Group::read_integers(const std::string& name) const {
+  return read_array<int>({file_, id_, name}, H5T_NATIVE_INT);
+}
+Eigen::VectorXd Hdf5Group::read_vector(const std::string& name) const {
+  const std::vector<double> values = read_doubles(name);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
+}
+double Hdf5Group::read_double(const std::string& name) const {
+  const Place place{file_, id_, name};
+  return only(place, read_array<double>(place, H5T_NATIVE_DOUBLE));
+}
+std::int64_t Hdf5Group::read_integer(const std::string& name) const {
+  const Place place{file_, id_, name};
+  return only(place, read_array<std::int64_t>(place, H5T_NATIVE_INT64));
+}
+std::string Hdf5Group::read_string(const std::string& name) const {
+  const auto text = read_array<char>({file_, id_, name}, H5T_NATIVE_CHAR);
+  return {text.begin(), text.end()};
+}
+
+void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& root)>& fill) {
+  silence();
+  const Handle access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
+  constexpr std::size_t growth = 1 << 20;
+  H5Pset_fapl_core(access.id, growth, 0);  // in memory: a full disk meets plain writes alone
+  const Id id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
+  if (id < 0) fail(path, "cannot be made");
+  Hdf5Group root(path, id, H5Fclose);
+  fill(root);
+  if (H5Fflush(id, H5F_SCOPE_GLOBAL) < 0) fail(path, "cannot be made");
+  std::string image(H5Fget_file_image(id, nullptr, 0), 0);
+  if (H5Fget_file_image(id, image.data(), image.size()) < 0) fail(path, "cannot be made");
+  replace_file(path, [&](const std::string& temporary) {
+    write_text(temporary, image);
+    sync_to_disk(temporary);
+  });
+  sync_to_disk(folder_of(path));
+}
+
+Hdf5Group open_hdf5(const std::string& path) {
+  silence();
+  const Id id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (id < 0) fail(path, "is not an HDF5 file that can be read");
+  return {path, id, H5Fclose};
+}
+
+bool is_hdf5(const std::string& path) {
+  silence();
+  const Handle file{H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+  return file.id >= 0;
+}
+
+}  // namespace parison::core

@@ -1,0 +1,57 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace parison::core {
+
+/// A group of an HDF5 file; every name is relative to it. Failures throw std::runtime_error with file and name.
+class Hdf5Group {
+ public:
+  Hdf5Group(Hdf5Group&& other) noexcept;
+  Hdf5Group(const Hdf5Group&) = delete;
+  ~Hdf5Group();
+
+  Hdf5Group create(const std::string& name);
+  Hdf5Group open(const std::string& name) const;
+  bool has(const std::string& name) const;
+
+  void write(const std::string& name, const std::vector<double>& values, int columns = 1);
+  void write(const std::string& name, const std::vector<int>& values, int columns = 1);
+  void write(const std::string& name, const Eigen::VectorXd& values);
+  void write(const std::string& name, double value);
+  void write(const std::string& name, std::int64_t value);
+  void write(const std::string& name, const std::string& value);
+
+  std::vector<double> read_doubles(const std::string& name) const;
+  std::vector<int> read_integers(const std::string& name) const;
+  Eigen::VectorXd read_vector(const std::string& name) const;
+  double read_double(const std::string& name) const;
+  std::int64_t read_integer(const std::string& name) const;
+  std::string read_string(const std::string& name) const;
+
+ private:
+  friend void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& root)>& fill);
+  friend Hdf5Group open_hdf5(const std::string& path);
+  using Close = int (*)(std::int64_t);
+  Hdf5Group(std::string file, std::int64_t id, Close close) : file_(std::move(file)), id_(id), close_(close) {}
+
+  std::string file_;
+  std::int64_t id_;  ///< of the library
+  Close close_;
+};
+
+/// Makes a file of what `fill` writes into its root group. It is on the disk when this returns; until then its place
+/// holds what it held before.
+void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& root)>& fill);
+
+/// The root group of an existing file; the file closes with it.
+Hdf5Group open_hdf5(const std::string& path);
+
+/// Whether a file is there and is a complete HDF5 file.
+bool is_hdf5(const std::string& path);
+
+}  // namespace parison::core

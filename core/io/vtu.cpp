@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/vtu.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkSMPTools.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <stdexcept>
+
+#include "core/io/files.hpp"
+
+namespace parison::core {
+
+namespace {
+
+constexpr int vtk_dim = 3;
+
+/// A finite value that single precision cannot hold becomes the nearest that it can.
+float single(double value) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(value > largest ? largest : value < -largest ? -largest : value);
+}
+
+vtkNew<vtkFloatArray> array(const std::string& name, int components, vtkIdType tuples) {
+  vtkNew<vtkFloatArray> values;
+  values->SetName(name.c_str());
+  values->SetNumberOfComponents(components);
+  values->SetNumberOfTuples(tuples);
+  values->Fill(0);
+  return values;
+}
+
+void set_points(const Mesh& mesh, const Point& displacement, vtkUnstructuredGrid& grid) {
+  const auto values = array("Points", vtk_dim, mesh.node_count());
+  for (Index i = 0; i < mesh.node_count(); ++i)
+    for (int k = 0; k < dim; ++k) values->SetTypedComponent(i, k, single(mesh.nodes[i][k] + displacement[k]));
+  vtkNew<vtkPoints> points;
+  points->SetData(values);
+  grid.SetPoints(points);
+}
+
+void set_cells(const Mesh& mesh, vtkUnstructuredGrid& grid) {
+  constexpr int corners = 6;
+  vtkNew<vtkTypeInt32Array> starts, nodes;
+  starts->SetNumberOfValues(mesh.cell_count() + 1);
+  nodes->SetNumberOfValues(corners * mesh.cell_count());
+  for (Index c = 0; c <= mesh.cell_count(); ++c) starts->SetValue(c, corners * c);
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    std::copy(mesh.cells[c].begin(), mesh.cells[c].end(), nodes->GetPointer(corners * c));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(starts, nodes);
+  grid.SetCells(VTK_QUADRATIC_TRIANGLE, cells);
+}
+
+void add_nodal(const Mesh& mesh, const NodalField& field, vtkUnstructuredGrid& grid) {
+  const bool is_vector = field.values.size() != mesh.node_count();
+  assert(!is_vector || field.values.size() == dim * mesh.node_count());
+  const int components = is_vector ? dim : 1;
+  const auto values = array(field.name, is_vector ? vtk_dim : 1, mesh.node_count());
+  for (Index i = 0; i < mesh.node_count(); ++i)
+    for (int k = 0; k < components; ++k) values->SetTypedComponent(i, k, single(field.values[components * i + k]));
+  grid.GetPointData()->AddArray(values);
+}
+
+void add_fields(const Mesh& mesh, const VtuFields& fields, vtkUnstructuredGrid& grid) {
+  for (const NodalField& field : fields.nodal) add_nodal(mesh, field, grid);
+  if (!fields.nodal.empty() && fields.nodal[0].values.size() == mesh.node_count())
+    grid.GetPointData()->SetActiveScalars(fields.nodal[0].name.c_str());
+  for (const CellConstant& field : fields.cell) {
+    const auto values = array(field.name, 1, mesh.cell_count());
+    values->Fill(single(field.value));
+    grid.GetCellData()->AddArray(values);
+  }
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("TimeValue");
+  time->InsertNextValue(fields.time);
+  grid.GetFieldData()->AddArray(time);
+}
+
+}  // namespace
+
+void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields) {
+  vtkSMPTools::SetBackend("Sequential");  // threads cost more than the arrays' ranges, for which VTK takes them
+  vtkNew<vtkUnstructuredGrid> grid;
+  set_points(mesh, fields.displacement, *grid);
+  set_cells(mesh, *grid);
+  add_fields(mesh, fields, *grid);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(grid);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  writer->SetHeaderTypeToUInt32();
+  writer->SetIdTypeToInt32();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() != 1) throw std::runtime_error(path + ": cannot be made");
+  write_text(path, writer->GetOutputString());
+}
+
+namespace {
+
+std::string xml_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else if (c == '"')
+      escaped += "&quot;";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+}  // namespace
+
+void PvdCollection::append(const Entry& entry) {
+  lines_ += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", entry.time,
+                        xml_text(entry.file));
+}
+
+void PvdCollection::add(double time, const std::string& file) {
+  append({time, file});
+  write();
+}
+
+void PvdCollection::set(const std::vector<Entry>& entries) {
+  lines_.clear();
+  for (const Entry& entry : entries) append(entry);
+  write();
+}
+
+void PvdCollection::write() const {
+  replace_file(path_, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" +
+                          lines_ + "  </Collection>\n</VTKFile>\n");
+}
+
+}  // namespace parison::core

@@ -1,0 +1,53 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.hpp"
+
+namespace parison::core {
+
+/// Values at the nodes of a mesh: one a node, or core::dim a node for a vector (written with three).
+struct NodalField {
+  std::string name;
+  Eigen::VectorXd values;
+};
+/// One value for all cells.
+struct CellConstant {
+  std::string name;
+  double value;
+};
+
+struct VtuFields {
+  double time = 0;                     ///< s, written as TimeValue
+  Point displacement = Point::Zero();  ///< added to the nodes, m
+  std::vector<NodalField> nodal;
+  std::vector<CellConstant> cell;
+};
+
+/// Writes quadratic triangles to a .vtu file: binary, values in single precision.
+void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields);
+
+/// A ParaView collection: the files of a time series. The whole file is written at each addition, so it opens at any
+/// time.
+class PvdCollection {
+ public:
+  struct Entry {
+    double time;  ///< s
+    std::string file;
+  };
+
+  explicit PvdCollection(std::string path) : path_(std::move(path)) {}
+  /// `file` is relative to the collection's folder; time in s.
+  void add(double time, const std::string& file);
+  /// Has these entries and no others.
+  void set(const std::vector<Entry>& entries);
+
+ private:
+  void append(const Entry& entry);
+  void write() const;
+
+  std::string path_, lines_;
+};
+
+}  // namespace parison::core

@@ -1,0 +1,38 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "core/linear/sparse_matrix.hpp"
+
+namespace parison::core {
+
+/// CHOLMOD on a symmetric matrix; the analysis serves until the pattern changes. Positive definite: LL', supernodal
+/// unless the order is given. Quasi-definite (a saddle point whose second block is negative definite): simplicial LDL'
+/// without pivoting.
+class Cholesky {
+ public:
+  enum class Form { positive_definite, quasi_definite };
+  Cholesky();
+  explicit Cholesky(Form form);
+  ~Cholesky();
+  Cholesky(Cholesky&&) noexcept;
+  Cholesky& operator=(Cholesky&&) noexcept;
+
+  /// Symbolic analysis (AMD).
+  void analyse(const SymmetricMatrix& matrix);
+  /// The same with a given order of elimination; the factor is simplicial.
+  void analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order);
+  /// The same for the upper triangle of a matrix that is in the order of its elimination itself: order[k] is the number
+  /// that its k-th unknown has in `solve`.
+  void analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order);
+  /// Numeric factorisation; false when the matrix is not positive definite, or a pivot vanishes.
+  [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
+  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
+  Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& rhs) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace parison::core

@@ -1,0 +1,34 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "core/linear/sparse_matrix.hpp"
+
+namespace parison::core {
+
+/// LDL' of a symmetric quasi-definite matrix (a regularised saddle point), minimum degree; the analysis serves until
+/// the pattern changes. CHOLMOD where the fill is small, MUMPS with pivoting where dense blocks pay.
+class IndefiniteSolver {
+ public:
+  IndefiniteSolver();
+  ~IndefiniteSolver();
+  IndefiniteSolver(IndefiniteSolver&&) noexcept;
+  IndefiniteSolver& operator=(IndefiniteSolver&&) noexcept;
+
+  enum class Library { automatic, cholmod, mumps };
+  void analyse(const SymmetricMatrix& matrix, Library library = Library::automatic);
+  /// The same for the upper triangle of a matrix that is in the order of its elimination itself: `solve` takes and
+  /// gives the unknowns by the numbers that `order` has for them.
+  void analyse_ordered(const SymmetricMatrix& matrix, const EliminationOrder& order,
+                       Library library = Library::automatic);
+  /// Numeric factorisation; false when a pivot vanishes.
+  [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
+  /// Solves for each column of rhs.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace parison::core

@@ -1,0 +1,61 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "core/mesh/point.hpp"
+
+namespace parison::core {
+
+/// Groups of unknowns that couple with one another (the unknowns of an element, of an interface point).
+struct Cliques {
+  std::vector<Index> start{0};  ///< clique c holds unknowns[start[c]] ... unknowns[start[c+1]-1]
+  std::vector<Index> unknowns;
+
+  void add(const Index* begin, Index count);
+  Index count() const { return static_cast<Index>(start.size()) - 1; }
+};
+
+enum class Triangle { lower, upper };
+
+/// A triangle of a symmetric sparse matrix, compressed columns with sorted rows, every diagonal entry present.
+/// The pattern is made once and kept; only the values change.
+struct SymmetricMatrix {
+  Index size = 0;
+  std::vector<Index> column_start, row;
+  std::vector<double> value;
+};
+
+/// Where the entries of each clique's dense matrix go: for clique c, the packed lower triangle by rows
+/// ((0,0) (1,0) (1,1) (2,0) ...) from offset[c].
+struct Scatter {
+  std::vector<Index> offset, position;
+};
+
+struct Assembly {
+  SymmetricMatrix matrix;  ///< values zero
+  Scatter scatter;
+};
+Assembly make_assembly(Index size, const Cliques& cliques, Triangle triangle = Triangle::lower);
+
+/// Adds the dense symmetric matrix of a clique; `local` is row-major count x count, its lower triangle is read.
+void add_clique(SymmetricMatrix& matrix, const Scatter& scatter, Index clique, Index count, const double* local);
+
+/// Full symmetric product A x.
+Eigen::VectorXd multiply(const SymmetricMatrix& matrix, const Eigen::VectorXd& x);
+
+/// The unknowns in the order of their elimination, and about how many operations a factorisation takes.
+struct EliminationOrder {
+  std::vector<Index> unknown;
+  double operations;
+};
+
+/// Order in which to eliminate the unknowns of a graph with little fill: approximate minimum degree. An edge may be
+/// named more than once and in either direction.
+EliminationOrder minimum_degree_order(Index size, const std::vector<std::array<Index, 2>>& edges);
+
+/// The same for a matrix. Unknowns with one pattern are ordered as one vertex and follow one another by their numbers.
+EliminationOrder minimum_degree_order(const SymmetricMatrix& matrix);
+
+}  // namespace parison::core

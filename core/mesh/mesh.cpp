@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/mesh.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <utility>
+
+#include "core/mesh/element.hpp"
+
+namespace parison::core {
+
+namespace {
+
+/// Chains boundary edges loop by loop, starting each loop at the lowest remaining edge.
+std::vector<BoundaryEdge> chained(const std::vector<BoundaryEdge>& edges) {
+  std::map<Index, std::size_t> starting_at;
+  for (std::size_t i = 0; i < edges.size(); ++i) starting_at[edges[i].nodes[0]] = i;
+  std::vector<BoundaryEdge> result;
+  result.reserve(edges.size());
+  std::vector<bool> used(edges.size(), false);
+  for (std::size_t first = 0; first < edges.size(); ++first) {
+    for (std::size_t i = first; !used[i];) {
+      used[i] = true;
+      result.push_back(edges[i]);
+      const auto next = starting_at.find(edges[i].nodes[1]);
+      if (next == starting_at.end()) break;
+      i = next->second;
+    }
+  }
+  return result;
+}
+
+/// Shape functions and their derivatives at the points of a rule, which are the same in all cells.
+template <int Points>
+struct RuleShapes {
+  Eigen::Matrix<double, Points, 6> value, along_a, along_b;
+  Eigen::Array<double, Points, 1> weight;
+
+  explicit RuleShapes(int degree) {
+    const auto& rule = triangle_rule(degree);
+    assert(rule.size() == Points);
+    for (int q = 0; q < Points; ++q) {
+      const auto shape = triangle_shape(rule[q].a, rule[q].b);
+      const auto derivative = triangle_shape_derivative(rule[q].a, rule[q].b);
+      for (int k = 0; k < 6; ++k) {
+        value(q, k) = shape[k];
+        along_a(q, k) = derivative[k][0];
+        along_b(q, k) = derivative[k][1];
+      }
+      weight[q] = rule[q].weight;
+    }
+  }
+};
+
+/// Weights times measures of the rule's points in a cell.
+template <int Points>
+Eigen::Array<double, Points, 1> measures(const RuleShapes<Points>& rule, const Mesh& mesh,
+                                         const std::array<Index, 6>& cell, Geometry geometry) {
+  using Values = Eigen::Array<double, Points, 1>;
+  Eigen::Matrix<double, 6, 1> x, y;
+  for (int k = 0; k < 6; ++k) x[k] = mesh.nodes[cell[k]][0], y[k] = mesh.nodes[cell[k]][1];
+  const Values xa = rule.along_a * x, ya = rule.along_a * y, xb = rule.along_b * x, yb = rule.along_b * y;
+  const Values at_x = rule.value * x, at_y = rule.value * y;
+  Values result = rule.weight * (xa * yb - xb * ya);
+  for (int q = 0; q < Points; ++q) result[q] *= depth(geometry, {at_x[q], at_y[q]});
+  return result;
+}
+
+/// Values of a field at the rule's points in a cell.
+template <int Points>
+Eigen::Array<double, Points, 1> values_at(const RuleShapes<Points>& rule, const Eigen::VectorXd& nodal,
+                                          const std::array<Index, 6>& cell) {
+  Eigen::Matrix<double, 6, 1> own;
+  for (int k = 0; k < 6; ++k) own[k] = nodal[cell[k]];
+  return rule.value * own;
+}
+
+}  // namespace
+
+Index find_piece(const Mesh& mesh, const std::string& name) {
+  const auto found = std::find(mesh.pieces.begin(), mesh.pieces.end(), name);
+  return found == mesh.pieces.end() ? -1 : static_cast<Index>(found - mesh.pieces.begin());
+}
+
+Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<std::array<Index, 3>>& triangles) {
+  struct Side {
+    Index middle, count, cell, first, last;
+  };
+  Mesh mesh;
+  mesh.nodes = vertices;
+  mesh.vertex_count = static_cast<Index>(vertices.size());
+  mesh.pieces = {"boundary"};
+  mesh.cells.reserve(triangles.size());
+  std::map<std::pair<Index, Index>, Side> sides;
+  for (const auto& triangle : triangles) {
+    std::array<Index, 6> cell{triangle[0], triangle[1], triangle[2], 0, 0, 0};
+    for (int k = 0; k < 3; ++k) {
+      const Index a = triangle[k], b = triangle[(k + 1) % 3];
+      auto [it, is_new] = sides.try_emplace(std::minmax(a, b), Side{mesh.node_count(), 0, mesh.cell_count(), a, b});
+      if (is_new) mesh.nodes.push_back(0.5 * (vertices[a] + vertices[b]));
+      ++it->second.count;
+      cell[3 + k] = it->second.middle;
+    }
+    mesh.cells.push_back(cell);
+  }
+  std::vector<BoundaryEdge> boundary;
+  for (const auto& [ends, side] : sides)
+    if (side.count == 1) boundary.push_back({{side.first, side.last, side.middle}, side.cell, 0});
+  mesh.boundary = chained(boundary);
+  return mesh;
+}
+
+Eigen::VectorXd from_vertices(const Mesh& mesh, const Eigen::VectorXd& vertex_values) {
+  Eigen::VectorXd nodal(mesh.node_count());
+  nodal.head(mesh.vertex_count) = vertex_values;
+  for (const auto& cell : mesh.cells)
+    for (int k = 0; k < 3; ++k) nodal[cell[3 + k]] = 0.5 * (nodal[cell[k]] + nodal[cell[(k + 1) % 3]]);
+  return nodal;
+}
+
+Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load) {
+  Eigen::VectorXd left = nodal_load;
+  for (const auto& cell : mesh.cells)
+    for (int k = 0; k < 3; ++k) {
+      double& middle = left[cell[3 + k]];
+      left[cell[k]] += 0.5 * middle;
+      left[cell[(k + 1) % 3]] += 0.5 * middle;
+      middle = 0;
+    }
+  return left.head(mesh.vertex_count);
+}
+
+double volume(const Mesh& mesh, Geometry geometry) {
+  // Gauss: the depth's integral over the first coordinate flows out through the boundary; degree 5 on a quadratic edge.
+  const double share = geometry == Geometry::axisymmetric ? 0.5 : 1.0;
+  long double sum = 0;  // the two sides of a thin wall all but cancel
+  for (const BoundaryEdge& edge : mesh.boundary)
+    for (const auto& at : edge_rule(3)) {
+      const EdgePoint point = map_edge_point(mesh, edge.nodes, geometry, at);
+      sum += share * point.area * point.position[0] * point.normal[0];
+    }
+  return static_cast<double>(sum);
+}
+
+double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal,
+                const std::function<double(double)>& function) {
+  static const RuleShapes<6> rule(4);
+  double sum = 0;
+  for (const auto& cell : mesh.cells) {
+    const auto measure = measures(rule, mesh, cell, geometry), value = values_at(rule, nodal, cell);
+    for (int q = 0; q < 6; ++q) sum += measure[q] * function(value[q]);
+  }
+  return sum;
+}
+
+double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal) {
+  static const RuleShapes<12> rule(6);
+  const double base = nodal[0];  // a uniform field has its own value as the mean
+  const Eigen::VectorXd excess = nodal.array() - base;
+  double content = 0, volume = 0;
+  for (const auto& cell : mesh.cells) {
+    const auto measure = measures(rule, mesh, cell, geometry);
+    content += (measure * values_at(rule, excess, cell)).sum();
+    volume += measure.sum();
+  }
+  return base + content / volume;
+}
+
+}  // namespace parison::core

@@ -1,0 +1,19 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+
+namespace parison::core {
+
+using Index = int;
+
+/// Number of coordinates of a point: (r, z) in axisymmetric scenes, (x, y) in planar ones.
+inline constexpr int dim = 2;
+/// Position or displacement, m; in axisymmetric scenes the axis of symmetry is the last coordinate's.
+using Point = Eigen::Matrix<double, dim, 1>;
+using Tensor = Eigen::Matrix<double, dim, dim>;
+/// Direction along which tools move and gravity acts.
+inline Point axis_direction() {
+  return Point::Unit(dim - 1);
+}
+
+}  // namespace parison::core

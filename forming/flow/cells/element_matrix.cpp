@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/flow/cells/element_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "core/mesh/element.hpp"
+
+namespace parison::flow {
+
+using core::dim;
+
+namespace {
+
+/// Viscosity of frozen glass, of what it would be.
+constexpr double frozen_factor = 1e6;
+/// Bulk viscosity in units of the shear viscosity at the same place.
+constexpr double bulk_ratio = 1e10;
+
+/// Viscosity, weights and body force at one quadrature point of a batch.
+struct PointWeights {
+  Lanes viscous, squeezed;       ///< viscosity and compliance, each times the volume
+  Lanes ring;                    ///< twice the viscous weight over r squared
+  std::array<Lanes, dim> force;  ///< N
+};
+using BatchWeights = std::array<PointWeights, cell_points>;
+
+BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry, Index batch,
+                           const std::vector<double>& viscosity) {
+  const Point weight = problem.material->density * problem.gravity * core::axis_direction();
+  BatchWeights weights;
+  for (int q = 0; q < cell_points; ++q) {
+    const auto& at = geometry.at(batch, q);
+    Lanes eta;
+    for (Index lane = 0; lane < lanes; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
+    weights[q].viscous = eta * at.volume;
+    weights[q].ring = 2 * weights[q].viscous * at.hoop * at.hoop;
+    weights[q].squeezed = at.volume / (bulk_ratio * eta);
+    for (int a = 0; a < dim; ++a) weights[q].force[a] = weight[a] * at.volume;
+    if (!problem.force) continue;
+    for (Index lane = 0; lane < lanes; ++lane) {
+      const Point more = problem.force(geometry.position(geometry.cell(batch, lane), q));
+      for (int a = 0; a < dim; ++a) weights[q].force[a][lane] += more[a] * at.volume[lane];
+    }
+  }
+  return weights;
+}
+
+/// Shape functions at the quadrature points, and products of them; of nodes i and j <= i at packed(i, j).
+struct Shapes {
+  double value[6][cell_points], product[21][cell_points], linear[3][cell_points], linear_product[6][cell_points];
+
+  Shapes() {
+    const auto& rule = core::triangle_rule(4);
+    for (int q = 0; q < cell_points; ++q) {
+      const auto& shape = shapes_at_points()[q];
+      const double at_vertex[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
+      for (int i = 0; i < 6; ++i) value[i][q] = shape[i];
+      for (int p = 0; p < 3; ++p) linear[p][q] = at_vertex[p];
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j) product[packed(i, j)][q] = shape[i] * shape[j];
+      for (int p = 0; p < 3; ++p)
+        for (int s = 0; s <= p; ++s) linear_product[packed(p, s)][q] = at_vertex[p] * at_vertex[s];
+    }
+  }
+};
+
+/// The viscous weight times the gradient of a node's shape function, at each quadrature point.
+struct WeightedGradient {
+  Pack at[cell_points][dim];
+};
+
+/// Viscous forces between the velocities of nodes i, whose weighted gradient is given, and j <= i.
+[[gnu::always_inline]] inline void set_pair(const CellGeometry::AtPoint* at, const WeightedGradient& weighted, int i,
+                                            int j, Lanes* matrix) {
+  Pack along_r{}, along_z{}, rz{}, zr{};
+  for (int q = 0; q < cell_points; ++q) {
+    const Pack &r = packed_lanes(at[q].gradient[j][0]), &z = packed_lanes(at[q].gradient[j][1]);
+    along_r += weighted.at[q][0] * r;
+    along_z += weighted.at[q][1] * z;
+    rz += weighted.at[q][1] * r;
+    zr += weighted.at[q][0] * z;
+  }
+  packed_lanes(matrix[packed(dim * i, dim * j)]) = 2 * along_r + along_z;
+  packed_lanes(matrix[packed(dim * i + 1, dim * j)]) = zr;
+  packed_lanes(matrix[packed(dim * i + 1, dim * j + 1)]) = along_r + 2 * along_z;
+  if (j < i) packed_lanes(matrix[packed(dim * i, dim * j + 1)]) = rz;
+}
+
+/// Adds the forces of the rings' stretching.
+[[gnu::always_inline]] inline void add_rings(const Shapes& shapes, const BatchWeights& weights, Lanes* matrix) {
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j <= i; ++j) {
+      const double* product = shapes.product[packed(i, j)];
+      Pack ring{};
+      for (int q = 0; q < cell_points; ++q) ring += product[q] * packed_lanes(weights[q].ring);
+      packed_lanes(matrix[packed(dim * i, dim * j)]) += ring;
+    }
+}
+
+/// Divergence of node i's velocity, against the pressures, and the force on it.
+[[gnu::always_inline]] inline void set_node(const Shapes& shapes, const CellGeometry::AtPoint* at,
+                                            const BatchWeights& weights, int i, Lanes* matrix, Lanes* load) {
+  Pack divergence[3][dim]{}, force[dim]{};
+  for (int q = 0; q < cell_points; ++q) {
+    const double shape = shapes.value[i][q];
+    const Pack &volume = packed_lanes(at[q].volume), &r = packed_lanes(at[q].gradient[i][0]);
+    const Pack part[dim] = {volume * (r + shape * packed_lanes(at[q].hoop)),
+                            volume * packed_lanes(at[q].gradient[i][1])};
+    for (int a = 0; a < dim; ++a) {
+      force[a] += shape * packed_lanes(weights[q].force[a]);
+      for (int p = 0; p < 3; ++p) divergence[p][a] -= shapes.linear[p][q] * part[a];
+    }
+  }
+  for (int a = 0; a < dim; ++a) {
+    packed_lanes(load[dim * i + a]) = force[a];
+    for (int p = 0; p < 3; ++p) packed_lanes(matrix[packed(cell_velocities + p, dim * i + a)]) = divergence[p][a];
+  }
+}
+
+[[gnu::always_inline]] inline void set_pressures(const Shapes& shapes, const BatchWeights& weights, Lanes* matrix,
+                                                 Lanes* load) {
+  for (int p = 0; p < 3; ++p) {
+    load[cell_velocities + p].setZero();
+    for (int s = 0; s <= p; ++s) {
+      Pack sum{};
+      for (int q = 0; q < cell_points; ++q)
+        sum -= shapes.linear_product[packed(p, s)][q] * packed_lanes(weights[q].squeezed);
+      packed_lanes(matrix[packed(cell_velocities + p, cell_velocities + s)]) = sum;
+    }
+  }
+}
+
+[[gnu::target_clones("avx2", "default")]] void set_batch(const Shapes& shapes, const CellGeometry::AtPoint* at,
+                                                         const BatchWeights& weights, Lanes* matrix, Lanes* load) {
+  for (int i = 0; i < 6; ++i) {
+    WeightedGradient weighted;
+    for (int q = 0; q < cell_points; ++q)
+      for (int a = 0; a < dim; ++a)
+        weighted.at[q][a] = packed_lanes(weights[q].viscous) * packed_lanes(at[q].gradient[i][a]);
+    for (int j = 0; j <= i; ++j) set_pair(at, weighted, i, j, matrix);
+    set_node(shapes, at, weights, i, matrix, load);
+  }
+  add_rings(shapes, weights, matrix);
+  set_pressures(shapes, weights, matrix, load);
+}
+
+/// The temperature at each quadrature point, cells x cell_points, K.
+Eigen::ArrayXd temperature_at_points(const core::Mesh& mesh, const Eigen::VectorXd& temperature) {
+  const auto& shapes = shapes_at_points();
+  Eigen::ArrayXd result(mesh.cell_count() * cell_points);
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    double at_node[6];
+    for (int i = 0; i < 6; ++i) at_node[i] = temperature[mesh.cells[c][i]];
+    for (int q = 0; q < cell_points; ++q) {
+      double sum = 0;
+      for (int i = 0; i < 6; ++i) sum += shapes[q][i] * at_node[i];
+      result[c * cell_points + q] = sum;
+    }
+  }
+  return result;
+}
+
+/// Rate of deformation exceeded in the volume `share`; the pairs are D:D and volume.
+double exceeded_rate(std::vector<std::pair<double, double>> squared_and_volume, double share) {
+  // The largest are searched for among ever more candidates until these fill the share.
+  const auto begin = squared_and_volume.begin(), end = squared_and_volume.end();
+  auto sorted = begin;
+  double above = 0;
+  for (std::ptrdiff_t next = 1 + (end - begin) / 16; sorted != end; next = end - sorted) {
+    const auto stop = sorted + std::min(next, end - sorted);
+    std::nth_element(sorted, stop - 1, end, std::greater<>());
+    std::sort(sorted, stop, std::greater<>());
+    for (; sorted != stop; ++sorted) {
+      above += sorted->second;
+      if (above > share) return std::sqrt(2 * sorted->first);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+CellMatrix CellMatrices::of(Index cell) const {
+  CellMatrix result;
+  const Lanes* entry = batch(cell / lanes);
+  for (int i = 0; i < cell_unknowns; ++i)
+    for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = (*entry++)[cell % lanes];
+  return result;
+}
+
+std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& geometry,
+                                    const Eigen::VectorXd& velocity) {
+  const auto& mesh = *problem.mesh;
+  std::vector<double> viscosity(mesh.cells.size() * cell_points);
+  Eigen::Map<Eigen::ArrayXd> at_points(viscosity.data(), Index(viscosity.size()));
+  if (problem.viscosity) {
+    for (Index k = 0; k < at_points.size(); ++k)
+      at_points[k] = problem.viscosity(geometry.position(k / cell_points, k % cell_points));
+  } else {
+    at_points = problem.material->viscosity.logarithm(temperature_at_points(mesh, *problem.temperature)).exp();
+  }
+  for (Index c = 0; c < Index(problem.frozen.size()); ++c)
+    if (problem.frozen[c]) at_points.segment<cell_points>(c * cell_points) *= frozen_factor;
+  if (problem.viscosity || !problem.material->shear_thinning || velocity.size() == 0) return viscosity;
+  const auto& law = *problem.material->shear_thinning;
+  for (Index batch = 0; batch < geometry.batches(); ++batch) {
+    const auto v = batch_velocity(mesh, geometry, batch, velocity);
+    const Index here = std::min(lanes, geometry.cells - batch * lanes);
+    for (int q = 0; q < cell_points; ++q) {
+      const Lanes squared = 2 * squared_rate(geometry.at(batch, q), q, v);
+      for (Index lane = 0; lane < here; ++lane)
+        viscosity[std::size_t(batch * lanes + lane) * cell_points + q] *=
+            std::pow(1 + law.time * law.time * squared[lane], 0.5 * (law.exponent - 1));
+    }
+  }
+  return viscosity;
+}
+
+CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity) {
+  static const Shapes shapes;
+  CellMatrices cells;
+  cells.matrix.resize(std::size_t(geometry.batches()) * cell_entries);
+  cells.load.resize(std::size_t(geometry.batches()) * cell_unknowns);
+  for (Index batch = 0; batch < geometry.batches(); ++batch) {
+    const auto weights = batch_weights(problem, geometry, batch, viscosity);
+    set_batch(shapes, &geometry.at(batch, 0), weights, cells.matrix.data() + std::size_t(batch) * cell_entries,
+              cells.load.data() + std::size_t(batch) * cell_unknowns);
+  }
+  return cells;
+}
+
+void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
+                          const Eigen::VectorXd& velocity, Solution& solution) {
+  solution.dissipation.resize(viscosity.size());
+  std::vector<std::pair<double, double>> squared_and_volume(viscosity.size());
+  double total = 0, sum = 0;
+  for (Index batch = 0; batch < geometry.batches(); ++batch) {
+    const auto v = batch_velocity(*problem.mesh, geometry, batch, velocity);
+    const Index here = std::min(lanes, geometry.cells - batch * lanes);
+    for (int q = 0; q < cell_points; ++q) {
+      const auto& at = geometry.at(batch, q);
+      const Lanes squared = squared_rate(at, q, v);
+      for (Index lane = 0; lane < here; ++lane) {
+        const std::size_t k = std::size_t(batch * lanes + lane) * cell_points + q;
+        squared_and_volume[k] = {squared[lane], at.volume[lane]};
+        solution.dissipation[k] = 2 * viscosity[k] * squared[lane] * at.volume[lane];
+        total += at.volume[lane];
+        sum += 2 * squared[lane] * at.volume[lane];
+      }
+    }
+  }
+  solution.mean_rate = std::sqrt(sum / total);
+  solution.high_rate = exceeded_rate(std::move(squared_and_volume), high_rate_share * total);
+}
+
+using core::dim;
+
+namespace {
+
+/// D:dD at a quadrature point for each velocity of a cell, 1/(m s).
+using RateDerivative = std::array<Lanes, cell_velocities>;
+
+RateDerivative rate_derivative(const CellGeometry::AtPoint& at, int q, const BatchVelocity& velocity) {
+  const auto& shape = shapes_at_points()[q];
+  Lanes rr = Lanes::Zero(), zz = rr, shear = rr, radial = rr;
+  for (int i = 0; i < 6; ++i) {
+    rr += velocity[i][0] * at.gradient[i][0];
+    zz += velocity[i][1] * at.gradient[i][1];
+    shear += velocity[i][0] * at.gradient[i][1] + velocity[i][1] * at.gradient[i][0];
+    radial += shape[i] * velocity[i][0];
+  }
+  const Lanes half = 0.5 * shear, ring = at.hoop * at.hoop * radial;
+  RateDerivative derivative;
+  for (int i = 0; i < 6; ++i) {
+    derivative[dim * i] = rr * at.gradient[i][0] + half * at.gradient[i][1] + shape[i] * ring;
+    derivative[dim * i + 1] = half * at.gradient[i][0] + zz * at.gradient[i][1];
+  }
+  return derivative;
+}
+
+}  // namespace
+
+void add_thinning_derivative(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
+                             const Eigen::VectorXd& velocity, CellMatrices& cells) {
+  const auto& law = *problem.material->shear_thinning;
+  const double square = law.time * law.time;
+  for (Index batch = 0; batch < geometry.batches(); ++batch) {
+    Lanes* matrix = cells.matrix.data() + std::size_t(batch) * cell_entries;
+    const auto v = batch_velocity(*problem.mesh, geometry, batch, velocity);
+    for (int q = 0; q < cell_points; ++q) {
+      const auto& at = geometry.at(batch, q);
+      Lanes eta;
+      for (Index lane = 0; lane < lanes; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
+      const Lanes slope = 0.5 * (law.exponent - 1) * square * eta / (1 + 2 * square * squared_rate(at, q, v));
+      const auto rate = rate_derivative(at, q, v);
+      for (int i = 0; i < cell_velocities; ++i) {
+        const Lanes row = 8 * slope * at.volume * rate[i];
+        for (int j = 0; j <= i; ++j) matrix[packed(i, j)] += row * rate[j];
+      }
+    }
+  }
+}
+
+bool NewtonGuard::trusts(double moved) {
+  const bool contracts = moved < last_moved_;
+  last_moved_ = moved;
+  if (left_ > 0) return --left_ == 0;
+  if (contracts) return true;
+  penalty_ = 2 * penalty_ + 1;
+  left_ = penalty_;
+  return false;
+}
+
+}  // namespace parison::flow

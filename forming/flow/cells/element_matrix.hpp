@@ -1,0 +1,65 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+#include <vector>
+
+#include "forming/flow/cells/cell_geometry.hpp"
+#include "forming/flow/problem.hpp"
+
+namespace parison::flow {
+
+/// Unknowns of a cell: the velocity of its 6 nodes, then the pressure at its 3 vertices.
+inline constexpr int cell_velocities = 6 * core::dim;
+inline constexpr int cell_unknowns = cell_velocities + 3;
+using CellMatrix = Eigen::Matrix<double, cell_unknowns, cell_unknowns, Eigen::RowMajor>;
+
+/// Entries of a cell's lower triangle, packed by rows, and the place of one of them, column <= row.
+inline constexpr int cell_entries = cell_unknowns * (cell_unknowns + 1) / 2;
+constexpr int packed(int row, int column) {
+  return row * (row + 1) / 2 + column;
+}
+
+/// Symmetric saddle-point matrices of all cells, with the load of gravity.
+struct CellMatrices {
+  std::vector<Lanes> matrix;  ///< batches x cell_entries
+  std::vector<Lanes> load;    ///< batches x cell_unknowns
+
+  const Lanes* batch(Index batch) const { return matrix.data() + std::size_t(batch) * cell_entries; }
+  double load_at(Index cell, int unknown) const {
+    return load[std::size_t(cell / lanes) * cell_unknowns + unknown][cell % lanes];
+  }
+  /// One cell's matrix, whole.
+  CellMatrix of(Index cell) const;
+};
+
+/// Viscosity at each quadrature point (cells x cell_points), Pa.s; `velocity` feeds the Carreau factor and may be
+/// empty.
+std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& geometry,
+                                    const Eigen::VectorXd& velocity);
+
+/// Taylor-Hood P2-P1 cells. The pressure block -1/bulk, local, keeps a full cavity regular; it is far below any volume
+/// drift that counts.
+CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity);
+
+/// 2 eta D:D dV at each quadrature point, W, and the mean and the high rate of deformation, 1/s.
+void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
+                          const Eigen::VectorXd& velocity, Solution& solution);
+
+/// Adds to the cells' matrices what the viscous forces change by through the Carreau factor, at a velocity that gives
+/// `viscosity`: 8 d eta/d(rate^2) (D:dD)(D:dD'). The matrices stay symmetric, and positive where the law's exponent is.
+void add_thinning_derivative(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
+                             const Eigen::VectorXd& velocity, CellMatrices& cells);
+
+/// Chooses between Newton's steps and those with the viscosity as it is (Kacanov's), which are slow but always approach
+/// the answer: a Newton step that moves the flow further than the step before is followed by ever more of the latter.
+class NewtonGuard {
+ public:
+  /// Whether the next step may be Newton's after one that changed the velocities by `moved`, relative.
+  bool trusts(double moved);
+
+ private:
+  double last_moved_ = std::numeric_limits<double>::infinity();
+  int penalty_ = 0, left_ = 0;
+};
+
+}  // namespace parison::flow

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/flow/linear/saddle_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parison::flow {
+
+using core::dim;
+
+namespace {
+
+/// For each vertex the node after which its pressure is eliminated, by place in the order. Before any velocity that it
+/// drives is out, its pivot would be next to nothing, and nodes of the boundary may all be held: so it waits for one
+/// inside.
+std::vector<Index> pressure_places(const core::Mesh& mesh, const std::vector<Index>& place) {
+  std::vector<bool> inside(mesh.nodes.size(), true);
+  for (const auto& edge : mesh.boundary)
+    for (const Index node : edge.nodes) inside[node] = false;
+  const Index last = mesh.node_count() - 1;
+  std::vector<Index> first(mesh.vertex_count, last);
+  for (const auto& cell : mesh.cells)
+    for (int v = 0; v < 3; ++v)
+      for (const Index node : cell)
+        if (inside[node]) first[cell[v]] = std::min(first[cell[v]], place[node]);
+  for (Index v = 0; v < mesh.vertex_count; ++v) first[v] = std::max(first[v], place[v]);
+  return first;
+}
+
+/// All unknowns of a node couple with the same others: the nodes are ordered.
+core::EliminationOrder elimination_order(const core::Mesh& mesh) {
+  std::vector<std::array<Index, 2>> edges;
+  edges.reserve(15 * mesh.cells.size());
+  for (const auto& cell : mesh.cells)
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < i; ++j) edges.push_back({cell[i], cell[j]});
+  const auto nodes = core::minimum_degree_order(mesh.node_count(), edges);
+  std::vector<Index> place(mesh.node_count());
+  for (Index k = 0; k < mesh.node_count(); ++k) place[nodes.unknown[k]] = k;
+  const std::vector<Index> pressure_place = pressure_places(mesh, place);
+  std::vector<std::vector<Index>> pressures(mesh.node_count());
+  for (Index v = 0; v < mesh.vertex_count; ++v) pressures[pressure_place[v]].push_back(dim * mesh.node_count() + v);
+  core::EliminationOrder order{{}, 0};
+  for (Index k = 0; k < mesh.node_count(); ++k) {
+    for (int a = 0; a < dim; ++a) order.unknown.push_back(dim * nodes.unknown[k] + a);
+    order.unknown.insert(order.unknown.end(), pressures[k].begin(), pressures[k].end());
+  }
+  order.operations = nodes.operations * std::pow(double(order.unknown.size()) / mesh.node_count(), 3);
+  return order;
+}
+
+}  // namespace
+
+SaddleSystem::SaddleSystem(const core::Mesh& mesh) : vertices_(mesh.vertex_count) {
+  const auto order = elimination_order(mesh);
+  std::vector<Index> rank(order.unknown.size());
+  for (std::size_t k = 0; k < rank.size(); ++k) rank[order.unknown[k]] = static_cast<Index>(k);
+  core::Cliques cliques;
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    auto unknowns = unknowns_of(mesh, c);
+    for (Index& unknown : unknowns) unknown = rank[unknown];
+    cliques.add(unknowns.data(), cell_unknowns);
+  }
+  assembly_ = core::make_assembly(static_cast<Index>(rank.size()), cliques, core::Triangle::upper);
+  linear_.analyse_ordered(assembly_.matrix, order);
+  diagonal_.resize(size());
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const auto unknowns = unknowns_of(mesh, c);
+    const Index* position = assembly_.scatter.position.data() + assembly_.scatter.offset[c];
+    for (int k = 0; k < cell_unknowns; ++k) diagonal_[unknowns[k]] = position[packed(k, k)];
+  }
+}
+
+void SaddleSystem::add_held_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local) {
+  for (int i = 0; i < 6; ++i) {
+    const NodeFrame* held = base_.find(nodes[i]);
+    if (!held) continue;
+    local.middleCols<dim>(dim * i) = (local.middleCols<dim>(dim * i) * held->frame).eval();
+    local.middleRows<dim>(dim * i) = (held->frame.transpose() * local.middleRows<dim>(dim * i)).eval();
+    for (int a = 0; a < dim; ++a) {
+      if (!held->fixed[a]) continue;
+      const double diagonal = local(dim * i + a, dim * i + a);
+      local.row(dim * i + a).setZero();
+      local.col(dim * i + a).setZero();
+      local(dim * i + a, dim * i + a) = diagonal;
+    }
+  }
+  core::add_clique(assembly_.matrix, assembly_.scatter, cell, cell_unknowns, local.data());
+}
+
+void SaddleSystem::add_cell(const Lanes* entries, Index cell) {
+  const Index* position = assembly_.scatter.position.data() + assembly_.scatter.offset[cell];
+  for (int k = 0; k < cell_entries; ++k) assembly_.matrix.value[position[k]] += entries[k][cell % lanes];
+}
+
+bool SaddleSystem::factorise(const core::Mesh& mesh, const CellMatrices& cells, const Held& base) {
+  base_ = base;
+  auto& matrix = assembly_.matrix;
+  std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const auto& nodes = mesh.cells[c];
+    if (std::none_of(nodes.begin(), nodes.end(), [&](Index n) { return base_.find(n); }))
+      add_cell(cells.batch(c / lanes), c);
+    else
+      add_held_cell(nodes, c, cells.of(c));
+  }
+  for (const auto& frame : base_.frames)
+    if (frame.friction_tool >= 0) matrix.value[diagonal_[dim * frame.node + dim - 1]] += base_.drag[frame.node];
+  return factorised_ = linear_.factorise(matrix);
+}
+
+Eigen::MatrixXd SaddleSystem::solve(Eigen::MatrixXd rhs) const {
+  for (const auto& held : base_.frames) {
+    auto rows = rhs.middleRows<dim>(dim * held.node);
+    rows = (held.frame.transpose() * rows).eval();
+    for (int a = 0; a < dim; ++a)
+      if (held.fixed[a]) rows.row(a).setZero();
+  }
+  Eigen::MatrixXd solution = linear_.solve(rhs);
+  for (const auto& held : base_.frames) {
+    auto rows = solution.middleRows<dim>(dim * held.node);
+    rows = (held.frame * rows).eval();
+  }
+  return solution;
+}
+
+}  // namespace parison::flow

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/remeshing/remesh_state.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "contact/unilateral/tool_gap.hpp"
+#include "forming/remeshing/mesh_smoothing.hpp"
+#include "forming/remeshing/tool_corners.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/heat_step.hpp"
+#include "remesh/mesher/quality.hpp"
+#include "remesh/remesh_glass.hpp"
+#include "remesh/sizing/recovery.hpp"
+#include "remesh/transfer/transfer.hpp"
+
+namespace parison::forming {
+
+using core::dim;
+
+namespace {
+
+/// From the end of a stretch that a stage names to the surface of the glass, m.
+constexpr double farthest_name = 5e-3;
+
+/// A new node this near to a tool, next to an old node that touched it, touches it.
+constexpr double touching = 2e-5;
+/// A surface node nearer to a tool than this will soon touch: it wants the resolution of a thermal skin.
+constexpr double soon = 1.0e-3;
+/// Smallest edge of all, of the skin size.
+constexpr double smallest_share = 0.5;
+
+/// Edge length in each cell with which the gradient of temperature and the rate of deformation keep the wanted error.
+std::vector<double> solution_wishes(const Scene& scene, const State& state) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  std::vector<double> wishes(mesh.cells.size(), std::numeric_limits<double>::infinity());
+  const auto take = [&](const remesh::DerivativeError& error) {
+    const Eigen::VectorXd sizes = remesh::equidistributing_sizes(mesh, error, scene.accuracy.solution_error);
+    for (std::size_t cell = 0; cell < wishes.size(); ++cell) wishes[cell] = std::min(wishes[cell], sizes[cell]);
+  };
+  if (scene.has_heat()) take(remesh::gradient_error(mesh, scene.geometry, state.bodies[0].temperature));
+  if (state.last_step > 0) take(remesh::rate_error(mesh, scene.geometry, state.velocity));
+  return wishes;
+}
+
+remesh::Criteria criteria(const Scene& scene, const State& state) {
+  const Accuracy& accuracy = scene.accuracy;
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  remesh::Criteria result;
+  result.geometry = scene.geometry;
+  result.surface_size = accuracy.surface_size;
+  result.skin_size = accuracy.skin_size;
+  result.elements_across = accuracy.elements_across;
+  result.growth = accuracy.glass_growth;
+  result.smallest = smallest_share * accuracy.skin_size;
+  result.straight_pieces = symmetry_pieces(scene.glass, mesh);
+  result.contact.assign(mesh.nodes.size(), false);
+  result.skin_wish.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
+  for (Index n = 0; n < mesh.node_count(); ++n) result.contact[n] = state.contact.tool[n] >= 0;
+  if (scene.has_heat())
+    for (const auto& place : scene.stages[state.stage].tools) {
+      const Eigen::VectorXd gaps = tool_gaps(scene, state, place.tool, soon);
+      for (Index n = 0; n < mesh.node_count(); ++n)
+        if (gaps[n] < soon) result.skin_wish[n] = accuracy.skin_size;
+    }
+  result.thinnest_film = scene.glass.film.thinnest;
+  result.most_cells = accuracy.most_cells;
+  result.keep = tool_corners(scene, state);
+  result.clear = way_out_of_tools(scene, state);
+  if (accuracy.solution_error > 0) result.cell_wish = solution_wishes(scene, state);
+  return result;
+}
+
+/// The old surface node nearest to a new one, among those of the old cell it lies in; among all where that has none.
+Index nearest_surface_node(const core::Mesh& from, const std::vector<bool>& on_surface, Index cell, const Point& x) {
+  Index best = -1;
+  const auto consider = [&](Index node) {
+    if (on_surface[node] && (best < 0 || (from.nodes[node] - x).squaredNorm() < (from.nodes[best] - x).squaredNorm()))
+      best = node;
+  };
+  for (const Index node : from.cells[cell]) consider(node);
+  if (best < 0)
+    for (Index node = 0; node < from.node_count(); ++node) consider(node);
+  return best;
+}
+
+/// The tool that the old surface node nearest to each new one touches, where the new one is near that tool too.
+std::vector<Index> carried_contact(const Scene& scene, const State& old, const remesh::Transfer& transfer,
+                                   const core::Mesh& mesh) {
+  const core::Mesh& from = old.bodies[0].mesh;
+  std::vector<bool> on_surface(from.nodes.size(), false);
+  for (const Index node : surface_nodes(from)) on_surface[node] = true;
+  std::vector<Index> tools(mesh.nodes.size(), -1);
+  for (const Index node : surface_nodes(mesh)) {
+    const Point& x = mesh.nodes[node];
+    const Index tool = old.contact.tool[nearest_surface_node(from, on_surface, transfer.cell[node], x)];
+    if (tool < 0) continue;
+    const Body& body = scene.tools[tool];
+    const auto contact = contact_pieces(body);
+    const Point local = x - old.bodies[1 + tool].offset * core::axis_direction();
+    if (contact::signed_gap(body.profile, contact, local) < touching) tools[node] = tool;
+  }
+  return tools;
+}
+
+/// Lifts the new surface out of the tools and gives the mesh the old volume; the inside follows where cells suffer.
+/// False where that folds the mesh.
+bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
+  constexpr double suffering = 0.9;  // of the quality as meshed
+  const core::Mesh made = mesh;
+  lift_out_of_tools(scene, state, mesh);
+  restore_volume(scene, state, core::volume(state.bodies[0].mesh, scene.geometry), mesh);
+  double worst = remesh::worst_quality(mesh);
+  if (worst < suffering * remesh::worst_quality(made)) {
+    core::Mesh followed = mesh;
+    spread_shift(made, followed);
+    const double then = remesh::worst_quality(followed);
+    if (then > worst) mesh = std::move(followed), worst = then;
+  }
+  return worst > 0;
+}
+
+/// The temperature on the new mesh, within the old extremes and with the heat content of the old one.
+void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
+  const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
+  const Eigen::VectorXd& temperature = state.bodies[0].temperature;
+  const int order = scene.accuracy.temperature_order;
+  Eigen::VectorXd& carried = next.bodies[0].temperature;
+  if (!scene.has_heat()) {
+    if (temperature.size() > 0)
+      carried = remesh::transfer_conserving(old, mesh, scene.geometry, transfer, temperature, order);
+    return;
+  }
+  const auto heat = [&](const Eigen::VectorXd& field) {
+    carried = field;
+    return glass_heat(scene, next);
+  };
+  const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order);
+  carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
+}
+
+/// A field of vectors, dim per node, at the nodes of the new mesh.
+Eigen::VectorXd interpolate_vectors(const core::Mesh& old, const remesh::Transfer& transfer,
+                                    const Eigen::VectorXd& field) {
+  using Columns = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+  const Columns given = Eigen::Map<const Columns>(field.data(), dim, old.node_count());
+  Eigen::VectorXd carried;
+  for (int a = 0; a < dim; ++a) {
+    const Eigen::VectorXd component = remesh::interpolate(old, transfer, given.row(a).transpose());
+    carried.resize(dim * component.size());
+    Eigen::Map<Columns>(carried.data(), dim, component.size()).row(a) = component.transpose();
+  }
+  return carried;
+}
+
+/// Velocity, acceleration, rate of temperature, contact and contact pressure on the new mesh.
+void carry_flow(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
+  const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
+  next.velocity = interpolate_vectors(old, transfer, state.velocity);
+  next.acceleration = interpolate_vectors(old, transfer, state.acceleration);
+  next.swelling = interpolate_vectors(old, transfer, state.swelling);
+  if (state.temperature_rate.size() > 0)
+    next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
+  next.contact.tool = next.contact.tool_before = carried_contact(scene, state, transfer, mesh);
+  next.contact.closed = {};
+  next.heat_couplings.clear();
+  next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
+  for (Index n = 0; n < mesh.node_count(); ++n)
+    if (next.contact.tool[n] < 0) next.contact.pressure[n] = 0;
+}
+
+void book_change(double change, double& sum, double& largest) {
+  sum += change;
+  largest = std::max(largest, std::abs(change));
+}
+
+/// How far the new temperatures go beyond the old ones, K; 0 where they do not.
+double new_extreme(const State& state, const State& next) {
+  const Eigen::VectorXd &old = state.bodies[0].temperature, &now = next.bodies[0].temperature;
+  return std::max({0.0, now.maxCoeff() - old.maxCoeff(), old.minCoeff() - now.minCoeff()});
+}
+
+void book(const Scene& scene, const State& state, RemeshReason why, const remesh::Remeshed& made, State& next) {
+  const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
+  RemeshLedger& ledger = next.totals.remeshing;
+  ++ledger.count[static_cast<std::size_t>(why)];
+  book_change(core::volume(mesh, scene.geometry) - core::volume(old, scene.geometry), ledger.volume,
+              ledger.largest_volume);
+  if (scene.has_heat()) {
+    book_change(glass_heat(scene, next) - glass_heat(scene, state), ledger.heat, ledger.largest_heat);
+    ledger.new_extreme = std::max(ledger.new_extreme, new_extreme(state, next));
+  }
+  ledger.coarser = std::max(ledger.coarser, made.coarser);
+  ledger.laps += made.laps;
+  ledger.lap_volume += made.lap_volume;
+  const auto quality = remesh::quality(mesh);
+  ledger.worst_quality = std::min(ledger.worst_quality, quality.worst);
+  ledger.lowest_median = std::min(ledger.lowest_median, quality.median);
+}
+
+/// The edge that may touch tools whose first (`end` 0) or last (1) node is nearest to x, and the distance.
+struct NearestEdge {
+  std::size_t edge = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+NearestEdge nearest_edge(const core::Mesh& mesh, const std::vector<bool>& may_touch, const Point& x, int end) {
+  NearestEdge nearest;
+  for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
+    if (!may_touch[mesh.boundary[e].piece]) continue;
+    const double d = (mesh.nodes[mesh.boundary[e].nodes[end]] - x).norm();
+    if (d < nearest.distance) nearest = {e, d};
+  }
+  return nearest;
+}
+
+/// Names the edges that may touch tools from the surface node nearest `from` to the one nearest `to`.
+void name_stretch(const NamedStretch& stretch, const std::vector<bool>& may_touch, core::Mesh& mesh) {
+  Index piece = core::find_piece(mesh, stretch.name);
+  if (piece < 0) {
+    piece = static_cast<Index>(mesh.pieces.size());
+    mesh.pieces.push_back(stretch.name);
+  }
+  const std::size_t last = nearest_edge(mesh, may_touch, stretch.to, 1).edge;
+  for (std::size_t e = nearest_edge(mesh, may_touch, stretch.from, 0).edge;; e = (e + 1) % mesh.boundary.size()) {
+    if (mesh.boundary[e].piece != piece && may_touch[mesh.boundary[e].piece]) mesh.boundary[e].piece = piece;
+    if (e == last) break;
+  }
+}
+
+}  // namespace
+
+bool needs_new_mesh(const Scene& scene, const State& state) {
+  return remesh::worst_quality(state.bodies[0].mesh) < scene.accuracy.quality_floor;
+}
+
+Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason why) {
+  Renewed result;
+  auto made = remesh::remesh_glass(state.bodies[0].mesh, criteria(scene, state));
+  if (!made.ok) {
+    result.reason = made.reason;
+    return result;
+  }
+  result.state = state;
+  State& next = result.state;
+  core::Mesh& mesh = next.bodies[0].mesh;
+  mesh = std::move(made.mesh);
+  if (!fit_surface(scene, state, mesh)) {
+    result.reason = "the new mesh folds where it is lifted out of a tool";
+    return result;
+  }
+  const auto transfer = remesh::make_transfer(state.bodies[0].mesh, mesh);
+  carry_flow(scene, state, transfer, next);
+  next.mass_nodes = mesh.nodes;
+  next.density = state.density * core::volume(mass_mesh(state), scene.geometry) / core::volume(mesh, scene.geometry);
+  carry_temperature(scene, state, transfer, next);
+  book(scene, state, why, made, next);
+  result.ok = true;
+  return result;
+}
+
+std::string misplaced_stretch(const Scene& scene, const State& state, Index stage) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  const auto may_touch = contact_pieces(scene.glass, mesh);
+  for (const auto& stretch : scene.stages[stage].name_pieces)
+    for (const int end : {0, 1}) {
+      const Point& x = end == 0 ? stretch.from : stretch.to;
+      const auto nearest = nearest_edge(mesh, may_touch, x, end);
+      if (nearest.distance <= farthest_name) continue;
+      const Point& found = mesh.nodes[mesh.boundary[nearest.edge].nodes[end]];
+      return fmt::format(
+          "name_piece {}: \"{}\", ({:.4g}, {:.4g}) mm, lies {:.3g} mm from the surface of the glass, nearest to "
+          "({:.4g}, {:.4g}) mm; "
+          "allowed are {:g} mm",
+          stretch.name, end == 0 ? "from" : "to", 1e3 * x[0], 1e3 * x[1], 1e3 * nearest.distance, 1e3 * found[0],
+          1e3 * found[1], 1e3 * farthest_name);
+    }
+  return "";
+}
+
+State start_stage(const Scene& scene, const State& state, Index stage) {
+  State next = state;
+  next.stage = stage;
+  next.stage_time = 0;
+  next.stage_start = state.time;
+  next.has_moved = false;
+  next.last_step = 0;
+  next.velocity.setZero();
+  next.acceleration.setZero();
+  next.swelling.setZero();
+  next.moves_smoothly = false;
+  next.temperature_rate.setZero();
+  next.contact.closed = {};
+  next.heat_couplings.clear();
+  const auto& tools = scene.stages[stage].tools;
+  const auto in_place = [&](Index tool) {
+    return std::any_of(tools.begin(), tools.end(), [&](const StageTool& t) { return t.tool == tool; });
+  };
+  for (std::size_t n = 0; n < next.contact.tool.size(); ++n)
+    if (next.contact.tool[n] >= 0 && !in_place(next.contact.tool[n])) {
+      next.contact.tool[n] = -1;
+      next.contact.pressure[static_cast<Index>(n)] = 0;
+    }
+  for (std::size_t b = 1; b < next.bodies.size(); ++b) next.bodies[b].velocity = next.bodies[b].force = 0;
+  auto& mesh = next.bodies[0].mesh;
+  for (const auto& stretch : scene.stages[stage].name_pieces)
+    name_stretch(stretch, contact_pieces(scene.glass, mesh), mesh);
+  return next;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/files/history.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/io/files.hpp"
+#include "core/mesh/element.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/state/sample.hpp"
+#include "forming/step/heat_step.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// From the present content itself, not from what the heat solver says about its changes.
+double energy_imbalance(const Scene& scene, const State& state) {
+  const Totals& totals = state.totals;
+  const double unexplained =
+      glass_heat(scene, state) - state.first_heat + totals.to_tools + totals.to_air - totals.dissipation;
+  const double lost = std::abs(totals.to_tools + totals.to_air), round_off = 1e-9 * std::abs(state.first_heat);
+  return std::abs(unexplained) / std::max(lost, round_off);
+}
+
+/// Edges that a tool presses at all three nodes.
+double pressed_area(const Scene& scene, const State& state) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  const auto& tool = state.contact.tool;
+  double area = 0;
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    if (std::any_of(edge.nodes.begin(), edge.nodes.end(), [&](Index node) { return tool.at(node) < 0; })) continue;
+    for (const core::EdgeRulePoint& at : core::edge_rule(3))
+      area += core::map_edge_point(mesh, edge.nodes, scene.geometry, at).area;
+  }
+  return area;
+}
+
+double closed_area(const std::vector<core::InterfacePoint>& interface) {
+  double area = 0;
+  for (const core::InterfacePoint& point : interface) area += point.closure * point.area;
+  return area;
+}
+
+double probe_temperature(const Scene& scene, const State& state, std::size_t probe) {
+  const BodyState& body = state.bodies.at(scene.probes[probe].body);
+  if (body.temperature.size() == 0) return none;
+  return sample(body.mesh, body.temperature, state.probes.at(probe));
+}
+
+}  // namespace
+
+GlassFacts glass_facts(const Scene& scene, const State& state) {
+  const BodyState& glass = state.bodies[0];
+  const core::Mesh mass = mass_mesh(state);
+  GlassFacts facts;
+  facts.volume = core::volume(glass.mesh, scene.geometry);
+  facts.mass = state.density * core::volume(mass, scene.geometry);
+  facts.volume_drift = (facts.volume - state.first_volume) / state.first_volume;
+  facts.mean = facts.lowest = facts.highest = none;
+  facts.energy_imbalance = 0;
+  if (!scene.has_heat()) return facts;
+  facts.mean = core::volume_mean(mass, scene.geometry, glass.temperature);
+  facts.lowest = glass.temperature.minCoeff();
+  facts.highest = glass.temperature.maxCoeff();
+  facts.energy_imbalance = energy_imbalance(scene, state);
+  return facts;
+}
+
+HistoryRow history_row(const Scene& scene, const State& state, const StepReport& report) {
+  const GlassFacts facts = glass_facts(scene, state);
+  HistoryRow row;
+  row.time = state.time;
+  row.stage = scene.stages.at(state.stage).name;
+  row.dt = report.dt;
+  row.volume = facts.volume;
+  row.glass_mean = facts.mean;
+  row.heat_to_tools = state.totals.to_tools;
+  row.heat_to_air = state.totals.to_air;
+  row.dissipation = state.totals.dissipation;
+  row.energy_imbalance = facts.energy_imbalance;
+  const bool knows_pressed = scene.has_flow() && !state.contact.tool.empty();
+  row.contact_area = knows_pressed ? pressed_area(scene, state) : closed_area(report.interface);
+  row.sweeps = report.sweeps;
+  row.flow_solves = report.flow_solves;
+  row.contact_changes = report.contact_changes;
+  row.heat_substeps = report.heat_substeps;
+  row.limited_by = step_limits[static_cast<std::size_t>(report.limit)];
+  for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
+    row.tool_force.push_back(state.bodies.at(tool + 1).force);
+    row.tool_position.push_back(state.bodies[tool + 1].offset);
+  }
+  for (std::size_t probe = 0; probe < scene.probes.size(); ++probe)
+    row.probe.push_back(probe_temperature(scene, state, probe));
+  return row;
+}
+
+std::string history_header(const Scene& scene) {
+  std::string line =
+      "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
+      "contact_area_m2";
+  for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_force_N");
+  for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_position_m");
+  for (const Probe& probe : scene.probes) line += ',' + core::csv_text(probe.name + "_C");
+  return line + ",sweeps,flow_solves,contact_changes,heat_substeps,limited_by\n";
+}
+
+std::string history_line(const HistoryRow& row) {
+  const auto celsius = [](double kelvin) { return kelvin - thermal::content_reference; };
+  std::string line = fmt::format("{:.12g},{}", row.time, core::csv_text(row.stage));
+  for (const double value : {row.dt, row.volume, celsius(row.glass_mean), row.heat_to_tools, row.heat_to_air,
+                             row.dissipation, row.energy_imbalance, row.contact_area})
+    line += fmt::format(",{:.10g}", value);
+  for (const double value : row.tool_force) line += fmt::format(",{:.10g}", value);
+  for (const double value : row.tool_position) line += fmt::format(",{:.10g}", value);
+  for (const double value : row.probe) line += fmt::format(",{:.10g}", celsius(value));
+  for (const Index count : {row.sweeps, row.flow_solves, row.contact_changes, row.heat_substeps})
+    line += fmt::format(",{}", count);
+  return line + ',' + row.limited_by + '\n';
+}
+
+}  // namespace parison::forming

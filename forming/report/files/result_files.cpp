@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/files/result_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "core/case/case_error.hpp"
+#include "core/io/vtu.hpp"
+#include "forming/report/files/history.hpp"
+#include "forming/report/files/interface_rows.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A body's name as part of a file name: glass, then the tools.
+std::string body_file(const Scene& scene, std::size_t body) {
+  return body == 0 ? "glass" : scene.tools[body - 1].name;
+}
+
+void make_folder(const std::string& directory) {
+  if (fs::exists(directory) && (!fs::is_directory(directory) || !fs::is_empty(directory)))
+    throw core::CaseError(fmt::format(
+        "{}: a file or a folder that holds something was found, allowed is a new or an empty folder for the results",
+        directory));
+  std::error_code error;
+  fs::create_directories(fs::path(directory) / "vtu", error);
+  if (error)
+    throw core::CaseError(fmt::format("{}: the folder for the results cannot be made: {}", directory, error.message()));
+}
+
+void add_temperature(const Body& body, const Eigen::VectorXd& temperature, core::VtuFields& fields) {
+  if (body.thermal)
+    fields.nodal.push_back({"temperature_C", (temperature.array() - thermal::content_reference).matrix()});
+}
+
+Eigen::VectorXd viscosity_field(const Scene& scene, const BodyState& glass) {
+  return glass.temperature.unaryExpr([&](double temperature) { return scene.glass.flow->viscosity(temperature); });
+}
+
+core::VtuFields glass_fields(const Scene& scene, const State& state) {
+  const BodyState& glass = state.bodies[0];
+  core::VtuFields fields;
+  fields.time = state.time;
+  add_temperature(scene.glass, glass.temperature, fields);
+  if (!scene.has_flow()) return fields;
+  if (state.velocity.size() > 0) fields.nodal.push_back({"velocity", state.velocity});
+  fields.nodal.push_back({"viscosity_Pa_s", viscosity_field(scene, glass)});
+  if (state.contact.tool.empty()) return fields;
+  fields.nodal.push_back({"contact_pressure_Pa", state.contact.pressure});
+  const Eigen::Map<const Eigen::VectorXi> tool(state.contact.tool.data(), glass.mesh.node_count());
+  fields.nodal.push_back({"tool_in_contact", tool.cast<double>()});
+  return fields;
+}
+
+core::VtuFields tool_fields(const Scene& scene, const State& state, Index tool) {
+  const BodyState& body = state.bodies.at(tool + 1);
+  const auto& present = scene.stages.at(state.stage).tools;
+  const bool in_place = std::any_of(present.begin(), present.end(), [&](const StageTool& t) { return t.tool == tool; });
+  core::VtuFields fields;
+  fields.time = state.time;
+  fields.displacement = body.offset * core::axis_direction();
+  add_temperature(scene.tools[tool], body.temperature, fields);
+  fields.cell.push_back({"in_place", in_place ? 1.0 : 0.0});
+  return fields;
+}
+
+}  // namespace
+
+ResultFiles::ResultFiles(const Scene& scene, const std::string& directory)
+    : ResultFiles(scene, (make_folder(directory), directory), WrittenFiles{}) {
+  history_.append(history_header(scene));
+  interface_.append(interface_header());
+}
+
+ResultFiles::ResultFiles(const Scene& scene, const std::string& directory, const WrittenFiles& written)
+    : scene_(scene),
+      directory_(directory),
+      history_(directory + "/history.csv", written.history_size),
+      interface_(directory + "/interface.csv", written.interface_size),
+      output_times_(written.output_times),
+      synced_(written.output_times.size()) {
+  remove_pieces_from(synced_);
+  for (std::size_t body = 0; body <= scene.tools.size(); ++body) {
+    std::vector<core::PvdCollection::Entry> entries;
+    for (std::size_t i = 0; i < synced_; ++i) entries.push_back({output_times_[i], piece(body, i)});
+    collections_.emplace_back(directory + '/' + body_file(scene, body) + ".pvd");
+    collections_.back().set(entries);
+  }
+}
+
+std::string ResultFiles::piece(std::size_t body, std::size_t output) const {
+  return fmt::format("vtu/{}_{:04}.vtu", body_file(scene_, body), output);
+}
+
+void ResultFiles::remove_pieces_from(std::size_t output) const {
+  for (bool found = true; found; ++output) {
+    found = false;
+    for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
+      found = fs::remove(directory_ + '/' + piece(body, output)) || found;
+  }
+}
+
+void ResultFiles::row(const HistoryRow& row) {
+  history_.append(history_line(row));
+}
+
+void ResultFiles::fields(const State& state, const std::vector<core::InterfacePoint>& interface) {
+  if (!output_times_.empty() && state.time == output_times_.back()) return;
+  for (std::size_t body = 0; body < state.bodies.size(); ++body)
+    core::write_vtu(directory_ + '/' + piece(body, output_times_.size()), state.bodies[body].mesh,
+                    body == 0 ? glass_fields(scene_, state) : tool_fields(scene_, state, static_cast<Index>(body) - 1));
+  for (std::size_t body = 0; body < state.bodies.size(); ++body)
+    collections_[body].add(state.time, piece(body, output_times_.size()));
+  interface_.append(interface_lines(scene_, state, interface));
+  output_times_.push_back(state.time);
+  const bool busy = syncing_.valid() && syncing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  if (busy) return;
+  if (syncing_.valid()) syncing_.get();
+  start_sync();
+}
+
+void ResultFiles::start_sync() {
+  std::vector<std::string> pieces;
+  for (; synced_ < output_times_.size(); ++synced_)
+    for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
+      pieces.push_back(directory_ + '/' + piece(body, synced_));
+  syncing_ = std::async(std::launch::async, [pieces] {
+    for (const std::string& path : pieces) core::sync_to_disk(path);
+  });
+}
+
+WrittenFiles ResultFiles::sync() {
+  if (syncing_.valid()) syncing_.get();
+  start_sync();
+  syncing_.get();
+  for (const auto* file : {&history_, &interface_}) core::sync_to_disk(file->path());
+  return {history_.size(), interface_.size(), output_times_};
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,53 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
+#include <future>
+#include <string>
+#include <vector>
+
+#include "core/io/files.hpp"
+#include "core/io/vtu.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+/// How far the files of a run have come.
+struct WrittenFiles {
+  std::int64_t history_size = 0, interface_size = 0;  ///< bytes
+  std::vector<double> output_times;                   ///< of the VTU pieces, s
+};
+
+/// The files of a run in its result folder; they observe and never steer.
+class ResultFiles {
+ public:
+  /// Makes the folder; throws core::CaseError where it exists and holds anything.
+  ResultFiles(const Scene& scene, const std::string& directory);
+  /// Goes on in a folder from where its files were; what has been written since is cut off.
+  ResultFiles(const Scene& scene, const std::string& directory, const WrittenFiles& written);
+
+  /// A row of history.csv; with the system when this returns.
+  void row(const HistoryRow& row);
+  /// VTU pieces of all bodies and the rows of interface.csv; a second call at the same time does nothing.
+  void fields(const State& state, const std::vector<core::InterfacePoint>& interface);
+  /// Brings everything to the disk and says how far it has come.
+  WrittenFiles sync();
+
+  const std::string& directory() const { return directory_; }
+
+ private:
+  /// Of an output's VTU file, in the result folder.
+  std::string piece(std::size_t body, std::size_t output) const;
+  void remove_pieces_from(std::size_t output) const;
+  void start_sync();
+
+  const Scene& scene_;
+  std::string directory_;
+  core::GrowingFile history_, interface_;
+  std::vector<core::PvdCollection> collections_;  ///< glass, then the tools
+  std::vector<double> output_times_;
+  std::size_t synced_ = 0;     ///< outputs on the disk or on their way
+  std::future<void> syncing_;  ///< brings the pieces of the last outputs to the disk while the run goes on
+};
+
+}  // namespace parison::forming

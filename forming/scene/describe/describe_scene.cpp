@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/describe/model_sensitivity.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// A part of the physics, on with what it does or off with why.
+std::string part(const char* name, bool on, const std::string& what, const std::string& why_not) {
+  return fmt::format("  {:<20}{:<5}{}\n", name, on ? "on" : "off", on ? what : why_not);
+}
+
+template <typename Test>
+std::string stages_with(const Scene& scene, const Test& test) {
+  std::string names;
+  for (const Stage& stage : scene.stages)
+    if (test(stage)) names += (names.empty() ? "" : ", ") + stage.name;
+  return names;
+}
+
+std::string flow_parts(const Scene& scene) {
+  const bool on = scene.has_flow();
+  const std::string no_flow = "the glass does not flow";
+  const auto gravity = stages_with(scene, [](const Stage& s) { return s.gravity != 0; });
+  const auto pressure = stages_with(scene, [](const Stage& s) { return !s.pressure.empty(); });
+  const double tension = on ? scene.glass.flow->surface_tension : 0;
+  const bool constant = on && scene.glass.flow->viscosity.constant.has_value();
+  std::string text = part("flow", on, fmt::format("Taylor-Hood P2-P1, {} viscosity", constant ? "constant" : "VFT"),
+                          "the glass's material has no viscosity");
+  text += part("shear thinning", on && scene.glass.flow->shear_thinning, "Carreau factor",
+               on ? "the material names none" : no_flow);
+  text += part("gravity", on && !gravity.empty(), "in " + gravity, on ? "no stage names it" : no_flow);
+  text += part("air pressure", on && !pressure.empty(), "in " + pressure, on ? "no stage names one" : no_flow);
+  text += part("surface tension", tension > 0, fmt::format("{:.3g} N/m", tension),
+               on ? "the material names none" : no_flow);
+  text += part("contact with tools", on && !scene.tools.empty(),
+               fmt::format("unilateral, tools: {}", scene.tools.size()), on ? "the scene has no tools" : no_flow);
+  return text + part("inertia", false, "", on ? "left out: see the Reynolds number" : no_flow);
+}
+
+std::string heat_parts(const Scene& scene) {
+  const bool on = scene.has_heat();
+  const std::string no_heat = "the glass carries no heat";
+  const auto air = stages_with(scene, [](const Stage& s) { return s.air.h > 0; });
+  const double emissivity = scene.glass.emissivity;
+  std::string exchange = air.empty() ? "" : "air in " + air;
+  if (emissivity > 0) exchange += fmt::format("{}emissivity {:.3g}", air.empty() ? "" : ", ", emissivity);
+  std::size_t hot_tools = 0;
+  for (const Tool& tool : scene.tools) hot_tools += tool.thermal.has_value();
+  std::string text = part("heat", on, fmt::format("in the glass, in tools: {}", hot_tools),
+                          "the glass's material has no heat capacity and conductivity");
+  text += part("internal radiation", on && scene.glass.thermal->radiation, "Rosseland conductivity",
+               on ? "the material names none" : no_heat);
+  text +=
+      part("interfaces", on && !scene.interfaces.empty(),
+           fmt::format("mortar, glass with tools: {}", scene.interfaces.size()), on ? "the scene names none" : no_heat);
+  text += part("air and radiation", on && !exchange.empty(), exchange,
+               on ? "no stage names air and the glass has no emissivity" : no_heat);
+  return text + part("dissipation", on && scene.has_flow(), "viscous work heats the glass",
+                     on ? "the glass does not flow" : no_heat);
+}
+
+std::string number_lines(const SceneNumbers& numbers, core::Geometry geometry) {
+  const auto shown = [](const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "n/a"; };
+  std::string text = fmt::format("\nglass                 {:.4g} g, {:.4g} cm3{} as drawn\n", 1e3 * numbers.mass,
+                                 1e6 * numbers.volume, geometry == core::Geometry::planar ? " a metre of depth" : "");
+  text += fmt::format("\nnumbers at the start (length {:.3g} mm, speed {} m/s, viscosity {} Pa.s)\n",
+                      1e3 * numbers.length, shown(numbers.speed), shown(numbers.viscosity));
+  text += fmt::format("  {:<20}{:<12}inertia over viscous stress\n", "Reynolds", shown(numbers.reynolds));
+  text += fmt::format("  {:<20}{:<12}viscous stress over surface tension\n", "capillary", shown(numbers.capillary));
+  text += fmt::format("  {:<20}{:<12}carried over conducted heat\n", "Peclet", shown(numbers.peclet));
+  text += fmt::format("  {:<20}{:<12}surface exchange over conduction, largest h\n", "Biot", shown(numbers.biot));
+  return text + fmt::format("  {:<20}{:<12}dissipated over conducted heat\n", "Brinkman", shown(numbers.brinkman));
+}
+
+std::string stage_tool_text(const Scene& scene, const StageTool& tool) {
+  const std::string& name = scene.tools[tool.tool].name;
+  if (const auto* force = std::get_if<ForceMotion>(&tool.motion))
+    return fmt::format("{} ({:.4g} N, at most {:.4g} mm/s)", name, force->force, 1e3 * force->speed_limit);
+  return std::holds_alternative<PositionMotion>(tool.motion) ? name + " (moved)" : name;
+}
+
+std::string stage_lines(const Scene& scene) {
+  std::string text = "\nstages\n";
+  for (const Stage& stage : scene.stages) {
+    std::string tools;
+    for (const StageTool& tool : stage.tools) tools += (tools.empty() ? "" : ", ") + stage_tool_text(scene, tool);
+    const char* limit = stage.end_speed ? "at most " : "";
+    text +=
+        fmt::format("  {:<20}{}{:.4g} s; {}\n", stage.name, limit, stage.duration, tools.empty() ? "no tools" : tools);
+  }
+  return text;
+}
+
+std::string choice_text(const Scene& scene) {
+  const AccuracyChoice& choice = scene.accuracy_choice;
+  if (!choice.target) return "preset";
+  if (!scene.is_of_error_law())
+    return "target, by a law for glass that flows on a mesh of the dial's: not of this scene";
+  return fmt::format(
+      "target: wall thickness and heat into tools to {:.3g} %, by the errors measured on the bundled containers",
+      100 * *choice.target);
+}
+
+std::string expected_text(const Scene& scene) {
+  if (!scene.is_of_error_law()) return "";
+  const AccuracyChoice& choice = scene.accuracy_choice;
+  return fmt::format("; error expected {:.2g} %{}", 100 * expected_error(choice.effective_level()),
+                     scene.accuracy_origin.empty() ? "" : " but for what case and --set change");
+}
+
+/// Whether a setting is for meshes that the case maps itself.
+bool is_unused(const Scene& scene, const std::string& key) {
+  const auto maps = [](const Tool& tool) { return tool.mesh.mapped.has_value(); };
+  if (key.rfind("tool_", 0) == 0)
+    return !scene.tools.empty() && std::all_of(scene.tools.begin(), scene.tools.end(), maps);
+  const bool of_glass =
+      key == "surface_size" || key == "skin_size" || key == "elements_across" || key == "glass_growth";
+  return of_glass && scene.glass.mesh.mapped && !scene.has_flow();
+}
+
+std::string accuracy_lines(const Scene& scene) {
+  const AccuracyChoice& choice = scene.accuracy_choice;
+  std::string text = fmt::format("\naccuracy {} ({}; level {:.3g}, 0 is draft, 1 standard, 2 fine{})\n",
+                                 scene.accuracy_name, choice_text(scene), choice.level, expected_text(scene));
+  const auto add = [&](const char* key, double value, const char* unit) {
+    const auto own = scene.accuracy_origin.find(key);
+    const std::string origin = own != scene.accuracy_origin.end() ? own->second
+                               : is_unused(scene, key)            ? "not used: the case maps its mesh"
+                               : choice.target                    ? "target"
+                                                                  : "preset";
+    text += fmt::format("  {:<24}{:<12}{}{}\n", key, fmt::format("{:.4g}{}{}", value, *unit ? " " : "", unit), origin,
+                        choice.coarser == 1 ? "" : ", made coarser");
+  };
+  for (const Setting& setting : settings())
+    add(setting.key, scene.accuracy.*setting.value / setting.unit_size, setting.unit);
+  add("temperature_order", scene.accuracy.temperature_order, "");
+  add("passes", scene.accuracy.passes, "");
+  return text;
+}
+
+}  // namespace
+
+std::string describe_scene(const Scene& scene) {
+  const char* geometry = scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar";
+  std::string head = fmt::format("{}, {}\n", scene.name, geometry);
+  for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
+  return head + flow_parts(scene) + heat_parts(scene) + describe_parts(scene) +
+         number_lines(scene_numbers(scene), scene.geometry) + stage_lines(scene) + accuracy_lines(scene);
+}
+
+}  // namespace parison::forming

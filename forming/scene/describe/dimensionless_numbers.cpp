@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// Length of the outline without symmetry pieces, m.
+double surface_length(const Body& body) {
+  double total = 0;
+  for (const core::Segment& segment : body.profile.segments)
+    if (body.pieces.at(segment.piece).kind != PieceKind::symmetry) total += core::length(segment);
+  return total;
+}
+
+/// Volume of the outline, m3, of a planar one for a metre of depth; arcs by many chords.
+double outline_volume(const core::Profile& profile, core::Geometry geometry) {
+  if (geometry == core::Geometry::planar) return std::abs(core::signed_area(profile));
+  constexpr int chords = 256;
+  double volume = 0;
+  for (const core::Segment& segment : profile.segments)
+    for (int i = 0; i < chords; ++i) {
+      const core::Point a = core::point_at(segment, double(i) / chords),
+                        b = core::point_at(segment, double(i + 1) / chords);
+      volume += M_PI / 3 * (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) * (b[1] - a[1]);
+    }
+  return std::abs(volume);
+}
+
+/// m/s: the fastest tool, else what the highest pressure or the weight makes of the viscous glass over the length.
+std::optional<double> flow_speed(const Scene& scene, double length, double viscosity) {
+  if (!scene.has_flow()) return {};
+  double tool = 0, stress = 0;
+  for (const Stage& stage : scene.stages) {
+    for (const StageTool& stage_tool : stage.tools) tool = std::max(tool, fastest(stage_tool));
+    for (const auto& entry : stage.pressure) stress = std::max(stress, std::abs(entry.second));
+    stress = std::max(stress, scene.glass.flow->density * std::abs(stage.gravity) * length);
+  }
+  if (tool > 0) return tool;
+  if (stress > 0) return stress * length / viscosity;
+  return {};
+}
+
+/// W/m2/K: of the interfaces, else of the air.
+std::optional<double> exchange(const Scene& scene) {
+  double h = 0;
+  for (const Interface& interface : scene.interfaces) h = std::max(h, contact::highest(interface.law));
+  if (h == 0)
+    for (const Stage& stage : scene.stages) h = std::max(h, stage.air.h);
+  if (h > 0) return h;
+  return {};
+}
+
+/// From the glass to the coldest thing around it at the start, K.
+std::optional<double> temperature_span(const Scene& scene) {
+  double coldest = scene.glass.initial_temperature;
+  for (const Tool& tool : scene.tools)
+    if (tool.thermal) coldest = std::min(coldest, tool.initial_temperature);
+  for (const Stage& stage : scene.stages)
+    if (stage.air.h > 0) coldest = std::min(coldest, stage.air.air_temperature);
+  const double span = scene.glass.initial_temperature - coldest;
+  if (span > 0) return span;
+  return {};
+}
+
+void add_heat_numbers(const Scene& scene, SceneNumbers& numbers) {
+  const thermal::Material& material = *scene.glass.thermal;
+  const double hot = scene.glass.initial_temperature;
+  const double wall = material.radiation && material.radiation->thin_wall
+                          ? thermal::thin_wall_factor(*material.radiation, numbers.length)
+                          : 1.0;
+  const double conductivity = thermal::conductivity(material, hot, wall);
+  const double diffusivity = conductivity / (material.density * material.heat_capacity(hot));
+  if (const auto h = exchange(scene)) numbers.biot = *h * numbers.length / conductivity;
+  if (!numbers.speed) return;
+  numbers.peclet = *numbers.speed * numbers.length / diffusivity;
+  if (const auto span = temperature_span(scene))
+    numbers.brinkman = *numbers.viscosity * *numbers.speed * *numbers.speed / (conductivity * *span);
+}
+
+}  // namespace
+
+double fastest(const StageTool& tool) {
+  if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) return force->speed_limit;
+  double speed = 0;
+  if (const auto* position = std::get_if<PositionMotion>(&tool.motion))
+    for (std::size_t i = 1; i < position->offset.x.size(); ++i)
+      speed = std::max(speed, std::abs((position->offset.y[i] - position->offset.y[i - 1]) /
+                                       (position->offset.x[i] - position->offset.x[i - 1])));
+  return speed;
+}
+
+SceneNumbers scene_numbers(const Scene& scene) {
+  SceneNumbers numbers;
+  numbers.volume = outline_volume(scene.glass.profile, scene.geometry);
+  numbers.mass = numbers.volume * (scene.has_flow() ? scene.glass.flow->density : scene.glass.thermal->density);
+  numbers.length = 2 * std::abs(core::signed_area(scene.glass.profile)) / surface_length(scene.glass);
+  if (scene.has_flow()) {
+    const flow::Material& material = *scene.glass.flow;
+    numbers.viscosity = material.viscosity(scene.glass.initial_temperature);
+    numbers.speed = flow_speed(scene, numbers.length, *numbers.viscosity);
+    if (numbers.speed) {
+      numbers.reynolds = material.density * *numbers.speed * numbers.length / *numbers.viscosity;
+      if (material.surface_tension > 0)
+        numbers.capillary = *numbers.viscosity * *numbers.speed / material.surface_tension;
+    }
+  }
+  if (scene.has_heat()) add_heat_numbers(scene, numbers);
+  return numbers;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/describe/model_sensitivity.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
+constexpr double earth = 9.81;                       ///< m/s2
+constexpr ContainerGlass container_glass;
+
+/// What a part did in the ladder of the jar at draft, and the number it had there.
+struct Measured {
+  double number, thickness, heat;
+};
+constexpr double jar_lasts = 9.3;  ///< s
+constexpr Measured radiation_measured{0.56, 0.234, 0.211};
+constexpr Measured thin_wall_measured{0.08, 0.105, 0.125};
+constexpr Measured emission_measured{13, 0.086, 0.063};
+constexpr Measured air_measured{0.34, 0.0135, 0.0093};
+constexpr Measured warming_measured{0.62, 0.055, 0.063};
+constexpr Measured tension_measured{0.19, 0.0073, 3.7e-4};
+constexpr Measured gravity_measured{11, 0.159, 0.0128};
+constexpr Measured slip_measured{1, 0.27, 0.035};
+/// Tools on both sides leave the wall little freedom and cover it: what changes it, and the heat of its open surface,
+/// in the ladder of the tumbler over those of the jar.
+constexpr double pressed_share = 0.02, pressed_open = 0.1;
+/// Heat into the tools over the strain of glass that nothing forms, in the README's short example.
+constexpr double heat_of_strain = 0.008;
+
+double lasting(const Scene& scene) {
+  double whole = 0;
+  for (const Stage& stage : scene.stages) whole += stage.duration;
+  return whole;
+}
+
+double highest_pressure(const Stage& stage) {
+  double highest = 0;
+  for (const auto& entry : stage.pressure) highest = std::max(highest, std::abs(entry.second));
+  return highest;
+}
+
+bool has_moving_tools(const Stage& stage) {
+  return std::any_of(stage.tools.begin(), stage.tools.end(), [](const StageTool& tool) { return fastest(tool) > 0; });
+}
+
+/// What a stress would strain hot glass in a time.
+double hot_strain(double stress, double time, double viscosity) {
+  return stress * time / (3 * viscosity);
+}
+
+/// What shapes the glass last.
+enum class Shaped { blown, pressed, unformed };
+
+Shaped shaped(const Scene& scene, const SceneNumbers& numbers) {
+  constexpr double noticed = 0.3;  // strain that a pressure would make in hot glass
+  Shaped shape = Shaped::unformed;
+  if (!scene.has_flow()) return shape;
+  for (const Stage& stage : scene.stages) {
+    if (has_moving_tools(stage)) shape = Shaped::pressed;
+    if (hot_strain(highest_pressure(stage), stage.duration, *numbers.viscosity) > noticed) shape = Shaped::blown;
+  }
+  return shape;
+}
+
+struct Estimator {
+  const Scene& scene;
+  SceneNumbers numbers;
+  Shaped shape;
+  double freedom;  ///< over the jar's, of the wall or the shape to change
+  std::vector<PartEstimate> parts;
+
+  void add(const char* name, bool in_scene, const char* number_name, double number, double thickness, double heat) {
+    parts.push_back({name, in_scene, number_name, number, scene.has_flow() ? std::min(1.0, thickness) : 0,
+                     scene.has_heat() ? std::min(1.0, heat) : 0});
+  }
+  void scale(const char* name, bool in_scene, const char* number_name, double number, const Measured& jar) {
+    const double ratio = number / jar.number;
+    add(name, in_scene, number_name, number, freedom * ratio * jar.thickness, ratio * jar.heat);
+  }
+};
+
+double weight(const Estimator& e) {
+  return e.scene.glass.flow->density * earth * e.numbers.length;
+}
+
+/// Glass that nothing forms changes its shape no more than its weight draws it out.
+double freedom_of(const Estimator& e) {
+  if (e.shape == Shaped::pressed) return pressed_share;
+  if (e.shape == Shaped::blown || !e.scene.has_flow()) return 1;
+  return std::min(1.0, hot_strain(weight(e), lasting(e.scene), *e.numbers.viscosity));
+}
+
+/// The shortest stage in which a tool or a pressure drives the glass; the whole run where none does.
+double quickest_drive(const Scene& scene) {
+  double quickest = lasting(scene);
+  for (const Stage& stage : scene.stages)
+    if (highest_pressure(stage) > 0 || has_moving_tools(stage)) quickest = std::min(quickest, stage.duration);
+  return quickest;
+}
+
+/// Seconds in which a tool is in place.
+double in_place(const Scene& scene, std::size_t tool) {
+  double time = 0;
+  for (const Stage& stage : scene.stages)
+    for (const StageTool& placed : stage.tools)
+      if (placed.tool == static_cast<Index>(tool)) time += stage.duration;
+  return time;
+}
+
+void add_friction(Estimator& e) {
+  double slipping = 0, placed = 0;
+  for (std::size_t i = 0; i < e.scene.tools.size(); ++i) {
+    if (in_place(e.scene, i) == 0) continue;
+    ++placed;
+    slipping += e.scene.tools[i].friction.law == flow::Friction::Law::slip;
+  }
+  if (placed == 0) return;
+  if (slipping > 0)
+    e.scale("friction on tools", false, "share of tools that slip", slipping / placed, slip_measured);
+  else
+    e.scale("friction on tools", true, "share of tools that hold", 1, slip_measured);
+}
+
+/// A stress beside those that form the glass.
+void add_stress(Estimator& e, const char* name, bool in_scene, double stress, const Measured& jar) {
+  const double strain = hot_strain(stress, lasting(e.scene), *e.numbers.viscosity);
+  constexpr const char* number_name = "strain it would make in hot glass";
+  if (e.shape == Shaped::unformed) return e.add(name, in_scene, number_name, strain, strain, heat_of_strain * strain);
+  // What forms the jar, and its cooling, hold most of the strain back; where a pressure forms the glass alone it counts
+  // beside that.
+  double pressure = 0;
+  for (const Stage& stage : e.scene.stages) pressure = std::max(pressure, highest_pressure(stage));
+  const double ratio = strain / jar.number, beside = e.shape == Shaped::blown ? stress / pressure : 0;
+  e.add(name, in_scene, number_name, strain, std::min(strain, e.freedom * std::max(ratio * jar.thickness, beside)),
+        ratio * jar.heat);
+}
+
+void add_flow(Estimator& e) {
+  const auto& flow = *e.scene.glass.flow;
+  const bool tense = flow.surface_tension > 0;
+  const bool heavy =
+      std::any_of(e.scene.stages.begin(), e.scene.stages.end(), [](const Stage& s) { return s.gravity != 0; });
+  add_stress(e, "surface tension", tense,
+             (tense ? flow.surface_tension : container_glass.surface_tension) / e.numbers.length, tension_measured);
+  add_stress(e, "gravity", heavy, weight(e), gravity_measured);
+  add_friction(e);
+  // Inertia delays the flow by the time in which the slowest motion across a wall dies out, here a
+  // slab held on both sides; no run measures what that changes at most.
+  const double across = e.numbers.length / M_PI;
+  const double delay = flow.density * across * across / (*e.numbers.viscosity * quickest_drive(e.scene));
+  e.add("inertia", false, "its delay over the shortest drive", delay, e.freedom * delay, 0);
+  e.parts.back().in_the_model = false;
+}
+
+double effusivity(const thermal::Material& material, double temperature, double conductivity) {
+  return std::sqrt(conductivity * material.density * material.heat_capacity(temperature));
+}
+
+/// Heat over 1 K that two half-spaces exchange through h in a time, over h, s; `resistance` is the sum of 1 over their
+/// effusivities.
+double exchanged(double h, double resistance, double time) {
+  const double H = h * resistance, x = H * std::sqrt(time);
+  if (x < 1e-3) return time * (1 - 4 * x / (3 * std::sqrt(M_PI)));  // else cancelled away
+  // exp(x^2) erfc(x), by its leading terms where that would overflow.
+  const double tail = x < 20 ? std::exp(x * x) * std::erfc(x) : (1 - 0.5 / (x * x)) / (x * std::sqrt(M_PI));
+  return (tail - 1 + 2 * x / std::sqrt(M_PI)) / (H * H);
+}
+
+double highest_conductance(const Scene& scene, std::size_t tool) {
+  double h = 0;
+  for (const Interface& interface : scene.interfaces)
+    if (interface.tool == static_cast<Index>(tool)) h = std::max(h, contact::highest(interface.law));
+  return h;
+}
+
+/// Conductivities of the glass at its first temperature, W/m/K: of its lattice, with radiation in a wall, and in thick
+/// glass.
+struct Conductivities {
+  double alone, limited, unlimited;
+};
+
+Conductivities conductivities(const Scene& scene, double length) {
+  thermal::Material material = *scene.glass.thermal;
+  const double hot = scene.glass.initial_temperature, alone = material.conductivity(hot);
+  if (!material.radiation) material.radiation = container_glass.radiation;
+  material.radiation->thin_wall = true;
+  return {alone, thermal::conductivity(material, hot, thermal::thin_wall_factor(*material.radiation, length)),
+          thermal::conductivity(material, hot, 1)};
+}
+
+/// By how much more heat glass of one conductivity would give its tools than that of another, with tools held cold or
+/// warming: half-spaces, for the highest conductance and the whole time in place; the tool with the most counts.
+struct Exchange {
+  double conductivity;
+  bool held = false;
+};
+double gain(const Scene& scene, const Exchange& more, const Exchange& less) {
+  const double hot = scene.glass.initial_temperature;
+  double most = 0;
+  for (std::size_t i = 0; i < scene.tools.size(); ++i) {
+    const Tool& tool = scene.tools[i];
+    const double h = highest_conductance(scene, i), time = in_place(scene, i), cold = tool.initial_temperature;
+    if (!tool.thermal || h == 0 || time == 0) continue;
+    const double warming = 1 / effusivity(*tool.thermal, cold, tool.thermal->conductivity(cold));
+    const auto heat = [&](const Exchange& e) {
+      return exchanged(h, 1 / effusivity(*scene.glass.thermal, hot, e.conductivity) + (e.held ? 0 : warming), time);
+    };
+    most = std::max(most, heat(more) / heat(less) - 1);
+  }
+  return most;
+}
+
+/// Parts that act through the heat between glass and tools; what nothing forms has no more to change it than the exact
+/// solution says.
+void add_exchange(Estimator& e, const char* name, bool in_scene, double more_heat, const Measured& jar) {
+  constexpr const char* number_name = "of the heat between half-spaces";
+  if (e.shape != Shaped::unformed) return e.scale(name, in_scene, number_name, more_heat, jar);
+  e.add(name, in_scene, number_name, more_heat, e.freedom * more_heat / jar.number * jar.thickness, more_heat);
+}
+
+/// Whether the scene says what is around the glass.
+bool has_air(const Stage& stage) {
+  const thermal::SurfaceExchange unsaid;
+  return stage.air.h > 0 || stage.air.air_temperature != unsaid.air_temperature ||
+         stage.air.ambient_temperature != unsaid.ambient_temperature;
+}
+
+/// Parts that act on the open surface; their heat grows with the time.
+void add_surface(Estimator& e, double conductivity) {
+  double h = 0, air = 0, around = 0;
+  bool open = false;
+  for (const Stage& stage : e.scene.stages) {
+    if (!has_air(stage)) continue;
+    open = true;
+    h = std::max(h, stage.air.h), air = stage.air.air_temperature, around = stage.air.ambient_temperature;
+  }
+  if (!open) return;
+  const double hot = e.scene.glass.initial_temperature, lasts = lasting(e.scene) / jar_lasts;
+  const auto cooling = [&](const char* name, bool in_scene, double flux, Measured jar) {
+    jar.heat *= lasts * (e.shape == Shaped::pressed ? pressed_open : 1);
+    e.scale(name, in_scene, "its Biot number", std::abs(flux) * e.numbers.length / (conductivity * hot), jar);
+  };
+  const bool emits = e.scene.glass.emissivity > 0;
+  cooling("emission to around", emits,
+          4 * stefan_boltzmann * (emits ? e.scene.glass.emissivity : container_glass.emissivity) *
+              (std::pow(hot, 4) - std::pow(around, 4)),
+          emission_measured);
+  cooling("cooling by air", h > 0, (h > 0 ? h : container_glass.air) * (hot - air), air_measured);
+}
+
+void add_heat(Estimator& e) {
+  const auto& radiation = e.scene.glass.thermal->radiation;
+  const auto [alone, limited, unlimited] = conductivities(e.scene, e.numbers.length);
+  const double own = !radiation ? alone : radiation->thin_wall ? limited : unlimited;
+  if (!e.scene.tools.empty()) {
+    const double more = gain(e.scene, {limited}, {alone});
+    // Of the heat that the scene gives: what it would lose without, or gain with.
+    add_exchange(e, "internal radiation", radiation.has_value(), radiation ? more / (1 + more) : more,
+                 radiation_measured);
+    if (radiation)
+      add_exchange(e, "thin-wall limit", radiation->thin_wall, gain(e.scene, {unlimited}, {limited}),
+                   thin_wall_measured);
+    add_exchange(e, "warming of tools", true, gain(e.scene, {own, true}, {own}), warming_measured);
+  }
+  add_surface(e, alone);
+}
+
+}  // namespace
+
+std::vector<PartEstimate> estimate_parts(const Scene& scene) {
+  const SceneNumbers numbers = scene_numbers(scene);
+  Estimator estimator{scene, numbers, shaped(scene, numbers), 1, {}};
+  estimator.freedom = freedom_of(estimator);
+  if (scene.has_flow()) add_flow(estimator);
+  if (scene.has_heat()) add_heat(estimator);
+  return std::move(estimator.parts);
+}
+
+std::string describe_parts(const Scene& scene) {
+  const auto parts = estimate_parts(scene);
+  if (parts.empty()) return {};
+  const double asked = scene.accuracy_choice.target.value_or(expected_error(scene.accuracy_choice.effective_level()));
+  const char* shape = shaped(scene, scene_numbers(scene)) == Shaped::unformed ? "shape" : "thickness";
+  std::string text =
+      "\nwhat a part of the model changes, roughly: from one number each, by the ladders of the bundled jar and "
+      "tumbler\n"
+      "(`parison tradeoff CASE --only model` measures most of them)\n";
+  for (const PartEstimate& part : parts) {
+    text += fmt::format("  {:<20}{:<9}", part.name, part.in_scene ? "in" : "left out");
+    if (scene.has_flow()) text += fmt::format("{} {:>6.2g} %, ", shape, 100 * part.thickness);
+    if (scene.has_heat()) text += fmt::format("heat {:>6.2g} %", 100 * part.heat);
+    text += fmt::format("   {} {:.2g}\n", part.number_name, part.number);
+  }
+  for (const PartEstimate& part : parts) {
+    const double change = std::max(part.thickness, part.heat);
+    if (!part.in_scene && change > asked)
+      text += fmt::format(
+          "  warning: {} is left out and may change the result by some {:.2g} %, more than the {:.2g} % that {}\n",
+          part.name, 100 * change, 100 * asked,
+          scene.accuracy_choice.target ? "are asked for" : "go with this accuracy");
+  }
+  return text;
+}
+
+}  // namespace parison::forming

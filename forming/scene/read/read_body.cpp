@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include "core/mesh/element.hpp"
+#include "forming/scene/read/scene_reading.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+using core::CaseTable;
+namespace dimension = core::dimension;
+
+Piece read_piece(const CaseNode& node) {
+  const CaseTable table(node, {"name", "path", "csv", "condition"});
+  Piece piece{core::identifier(table.get("name")), PieceKind::contact, {}};
+  const auto& condition = table.get("condition");
+  if (condition.kind != CaseNode::Kind::table) {
+    constexpr PieceKind kinds[] = {PieceKind::contact, PieceKind::symmetry, PieceKind::fixed, PieceKind::air,
+                                   PieceKind::insulated};
+    piece.kind = kinds[core::choice(condition, {"contact", "symmetry", "fixed", "air", "insulated"})];
+    return piece;
+  }
+  const CaseTable given(condition, {"cooled", "temperature"});
+  if (const auto* cooled = given.find("cooled")) {
+    if (given.find("temperature")) core::refuse(condition, "two conditions were found, allowed is one");
+    const CaseTable exchange(*cooled, {"h", "temperature"});
+    piece.kind = PieceKind::cooled;
+    piece.cooling.h = core::not_negative(exchange.get("h"), dimension::conductance);
+    piece.cooling.air_temperature = core::quantity(exchange.get("temperature"), dimension::temperature);
+  } else {
+    piece.kind = PieceKind::temperature;
+    piece.temperature = core::quantity(given.get("temperature"), dimension::temperature);
+  }
+  return piece;
+}
+
+MeshSpec::Mapped read_mapped(const CaseTable& mesh, const Body& body) {
+  const auto& node = *mesh.find("mapped");
+  if (core::list(node).size() != 2)
+    core::refuse(node, fmt::format("{} members were found, allowed are the divisions along the first and the second "
+                                   "piece",
+                                   node.items.size()));
+  if (body.pieces.size() != 4 || core::signed_area(body.profile) < 0)
+    core::refuse(node, "a mapped mesh was found, allowed is it where four pieces run counterclockwise");
+  MeshSpec::Mapped mapped{core::count(node.items[0]), core::count(node.items[1])};
+  if (const auto* ratio = mesh.find("ratio")) {
+    if (core::list(*ratio).size() != 2)
+      core::refuse(*ratio, fmt::format("{} members were found, allowed are two ratios of the last division to the "
+                                       "first",
+                                       ratio->items.size()));
+    mapped.ratio_first = core::positive(ratio->items[0], dimension::none);
+    mapped.ratio_second = core::positive(ratio->items[1], dimension::none);
+  }
+  return mapped;
+}
+
+MeshSpec read_mesh(const CaseNode& node, const Body& body) {
+  const CaseTable table(node, {"size", "contact_size", "growth", "mapped", "ratio"});
+  MeshSpec mesh;
+  if (const auto* item = table.find("size")) mesh.size = core::positive(*item, dimension::length);
+  if (const auto* item = table.find("contact_size")) mesh.contact_size = core::positive(*item, dimension::length);
+  if (const auto* item = table.find("growth")) mesh.growth = core::positive(*item, dimension::none);
+  if (table.find("mapped")) mesh.mapped = read_mapped(table, body);
+  if (const auto* ratio = table.find("ratio"); ratio && !mesh.mapped)
+    core::refuse(*ratio, "a ratio was found, allowed is it beside mapped");
+  return mesh;
+}
+
+/// Refuses a stretch of the axis that is no symmetry piece.
+void check_axis(const Body& body, core::Geometry geometry, const CaseNode& pieces) {
+  constexpr double on_axis = 1e-7;  // m2 per metre
+  for (const auto& segment : body.profile.segments) {
+    const auto off = [&](double t) { return core::depth(geometry, core::point_at(segment, t)) > on_axis; };
+    if (off(0) || off(0.5) || off(1) || body.pieces[segment.piece].kind == PieceKind::symmetry) continue;
+    core::refuse(pieces.items[segment.piece],
+                 fmt::format("\"{}\" runs along the axis, allowed there is a piece with the condition symmetry",
+                             body.pieces[segment.piece].name));
+  }
+}
+
+/// Whether a stretch of an outline can be one of symmetry: straight, and where the section turns about the axis on it
+/// or across it.
+bool is_symmetric(const core::Segment& segment, core::Geometry geometry) {
+  const core::Point first = core::point_at(segment, 0), along = core::point_at(segment, 1) - first;
+  const double slack = 1e-6 * along.norm();
+  if ((core::point_at(segment, 0.5) - first - 0.5 * along).norm() > slack) return false;
+  if (geometry == core::Geometry::planar) return true;
+  return (std::abs(first[0]) <= slack && std::abs(along[0]) <= slack) || std::abs(along[1]) <= slack;
+}
+
+void check_symmetry(const Body& body, core::Geometry geometry, const CaseNode& pieces) {
+  for (const auto& segment : body.profile.segments) {
+    if (body.pieces[segment.piece].kind != PieceKind::symmetry || is_symmetric(segment, geometry)) continue;
+    const core::Point x = core::point_at(segment, 0.5);
+    core::refuse(
+        pieces.items[segment.piece],
+        fmt::format("\"{}\" has the condition symmetry beside ({:g}, {:g}) mm, allowed is that on straight stretches{}",
+                    body.pieces[segment.piece].name, 1e3 * x[0], 1e3 * x[1],
+                    geometry == core::Geometry::planar ? "" : " on the axis or across it"));
+  }
+}
+
+/// Outline, pieces and mesh; the outline is turned counterclockwise.
+void read_shape(const CaseTable& table, const BodyContext& context, Body& body) {
+  const auto& pieces = table.get("piece");
+  refuse_repeated_names(table.tables("piece"));
+  body.profile = read_outline(pieces, context.directory);
+  for (const auto& piece : pieces.items) body.pieces.push_back(read_piece(piece));
+  check_outline(body.profile, context.geometry, pieces);
+  check_axis(body, context.geometry, pieces);
+  check_symmetry(body, context.geometry, pieces);
+  if (const auto* mesh = table.find("mesh")) body.mesh = read_mesh(*mesh, body);
+  if (core::signed_area(body.profile) < 0) body.profile = core::reversed(body.profile);
+}
+
+const NamedMaterial& find_material(const CaseNode& node, const BodyContext& context) {
+  std::vector<std::string> names;
+  for (const auto& material : context.materials) names.push_back(material.name);
+  return context.materials[core::choice(node, names)];
+}
+
+flow::Friction read_friction(const CaseNode& node) {
+  using Law = flow::Friction::Law;
+  flow::Friction friction;
+  if (node.kind != CaseNode::Kind::table) {
+    constexpr Law laws[] = {Law::slip, Law::stick, Law::grip};
+    if (core::text(node) == "navier")
+      core::refuse(node,
+                   "\"navier\" lacks its coefficient, allowed is { law = \"navier\", coefficient = \"1e6 Pa.s/m\" }");
+    friction.law = laws[core::choice(node, {"slip", "stick", "grip"})];
+    return friction;
+  }
+  const CaseTable table(node, {"law", "coefficient", "coulomb"});
+  core::choice(table.get("law"), {"navier"});
+  friction.law = Law::navier;
+  friction.coefficient = core::positive(table.get("coefficient"), dimension::friction);
+  if (const auto* coulomb = table.find("coulomb")) friction.coulomb = core::positive(*coulomb, dimension::none);
+  return friction;
+}
+
+FilmLimit read_film(const CaseNode& node) {
+  const CaseTable table(node, {"thinnest", "then"});
+  FilmLimit film;
+  if (const auto* item = table.find("thinnest")) film.thinnest = core::positive(*item, dimension::length);
+  if (const auto* item = table.find("then"))
+    film.then = core::choice(*item, {"stop", "freeze"}) == 0 ? FilmLimit::Then::stop : FilmLimit::Then::freeze;
+  return film;
+}
+
+}  // namespace
+
+Glass read_glass(const CaseNode& node, const BodyContext& context) {
+  const CaseTable table(node, {"material", "temperature", "mesh", "film", "piece"});
+  Glass glass;
+  glass.name = "glass";
+  const auto& material = find_material(table.get("material"), context);
+  glass.thermal = material.thermal;
+  glass.flow = material.flow;
+  glass.emissivity = material.emissivity;
+  if (!glass.thermal && !glass.flow)
+    core::refuse(table.get("material"),
+                 fmt::format("\"{}\" has neither viscosity nor conductivity and heat_capacity, allowed is a material "
+                             "that flows or carries heat",
+                             material.name));
+  const bool needs_temperature = glass.thermal || !glass.flow->viscosity.constant;
+  if (const auto* item = needs_temperature ? &table.get("temperature") : table.find("temperature")) {
+    glass.initial_temperature = core::quantity(*item, dimension::temperature);
+    if (glass.flow && !glass.flow->viscosity.constant && glass.initial_temperature <= glass.flow->viscosity.T0)
+      core::refuse(*item,
+                   fmt::format("\"{}\" was found, allowed are temperatures above T0 of the viscosity", item->text));
+  }
+  if (const auto* item = table.find("film")) glass.film = read_film(*item);
+  read_shape(table, context, glass);
+  return glass;
+}
+
+Tool read_tool(const CaseNode& node, const BodyContext& context) {
+  const CaseTable table(node, {"name", "material", "temperature", "friction", "position", "mesh", "piece"});
+  Tool tool;
+  tool.name = core::identifier(table.get("name"));
+  if (tool.name == "glass")
+    core::refuse(table.get("name"), "\"glass\" was found, allowed is any other name for a tool");
+  if (context.with_heat) {
+    const auto& item = table.get("material");
+    const auto& material = find_material(item, context);
+    if (!material.thermal)
+      core::refuse(item,
+                   fmt::format("\"{}\" has no conductivity and heat_capacity, allowed is a material that carries heat "
+                               "as the glass does",
+                               material.name));
+    if (material.thermal->radiation && material.thermal->radiation->thin_wall)
+      core::refuse(item,
+                   fmt::format("\"{}\" has radiation with thin_wall = true, which only the glass can have; allowed is "
+                               "thin_wall = false or no radiation",
+                               material.name));
+    tool.thermal = material.thermal;
+    tool.emissivity = material.emissivity;
+    tool.initial_temperature = core::quantity(table.get("temperature"), dimension::temperature);
+  }
+  if (context.with_flow) tool.friction = read_friction(table.get("friction"));
+  if (const auto* item = table.find("position")) tool.position = core::quantity(*item, dimension::length);
+  read_shape(table, context, tool);
+  return tool;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "forming/scene/read/scene_reading.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+using core::CaseTable;
+namespace dimension = core::dimension;
+
+/// The keys of an interface whatever its law, with the law's own.
+CaseTable with_keys(const CaseNode& node, std::initializer_list<const char*> own) {
+  std::vector<std::string> keys = {"tools", "law", "handover_width"};
+  keys.insert(keys.end(), own.begin(), own.end());
+  return CaseTable(node, keys);
+}
+
+contact::PressureViscosityConductance read_pressure_viscosity(const CaseNode& node) {
+  const auto table = with_keys(node, {"h0", "h1", "p_ref", "eta_ref", "a", "b"});
+  contact::PressureViscosityConductance law;
+  law.h0 = core::positive(table.get("h0"), dimension::conductance);
+  law.h1 = core::positive(table.get("h1"), dimension::conductance);
+  if (law.h1 < law.h0)
+    core::refuse(table.get("h1"), fmt::format("\"{}\" lies below h0, allowed is h1 from h0 on", table.get("h1").text));
+  law.p_ref = core::positive(table.get("p_ref"), dimension::pressure);
+  law.eta_ref = core::positive(table.get("eta_ref"), dimension::viscosity);
+  law.a = core::not_negative(table.get("a"), dimension::none);
+  law.b = core::not_negative(table.get("b"), dimension::none);
+  return law;
+}
+
+/// Rising quantities above zero.
+std::vector<double> read_axis(const CaseNode& node, const core::Dimension& dimension) {
+  std::vector<double> axis;
+  for (const auto& item : core::list(node)) {
+    axis.push_back(core::positive(item, dimension));
+    if (axis.size() > 1 && !(axis.back() > axis[axis.size() - 2]))
+      core::refuse(item,
+                   fmt::format("\"{}\" does not lie above the entry before, allowed are rising entries", item.text));
+  }
+  if (axis.empty()) core::refuse(node, "an empty list was found, allowed is at least one entry");
+  return axis;
+}
+
+void require_size(const CaseNode& node, std::size_t size, const char* one_for) {
+  if (core::list(node).size() != size)
+    core::refuse(node, fmt::format("{} members were found, allowed is one for each of the {} {}", node.items.size(),
+                                   size, one_for));
+}
+
+contact::TableConductance read_table(const CaseNode& node) {
+  const auto table = with_keys(node, {"pressure", "viscosity", "h"});
+  contact::TableConductance law;
+  law.pressure = read_axis(table.get("pressure"), dimension::pressure);
+  law.viscosity = read_axis(table.get("viscosity"), dimension::viscosity);
+  const auto& rows = table.get("h");
+  require_size(rows, law.pressure.size(), "pressures");
+  for (const auto& row : rows.items) {
+    require_size(row, law.viscosity.size(), "viscosities");
+    for (const auto& item : row.items) law.h.push_back(core::positive(item, dimension::conductance));
+  }
+  return law;
+}
+
+contact::ConductanceLaw read_law(const CaseNode& node, bool with_flow) {
+  const auto table = with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
+  const int law = core::choice(table.get("law"), {"constant", "pressure-viscosity", "table"});
+  if (law > 0 && !with_flow)
+    core::refuse(table.get("law"), "the glass does not flow and has no contact pressure, allowed is \"constant\"");
+  if (law == 1) return read_pressure_viscosity(node);
+  if (law == 2) return read_table(node);
+  return contact::ConstantConductance{core::positive(with_keys(node, {"h"}).get("h"), dimension::conductance)};
+}
+
+}  // namespace
+
+std::vector<Interface> read_interfaces(const CaseNode& node, const Scene& scene) {
+  constexpr double default_handover_width = 1e-4;  // m: a gap as wide passes no heat from surface to surface
+  const auto law = read_law(node, scene.has_flow());
+  const auto table = with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
+  double width = default_handover_width;
+  if (const auto* item = table.find("handover_width")) width = core::positive(*item, dimension::length);
+  std::vector<Interface> interfaces;
+  for (const auto& item : core::list(table.get("tools"))) {
+    const Index tool = core::choice(item, tool_names(scene));
+    if (!scene.has_heat() || !scene.tools[tool].thermal)
+      core::refuse(item, fmt::format("\"{}\" or the glass carries no heat, allowed are tools that do", item.text));
+    const auto is_this = [&](const Interface& other) { return other.tool == tool; };
+    for (const auto* known : {&std::as_const(scene.interfaces), &std::as_const(interfaces)})
+      if (std::any_of(known->begin(), known->end(), is_this))
+        core::refuse(item, fmt::format("\"{}\" has an interface already, allowed is one", item.text));
+    interfaces.push_back({tool, law, width});
+  }
+  return interfaces;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include "forming/scene/read/scene_reading.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+using core::CaseTable;
+namespace dimension = core::dimension;
+
+/// A property over temperature, above zero everywhere.
+core::Table property(const CaseNode& node, const core::Dimension& dimension) {
+  const auto table = core::quantity_table(node, dimension::temperature, dimension);
+  for (const double value : table.y)
+    if (!(value > 0)) core::refuse(node, fmt::format("{:g} was found, allowed are values above zero", value));
+  return table;
+}
+
+thermal::Radiation read_radiation(const CaseNode& node) {
+  const CaseTable table(node, {"refractive_index", "absorption", "thin_wall"});
+  const auto& index = table.get("refractive_index");
+  if (core::positive(index, dimension::none) < 1)
+    core::refuse(index, fmt::format("{} was found, allowed are refractive indices from 1", index.text));
+  return {core::positive(index, dimension::none), core::positive(table.get("absorption"), dimension::inverse_length),
+          core::flag(table.get("thin_wall"))};
+}
+
+/// The table of a law and the law's place among the allowed ones.
+int law_of(const CaseNode& node, const std::vector<std::string>& allowed) {
+  for (const auto& item : core::entries(node))
+    if (item.name == "law") return core::choice(item, allowed);
+  return core::choice(CaseTable(node, {"law"}).get("law"), allowed);
+}
+
+flow::Viscosity read_viscosity(const CaseNode& node) {
+  flow::Viscosity viscosity;
+  if (law_of(node, {"constant", "vft"}) == 0) {
+    viscosity.constant = core::positive(CaseTable(node, {"law", "value"}).get("value"), dimension::viscosity);
+  } else {
+    const CaseTable table(node, {"law", "A", "B", "T0"});
+    viscosity.A = core::quantity(table.get("A"), dimension::none);
+    viscosity.B = core::positive(table.get("B"), dimension::temperature_difference);
+    viscosity.T0 = core::quantity(table.get("T0"), dimension::temperature);
+  }
+  return viscosity;
+}
+
+flow::Carreau read_shear_thinning(const CaseNode& node) {
+  const CaseTable table(node, {"time", "exponent"});
+  return {core::positive(table.get("time"), dimension::time), core::positive(table.get("exponent"), dimension::none)};
+}
+
+NamedMaterial read_material(const CaseNode& node) {
+  const CaseTable table(node, {"density", "heat_capacity", "conductivity", "radiation", "viscosity", "shear_thinning",
+                               "surface_tension", "emissivity"});
+  NamedMaterial material;
+  material.name = core::identifier(core::key_of(node));
+  const double density = core::positive(table.get("density"), dimension::density);
+  if (table.find("conductivity") || table.find("heat_capacity")) {
+    material.thermal.emplace();
+    material.thermal->density = density;
+    material.thermal->conductivity = property(table.get("conductivity"), dimension::conductivity);
+    material.thermal->heat_capacity = property(table.get("heat_capacity"), dimension::heat_capacity);
+    if (const auto* radiation = table.find("radiation")) material.thermal->radiation = read_radiation(*radiation);
+  }
+  if (const auto* viscosity = table.find("viscosity")) {
+    material.flow.emplace();
+    material.flow->density = density;
+    material.flow->viscosity = read_viscosity(*viscosity);
+    if (const auto* carreau = table.find("shear_thinning"))
+      material.flow->shear_thinning = read_shear_thinning(*carreau);
+    if (const auto* tension = table.find("surface_tension"))
+      material.flow->surface_tension = core::not_negative(*tension, dimension::surface_tension);
+  }
+  for (const auto* key : {"radiation", "emissivity"})
+    if (const auto* item = table.find(key); item && !material.thermal)
+      core::refuse(*item, "the material carries no heat, allowed is this key beside conductivity and heat_capacity");
+  for (const auto* key : {"shear_thinning", "surface_tension"})
+    if (const auto* item = table.find(key); item && !material.flow)
+      core::refuse(*item, "the material does not flow, allowed is this key beside viscosity");
+  if (const auto* emissivity = table.find("emissivity")) {
+    material.emissivity = core::not_negative(*emissivity, dimension::none);
+    if (material.emissivity > 1)
+      core::refuse(*emissivity, fmt::format("{:g} was found, allowed is 0 to 1", material.emissivity));
+  }
+  return material;
+}
+
+}  // namespace
+
+std::vector<NamedMaterial> read_materials(const CaseNode& node) {
+  std::vector<NamedMaterial> materials;
+  for (const auto& item : core::entries(node)) materials.push_back(read_material(item));
+  return materials;
+}
+
+}  // namespace parison::forming

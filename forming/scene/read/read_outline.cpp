@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "core/mesh/element.hpp"
+#include "forming/scene/read/read_section.hpp"
+#include "forming/scene/read/scene_reading.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+using core::CaseTable;
+using core::Point;
+using core::Profile;
+using core::Segment;
+namespace dimension = core::dimension;
+
+constexpr double joined = 1e-7;  // ends closer than this are one point, m
+
+double part_quantity(const CaseNode& node, const std::string& text, const core::Dimension& expected) {
+  const auto parsed = core::parse_quantity(text, expected);
+  if (!parsed.problem.empty()) core::refuse(node, parsed.problem);
+  return parsed.value;
+}
+
+/// "31, 14" and "mm" to a point.
+Point coordinates(const CaseNode& node, const std::string& inside, const std::string& unit) {
+  Point point;
+  std::istringstream stream(inside);
+  std::string part;
+  int read = 0;
+  for (; std::getline(stream, part, ','); ++read)
+    if (read < core::dim) point[read] = part_quantity(node, part + " " + unit, dimension::length);
+  if (read != core::dim)
+    core::refuse(node, fmt::format("\"({})\" has {} coordinates, allowed are {}", inside, read, core::dim));
+  return point;
+}
+
+/// Points "(31, 14) (29.5, 20) mm" as lines of which only the end is known; nothing when the text is something else.
+std::vector<Segment> parse_points(const CaseNode& node) {
+  static const std::regex points(R"(^\s*((?:\([^()]*\)\s*)+)\s+(\S+)\s*$)"), point(R"(\(([^()]*)\))");
+  std::vector<Segment> result;
+  std::smatch match;
+  if (!std::regex_match(node.text, match, points)) return result;
+  const std::string list = match[1], unit = match[2];
+  for (std::sregex_iterator at(list.begin(), list.end(), point), end; at != end; ++at) {
+    result.emplace_back();
+    result.back().end = coordinates(node, (*at)[1], unit);
+  }
+  return result;
+}
+
+/// Point of an arc; coordinates that vanish but for round-off are made zero, so that arcs meet axes exactly.
+Point on_arc(const Segment& arc, double angle) {
+  Point direction(std::cos(angle), std::sin(angle));
+  for (auto& component : direction)
+    if (std::abs(component) < 1e-14) component = 0;
+  return arc.centre + arc.radius * direction;
+}
+
+std::vector<Segment> parse_arc(const CaseNode& node) {
+  static const std::regex pattern(
+      R"(^\s*arc\s+centre\s+\(([^()]*)\)\s*(\S+)\s+radius\s+(.+?)\s+from\s+(.+?)\s+to\s+(.+?)\s*$)");
+  std::smatch match;
+  if (!std::regex_match(node.text, match, pattern)) return {};
+  Segment arc;
+  arc.is_arc = true;
+  arc.centre = coordinates(node, match[1], match[2]);
+  arc.radius = part_quantity(node, match[3], dimension::length);
+  arc.from = part_quantity(node, match[4], dimension::none);
+  arc.to = part_quantity(node, match[5], dimension::none);
+  if (!(arc.radius > 0) || arc.from == arc.to || std::abs(arc.to - arc.from) > 2 * M_PI)
+    core::refuse(node, fmt::format("\"{}\" is no arc, allowed are a radius above zero and up to one turn", node.text));
+  arc.start = on_arc(arc, arc.from);
+  arc.end = on_arc(arc, arc.to);
+  return {arc};
+}
+
+std::vector<Segment> parse_path(const CaseNode& node) {
+  core::text(node);
+  auto parts = parse_points(node);
+  if (parts.empty()) parts = parse_arc(node);
+  if (parts.empty())
+    core::refuse(node, fmt::format("\"{}\" was found, allowed are points such as \"(31, 14) (29.5, 20) mm\" and arcs "
+                                   "such as \"arc centre (13.5, 84) mm radius 14 mm from 0 deg to 90 deg\"",
+                                   node.text));
+  return parts;
+}
+
+/// Points of a CSV file; each column's unit follows the last '_' of its heading (r_mm).
+std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory) {
+  const auto path = std::filesystem::path(directory) / core::text(node);
+  std::ifstream file(path);
+  if (!file)
+    core::refuse(node, fmt::format("no file \"{}\", allowed is a CSV file beside the case file", path.string()));
+  CaseNode row = node;
+  row.file = path.string();
+  row.line = 0;
+  std::vector<std::string> units;
+  std::vector<Segment> parts;
+  for (std::string line; std::getline(file, line);) {
+    ++row.line;
+    if (line.find_first_not_of(" \t\r") == line.npos) continue;
+    if (line.back() == '\r') line.pop_back();
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    if (cells.size() != core::dim)
+      core::refuse(row, fmt::format("\"{}\" has {} columns, allowed are {}", line, cells.size(), core::dim));
+    if (units.empty()) {
+      for (const auto& cell : cells)
+        if (cell.find('_') == cell.npos)
+          core::refuse(row, fmt::format("the heading is missing (\"{}\" was found), allowed is a heading such as "
+                                        "r_mm,z_mm",
+                                        line));
+      for (const auto& cell : cells) units.push_back(cell.substr(cell.find_last_of('_') + 1));
+      continue;
+    }
+    parts.emplace_back();
+    for (int i = 0; i < core::dim; ++i)
+      parts.back().end[i] = part_quantity(row, cells[i] + " " + units[i], dimension::length);
+  }
+  if (parts.empty())
+    core::refuse(node, fmt::format("no points were found in \"{}\", allowed is a heading such as r_mm,z_mm and rows "
+                                   "of numbers",
+                                   path.string()));
+  return parts;
+}
+
+/// Points, an arc, or a stretch of a drawing after a point where it starts.
+std::vector<Segment> read_path_part(const CaseNode& node, const std::string& directory) {
+  if (node.kind != CaseNode::Kind::table) return parse_path(node);
+  std::vector<Segment> parts = read_section(node, directory);
+  if (parts.empty()) core::refuse(node, "the stretch of the drawing has no length, allowed are two different points");
+  parts.insert(parts.begin(), Segment{});
+  parts.front().end = parts[1].start;
+  return parts;
+}
+
+std::vector<Segment> read_path(const CaseTable& piece, const std::string& directory) {
+  const auto *path = piece.find("path"), *csv = piece.find("csv");
+  if (path && csv) core::refuse(*csv, "path and csv were found, allowed is one of them");
+  if (csv) return read_csv(*csv, directory);
+  const auto& node = piece.get("path");
+  if (node.kind != CaseNode::Kind::list) return read_path_part(node, directory);
+  std::vector<Segment> parts;
+  for (const auto& item : core::list(*path))
+    for (const auto& part : read_path_part(item, directory)) parts.push_back(part);
+  return parts;
+}
+
+/// Draws segments one after the other, joining what does not meet by lines.
+struct Pen {
+  Profile& profile;
+  Point at = Point::Zero(), first = Point::Zero();
+  bool started = false;
+
+  void line_to(const Point& end, core::Index piece) {
+    if (!started) first = at = end;
+    started = true;
+    if ((end - at).norm() <= joined) return;
+    Segment line;
+    line.start = at;
+    line.end = end;
+    line.piece = piece;
+    profile.segments.push_back(line);
+    at = end;
+  }
+
+  void draw(Segment part, core::Index piece) {
+    if (!part.is_arc) return line_to(part.end, piece);
+    line_to(part.start, piece);
+    part.start = at;
+    part.piece = piece;
+    profile.segments.push_back(part);
+    at = part.end;
+  }
+
+  void close(core::Index piece) {
+    line_to(first, piece);
+    if (!profile.segments.empty()) profile.segments.back().end = first;
+  }
+};
+
+}  // namespace
+
+Point read_point(const CaseNode& node) {
+  core::text(node);
+  const auto parts = parse_points(node);
+  if (parts.size() != 1)
+    core::refuse(node, fmt::format("\"{}\" was found, allowed is a point such as \"(31, 14) mm\"", node.text));
+  return parts.front().end;
+}
+
+Profile read_outline(const CaseNode& pieces, const std::string& directory) {
+  Profile profile;
+  Pen pen{profile};
+  const auto last = static_cast<core::Index>(core::list(pieces).size()) - 1;
+  for (core::Index i = 0; i <= last; ++i) {
+    const CaseTable piece(pieces.items[i], {"name", "path", "csv", "condition"});
+    profile.pieces.push_back(core::text(piece.get("name")));
+    for (const auto& part : read_path(piece, directory)) pen.draw(part, i);
+    if (i == last) pen.close(i);
+    if (profile.segments.empty() || profile.segments.back().piece != i)
+      core::refuse(piece.node(), "the path has no length, allowed is at least one line or arc");
+  }
+  if (profile.segments.size() < 2)
+    core::refuse(pieces, fmt::format("{} lines were found, allowed is a closed outline", profile.segments.size()));
+  return profile;
+}
+
+void check_outline(const Profile& profile, core::Geometry geometry, const CaseNode& pieces) {
+  const auto [a, b] = core::find_self_crossing(profile);
+  if (a >= 0) {
+    const auto &one = profile.segments[a], &other = profile.segments[b];
+    core::refuse(
+        pieces.items[one.piece],
+        fmt::format("the outline crosses itself (piece \"{}\" meets piece \"{}\" beside ({:g}, {:g}) mm), "
+                    "allowed is an outline that meets itself nowhere",
+                    profile.pieces[one.piece], profile.pieces[other.piece], 1e3 * one.start[0], 1e3 * one.start[1]));
+  }
+  for (const auto& segment : profile.segments)
+    for (int i = 0; i <= 16; ++i)
+      if (const auto x = core::point_at(segment, i / 16.0); core::depth(geometry, x) < -joined)
+        core::refuse(
+            pieces.items[segment.piece],
+            fmt::format("({:g}, {:g}) mm lies beyond the axis, allowed are radii from zero", 1e3 * x[0], 1e3 * x[1]));
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/read/read_section.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "forming/scene/read/scene_reading.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+using core::CaseTable;
+using core::Point;
+using core::Segment;
+using Chain = std::vector<Segment>;
+
+constexpr double on_drawing = 1e-5;  // a point of the case may lie so far off the curves, m
+
+bool meet(const Point& a, const Point& b) {
+  return (a - b).norm() <= section_joined;
+}
+
+Chain turned(const Chain& chain) {
+  return core::reversed({chain, {}}).segments;
+}
+
+std::string in_mm(const Point& x) {
+  return fmt::format("({:.6g}, {:.6g}) mm", 1e3 * x[0], 1e3 * x[1]);
+}
+
+bool is_closed(const Chain& chain) {
+  return chain.size() > 1 && meet(chain.front().start, chain.back().end);
+}
+
+/// Moves the curves that follow the chain's end, one after the other, from `left` to it.
+void extend(const CaseNode& file, Chain& chain, Chain& left) {
+  while (!is_closed(chain)) {
+    const Point end = chain.back().end;
+    const auto follows = [&](const Segment& s) { return meet(s.start, end) || meet(s.end, end); };
+    const auto next = std::find_if(left.begin(), left.end(), follows);
+    if (next == left.end()) return;
+    if (std::count_if(left.begin(), left.end(), follows) > 1)
+      core::refuse(
+          file, fmt::format("more than two curves of the drawing meet at {}, allowed is one outline without branches",
+                            in_mm(end)));
+    chain.push_back(meet(next->start, end) ? *next : turned({*next})[0]);
+    left.erase(next);
+  }
+}
+
+/// Says why curves are left over: a gap where an end of theirs is near one of the chain, else several outlines.
+[[noreturn]] void refuse_rest(const CaseNode& file, const Chain& chain, const Chain& left) {
+  constexpr double a_gap = 1e-3;  // m
+  double nearest = std::numeric_limits<double>::infinity();
+  Point where = Point::Zero();
+  if (!is_closed(chain))
+    for (const Segment& segment : left)
+      for (const Point& x : {segment.start, segment.end})
+        for (const Point& end : {chain.front().start, chain.back().end})
+          if ((x - end).norm() < nearest) nearest = (x - end).norm(), where = end;
+  if (nearest < a_gap)
+    core::refuse(
+        file,
+        fmt::format("the curves of the drawing leave a gap of {:.3g} mm at {}, allowed are ends that meet to 1e-4 mm",
+                    1e3 * nearest, in_mm(where)));
+  core::refuse(
+      file,
+      fmt::format("several outlines were found in the drawing, one with {} curves and {} curves beside it, allowed is "
+                  "one (a layer chooses among those of a DXF file)",
+                  chain.size(), left.size()));
+}
+
+/// A place on a chain: the number of the segment and how far along it, as one number.
+double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
+  double best = std::numeric_limits<double>::infinity(), place = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    double t = core::closest_parameter(chain[i], x);
+    for (const double end : {0.0, 1.0})
+      if (core::length(chain[i]) * std::abs(t - end) < on_drawing) t = end;
+    const double distance = (core::point_at(chain[i], t) - x).norm();
+    if (distance < best) best = distance, place = static_cast<double>(i) + t;
+  }
+  if (best > 2 * on_drawing)
+    core::refuse(node,
+                 fmt::format("{} lies {:.3g} mm off the drawing, allowed are points on it", in_mm(x), 1e3 * best));
+  return place;
+}
+
+/// The part of a segment between two of its places, 0 to 1.
+Segment part_of(const Segment& segment, double from, double to) {
+  Segment part = segment;
+  if (from > 0) part.start = core::point_at(segment, from);
+  if (to < 1) part.end = core::point_at(segment, to);
+  part.from = segment.from + from * (segment.to - segment.from);
+  part.to = to < 1 ? segment.from + to * (segment.to - segment.from) : segment.to;
+  return part;
+}
+
+/// The segments from one place to a later one, round a closed chain if need be.
+Chain stretch(const Chain& chain, double from, double to) {
+  Chain result;
+  for (double at = from; at < to;) {
+    const double whole = std::floor(at), next = std::min(whole + 1, to);
+    result.push_back(part_of(chain[static_cast<std::size_t>(whole) % chain.size()], at - whole, next - whole));
+    at = next;
+  }
+  return result;
+}
+
+/// Coordinates that vanish but for round-off are made zero, so that curves meet axes exactly.
+void clean(Chain& chain) {
+  for (Segment& segment : chain)
+    for (Point* x : {&segment.start, &segment.end, &segment.centre})
+      for (double& component : *x)
+        if (std::abs(component) < 1e-12) component = 0;
+}
+
+Chain read_drawing(const CaseTable& table, const std::string& directory) {
+  const CaseNode& file = table.get("file");
+  const auto path = std::filesystem::path(directory) / core::text(file);
+  std::string kind = path.extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
+  const bool is_step = kind == ".step" || kind == ".stp";
+  if (!is_step && kind != ".dxf")
+    core::refuse(file, fmt::format("\"{}\" was found, allowed are drawings named .step, .stp or .dxf", file.text));
+  if (is_step) {
+    for (const char* key : {"unit", "layer"})
+      if (const auto* node = table.find(key))
+        core::refuse(
+            *node, fmt::format(
+                       "a {} was found, allowed is it for DXF files; a STEP file has its own unit and no layers", key));
+    return read_step(file, path.string());
+  }
+  const auto unit = core::parse_quantity("1 " + core::text(table.get("unit")), core::dimension::length);
+  if (!unit.problem.empty()) core::refuse(table.get("unit"), unit.problem);
+  const auto* layer = table.find("layer");
+  auto curves = read_dxf(file, path.string(), layer ? core::text(*layer) : "", unit.value);
+  if (curves.empty())
+    core::refuse(layer ? *layer : file,
+                 fmt::format("no lines or arcs were found in \"{}\", allowed is a DXF file with some{}", path.string(),
+                             layer ? " on this layer" : ""));
+  return curves;
+}
+
+}  // namespace
+
+std::vector<Segment> chain(const CaseNode& file, std::vector<Segment> curves) {
+  Chain one{curves.front()};
+  curves.erase(curves.begin());
+  extend(file, one, curves);
+  one = turned(one);
+  extend(file, one, curves);
+  if (!curves.empty()) refuse_rest(file, one, curves);
+  return one;
+}
+
+std::vector<Segment> read_section(const CaseNode& node, const std::string& directory) {
+  const CaseTable table(node, {"file", "from", "via", "to", "unit", "layer"});
+  Chain curves = chain(table.get("file"), read_drawing(table, directory));
+  clean(curves);
+  const CaseNode &first = table.get("from"), *via = table.find("via"), *last = table.find("to");
+  const double count = static_cast<double>(curves.size()), from = place_on(first, curves, read_point(first));
+  if (via && !is_closed(curves)) core::refuse(*via, "a via was found, allowed is it where the drawn outline is closed");
+  if (!last && is_closed(curves)) return stretch(curves, from, from + count);
+  if (!last && from != 0 && from != count)
+    core::refuse(
+        first, fmt::format("{} is no end of the drawn line, allowed are its ends, or a \"to\" beside it", first.text));
+  double to = last ? place_on(*last, curves, read_point(*last)) : count - from;
+  if (!is_closed(curves))
+    return to > from ? stretch(curves, from, to) : stretch(turned(curves), count - from, count - to);
+  if (!via)
+    core::refuse(*last,
+                 "a closed outline has two ways to this point, allowed is a \"via\" beside it: a point on the stretch "
+                 "between the two");
+  double between = place_on(*via, curves, read_point(*via));
+  if (to <= from) to += count;
+  if (between < from) between += count;
+  return between < to ? stretch(curves, from, to) : stretch(turned(curves), count - from, 2 * count - to);
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "forming/scene/read/scene_reading.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double touching = 1e-6;  // bodies may overlap by this much at the start, m
+
+/// Points along an outline, dense enough to find any overlap worth naming.
+std::vector<core::Point> samples(const core::Profile& profile) {
+  double perimeter = 0;
+  for (const auto& segment : profile.segments) perimeter += core::length(segment);
+  return core::polyline(profile, perimeter / 2000, touching / 2);
+}
+
+struct DeepPoint {
+  core::Point point;
+  double depth;  ///< m
+};
+
+/// The one of `points`, moved by `shift`, that lies deepest inside the outline.
+DeepPoint deepest(const std::vector<core::Point>& points, const core::Point& shift, const core::Profile& profile) {
+  DeepPoint result{core::Point::Zero(), 0};
+  for (const auto& x : points)
+    if (core::contains(profile, x + shift))
+      if (const double depth = core::distance(profile, x + shift); depth > result.depth) result = {x, depth};
+  return result;
+}
+
+bool can_touch(const Body& body) {
+  const auto contact = [](const Piece& piece) { return piece.kind == PieceKind::contact; };
+  return std::any_of(body.pieces.begin(), body.pieces.end(), contact);
+}
+
+/// Whether symmetry planes or fixed pieces keep the glass from moving along the axis.
+bool held_along_axis(const Glass& glass) {
+  constexpr double across = 1e-3;
+  return std::any_of(glass.profile.segments.begin(), glass.profile.segments.end(), [&](const core::Segment& segment) {
+    const PieceKind kind = glass.pieces[segment.piece].kind;
+    return kind == PieceKind::fixed || (kind == PieceKind::symmetry &&
+                                        std::abs(core::normal_at(segment, 0.5).dot(core::axis_direction())) > across);
+  });
+}
+
+/// The member of a table, null without one.
+const core::CaseNode* member(const core::CaseNode* table, const char* key) {
+  if (table)
+    for (const auto& item : table->items)
+      if (item.name == key) return &item;
+  return nullptr;
+}
+
+/// Refuses an edge length that would give a body too many cells, taken over its whole area, or too many edges.
+void refuse_too_fine(const core::CaseNode& at, const Body& body, double size, bool whole_area) {
+  constexpr double most_cells = 500000, most_edges = 50000;
+  double outline = 0;
+  for (const auto& segment : body.profile.segments) outline += core::length(segment);
+  const double cells = std::abs(core::signed_area(body.profile)) / (std::sqrt(3.0) / 4 * size * size);
+  if (whole_area && cells > most_cells)
+    core::refuse(at, fmt::format("{:g} mm would give \"{}\" about {:.2g} cells, allowed are sizes that give up to {:g}",
+                                 1e3 * size, body.name, cells, most_cells));
+  if (outline / size > most_edges)
+    core::refuse(at, fmt::format("{:g} mm would give \"{}\" about {:.2g} edges along its outline, allowed are sizes "
+                                 "that give up to {:g}",
+                                 1e3 * size, body.name, outline / size, most_edges));
+}
+
+void check_mesh_sizes(const core::CaseNode& node, const Body& body) {
+  const auto* mesh = member(&node, "mesh");
+  if (const auto& size = body.mesh.size) refuse_too_fine(*member(mesh, "size"), body, *size, true);
+  if (const auto& size = body.mesh.contact_size) refuse_too_fine(*member(mesh, "contact_size"), body, *size, false);
+  constexpr double most_quadrangles = 250000;
+  if (const auto& mapped = body.mesh.mapped;
+      mapped && double(mapped->along_first) * mapped->along_second > most_quadrangles)
+    core::refuse(*member(mesh, "mapped"), fmt::format("{} by {} divisions were found, allowed are up to {:g} in all",
+                                                      mapped->along_first, mapped->along_second, most_quadrangles));
+}
+
+}  // namespace
+
+void check_sizes(const Scene& scene, const core::CaseTable& root) {
+  const auto &glass = root.get("glass"), *numerics = root.find("numerics");
+  const auto tools = root.tables("tool");
+  const auto place = [&](const char* key, const core::CaseNode& body) -> const core::CaseNode& {
+    const auto* item = member(numerics, key);
+    return item ? *item : body;
+  };
+  check_mesh_sizes(glass, scene.glass);
+  if (scene.has_flow() || (!scene.glass.mesh.size && !scene.glass.mesh.mapped))
+    refuse_too_fine(place("surface_size", glass), scene.glass, scene.accuracy.surface_size, true);
+  refuse_too_fine(place("skin_size", glass), scene.glass, scene.accuracy.skin_size, false);
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    check_mesh_sizes(*tools[i], scene.tools[i]);
+    refuse_too_fine(place("tool_contact_size", *tools[i]), scene.tools[i], scene.accuracy.tool_contact_size, false);
+  }
+}
+
+void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables) {
+  std::vector<std::string> names;
+  for (const auto* table : tables)
+    for (const auto& item : table->items)
+      if (item.name == "name") {
+        if (std::count(names.begin(), names.end(), core::text(item)))
+          core::refuse(item, fmt::format("\"{}\" was found twice, allowed are different names", item.text));
+        names.push_back(item.text);
+      }
+}
+
+void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode*>& tools) {
+  if (scene.stages.empty()) return;
+  const auto glass = samples(scene.glass.profile);
+  for (const auto& entry : scene.stages.front().tools) {
+    const auto& tool = scene.tools[entry.tool];
+    const core::Point shift = tool.position * core::axis_direction();
+    auto inside = deepest(glass, -shift, tool.profile);
+    auto other = deepest(samples(tool.profile), shift, scene.glass.profile);
+    other.point += shift;
+    if (other.depth > inside.depth) inside = other;
+    if (inside.depth > touching)
+      core::refuse(
+          *tools[entry.tool],
+          fmt::format("\"{}\" overlaps the glass at the start by {:.3g} mm, beside ({:g}, {:g}) mm; allowed is "
+                      "contact to within {:g} mm",
+                      tool.name, 1e3 * inside.depth, 1e3 * inside.point[0], 1e3 * inside.point[1], 1e3 * touching));
+  }
+}
+
+void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode*>& stages) {
+  if (!scene.has_heat()) return;
+  bool glass_can_touch = can_touch(scene.glass);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    glass_can_touch = glass_can_touch || !scene.stages[i].name_pieces.empty();  // a named stretch is open to contact
+    if (!glass_can_touch) continue;
+    for (const auto& entry : scene.stages[i].tools) {
+      const auto& tool = scene.tools[entry.tool];
+      const auto joins = [&](const Interface& interface) { return interface.tool == entry.tool; };
+      if (!tool.thermal || !can_touch(tool) || std::any_of(scene.interfaces.begin(), scene.interfaces.end(), joins))
+        continue;
+      core::CaseNode place = *stages[i];
+      place.key += ".tools";
+      core::refuse(place,
+                   fmt::format("the glass and \"{}\" can touch in stage \"{}\" but have no interface; allowed is an "
+                               "[[interface]] that names the tool",
+                               tool.name, scene.stages[i].name));
+    }
+  }
+}
+
+void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>& stages) {
+  constexpr double same_place = 1e-6;     // m
+  std::vector<std::optional<double>> at;  // of each tool, where it is known
+  for (const Tool& tool : scene.tools) at.emplace_back(tool.position);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i)
+    for (const StageTool& entry : scene.stages[i].tools) {
+      const auto* position = std::get_if<PositionMotion>(&entry.motion);
+      if (!position) {
+        if (std::holds_alternative<ForceMotion>(entry.motion)) at[entry.tool].reset();
+        continue;
+      }
+      const double first = position->offset(0);
+      if (at[entry.tool] && std::abs(*at[entry.tool] - first) > same_place) {
+        core::CaseNode place = *stages[i];
+        place.key += ".motion." + scene.tools[entry.tool].name;
+        core::refuse(
+            place, fmt::format("starts at {:g} mm, but the tool stands at {:g} mm then; allowed is a start from there",
+                               1e3 * first, 1e3 * *at[entry.tool]));
+      }
+      at[entry.tool].reset();
+      if (!scene.stages[i].end_speed) at[entry.tool] = position->offset(scene.stages[i].duration);
+    }
+}
+
+void check_support(const Scene& scene, const core::CaseTable& root) {
+  if (!scene.has_flow()) return;
+  const auto& pieces = scene.glass.pieces;
+  if (std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+        return piece.kind == PieceKind::fixed || piece.kind == PieceKind::symmetry;
+      }))
+    core::refuse(core::CaseTable(root.get("glass"), {"material", "temperature", "mesh", "film", "piece"}).get("piece"),
+                 "every piece is fixed or a symmetry plane and the pressure of the glass has no level; allowed is at "
+                 "least one piece that is neither");
+  if (held_along_axis(scene.glass)) return;
+  const auto stages = root.tables("stage");
+  bool named = false;  // a stretch that may touch
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    named = named || !scene.stages[i].name_pieces.empty();
+    if (!scene.stages[i].tools.empty() && (named || can_touch(scene.glass))) continue;
+    core::CaseNode place = *stages[i];
+    place.key += ".tools";
+    core::refuse(place,
+                 fmt::format("nothing holds the glass along the axis in stage \"{}\"; allowed is a tool that it can "
+                             "touch, a fixed piece or a symmetry plane across the axis",
+                             scene.stages[i].name));
+  }
+}
+
+}  // namespace parison::forming

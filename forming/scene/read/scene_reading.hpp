@@ -1,0 +1,65 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps of read_scene; private to the files that read and check a scene.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case/case_file.hpp"
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// A material as the case file gives it; what it does not give, the scene does not compute.
+struct NamedMaterial {
+  std::string name;
+  std::optional<thermal::Material> thermal;
+  std::optional<flow::Material> flow;
+  double emissivity = 0;
+};
+std::vector<NamedMaterial> read_materials(const core::CaseNode& node);
+
+/// What the reading of a body looks up.
+struct BodyContext {
+  std::string directory;  ///< of the case file
+  core::Geometry geometry;
+  std::vector<NamedMaterial> materials;
+  bool with_heat = true, with_flow = true;  ///< whether the glass carries heat and flows, once known
+};
+Glass read_glass(const core::CaseNode& node, const BodyContext& context);
+Tool read_tool(const core::CaseNode& node, const BodyContext& context);
+
+/// A point such as "(31, 14) mm".
+core::Point read_point(const core::CaseNode& node);
+/// The closed outline of a list of pieces, each with its path or CSV file, in the order and sense of the file.
+core::Profile read_outline(const core::CaseNode& pieces, const std::string& directory);
+/// Refuses an outline that crosses itself or leaves the half-plane of an axisymmetric scene.
+void check_outline(const core::Profile& profile, core::Geometry geometry, const core::CaseNode& pieces);
+
+/// The interfaces of one [[interface]] entry, one for each tool it names.
+std::vector<Interface> read_interfaces(const core::CaseNode& node, const Scene& scene);
+/// A stage; `air` is the top-level air, null where the case has none. `scene` holds what stands before the stage.
+Stage read_stage(const core::CaseNode& node, const core::CaseNode* air, const Scene& scene);
+Probe read_probe(const core::CaseNode& node, const Scene& scene);
+Output read_output(const core::CaseNode& node);
+void read_numerics(const core::CaseNode& node, Scene& scene);
+/// Makes every edge and step of a scene `factor` times as long, those of its bodies' own meshes too.
+void coarsen(Scene& scene, double factor);
+
+/// Names of the scene's tools, in their order.
+std::vector<std::string> tool_names(const Scene& scene);
+/// Refuses a list of tables two of which have the same name.
+void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables);
+
+/// Refuses edge lengths that would give a body more cells than a run can carry.
+void check_sizes(const Scene& scene, const core::CaseTable& root);
+/// Refuses tools that overlap the glass at the start.
+void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode*>& tools);
+/// Refuses flows without a unique answer: glass that nothing holds along the axis, and glass enclosed on all sides.
+void check_support(const Scene& scene, const core::CaseTable& root);
+/// Refuses a motion that does not start where the stages before leave its tool, as far as those say it.
+void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>& stages);
+/// Refuses stages in which hot bodies can touch without an interface between them.
+void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode*>& stages);
+
+}  // namespace parison::forming

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/contact/contact_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "contact/unilateral/tool_constraints.hpp"
+#include "contact/unilateral/tool_gap.hpp"
+#include "contact/unilateral/tool_junction.hpp"
+#include "core/mesh/profile.hpp"
+#include "forming/state/initial_state.hpp"
+
+namespace parison::forming {
+
+using core::dim;
+
+namespace {
+
+/// Gaps beyond this are not worth a candidate unless a node moves further in the step, m.
+constexpr double near = 1e-3;
+/// A node found inside a tool is led out over at least this time, s: at once, it would ask a full cavity to burst.
+constexpr double recovery_time = 20e-3;
+/// A node nearer than this to a tool touches it, m.
+constexpr double touching = 1e-9;
+
+struct ToolConstraint {
+  Index tool;
+  contact::GapConstraint constraint;
+};
+
+/// The tools in place as they stand with `offset` (one for each tool of the scene), and where they meet.
+struct PlacedTools {
+  struct Tool {
+    Index index;
+    const core::Profile* profile;
+    Point shift;
+    contact::ToolConstraints constraints;
+    contact::ToolGap gap;
+  };
+  std::vector<Tool> tools;
+  std::vector<contact::ToolJoint> joints;
+  std::vector<contact::ToolFoot> feet;
+
+  PlacedTools(const Scene& scene, const std::vector<Index>& in_place, const std::vector<double>& offset) {
+    std::vector<contact::PlacedTool> placed;
+    for (const Index tool : in_place) {
+      const auto& profile = scene.tools[tool].profile;
+      const auto pieces = contact_pieces(scene.tools[tool]);
+      tools.push_back({tool, &profile, offset[tool] * core::axis_direction(), {profile, pieces}, {profile, pieces}});
+      placed.push_back({&profile, pieces, offset[tool]});
+    }
+    joints = contact::tool_joints(placed);
+    feet = contact::tool_feet(placed);
+  }
+};
+
+/// The nearest constraints of a node over all tools in place: the union of the tools counts.
+std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Point& x, double reach) {
+  std::vector<ToolConstraint> found;
+  for (const auto& tool : tools.tools)
+    for (const auto& constraint : tool.constraints(x - tool.shift, reach)) found.push_back({tool.index, constraint});
+  for (const auto& joint : tools.joints)
+    for (const auto& [tool, constraint] : contact::joint_constraints(joint, x, reach))
+      found.push_back({tools.tools[tool].index, constraint});
+  for (const auto& foot : tools.feet)
+    if (const auto beyond = contact::foot_constraint(foot, x, reach))
+      found.push_back({tools.tools[beyond->tool].index, beyond->constraint});
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.constraint.gap < b.constraint.gap; });
+  std::vector<ToolConstraint> kept;
+  for (const auto& wish : found) {
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const auto& have) {
+      return have.constraint.normal.dot(wish.constraint.normal) > same_direction;
+    });
+    if (!known && kept.size() < dim) kept.push_back(wish);
+  }
+  return kept;
+}
+
+/// Share of a step in which a node touches a tool that it reaches from a gap with a motion along the tool's normal.
+double share_in_contact(double gap, double motion) {
+  if (gap <= touching) return 1;
+  return motion < 0 ? std::max(0.0, 1 + gap / motion) : 0;
+}
+
+/// Depth of a point inside a tool where that stands in `state`, m; 0 outside.
+double depth_inside(const PlacedTools& tools, const State& state, Index tool, const Point& x) {
+  const auto at = std::find_if(tools.tools.begin(), tools.tools.end(), [&](const auto& t) { return t.index == tool; });
+  return std::max(0.0, -at->gap(x - state.bodies[1 + tool].offset * core::axis_direction()));
+}
+
+std::vector<Index> tools_in_place(const Scene& scene, const State& state) {
+  std::vector<Index> tools;
+  for (const auto& tool : scene.stages[state.stage].tools) tools.push_back(tool.tool);
+  return tools;
+}
+
+PlacedTools standing_tools(const Scene& scene, const State& state) {
+  std::vector<double> offset;
+  for (std::size_t b = 1; b < state.bodies.size(); ++b) offset.push_back(state.bodies[b].offset);
+  return {scene, tools_in_place(scene, state), offset};
+}
+
+/// A point moved out of the tools it lies in.
+Point lifted(const PlacedTools& tools, const Point& x) {
+  Point out = x;
+  for (const auto& [tool, constraint] : node_constraints(tools, x, near))
+    if (constraint.gap < 0) out -= constraint.gap * constraint.normal;
+  return out;
+}
+
+}  // namespace
+
+std::vector<Index> surface_nodes(const core::Mesh& mesh) {
+  std::vector<bool> seen(mesh.nodes.size(), false);
+  std::vector<Index> nodes;
+  for (const auto& edge : mesh.boundary)
+    for (const Index node : {edge.nodes[0], edge.nodes[2], edge.nodes[1]})
+      if (!seen[node]) {
+        seen[node] = true;
+        nodes.push_back(node);
+      }
+  return nodes;
+}
+
+std::vector<flow::ToolMotion> tool_motions(const Scene& scene, const State& state, double dt) {
+  std::vector<flow::ToolMotion> motions(scene.tools.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) motions[i].friction = scene.tools[i].friction;
+  for (const auto& tool : scene.stages[state.stage].tools) {
+    auto& motion = motions[tool.tool];
+    if (const auto* position = std::get_if<PositionMotion>(&tool.motion))
+      motion.velocity = (position->offset(state.stage_time + dt) - state.bodies[1 + tool.tool].offset) / dt;
+    if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) {
+      motion.force = force->force;
+      motion.speed_limit = force->speed_limit;
+    }
+  }
+  return motions;
+}
+
+std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const State& state,
+                                                       const Eigen::VectorXd& velocity, double dt) {
+  const auto motions = tool_motions(scene, state, dt);
+  std::vector<double> speed, offset;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    speed.push_back(motions[i].force ? state.bodies[1 + i].velocity : motions[i].velocity);
+    offset.push_back(state.bodies[1 + i].offset + dt * speed.back());
+  }
+  const core::Mesh& glass = state.bodies[0].mesh;
+  const auto tools = tools_in_place(scene, state);
+  const PlacedTools placed(scene, tools, offset);
+  const Point axis = core::axis_direction();
+  std::vector<flow::ContactCandidate> candidates;
+  const auto may_touch = touching_nodes(scene, glass);
+  for (const Index node : surface_nodes(glass)) {
+    if (!may_touch[node]) continue;
+    const Point v = flow::node_velocity(velocity, node);
+    double fastest = v.norm();
+    for (const Index tool : tools)
+      fastest = std::max({fastest, std::abs(speed[tool]), motions[tool].force ? motions[tool].speed_limit : 0.0});
+    const Point reached = glass.nodes[node] + dt * v;
+    for (const auto& [tool, constraint] : node_constraints(placed, reached, near + 2 * dt * fastest)) {
+      const bool held = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
+      const Point relative = v - speed[tool] * axis;
+      const double approach = constraint.normal.dot(relative);
+      const double gap = constraint.gap - dt * approach;  // at the step's start
+      // Only what is inside at the start may still be partly inside at the end; round a corner the flat bound may lie
+      // ahead.
+      const double kept = gap < 0 ? depth_inside(placed, state, tool, glass.nodes[node]) : 0.0;
+      const double rate = held ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
+      const double share = state.contact.tool[node] == tool ? 1 : share_in_contact(gap, dt * approach);
+      candidates.push_back({node, tool, constraint.normal, rate, held, share, relative});
+    }
+  }
+  return candidates;
+}
+
+std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass) {
+  std::vector<bool> flags(glass.nodes.size(), false);
+  for (const Index node : contact_nodes(scene, glass)) flags[node] = true;
+  return flags;
+}
+
+std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass) {
+  const auto may_touch = contact_pieces(scene.glass, glass);
+  std::vector<char> seen(glass.nodes.size(), 0);
+  std::vector<Index> nodes;
+  nodes.reserve(3 * glass.boundary.size());
+  for (const auto& edge : glass.boundary)
+    if (may_touch[edge.piece])
+      for (const Index node : edge.nodes)
+        if (!std::exchange(seen[node], 1)) nodes.push_back(node);
+  return nodes;
+}
+
+Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vector<Index>& nodes, Index tool,
+                          double reach) {
+  const Body& body = scene.tools[tool];
+  const core::Mesh& glass = state.bodies[0].mesh;
+  const Point displacement = state.bodies[1 + tool].offset * core::axis_direction();
+  Eigen::VectorXd gaps = Eigen::VectorXd::Constant(glass.node_count(), std::numeric_limits<double>::infinity());
+  contact::ToolGap gap(body.profile, contact_pieces(body), reach);
+  for (const Index node : nodes) gaps[node] = gap(glass.nodes[node] - displacement);
+  return gaps;
+}
+
+Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach) {
+  return tool_gaps(scene, state, contact_nodes(scene, state.bodies[0].mesh), tool, reach);
+}
+
+std::function<Point(const Point&)> way_out_of_tools(const Scene& scene, const State& state) {
+  const auto tools = std::make_shared<const PlacedTools>(standing_tools(scene, state));
+  return [tools](const Point& x) {
+    const auto holds = [&](const PlacedTools::Tool& tool) { return core::contains(*tool.profile, x - tool.shift); };
+    return std::any_of(tools->tools.begin(), tools->tools.end(), holds) ? lifted(*tools, x) : x;
+  };
+}
+
+void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {
+  const PlacedTools tools = standing_tools(scene, state);
+  const auto on_line = symmetry_pieces(scene.glass, mesh);
+  std::vector<bool> held(mesh.nodes.size(), false);
+  for (const auto& edge : mesh.boundary)
+    if (on_line[edge.piece])
+      for (const Index node : edge.nodes) held[node] = true;
+  for (const Index node : surface_nodes(mesh))
+    if (!held[node]) mesh.nodes[node] = lifted(tools, mesh.nodes[node]);
+}
+
+std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead) {
+  std::vector<Penetration> found;
+  const core::Mesh& glass = state.bodies[0].mesh;
+  const auto surface = surface_nodes(glass);
+  for (const Index tool : tools_in_place(scene, state)) {
+    const auto& profile = scene.tools[tool].profile;
+    const contact::ToolGap gap(profile, contact_pieces(scene.tools[tool]));
+    const BodyState& body = state.bodies[1 + tool];
+    const Point moved = (body.offset + ahead * body.velocity) * core::axis_direction();
+    for (const Index node : surface) {
+      Point local = glass.nodes[node] - moved;
+      if (ahead > 0 && scene.has_flow()) local += ahead * flow::node_velocity(state.velocity, node);
+      const double depth = core::contains(profile, local) ? -gap(local) : 0;
+      if (depth > 0 && std::isfinite(depth)) found.push_back({node, tool, depth});
+    }
+  }
+  return found;
+}
+
+double deepest_penetration(const Scene& scene, const State& state) {
+  double deepest = 0;
+  for (const auto& inside : penetrations(scene, state, 0)) deepest = std::max(deepest, inside.depth);
+  return deepest;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,54 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
+#include "forming/flow/problem.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+/// Nodes of the glass boundary, each once, in the order of the boundary.
+std::vector<Index> surface_nodes(const core::Mesh& mesh);
+
+/// How the tools in place move over the next dt; one entry for each tool of the scene.
+std::vector<flow::ToolMotion> tool_motions(const Scene& scene, const State& state, double dt);
+
+/// Contact candidates of all surface nodes with all tools in place: the gap at the positions that `velocity` (two per
+/// node, m/s) and the tools' present velocities would reach after dt, made a bound on the velocity. Second order in dt.
+std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const State& state,
+                                                       const Eigen::VectorXd& velocity, double dt);
+
+/// Nodes on the contact pieces of the glass, each once.
+std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass);
+
+/// Flags of the same among all nodes.
+std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass);
+
+/// Distance from each glass node to a tool, m; +infinity inside the glass and beyond `reach`. `nodes`: those of
+/// contact_nodes, when they are known.
+Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vector<Index>& nodes, Index tool,
+                          double reach);
+Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach);
+
+/// Moves a point that lies inside a tool in place out to its surface; leaves others to the bit.
+std::function<Point(const Point&)> way_out_of_tools(const Scene& scene, const State& state);
+
+/// Moves the surface nodes of `mesh` that lie inside a tool in place out to its surface.
+void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh);
+
+/// Bounds of a node whose normals are closer than this (cosine) count as one.
+inline constexpr double same_direction = 0.9986;
+
+/// A glass node inside a tool in place.
+struct Penetration {
+  Index node, tool;
+  double depth;  ///< from the contact pieces, m
+};
+/// All of them after a time `ahead` with the present velocities.
+std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead);
+
+/// Depth of the deepest glass node inside a tool in place, m.
+double deepest_penetration(const Scene& scene, const State& state);
+
+}  // namespace parison::forming

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/contact/contact_prediction.hpp"
+
+#include <algorithm>
+
+#include "forming/step/contact/contact_geometry.hpp"
+
+namespace parison::forming {
+
+using core::dim;
+
+namespace {
+
+/// A node nearer than this to the end of a segment is at its corner, m.
+constexpr double at_corner = 1e-5;
+
+bool is_at_corner(const Scene& scene, const State& state, Index tool, Index node) {
+  const Point local = state.bodies[0].mesh.nodes[node] - state.bodies[1 + tool].offset * core::axis_direction();
+  const auto& segments = scene.tools[tool].profile.segments;
+  return std::any_of(segments.begin(), segments.end(),
+                     [&](const core::Segment& segment) { return (segment.end - local).norm() < at_corner; });
+}
+
+}  // namespace
+
+std::vector<bool> likely_contacts(const State& state, const ContactState::Closed& closed, const flow::Problem& problem,
+                                  const Eigen::VectorXd& guess) {
+  constexpr double near_direction = 0.94;
+  std::vector<std::vector<std::size_t>> of_node(problem.mesh->nodes.size());
+  for (std::size_t i = 0; i < closed.node.size(); ++i) of_node[closed.node[i]].push_back(i);
+  std::vector<bool> likely;
+  Index last_node = -1;
+  for (const auto& candidate : problem.candidates) {
+    const auto& known = of_node[candidate.node];
+    bool was = std::any_of(known.begin(), known.end(), [&](std::size_t i) {
+      return closed.tool[i] == candidate.tool && closed.normal[i].dot(candidate.normal) > near_direction;
+    });
+    if (closed.node.empty())
+      was = (state.contact.tool[candidate.node] == candidate.tool && candidate.node != last_node) ||
+            (state.last_step == 0 && candidate.rate >= 0);
+    const double tool_speed = state.bodies[1 + candidate.tool].velocity;
+    const Point relative = flow::node_velocity(guess, candidate.node) - tool_speed * core::axis_direction();
+    likely.push_back(was || (state.last_step > 0 && candidate.normal.dot(relative) < candidate.rate));
+    last_node = candidate.node;
+  }
+  return likely;
+}
+
+void keep_bounds(const std::vector<flow::ContactCandidate>& bounds, std::vector<flow::ContactCandidate>& candidates) {
+  for (const auto& bound : bounds) {
+    const auto of_node = [&](const auto& c) { return c.node == bound.node; };
+    const auto first = std::find_if(candidates.begin(), candidates.end(), of_node);
+    const auto last = std::find_if_not(first, candidates.end(), of_node);
+    if (std::none_of(first, last, [&](const auto& c) { return c.normal.dot(bound.normal) > same_direction; }))
+      candidates.insert(last, bound);
+  }
+}
+
+std::vector<flow::ContactCandidate> corner_bounds(const Scene& scene, const State& state) {
+  const auto& [nodes, tools, normals] = state.contact.closed;
+  std::vector<flow::ContactCandidate> bounds;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    if (nodes[i] != nodes[i - 1] || tools[i] != tools[i - 1] || !is_at_corner(scene, state, tools[i], nodes[i]))
+      continue;
+    for (const std::size_t k : {i - 1, i})
+      bounds.push_back({nodes[k], tools[k], normals[k], 0.0, false, 1.0, Point::Zero()});
+  }
+  return bounds;
+}
+
+}  // namespace parison::forming

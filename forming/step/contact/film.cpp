@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/contact/film.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "contact/unilateral/tool_gap.hpp"
+#include "forming/state/initial_state.hpp"
+#include "remesh/surface/film.hpp"
+#include "remesh/surface/wall_thickness.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Landing on the thinnest film itself is allowed, relative.
+constexpr double landed = 1e-3;
+/// Tools that come nearer to each other more slowly than this stand, m/s.
+constexpr double standing = 1e-6;
+
+struct Films {
+  remesh::Wall wall;
+  Eigen::VectorXd thickness;  ///< per node, m; infinite where the glass is no film
+};
+
+bool is_slot(const State& state, Index node, const core::BoundaryEdge& other) {
+  return std::any_of(other.nodes.begin(), other.nodes.end(),
+                     [&](Index n) { return state.contact.tool[n] == state.contact.tool[node]; });
+}
+
+/// The films, and the walls that are no thicker than `reach`, m.
+Films find_films(const Scene& scene, const State& state, double reach) {
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  const auto symmetry = symmetry_pieces(scene.glass, mesh);
+  std::vector<bool> contact(mesh.nodes.size());
+  for (std::size_t n = 0; n < contact.size(); ++n) contact[n] = state.contact.tool[n] >= 0;
+  Films films{remesh::surface_wall(mesh, symmetry, reach), {}};
+  films.thickness = remesh::film_thickness(mesh, films.wall, symmetry, contact);
+  for (Index n = 0; n < mesh.node_count(); ++n)  // what fills a slot of one tool is not pressed thinner
+    if (std::isfinite(films.thickness[n]) && is_slot(state, n, mesh.boundary[films.wall.far_edge[n]]))
+      films.thickness[n] = std::numeric_limits<double>::infinity();
+  return films;
+}
+
+bool touches_nothing(const State& state) {
+  return std::all_of(state.contact.tool.begin(), state.contact.tool.end(), [](Index tool) { return tool < 0; });
+}
+
+/// The tool on the other side of a film's node, -1 for its mirror image.
+Index opposite_tool(const Films& films, const State& state, Index node) {
+  for (const Index n : state.bodies[0].mesh.boundary[films.wall.far_edge[node]].nodes)
+    if (const Index tool = state.contact.tool[n]; tool >= 0) return tool;
+  return -1;
+}
+
+/// The thinnest film and its node. The tools' distance counts: at the rim the glass may touch them not all along its
+/// edges.
+std::pair<double, Index> thinnest_film(const Scene& scene, const State& state, const Films& films, double limit) {
+  std::pair<double, Index> thinnest{std::numeric_limits<double>::infinity(), -1};
+  for (Index n = 0; n < films.thickness.size(); ++n) {
+    double thickness = films.thickness[n];
+    if (!(thickness < std::min(thinnest.first, limit))) continue;
+    if (const Index there = opposite_tool(films, state, n); there >= 0) {
+      const Body& tool = scene.tools[there];
+      const Point local = state.bodies[0].mesh.nodes[n] - state.bodies[1 + there].offset * core::axis_direction();
+      thickness = std::max(thickness, contact::signed_gap(tool.profile, contact_pieces(tool), local));
+    }
+    if (thickness < thinnest.first) thinnest = {thickness, n};
+  }
+  return thinnest;
+}
+
+bool is_driven(const Scene& scene, const State& state, Index tool) {
+  const auto& tools = scene.stages[state.stage].tools;
+  return std::any_of(tools.begin(), tools.end(), [&](const StageTool& place) {
+    return place.tool == tool && std::holds_alternative<ForceMotion>(place.motion);
+  });
+}
+
+/// Whether tools that do not give way come nearer to each other at a film's node.
+bool is_crushed(const Scene& scene, const State& state, const Films& films, Index node) {
+  const Index here = state.contact.tool[node], there = opposite_tool(films, state, node);
+  const double outward = films.wall.normal[node].dot(core::axis_direction());
+  const double speed = state.bodies[1 + here].velocity;
+  const double closing = outward * ((there < 0 ? -speed : state.bodies[1 + there].velocity) - speed);
+  return closing > standing && !is_driven(scene, state, here) && (there < 0 || !is_driven(scene, state, there));
+}
+
+}  // namespace
+
+std::string film_obstacle(const Scene& scene, const State& state) {
+  if (touches_nothing(state)) return "";
+  const FilmLimit& limit = scene.glass.film;
+  const Films films = find_films(scene, state, limit.thinnest);
+  const double allowed = (1 - landed) * limit.thinnest;
+  const auto [thinnest, node] = thinnest_film(scene, state, films, allowed);
+  if (!(thinnest < allowed)) return "";
+  const bool freezes = limit.then == FilmLimit::Then::freeze;
+  if (freezes && !is_crushed(scene, state, films, node)) return "";
+  const Index there = opposite_tool(films, state, node);
+  const Point middle = state.bodies[0].mesh.nodes[node] - 0.5 * thinnest * films.wall.normal[node];
+  return fmt::format("the glass between {} and {} is {:.4g} mm thick near ({:.2f}, {:.2f}) mm, {} {:.4g} mm{}",
+                     scene.tools[state.contact.tool[node]].name,
+                     there < 0 ? "its mirror image" : scene.tools[there].name, 1e3 * thinnest, 1e3 * middle[0],
+                     1e3 * middle[1], freezes ? "it is frozen below" : "allowed are films of", 1e3 * limit.thinnest,
+                     freezes ? ", but the tools come nearer to each other by a given motion" : " and more");
+}
+
+std::vector<bool> frozen_cells(const Scene& scene, const State& state) {
+  const FilmLimit& limit = scene.glass.film;
+  if (limit.then != FilmLimit::Then::freeze || touches_nothing(state)) return {};
+  const core::Mesh& mesh = state.bodies[0].mesh;
+  const Films films = find_films(scene, state, std::numeric_limits<double>::infinity());
+  if (films.thickness.minCoeff() >= limit.thinnest) return {};
+  Eigen::VectorXd nearest = films.wall.thickness;  // inside, that of the nearest surface node: a film there or not
+  for (Index n = 0; n < mesh.node_count(); ++n)
+    if (std::isfinite(nearest[n])) nearest[n] = films.thickness[n] < limit.thinnest ? 1 : 0;
+  remesh::spread_inward(mesh, nearest);
+  std::vector<bool> frozen(mesh.cells.size());
+  for (std::size_t c = 0; c < frozen.size(); ++c)
+    frozen[c] = std::all_of(mesh.cells[c].begin(), mesh.cells[c].end(), [&](Index n) { return nearest[n] == 1; });
+  return frozen;
+}
+
+}  // namespace parison::forming

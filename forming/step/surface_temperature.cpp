@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/surface_temperature.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/state/initial_state.hpp"
+#include "forming/step/thermal_interface.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// Temperatures of the glass at the interface's points, K.
+Eigen::ArrayXd glass_temperatures(const Eigen::VectorXd& nodal, const std::vector<core::InterfacePoint>& interface) {
+  Eigen::ArrayXd at = Eigen::ArrayXd::Zero(interface.size());
+  for (std::size_t p = 0; p < interface.size(); ++p)
+    for (int i = 0; i < 3; ++i) at[p] += interface[p].slave_shape[i] * nodal[interface[p].slave_nodes[i]];
+  return at;
+}
+
+/// Times in which the contact brings the glass surface to the tool's temperature, s.
+Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::InterfacePoint>& interface,
+                                const Eigen::ArrayXd& temperature) {
+  const auto& glass = *scene.glass.thermal;
+  const thermal::Conductivity conductivity(glass);
+  long table_holds = 0;
+  Eigen::ArrayXd h(temperature.size()), times(temperature.size());
+  interface_law(scene, interface, table_holds)(interface, temperature, h, nullptr);
+  const thermal::Enthalpy enthalpy(glass.heat_capacity);
+  for (Eigen::Index i = 0; i < times.size(); ++i) {
+    const double stored = conductivity(temperature[i]) * glass.density * enthalpy(temperature[i]).c;
+    const double closed = interface[i].closure * h[i];
+    times[i] = stored / (closed * closed);
+  }
+  return times;
+}
+
+/// Whether a contact brings the glass node to its tool's temperature in no time.
+bool relaxes_at_once(const Scene& scene, const Eigen::VectorXd& temperature,
+                     const std::vector<core::InterfacePoint>& interface, Index node) {
+  std::vector<core::InterfacePoint> of_node;
+  for (const auto& point : interface)
+    if (std::find(point.slave_nodes.begin(), point.slave_nodes.end(), node) != point.slave_nodes.end())
+      of_node.push_back(point);
+  const Eigen::ArrayXd times = relaxation_times(scene, of_node, glass_temperatures(temperature, of_node));
+  return (times < scene.accuracy.first_step).any();
+}
+
+}  // namespace
+
+double surface_temperature_change(const Scene& scene, const State& before, const State& after,
+                                  const std::vector<core::InterfacePoint>& interface) {
+  const core::Mesh& mesh = before.bodies[0].mesh;
+  const Eigen::VectorXd& from = before.bodies[0].temperature;
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(mesh.node_count());
+  const auto symmetry = symmetry_pieces(scene.glass, mesh);
+  for (const auto& edge : mesh.boundary)
+    if (!symmetry[edge.piece])
+      for (const Index node : edge.nodes) change[node] = std::abs(after.bodies[0].temperature[node] - from[node]);
+  for (;;) {
+    Eigen::Index largest = 0;
+    const double found = change.maxCoeff(&largest);
+    if (found == 0 || !relaxes_at_once(scene, from, interface, static_cast<Index>(largest))) return found;
+    change[largest] = 0;
+  }
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,27 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forming/report/error_bars.hpp"
+#include "forming/run/run.hpp"
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// What a companion is run with, and where.
+struct CompanionCase {
+  std::string file, accuracy, directory;
+  std::vector<std::string> overrides;
+};
+
+/// The companion of a scene's run in a folder.
+CompanionCase companion_case(const Scene& scene, const std::string& directory);
+
+/// Runs the coarser companion of a scene in the folder `companion` of its results, goes on with one that was stopped,
+/// or reads one that is complete; none where it does not come to its end.
+std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& run, const std::string& directory,
+                                         const StopRequest& stop);
+
+}  // namespace parison::forming

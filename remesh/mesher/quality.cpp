@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/mesher/quality.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/mesh/element.hpp"
+#include "remesh/mesher/triangulate.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+
+namespace {
+
+/// Lowers the quality found so far to the least of a cell.
+void lower(const core::Mesh& mesh, Index cell, double& worst) {
+  const auto& [origin, u, v, bulge] = core::cell_map(mesh, cell);
+  const auto& [m, n, p] = bulge;
+  // Both columns of the Jacobian are linear over the cell: at the vertices as given, at the mid-sides half way between.
+  std::array<core::Point, 6> along_a{u + 4 * m, u - 4 * m, u + 4 * (n - p)},
+      along_b{v + 4 * p, v + 4 * (n - m), v - 4 * p};
+  for (int k = 0; k < 3; ++k) {
+    along_a[3 + k] = 0.5 * (along_a[k] + along_a[(k + 1) % 3]);
+    along_b[3 + k] = 0.5 * (along_b[k] + along_b[(k + 1) % 3]);
+  }
+  const double root = std::sqrt(3.0);
+  for (int k = 0; k < 6; ++k) {
+    const core::Point &da = along_a[k], &db = along_b[k];
+    const double sides = da.squaredNorm() + db.squaredNorm() - da.dot(db),
+                 area = root * (da[0] * db[1] - da[1] * db[0]);
+    if (!(area >= worst * sides) || sides <= 0) worst = std::min(worst, sides > 0 ? area / sides : 0.0);
+  }
+}
+
+}  // namespace
+
+double cell_quality(const core::Mesh& mesh, Index cell) {
+  double worst = 1;
+  lower(mesh, cell, worst);
+  return worst;
+}
+
+double worst_quality(const core::Mesh& mesh) {
+  double worst = 1;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) lower(mesh, cell, worst);
+  return worst;
+}
+
+Quality quality(const core::Mesh& mesh) {
+  Quality result{1, 1, 0, -1};
+  std::vector<double> all(mesh.cell_count());
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    all[cell] = cell_quality(mesh, cell);
+    result.mean += all[cell] / mesh.cell_count();
+    if (result.worst_cell < 0 || all[cell] < result.worst) {
+      result.worst = all[cell];
+      result.worst_cell = cell;
+    }
+  }
+  if (all.empty()) return result;
+  std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
+  result.median = all[all.size() / 2];
+  return result;
+}
+
+using core::Index;
+using core::Point;
+
+namespace {
+
+double straight_quality(const Triangulation& mesh, const std::array<Index, 3>& corner) {
+  const Point &a = mesh.vertices[corner[0]], &b = mesh.vertices[corner[1]], &c = mesh.vertices[corner[2]];
+  const Point u = b - a, v = c - a;
+  const double sides = u.squaredNorm() + v.squaredNorm() + (c - b).squaredNorm();
+  return 2 * std::sqrt(3.0) * (u[0] * v[1] - u[1] * v[0]) / sides;
+}
+
+}  // namespace
+
+void mend_poor(std::size_t fixed, double poor, Triangulation& mesh) {
+  constexpr int sweeps = 2;
+  std::vector<std::vector<std::size_t>> round(mesh.vertices.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const Index corner : mesh.triangles[t]) round[corner].push_back(t);
+  const auto worst = [&](std::size_t vertex) {
+    double least = 1;
+    for (const std::size_t t : round[vertex]) least = std::min(least, straight_quality(mesh, mesh.triangles[t]));
+    return least;
+  };
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (std::size_t vertex = fixed; vertex < mesh.vertices.size(); ++vertex) {
+      const double before = worst(vertex);
+      if (before >= poor || round[vertex].empty()) continue;
+      const Point kept = mesh.vertices[vertex];
+      Point sum = Point::Zero();
+      for (const std::size_t t : round[vertex])
+        for (const Index corner : mesh.triangles[t]) sum += mesh.vertices[corner];
+      const double triangles = static_cast<double>(round[vertex].size());
+      mesh.vertices[vertex] = (sum - triangles * kept) / (2 * triangles);
+      if (worst(vertex) <= before) mesh.vertices[vertex] = kept;
+    }
+}
+
+}  // namespace parison::remesh

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/surface/film.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "remesh/surface/curve.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Point;
+
+namespace {
+
+/// Largest cosine between the outward normals of a film's two sides: 18 degrees.
+constexpr double facing = -0.95;
+
+Point outward_normal(const core::Mesh& mesh, const std::array<Index, 3>& edge, const Point& beside) {
+  const Point along = tangent(mesh, edge, closest_on(mesh, edge, beside));
+  return {along[1], -along[0]};
+}
+
+}  // namespace
+
+double film_size(double thickness, double thinnest) {
+  constexpr double elements = 4, thick = 1e-3;
+  return std::max(thickness, thinnest) / elements * std::max(1.0, thickness / thick);
+}
+
+Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall,
+                               const std::vector<bool>& symmetry_pieces, const std::vector<bool>& contact) {
+  Eigen::VectorXd thickness = Eigen::VectorXd::Constant(mesh.node_count(), std::numeric_limits<double>::infinity());
+  if (contact.empty()) return thickness;
+  for (Index node = 0; node < mesh.node_count(); ++node) {
+    if (wall.far_edge[node] < 0 || !contact[node]) continue;
+    const core::BoundaryEdge& other = mesh.boundary[wall.far_edge[node]];
+    const auto touches = [&](Index n) { return contact[n]; };
+    if (!symmetry_pieces[other.piece] && std::none_of(other.nodes.begin(), other.nodes.end(), touches)) continue;
+    const Point opposite = mesh.nodes[node] - wall.thickness[node] * wall.normal[node];
+    if (outward_normal(mesh, other.nodes, opposite).dot(wall.normal[node]) < facing)
+      thickness[node] = wall.thickness[node];
+  }
+  return thickness;
+}
+
+}  // namespace parison::remesh

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/surface/lap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mesh/element.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Point;
+
+namespace {
+
+constexpr int most_laps = 16;
+constexpr int least_edges = 3;  ///< of a loop
+
+double cross(const Point& a, const Point& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/// Volume between the outline from vertex `begin` to vertex `end` and the chord of the two, m3.
+double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry geometry) {
+  const Point& from = outline.vertices[begin];
+  double volume = 0;
+  Point last = from;
+  const auto go_to = [&](const Point& x) {
+    volume += 0.5 * cross(last - from, x - from) * core::depth(geometry, (from + last + x) / 3);
+    last = x;
+  };
+  for (Index i = begin; i < end; ++i) {
+    go_to(outline.mids[i]);
+    go_to(outline.vertices[i + 1]);
+  }
+  return std::abs(volume);
+}
+
+/// Whether all edges from `begin` to before `end` may give way, in one loop with edges left over: of one piece, or of
+/// one and the next, which goes on behind them.
+bool may_cut(const Surface& surface, Index begin, Index end) {
+  const Outline& outline = surface.outline;
+  const auto after = std::upper_bound(outline.loop_start.begin(), outline.loop_start.end(), begin);
+  if (after == outline.loop_start.end() || end >= *after || *after - *(after - 1) - (end - begin) + 1 < least_edges)
+    return false;
+  int changes = 0;
+  for (Index i = begin; i < end; ++i) {
+    if (surface.fixed[outline.edge_count() + i]) return false;
+    changes += i > begin && outline.pieces[i] != outline.pieces[i - 1];
+  }
+  return changes == 0 || (changes == 1 && outline.pieces[end] == outline.pieces[end - 1]);
+}
+
+/// Puts one straight edge, of the first one's piece, in the place of those from vertex `begin` to vertex `end`.
+void cut(Surface& surface, Index begin, Index end) {
+  Outline& outline = surface.outline;
+  const Index count = outline.edge_count(), gone = end - begin - 1;
+  outline.mids[begin] = 0.5 * (outline.vertices[begin] + outline.vertices[end]);
+  for (auto* flags : {&surface.contact, &surface.fixed}) {
+    (*flags)[count + begin] = (*flags)[begin] && (*flags)[end];
+    flags->erase(flags->begin() + count + begin + 1, flags->begin() + count + end);
+    flags->erase(flags->begin() + begin + 1, flags->begin() + end);
+  }
+  surface.fixed[count - gone + begin] = false;
+  const auto erase = [&](auto& list) { list.erase(list.begin() + begin + 1, list.begin() + end); };
+  erase(outline.vertices);
+  outline.mids.erase(outline.mids.begin() + begin + 1, outline.mids.begin() + end);
+  outline.pieces.erase(outline.pieces.begin() + begin + 1, outline.pieces.begin() + end);
+  for (Index& start : outline.loop_start)
+    if (start > begin) start -= gone;
+}
+
+}  // namespace
+
+Laps close_laps(core::Geometry geometry, double largest, Surface& surface) {
+  Laps laps;
+  for (;;) {
+    const auto [first, second] = find_crossing(surface.outline);
+    if (first < 0) return laps;
+    const auto [begin, last] = std::minmax(first, second);
+    const Index end = last + 1;
+    const double volume =
+        may_cut(surface, begin, end) ? volume_cut(surface.outline, begin, end, geometry) : 2 * largest;
+    if (laps.closed == most_laps || volume > largest) {
+      laps.first = first, laps.second = second;
+      return laps;
+    }
+    cut(surface, begin, end);
+    ++laps.closed;
+    laps.volume += volume;
+  }
+}
+
+}  // namespace parison::remesh

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/surface/resample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "remesh/surface/curve.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+namespace {
+
+/// Whether an old edge starts at the end of a piece or at a corner.
+bool is_fixed(const Mesh& old, const std::vector<Link>& links, Index i) {
+  return old.boundary[i].piece != old.boundary[links[i].previous].piece || std::abs(links[i].kink) > corner_angle;
+}
+
+/// Where an old edge passes a kept point, and the vertex it gets there.
+struct Kept {
+  double s;
+  Point vertex;
+};
+
+/// By old edge, where the surface passes a kept point closer than half the edge length there, half the surface size
+/// where it lies in a tool: what is led out of that goes round the corner.
+std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
+  const std::vector<Link> links = boundary_links(old);
+  std::vector<Point> fixed;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (is_fixed(old, links, static_cast<Index>(i))) fixed.push_back(old.nodes[old.boundary[i].nodes[0]]);
+  std::map<Index, Kept> kept;
+  for (const Point& corner : criteria.keep) {
+    const double wished = std::min(criteria.surface_size, size(corner));
+    double best = 0.5 * criteria.surface_size;
+    Place found{-1, 0};
+    for (std::size_t i = 0; i < old.boundary.size(); ++i) {
+      const auto& edge = old.boundary[i].nodes;
+      const Point &a = old.nodes[edge[0]], &b = old.nodes[edge[1]];
+      if (criteria.straight_pieces[old.boundary[i].piece] || (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best)
+        continue;
+      const double s = closest_on(old, edge, corner);
+      const double gap = (point_on(old, edge, s) - corner).norm();
+      const Place here{static_cast<Index>(i), s};
+      if (gap < best && (gap < 0.5 * wished || dips(old, criteria.clear, here))) best = gap, found = here;
+    }
+    if (found.edge < 0) continue;
+    const Point at = dips(old, criteria.clear, found) ? corner : clear_point(old, {}, found);
+    const bool crowded =
+        std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) { return (x - at).norm() < 0.3 * wished; });
+    if (crowded || kept.count(found.edge)) continue;
+    kept[found.edge] = {found.s, at};
+    fixed.push_back(at);
+  }
+  return kept;
+}
+
+class Resampler {
+ public:
+  Resampler(const Mesh& old, const Criteria& criteria, const SizeField& size)
+      : old_(old),
+        criteria_(criteria),
+        size_(size),
+        links_(boundary_links(old)),
+        kept_(kept_places(old, criteria, size)) {}
+
+  Surface run() {
+    const auto count = static_cast<Index>(links_.size());
+    for (Index start = 0; start < count;) {
+      Index last = start;
+      while (links_[last].next != start) ++last;
+      loop(start, last);
+      surface_.outline.loop_start.push_back(surface_.outline.edge_count());
+      start = last + 1;
+    }
+    surface_.contact.insert(surface_.contact.end(), mid_contact_.begin(), mid_contact_.end());
+    surface_.fixed.insert(surface_.fixed.end(), mid_fixed_.begin(), mid_fixed_.end());
+    return std::move(surface_);
+  }
+
+ private:
+  bool starts_stretch(Index i) const {
+    const auto kept = kept_.find(i);
+    return is_fixed(old_, links_, i) || (kept != kept_.end() && kept->second.s == 0);
+  }
+
+  void loop(Index first, Index last) {
+    Index start = first;
+    while (start <= last && !starts_stretch(start)) ++start;
+    if (start > last) start = first;
+    std::vector<Stretch> stretches;
+    Index i = start;
+    do {
+      if (i == start || starts_stretch(i)) stretches.push_back({{}, criteria_.straight_pieces[old_.boundary[i].piece]});
+      const auto kept = kept_.find(i);
+      if (kept != kept_.end() && kept->second.s > 0) {
+        extend(old_, criteria_.clear, {i, 0}, kept->second.s, stretches.back());
+        stretches.push_back({{}, stretches.back().straight});
+        extend(old_, criteria_.clear, {i, kept->second.s}, 1, stretches.back());
+      } else {
+        extend(old_, criteria_.clear, {i, 0}, 1, stretches.back());
+      }
+      i = links_[i].next;
+    } while (i != start);
+    for (std::size_t k = 0; k < stretches.size(); ++k)
+      add(stretches[k], stretches[(k + 1) % stretches.size()], stretches.size() > 2 ? 1 : 3);
+  }
+
+  /// Whether the old nodes on both sides of a place touch a tool.
+  bool touches(const Place& place) const {
+    if (criteria_.contact.empty()) return false;
+    const auto& nodes = old_.boundary[place.edge].nodes;
+    return criteria_.contact[nodes[2]] && criteria_.contact[nodes[place.s < 0.5 ? 0 : 1]];
+  }
+
+  Point start_of(const Stretch& stretch) const {
+    const Place& place = stretch.parts.front().from;
+    const auto kept = kept_.find(place.edge);
+    if (kept != kept_.end() && kept->second.s == place.s) return kept->second.vertex;
+    return clear_point(old_, stretch.straight ? Clear() : criteria_.clear, place);
+  }
+
+  void add(const Stretch& stretch, const Stretch& next, Index at_least) {
+    const Point start = start_of(stretch), end = start_of(next);
+    const auto on_curve = [&](double s) -> Point {
+      return clear_point(old_, criteria_.clear, place_at(old_, stretch, s));
+    };
+    const auto point = [&](double s) -> Point {
+      return stretch.straight ? Point(start + s / stretch.length() * (end - start)) : on_curve(s);
+    };
+    const std::vector<double> at = divide(
+        stretch.length(),
+        [&](double s) {
+          return stretch.straight ? size_(point(s))
+                                  : std::min(size_.coarser() * criteria_.surface_size, size_(point(s)));
+        },
+        stretch.straight ? 1 : at_least);
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+      const double middle = 0.5 * (at[i] + at[i + 1]);
+      surface_.outline.vertices.push_back(i == 0 ? start : point(at[i]));
+      surface_.outline.mids.push_back(point(middle));
+      surface_.outline.pieces.push_back(old_.boundary[stretch.parts.front().from.edge].piece);
+      surface_.contact.push_back(touches(i == 0 ? stretch.parts.front().from : place_at(old_, stretch, at[i])));
+      surface_.fixed.push_back(stretch.straight || i == 0);
+      mid_contact_.push_back(touches(place_at(old_, stretch, middle)));
+      mid_fixed_.push_back(stretch.straight);
+    }
+  }
+
+  const Mesh& old_;
+  const Criteria& criteria_;
+  const SizeField& size_;
+  std::vector<Link> links_;
+  std::map<Index, Kept> kept_;
+  Surface surface_;
+  std::vector<bool> mid_contact_, mid_fixed_;
+};
+
+}  // namespace
+
+Surface resample(const Mesh& old, const Criteria& criteria, const SizeField& size) {
+  return Resampler(old, criteria, size).run();
+}
+
+}  // namespace parison::remesh

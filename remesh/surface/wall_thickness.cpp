@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/surface/wall_thickness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "core/mesh/element.hpp"
+
+namespace parison::remesh {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Point edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, double s) {
+  const auto n = core::edge_shape(s);
+  return n[0] * mesh.nodes[edge[0]] + n[1] * mesh.nodes[edge[1]] + n[2] * mesh.nodes[edge[2]];
+}
+
+Point edge_derivative(const Mesh& mesh, const std::array<Index, 3>& edge, double s) {
+  const auto d = core::edge_shape_derivative(s);
+  return d[0] * mesh.nodes[edge[0]] + d[1] * mesh.nodes[edge[1]] + d[2] * mesh.nodes[edge[2]];
+}
+
+/// Boundary edges in square bins, for rays.
+class EdgeGrid {
+ public:
+  explicit EdgeGrid(const Mesh& mesh) : mesh_(mesh) {
+    low_ = mesh.nodes[0];
+    Point high = low_;
+    for (const Point& x : mesh.nodes) low_ = low_.cwiseMin(x), high = high.cwiseMax(x);
+    const Point extent = high - low_;
+    bin_ = std::max(std::sqrt(extent.prod() / (4.0 * mesh.boundary.size())), extent.maxCoeff() / 500);
+    low_.array() -= bin_;
+    count_ = {static_cast<int>(extent[0] / bin_) + 3, static_cast<int>(extent[1] / bin_) + 3};
+    first_.assign(static_cast<std::size_t>(count_[0]) * count_[1], -1);
+    entries_.reserve(4 * mesh.boundary.size());
+    for (Index i = static_cast<Index>(mesh.boundary.size()) - 1; i >= 0; --i) insert(i);
+  }
+
+  struct Hit {
+    double distance = infinity;
+    Index edge = -1;
+  };
+
+  /// First edge at which the ray from a node leaves the body; edges of that node do not count, nor need those beyond
+  /// reach.
+  Hit first_exit(Index from, const Point& direction, double reach) const {
+    const Point start = mesh_.nodes[from];
+    std::array<int, 2> at, step;
+    Point next, stride;
+    for (int k = 0; k < 2; ++k) {
+      at[k] = static_cast<int>((start[k] - low_[k]) / bin_);
+      step[k] = direction[k] > 0 ? 1 : -1;
+      stride[k] = direction[k] != 0 ? bin_ / std::abs(direction[k]) : infinity;
+      const double wall = low_[k] + bin_ * (at[k] + (direction[k] > 0 ? 1 : 0));
+      next[k] = direction[k] != 0 ? (wall - start[k]) / direction[k] : infinity;
+    }
+    Hit hit;
+    while (at[0] >= 0 && at[0] < count_[0] && at[1] >= 0 && at[1] < count_[1]) {
+      for (Index k = first_[static_cast<std::size_t>(at[1]) * count_[0] + at[0]]; k >= 0; k = entries_[k].next)
+        try_edge(from, direction, entries_[k].edge, hit);
+      const int k = next[0] < next[1] ? 0 : 1;
+      if (std::min(hit.distance, reach) <= next[k]) break;
+      next[k] += stride[k];
+      at[k] += step[k];
+    }
+    return hit;
+  }
+
+ private:
+  /// An edge in a bin, and the entry of the next there.
+  struct Entry {
+    Index edge, next;
+  };
+
+  void insert(Index i) {
+    const auto& edge = mesh_.boundary[i].nodes;
+    Point low = mesh_.nodes[edge[0]], high = low;
+    for (const Index node : edge) low = low.cwiseMin(mesh_.nodes[node]), high = high.cwiseMax(mesh_.nodes[node]);
+    const double margin = 0.1 * (high - low).maxCoeff();
+    std::array<int, 2> first, last;
+    for (int k = 0; k < 2; ++k) {
+      first[k] = std::clamp(static_cast<int>((low[k] - margin - low_[k]) / bin_), 0, count_[k] - 1);
+      last[k] = std::clamp(static_cast<int>((high[k] + margin - low_[k]) / bin_), 0, count_[k] - 1);
+    }
+    for (int y = first[1]; y <= last[1]; ++y)
+      for (int x = first[0]; x <= last[0]; ++x) {
+        Index& head = first_[static_cast<std::size_t>(y) * count_[0] + x];
+        entries_.push_back({i, std::exchange(head, static_cast<Index>(entries_.size()))});
+      }
+  }
+
+  void try_edge(Index from, const Point& direction, Index i, Hit& hit) const {
+    const auto& edge = mesh_.boundary[i].nodes;
+    if (edge[0] == from || edge[1] == from || edge[2] == from) return;
+    const Point start = mesh_.nodes[from], left(-direction[1], direction[0]);
+    const double a = left.dot(mesh_.nodes[edge[0]] - start), b = left.dot(mesh_.nodes[edge[1]] - start);
+    const double slack = 1e-9 * std::abs(b - a);
+    // A ray that leaves sees the edge pass from right to left.
+    if (a > slack || b < -slack || b <= a) return;
+    double s = a / (a - b);
+    for (int pass = 0; pass < 4; ++pass) {
+      const double slope = left.dot(edge_derivative(mesh_, edge, s));
+      if (slope > 0) s = std::clamp(s - left.dot(edge_point(mesh_, edge, s) - start) / slope, 0.0, 1.0);
+    }
+    const double distance = direction.dot(edge_point(mesh_, edge, s) - start);
+    if (distance > 0 && distance < hit.distance) hit = {distance, i};
+  }
+
+  const Mesh& mesh_;
+  Point low_;
+  double bin_;
+  std::array<int, 2> count_;
+  std::vector<Index> first_;  ///< entry of each bin, -1 where it is empty
+  std::vector<Entry> entries_;
+};
+
+/// Sum of the outward unit normals of the edges that meet at each node; zero away from the free and contact surface.
+std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
+  std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    if (symmetry_pieces.at(edge.piece)) continue;
+    constexpr std::array<double, 3> places{0, 1, 0.5};
+    for (int k = 0; k < 3; ++k) {
+      const Point along = edge_derivative(mesh, edge.nodes, places[k]).normalized();
+      normals[edge.nodes[k]] += Point(along[1], -along[0]);
+    }
+  }
+  return normals;
+}
+
+/// The cells around each vertex.
+struct Fans {
+  std::vector<Index> start, cell;
+};
+Fans fans_of(const Mesh& mesh) {
+  Fans fans{std::vector<Index>(mesh.vertex_count + 1, 0), std::vector<Index>(3 * mesh.cells.size())};
+  for (const auto& cell : mesh.cells)
+    for (int i = 0; i < 3; ++i) ++fans.start[cell[i] + 1];
+  std::partial_sum(fans.start.begin(), fans.start.end(), fans.start.begin());
+  std::vector<Index> place(fans.start.begin(), fans.start.end() - 1);
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    for (int i = 0; i < 3; ++i) fans.cell[place[mesh.cells[c][i]]++] = c;
+  return fans;
+}
+
+/// The nearest node of finite value from each vertex, handed on from neighbour to neighbour; -1 where there is none.
+std::vector<Index> sources_of_vertices(const Mesh& mesh, const Eigen::VectorXd& value) {
+  struct Front {
+    double distance;  ///< squared
+    Index vertex, source;
+    bool operator>(const Front& other) const {
+      return std::tie(distance, vertex) > std::tie(other.distance, other.vertex);
+    }
+  };
+  std::vector<double> reached(mesh.vertex_count, infinity);
+  std::vector<Index> source(mesh.vertex_count, -1);
+  const auto reach = [&](Index vertex, Index from) {
+    const double distance = (mesh.nodes[vertex] - mesh.nodes[from]).squaredNorm();
+    const bool nearer = distance < reached[vertex];
+    if (nearer) reached[vertex] = distance, source[vertex] = from;
+    return nearer;
+  };
+  for (const auto& cell : mesh.cells)
+    for (const Index node : cell)
+      if (std::isfinite(value[node]))
+        for (int i = 0; i < 3; ++i) reach(cell[i], node);
+  std::vector<Front> first;
+  for (Index v = 0; v < mesh.vertex_count; ++v)
+    if (source[v] >= 0) first.push_back({reached[v], v, source[v]});
+  std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts(std::greater<>(), std::move(first));
+  const Fans fans = fans_of(mesh);
+  while (!fronts.empty()) {
+    const Front front = fronts.top();
+    fronts.pop();
+    if (front.source != source[front.vertex]) continue;
+    for (Index k = fans.start[front.vertex]; k < fans.start[front.vertex + 1]; ++k)
+      for (int i = 0; i < 3; ++i)
+        if (const Index vertex = mesh.cells[fans.cell[k]][i]; reach(vertex, front.source))
+          fronts.push({reached[vertex], vertex, front.source});
+  }
+  return source;
+}
+
+}  // namespace
+
+void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
+  std::vector<Index> source = sources_of_vertices(mesh, value);
+  source.resize(mesh.nodes.size(), -1);
+  for (const auto& cell : mesh.cells)
+    for (int i = 0; i < 3; ++i) {  // a mid-side node has the nearer source of its ends
+      const Index node = cell[3 + i], a = source[cell[i]], b = source[cell[(i + 1) % 3]];
+      if (a < 0 || b < 0) continue;
+      const double from_a = (mesh.nodes[node] - mesh.nodes[a]).squaredNorm();
+      const double from_b = (mesh.nodes[node] - mesh.nodes[b]).squaredNorm();
+      source[node] = std::tie(from_a, a) < std::tie(from_b, b) ? a : b;
+    }
+  for (Index i = 0; i < mesh.node_count(); ++i)
+    if (!std::isfinite(value[i]) && source[i] >= 0) value[i] = value[source[i]];
+}
+
+Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_pieces, double reach) {
+  const EdgeGrid grid(mesh);
+  Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
+            surface_normals(mesh, symmetry_pieces)};
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    for (const Index node : edge.nodes) {
+      if (symmetry_pieces[edge.piece] || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6) continue;
+      wall.normal[node].normalize();
+      const EdgeGrid::Hit hit = grid.first_exit(node, -wall.normal[node], reach);
+      if (hit.edge < 0) continue;
+      wall.far_edge[node] = hit.edge;
+      wall.thickness[node] = symmetry_pieces[mesh.boundary[hit.edge].piece] ? 2 * hit.distance : hit.distance;
+    }
+  }
+  return wall;
+}
+
+Eigen::VectorXd wall_thickness(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
+  Eigen::VectorXd thickness = surface_wall(mesh, symmetry_pieces, infinity).thickness;
+  spread_inward(mesh, thickness);
+  return thickness;
+}
+
+}  // namespace parison::remesh

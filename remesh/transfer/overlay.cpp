@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/transfer/overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mesh/element.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+namespace {
+
+constexpr double inside = 1e-10;  ///< slack of the reference coordinates
+
+/// Nearest point of the reference triangle, near enough for points that are hardly outside.
+std::array<double, 2> clamp_to_cell(const std::array<double, 2>& at) {
+  const std::array<double, 3> share{std::max(0.0, 1 - at[0] - at[1]), std::max(0.0, at[0]), std::max(0.0, at[1])};
+  const double sum = share[0] + share[1] + share[2];
+  return {share[1] / sum, share[2] / sum};
+}
+
+}  // namespace
+
+Box cell_box(const Mesh& mesh, Index cell) {
+  Box box{mesh.nodes[mesh.cells[cell][0]], mesh.nodes[mesh.cells[cell][0]]};
+  for (const Index node : mesh.cells[cell]) {
+    box.low = box.low.cwiseMin(mesh.nodes[node]);
+    box.high = box.high.cwiseMax(mesh.nodes[node]);
+  }
+  const Point margin = Point::Constant(0.1 * (box.high - box.low).maxCoeff());
+  return {box.low - margin, box.high + margin};
+}
+
+CellGrid::CellGrid(const Mesh& mesh) : mesh_(mesh) {
+  low_ = mesh.nodes[0];
+  Point high = low_;
+  for (const Point& x : mesh.nodes) low_ = low_.cwiseMin(x), high = high.cwiseMax(x);
+  const Point extent = high - low_;
+  bin_ = std::max(std::sqrt(extent.prod() / mesh.cell_count()), extent.maxCoeff() / 1000);
+  for (int k = 0; k < core::dim; ++k) count_[k] = static_cast<int>(extent[k] / bin_) + 1;
+  bins_.resize(static_cast<std::size_t>(count_[0]) * count_[1]);
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    boxes_.push_back(cell_box(mesh, cell));
+    for (int j = place(boxes_[cell].low, 1); j <= place(boxes_[cell].high, 1); ++j)
+      for (int i = place(boxes_[cell].low, 0); i <= place(boxes_[cell].high, 0); ++i)
+        bins_[static_cast<std::size_t>(j) * count_[0] + i].push_back(cell);
+  }
+}
+
+int CellGrid::place(const Point& x, int axis) const {
+  return std::clamp(static_cast<int>(std::floor((x[axis] - low_[axis]) / bin_)), 0, count_[axis] - 1);
+}
+
+CellGrid::Found CellGrid::find(const Point& x) const {
+  const int column = place(x, 0), row = place(x, 1);
+  Found best;
+  const Box here{x, x};
+  for (const Index cell : bins_[static_cast<std::size_t>(row) * count_[0] + column])
+    if (boxes_[cell].meets(here) && try_cell(cell, x, best)) return best;
+  for (int ring = 0; ring <= std::max(count_[0], count_[1]); ++ring) {
+    for (int j = std::max(0, row - ring); j <= std::min(count_[1] - 1, row + ring); ++j)
+      for (int i = std::max(0, column - ring); i <= std::min(count_[0] - 1, column + ring); ++i) {
+        if (std::max(std::abs(i - column), std::abs(j - row)) < ring) continue;
+        for (const Index cell : bins_[static_cast<std::size_t>(j) * count_[0] + i])
+          if (try_cell(cell, x, best)) return best;
+      }
+    if (best.cell >= 0 && best.miss <= ring * bin_) break;
+  }
+  return best;
+}
+
+/// Keeps the cell when it is nearer than the best so far; true when it holds the point.
+bool CellGrid::try_cell(Index cell, const Point& x, Found& best) const {
+  const Box& box = boxes_[cell];
+  if ((x - x.cwiseMax(box.low).cwiseMin(box.high)).norm() >= best.miss) return false;
+  const auto at = core::invert_cell_map(mesh_, cell, x);
+  if (!std::isfinite(at[0] + at[1])) return false;
+  const auto clamped = clamp_to_cell(at);
+  if (std::min({at[0], at[1], 1 - at[0] - at[1]}) > -inside) {
+    best = {cell, clamped, 0};
+    return true;
+  }
+  const auto shape = core::triangle_shape(clamped[0], clamped[1]);
+  Point reached = Point::Zero();
+  for (int k = 0; k < 6; ++k) reached += shape[k] * mesh_.nodes[mesh_.cells[cell][k]];
+  const double miss = (reached - x).norm();
+  if (miss < best.miss) best = {cell, clamped, miss};
+  return false;
+}
+
+void CellGrid::near(const Box& box, std::vector<Index>& cells) const {
+  cells.clear();
+  for (int j = place(box.low, 1); j <= place(box.high, 1); ++j)
+    for (int i = place(box.low, 0); i <= place(box.high, 0); ++i)
+      for (const Index cell : bins_[static_cast<std::size_t>(j) * count_[0] + i])
+        if (boxes_[cell].meets(box) && std::find(cells.begin(), cells.end(), cell) == cells.end())
+          cells.push_back(cell);
+}
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+namespace {
+
+constexpr double straight = 1e-9;     ///< mid-side offset over size below which a cell counts as straight
+constexpr double negligible = 1e-12;  ///< share of a cell
+constexpr double furthest = 0.3;      ///< extrapolation out of an old cell, reference coordinates
+
+double cross(const Point& u, const Point& v) {
+  return u[0] * v[1] - u[1] * v[0];
+}
+
+/// Convex polygon of a few corners.
+struct Polygon {
+  std::array<Point, 10> corner;
+  int count = 0;
+  void add(const Point& x) { corner[count++] = x; }
+};
+
+/// The part on the left of the line a to b.
+Polygon clip(const Polygon& polygon, const Point& a, const Point& b) {
+  Polygon kept;
+  for (int i = 0; i < polygon.count; ++i) {
+    const Point &p = polygon.corner[i], &q = polygon.corner[(i + 1) % polygon.count];
+    const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
+    if (at_p >= 0) kept.add(p);
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) kept.add(p + at_p / (at_p - at_q) * (q - p));
+  }
+  return kept;
+}
+
+bool is_straight(const core::CellMap& map) {
+  return std::all_of(map.bulge.begin(), map.bulge.end(),
+                     [&](const Point& bulge) { return bulge.norm() <= straight * map.u.norm(); });
+}
+
+/// Reference coordinates of x in the triangle of a cell's chords.
+std::array<double, 2> in_chords(const core::CellMap& map, const Point& x) {
+  const double area = cross(map.u, map.v);
+  return {cross(x - map.origin, map.v) / area, cross(map.u, x - map.origin) / area};
+}
+
+/// A convex region in which an old cell's field is used.
+struct Region {
+  Polygon polygon;
+  Index cell;
+  Box box;
+};
+
+Box box_of(const Polygon& polygon) {
+  Box box{polygon.corner[0], polygon.corner[0]};
+  for (int i = 1; i < polygon.count; ++i) {
+    box.low = box.low.cwiseMin(polygon.corner[i]);
+    box.high = box.high.cwiseMax(polygon.corner[i]);
+  }
+  return box;
+}
+
+/// Strips outside the boundary, each with the field of the cell at its edge.
+std::vector<std::vector<Region>> outer_regions(const Mesh& mesh) {
+  std::vector<Point> outward(mesh.nodes.size(), Point::Zero());
+  std::vector<double> reach(mesh.nodes.size(), 0);
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    const Point chord = mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]];
+    for (int k = 0; k < 2; ++k) {
+      outward[edge.nodes[k]] += Point(chord[1], -chord[0]).normalized();
+      reach[edge.nodes[k]] = std::max(reach[edge.nodes[k]], 0.2 * chord.norm());
+    }
+  }
+  std::vector<std::vector<Region>> regions(mesh.cells.size());
+  for (const core::BoundaryEdge& edge : mesh.boundary) {
+    Polygon strip;
+    const auto [a, b, mid] = edge.nodes;
+    strip.add(mesh.nodes[a]);
+    strip.add(mesh.nodes[a] + reach[a] * outward[a].normalized());
+    strip.add(mesh.nodes[b] + reach[b] * outward[b].normalized());
+    strip.add(mesh.nodes[b]);
+    regions[edge.cell].push_back({strip, edge.cell, box_of(strip)});
+  }
+  return regions;
+}
+
+/// Adds up the load of one new cell part by part.
+class Overlay {
+ public:
+  Overlay(const Mesh& from, const Mesh& to, core::Geometry geometry, const Eigen::VectorXd& nodal)
+      : from_(from), to_(to), geometry_(geometry), nodal_(nodal), grid_(from), outer_(outer_regions(from)) {
+    for (Index cell = 0; cell < from.cell_count(); ++cell) old_maps_.push_back(core::cell_map(from, cell));
+  }
+
+  std::array<double, 6> load(Index cell) {
+    map_ = core::cell_map(to_, cell);
+    straight_ = is_straight(map_);
+    Polygon triangle;
+    for (int k = 0; k < 3; ++k) triangle.add(to_.nodes[to_.cells[cell][k]]);
+    const double whole = cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
+    std::array<double, 6> sum{};
+    const Box box = box_of(triangle);
+    const Point margin = Point::Constant(0.05 * (box.high - box.low).maxCoeff());
+    grid_.near({box.low - margin, box.high + margin}, near_);
+    for (const Index old : near_) {
+      Polygon common = triangle;
+      for (int k = 0; k < 3 && common.count > 2; ++k)
+        common = clip(common, from_.nodes[from_.cells[old][k]], from_.nodes[from_.cells[old][(k + 1) % 3]]);
+      add_polygon(cell, old, common, whole, sum);
+      for (const Region& strip : outer_[old]) {
+        if (!strip.box.meets(box)) continue;
+        common = triangle;
+        for (int k = 0; k < 4 && common.count > 2; ++k)
+          common = clip(common, strip.polygon.corner[k], strip.polygon.corner[(k + 1) % 4]);
+        add_polygon(cell, old, common, whole, sum);
+      }
+    }
+    return sum;
+  }
+
+ private:
+  /// Value of the field at x by the old cell, or by another where that is too far.
+  double old_value(Index old, std::array<double, 2> at, const Point& x) const {
+    if (!(std::min({at[0], at[1], 1 - at[0] - at[1]}) > -furthest)) {
+      const CellGrid::Found found = grid_.find(x);
+      old = found.cell;
+      at = found.at;
+    }
+    const auto shape = core::triangle_shape(at[0], at[1]);
+    double value = 0;
+    for (int k = 0; k < 6; ++k) value += shape[k] * nodal_[from_.cells[old][k]];
+    return value;
+  }
+
+  /// Fans the polygon, which lies in the chord triangle of the new cell, and integrates over its image in the cell.
+  void add_polygon(Index cell, Index old, const Polygon& polygon, double whole, std::array<double, 6>& sum) {
+    points_.clear();
+    for (int i = 1; i + 1 < polygon.count; ++i) {
+      const Point &o = polygon.corner[0], u = polygon.corner[i] - o, v = polygon.corner[i + 1] - o;
+      const double share = cross(u, v) / whole;
+      if (share < negligible) continue;
+      for (const core::TriangleRulePoint& at : core::triangle_rule(straight_ ? 5 : 6)) {
+        const Point x = o + at.a * u + at.b * v;
+        const auto [a, b] = in_chords(map_, x);
+        if (straight_) {
+          points_.push_back({x, at.weight * cross(u, v) * core::depth(geometry_, x), core::triangle_shape(a, b)});
+        } else {
+          const core::CellPoint point = core::map_cell_point(to_, cell, geometry_, {a, b, at.weight * share});
+          points_.push_back({point.position, point.volume, point.shape});
+        }
+      }
+    }
+    add_points(old, sum);
+  }
+
+  void add_points(Index old, std::array<double, 6>& sum) const {
+    constexpr std::size_t width = core::Places::SizeAtCompileTime;
+    for (std::size_t first = 0; first < points_.size(); first += width) {
+      core::Places x, y;
+      for (std::size_t i = 0; i < width; ++i) {  // the last again where there are no more
+        const Point& position = points_[std::min(first + i, points_.size() - 1)].position;
+        x[i] = position[0];
+        y[i] = position[1];
+      }
+      const auto [a, b] = core::invert(old_maps_[old], x, y);
+      for (std::size_t i = 0; i < std::min(width, points_.size() - first); ++i) {
+        const IntegrationPoint& at = points_[first + i];
+        const double value = at.volume * old_value(old, {a[i], b[i]}, at.position);
+        for (int k = 0; k < 6; ++k) sum[k] += at.shape[k] * value;
+      }
+    }
+  }
+
+  struct IntegrationPoint {
+    Point position;
+    double volume;
+    std::array<double, 6> shape;  ///< of the new cell
+  };
+
+  const Mesh &from_, &to_;
+  core::Geometry geometry_;
+  const Eigen::VectorXd& nodal_;
+  CellGrid grid_;
+  std::vector<std::vector<Region>> outer_;
+  std::vector<core::CellMap> old_maps_;
+  core::CellMap map_;      ///< of the new cell
+  bool straight_ = false;  ///< the new cell
+  std::vector<Index> near_;
+  std::vector<IntegrationPoint> points_;  ///< of one polygon
+};
+
+}  // namespace
+
+Eigen::VectorXd overlay_load(const Mesh& from, const Mesh& to, core::Geometry geometry, const Eigen::VectorXd& nodal) {
+  Overlay overlay(from, to, geometry, nodal);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(to.node_count());
+  for (Index cell = 0; cell < to.cell_count(); ++cell) {
+    const std::array<double, 6> own = overlay.load(cell);
+    for (int k = 0; k < 6; ++k) load[to.cells[cell][k]] += own[k];
+  }
+  return load;
+}
+
+}  // namespace parison::remesh

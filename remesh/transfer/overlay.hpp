@@ -1,0 +1,56 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "core/mesh/mesh.hpp"
+
+namespace parison::remesh {
+
+/// Axis-parallel box.
+struct Box {
+  core::Point low, high;
+  bool meets(const Box& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+};
+
+/// The cells of a mesh in square bins, to find the one around a point or those near a box.
+class CellGrid {
+ public:
+  explicit CellGrid(const core::Mesh& mesh);
+
+  struct Found {
+    core::Index cell = -1;
+    std::array<double, 2> at{};                             ///< reference coordinates, inside or on the border
+    double miss = std::numeric_limits<double>::infinity();  ///< from the point to the place found, m; 0 inside
+  };
+  /// The cell that holds x, or else the nearest one.
+  Found find(const core::Point& x) const;
+
+  /// Cells whose boxes meet the given one.
+  void near(const Box& box, std::vector<core::Index>& cells) const;
+
+ private:
+  int place(const core::Point& x, int axis) const;
+  bool try_cell(core::Index cell, const core::Point& x, Found& best) const;
+
+  const core::Mesh& mesh_;
+  core::Point low_;
+  double bin_;
+  std::array<int, core::dim> count_;
+  std::vector<std::vector<core::Index>> bins_;
+  std::vector<Box> boxes_;
+};
+
+/// Box of a cell's nodes, widened by a tenth of its size.
+Box cell_box(const core::Mesh& mesh, core::Index cell);
+
+/// int N_i T dV over the new mesh, T the old nodal field: exact overlay of the old and new triangles (cells clipped by
+/// their chords, old boundary cells widened outward so that nothing is left out); each common part is integrated
+/// exactly where both cells are straight.
+Eigen::VectorXd overlay_load(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry,
+                             const Eigen::VectorXd& nodal);
+
+}  // namespace parison::remesh

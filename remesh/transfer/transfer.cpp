@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/transfer/transfer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/mesh/element.hpp"
+#include "remesh/transfer/mass_matrix.hpp"
+#include "remesh/transfer/overlay.hpp"
+
+namespace parison::remesh {
+
+using core::Index;
+using core::Mesh;
+using core::Point;
+
+namespace {
+
+/// Range of the old cell that each value comes from, widened by half on both sides where that brings no new extreme:
+/// quadratic fields pass, overshoots next to a thermal skin do not.
+void set_ranges(const Mesh& from, const Transfer& transfer, const Eigen::VectorXd& nodal, Carried& carried) {
+  carried.lowest = nodal.minCoeff(), carried.highest = nodal.maxCoeff();
+  carried.low = carried.high = carried.value;
+  for (Index i = 0; i < carried.value.size(); ++i) {
+    const auto& cell = from.cells[transfer.cell[i]];
+    double low = nodal[cell[0]], high = low;
+    for (const Index node : cell) low = std::min(low, nodal[node]), high = std::max(high, nodal[node]);
+    const double slack = 0.5 * (high - low);
+    carried.low[i] = std::max(carried.lowest, low - slack);
+    carried.high[i] = std::min(carried.highest, high + slack);
+  }
+}
+
+/// A field and by how much its content is more than the wanted one.
+struct Attempt {
+  Eigen::VectorXd field;
+  double defect;
+};
+
+/// Finds t with content(path(t)) = wanted by the secant rule from t = 0, which gave `start`, and `first`; gives the
+/// best.
+Attempt settle(const std::function<Eigen::VectorXd(double)>& path, const Content& content, double wanted, Attempt start,
+               double first) {
+  constexpr int rounds = 12;
+  constexpr double exact = 4e-16;
+  Attempt best = std::move(start);
+  double before = 0, defect_before = best.defect, t = first;
+  for (int round = 0; round < rounds && std::abs(best.defect) > exact * std::abs(wanted); ++round) {
+    Attempt now{path(t), 0};
+    now.defect = content(now.field) - wanted;
+    if (now.defect == defect_before) break;
+    const double next = t - now.defect * (t - before) / (now.defect - defect_before);
+    before = t, defect_before = now.defect, t = next;
+    if (std::abs(now.defect) < std::abs(best.defect)) best = std::move(now);
+  }
+  return best;
+}
+
+}  // namespace
+
+Transfer make_transfer(const Mesh& from, const Mesh& to) {
+  const CellGrid grid(from);
+  Transfer transfer;
+  transfer.cell.reserve(to.nodes.size());
+  transfer.at.reserve(to.nodes.size());
+  for (const Point& x : to.nodes) {
+    const CellGrid::Found found = grid.find(x);
+    transfer.cell.push_back(found.cell);
+    transfer.at.push_back(found.at);
+  }
+  return transfer;
+}
+
+Eigen::VectorXd interpolate(const Mesh& from, const Transfer& transfer, const Eigen::VectorXd& nodal) {
+  Eigen::VectorXd result(transfer.cell.size());
+  for (Index i = 0; i < result.size(); ++i) {
+    const auto shape = core::triangle_shape(transfer.at[i][0], transfer.at[i][1]);
+    result[i] = 0;
+    for (int k = 0; k < 6; ++k) result[i] += shape[k] * nodal[from.cells[transfer.cell[i]][k]];
+  }
+  return result;
+}
+
+double mean(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& nodal) {
+  // Relative to one value, so that a uniform field has its own value as the mean.
+  const double base = nodal[0];
+  double content = 0, volume = 0;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    for (const core::TriangleRulePoint& at : core::triangle_rule(6)) {
+      const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, at);
+      double value = 0;
+      for (int k = 0; k < 6; ++k) value += point.shape[k] * (nodal[mesh.cells[cell][k]] - base);
+      content += value * point.volume;
+      volume += point.volume;
+    }
+  return base + content / volume;
+}
+
+Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
+                const Eigen::VectorXd& nodal, int order) {
+  const MassMatrix mass(to, geometry, order);
+  const Eigen::VectorXd load = overlay_load(from, to, geometry, nodal), near = interpolate(from, transfer, nodal);
+  Carried carried;
+  carried.value =
+      order == 2 ? mass.solve(load, near) : mass.solve(core::to_vertices(to, load), near.head(to.vertex_count));
+  set_ranges(from, transfer, nodal, carried);
+  carried.value = carried.value.cwiseMax(carried.low).cwiseMin(carried.high);
+  return carried;
+}
+
+Eigen::VectorXd restore_content(const Mesh& to, const Carried& carried, const Content& content, double wanted) {
+  constexpr double kept = 1e-13;
+  const auto nodal = [&](const Eigen::VectorXd& value) -> Eigen::VectorXd {
+    return value.size() == to.node_count() ? value : core::from_vertices(to, value);
+  };
+  Attempt start{nodal(carried.value), 0};
+  const double held = content(start.field), slope = content((start.field.array() + 1).matrix()) - held;
+  start.defect = held - wanted;
+  const auto shifted = [&](double t) {
+    return nodal((carried.value.array() + t).matrix().cwiseMax(carried.low).cwiseMin(carried.high));
+  };
+  Attempt near = settle(shifted, content, wanted, start, -start.defect / slope);
+  if (std::abs(near.defect) <= kept * std::abs(wanted)) return near.field;
+  // The ranges leave no room: every value goes a share of its way to an old extreme.
+  const double limit = start.defect < 0 ? carried.highest : carried.lowest;
+  const auto drawn = [&](double t) {
+    const double share = std::clamp(t, 0.0, 1.0);
+    return nodal(
+        ((1 - share) * carried.value.array() + share * limit).cwiseMax(carried.lowest).cwiseMin(carried.highest));
+  };
+  const double room = content(Eigen::VectorXd::Constant(start.field.size(), limit)) - held;
+  const Attempt far = settle(drawn, content, wanted, start, room != 0 ? -start.defect / room : 0.0);
+  return std::abs(far.defect) < std::abs(near.defect) ? far.field : near.field;
+}
+
+Eigen::VectorXd transfer_conserving(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
+                                    const Eigen::VectorXd& nodal, int order) {
+  const auto content = [&](const Eigen::VectorXd& field) { return mean(to, geometry, field); };
+  return restore_content(to, project(from, to, geometry, transfer, nodal, order), content, mean(from, geometry, nodal));
+}
+
+}  // namespace parison::remesh

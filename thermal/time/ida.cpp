@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/time/ida.hpp"
+
+#include <fmt/format.h>
+#include <ida/ida.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "thermal/time/step_matrix.hpp"
+
+namespace parison::thermal {
+
+namespace {
+
+Eigen::Map<Eigen::VectorXd> view(N_Vector vector) {
+  return {N_VGetArrayPointer(vector), static_cast<Eigen::Index>(N_VGetLength(vector))};
+}
+
+/// All that IDA's callbacks see, and what is kept from call to call.
+struct Integration {
+  Problem problem;
+  HeatSystem system;
+  StepMatrix matrix;
+  double matrix_scale = 0;  ///< IDA's c_j at the last factorisation, 1/s: its matrix is c_j (C + K/c_j)
+  SUNContext context = nullptr;
+  N_Vector temperature = nullptr, rate = nullptr;
+  SUNMatrix jacobian = nullptr;
+  SUNLinearSolver solver = nullptr;
+  void* ida = nullptr;
+  Ledger ledger;            ///< since the last report
+  Eigen::VectorXd content;  ///< at the last report, J
+  double booked_until = 0;  ///< s
+  std::string message;      ///< IDA's last complaint
+
+  Integration(Problem given, const std::vector<Eigen::VectorXd>& start, const IdaOptions& options);
+  Integration(const Integration&) = delete;
+  Integration& operator=(const Integration&) = delete;
+  ~Integration();
+};
+
+int residual(double, N_Vector temperature, N_Vector rate, N_Vector result, void* data) {
+  const auto& run = *static_cast<const Integration*>(data);
+  const Response response = evaluate(run.system, view(temperature), view(rate));
+  view(result) = response.content - response.power;
+  for (const auto& [unknown, value] : run.system.prescribed) view(result)[unknown] = 0;
+  return view(result).allFinite() ? 0 : 1;
+}
+
+int set_matrix(double, double scale, N_Vector temperature, N_Vector, N_Vector, SUNMatrix, void* data, N_Vector,
+               N_Vector, N_Vector) {
+  auto& run = *static_cast<Integration*>(data);
+  run.matrix_scale = scale;
+  return factorise(run.matrix, run.system, view(temperature), 1 / scale) ? 0 : 1;
+}
+
+int solve(SUNLinearSolver solver, SUNMatrix, N_Vector solution, N_Vector rhs, double) {
+  const auto& run = *static_cast<const Integration*>(solver->content);
+  view(solution) = run.matrix.cholesky.solve(view(rhs)) / run.matrix_scale;
+  return 0;
+}
+
+void keep_message(int, const char*, const char*, char* message, void* data) {
+  static_cast<Integration*>(data)->message = message;
+}
+
+/// IDA calls set_matrix for the values, so its matrix and its solver's set-up are empty shells.
+void attach_solver(Integration& run) {
+  run.jacobian = SUNMatNewEmpty(run.context);
+  run.jacobian->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
+  run.jacobian->ops->zero = [](SUNMatrix) { return 0; };
+  run.solver = SUNLinSolNewEmpty(run.context);
+  run.solver->content = &run;
+  run.solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
+  run.solver->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
+  run.solver->ops->initialize = [](SUNLinearSolver) { return 0; };
+  run.solver->ops->setup = [](SUNLinearSolver, SUNMatrix) { return 0; };
+  run.solver->ops->solve = solve;
+  IDASetLinearSolver(run.ida, run.solver, run.jacobian);
+  IDASetJacFn(run.ida, set_matrix);
+}
+
+/// Sets prescribed temperatures, books the heat that takes, and finds the rate that goes with the temperatures.
+void make_consistent(Integration& run, Eigen::VectorXd start) {
+  const Eigen::VectorXd before = evaluate(run.system, start).content;
+  for (const auto& [unknown, value] : run.system.prescribed) start[unknown] = value;
+  const Response response = evaluate(run.system, start);
+  book_content(run.ledger, run.system, before, response.content);
+  for (BodyLedger& body : run.ledger.bodies) body.from_prescribed = body.content_change;
+  run.content = response.content;
+  Eigen::VectorXd power = response.power;
+  for (const auto& [unknown, value] : run.system.prescribed) power[unknown] = 0;
+  view(run.temperature) = start;
+  if (factorise(run.matrix, run.system, start, 0)) view(run.rate) = run.matrix.cholesky.solve(power);
+}
+
+Integration::Integration(Problem given, const std::vector<Eigen::VectorXd>& start, const IdaOptions& options)
+    : problem(std::move(given)), system(make_heat_system(problem)), ledger(empty_ledger(system)) {
+  prepare(matrix, system);
+  SUNContext_Create(nullptr, &context);
+  temperature = N_VNew_Serial(system.size(), context);
+  rate = N_VNew_Serial(system.size(), context);
+  N_VConst(0, rate);
+  make_consistent(*this, join(system, start));
+  ida = IDACreate(context);
+  IDASetErrHandlerFn(ida, keep_message, this);
+  IDASetUserData(ida, this);
+  IDAInit(ida, residual, 0, temperature, rate);
+  IDASStolerances(ida, 0, options.tolerance);
+  IDASetNonlinConvCoef(ida, 0.01);  // what Newton leaves in the equations shows in the ledger
+  attach_solver(*this);
+}
+
+Integration::~Integration() {
+  IDAFree(&ida);
+  SUNLinSolFreeEmpty(solver);
+  SUNMatFreeEmpty(jacobian);
+  N_VDestroy(temperature);
+  N_VDestroy(rate);
+  SUNContext_Free(&context);
+}
+
+/// Books the flows from `booked_until` to `end`, inside IDA's last step, by Gauss's rule on its dense output.
+void book_until(Integration& run, double end) {
+  const double duration = end - run.booked_until;
+  for (const auto& at : core::edge_rule(3)) {
+    IDAGetDky(run.ida, run.booked_until + at.s * duration, 0, run.temperature);
+    const double part = at.weight * duration;
+    if (run.system.prescribed.empty()) {
+      book(run.ledger, evaluate_flows(run.system, view(run.temperature)), part);
+      continue;
+    }
+    const Response response = evaluate(run.system, view(run.temperature));
+    book(run.ledger, response.flows, part);
+    for (const auto& [unknown, value] : run.system.prescribed)
+      run.ledger.bodies[body_of(run.system, unknown)].from_prescribed -= part * response.power[unknown];
+  }
+  run.booked_until = end;
+}
+
+/// Books the content change since the last report and hands the ledger over.
+Ledger close_ledger(Integration& run, const Eigen::VectorXd& content) {
+  book_content(run.ledger, run.system, run.content, content);
+  for (const auto& [unknown, value] : run.system.prescribed)
+    run.ledger.bodies[body_of(run.system, unknown)].from_prescribed += content[unknown] - run.content[unknown];
+  run.content = content;
+  return std::exchange(run.ledger, empty_ledger(run.system));
+}
+
+}  // namespace
+
+struct IdaIntegrator::Data : Integration {
+  using Integration::Integration;
+};
+
+IdaIntegrator::IdaIntegrator(Problem problem, const std::vector<Eigen::VectorXd>& temperature,
+                             const IdaOptions& options)
+    : data_(std::make_unique<Data>(std::move(problem), temperature, options)) {}
+IdaIntegrator::~IdaIntegrator() = default;
+IdaIntegrator::IdaIntegrator(IdaIntegrator&&) noexcept = default;
+IdaIntegrator& IdaIntegrator::operator=(IdaIntegrator&&) noexcept = default;
+
+IdaOutcome IdaIntegrator::advance_to(double time) {
+  Data& run = *data_;
+  assert(time > run.booked_until);
+  IdaOutcome outcome;
+  long steps_before = 0, steps_after = 0;
+  IDAGetNumSteps(run.ida, &steps_before);
+  const Index factorisations_before = run.matrix.factorisations;
+  double reached = 0;
+  IDAGetCurrentTime(run.ida, &reached);
+  if (reached > run.booked_until) book_until(run, std::min(reached, time));
+  while (reached < time) {
+    const int flag = IDASolve(run.ida, time, &reached, run.temperature, run.rate, IDA_ONE_STEP);
+    if (flag < 0) {
+      outcome.reason = fmt::format("IDA stopped the heat integration at {:.6g} s: {}", run.booked_until, run.message);
+      return outcome;
+    }
+    book_until(run, std::min(reached, time));
+  }
+  IDAGetDky(run.ida, time, 0, run.temperature);
+  IDAGetNumSteps(run.ida, &steps_after);
+  outcome.converged = true;
+  outcome.temperature = split(run.system, view(run.temperature));
+  outcome.ledger = close_ledger(run, evaluate(run.system, view(run.temperature)).content);
+  outcome.steps = steps_after - steps_before;
+  outcome.factorisations = run.matrix.factorisations - factorisations_before;
+  return outcome;
+}
+
+}  // namespace parison::thermal

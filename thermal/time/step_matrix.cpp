@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/time/step_matrix.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/linear/sparse_matrix.hpp"
+#include "thermal/cells/cell_kernels.hpp"
+
+namespace parison::thermal {
+
+Linearisation linearise(const HeatSystem& system, const Eigen::VectorXd& temperature) {
+  Linearisation result;
+  linearise_cells(system, temperature, result.groups);
+  linearise_exchange(system, temperature, result);
+  return result;
+}
+
+Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisation, double step,
+                      const Eigen::VectorXd& change) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(system.size());
+  apply_cells(system, linearisation.groups, step, change, result);
+  apply_exchange(system, linearisation, step, change, result);
+  return result;
+}
+
+namespace {
+
+Index cell_unknowns(const HeatSystem& system) {
+  return system.problem->order == 2 ? 6 : 3;
+}
+
+std::vector<Index> list_topology(const HeatSystem& system) {
+  std::vector<Index> topology;
+  for (const auto& cell : system.cells)
+    topology.insert(topology.end(), cell.begin(), cell.begin() + cell_unknowns(system));
+  for (std::size_t b = 0; b < system.problem->bodies.size(); ++b)
+    for (const core::BoundaryEdge& edge : system.problem->bodies[b].mesh->boundary)
+      for (const Index unknown : edge_unknowns(system, static_cast<Index>(b), edge.nodes)) topology.push_back(unknown);
+  return topology;
+}
+
+/// Cells, boundary edges and coupled edges, their unknowns by their rank.
+core::Cliques list_cliques(const HeatSystem& system, const EdgeChain& chain, const std::vector<Index>& topology,
+                           const std::vector<Coupling>& couplings, const std::vector<Index>& rank) {
+  core::Cliques cliques;
+  std::array<Index, 6> ranks;
+  const auto add = [&](const Index* unknowns, Index count) {
+    for (Index i = 0; i < count; ++i) ranks[i] = rank[unknowns[i]];
+    cliques.add(ranks.data(), count);
+  };
+  const Index per_cell = cell_unknowns(system);
+  const std::size_t in_cells = per_cell * system.cells.size();
+  for (std::size_t k = 0; k < topology.size(); k += k < in_cells ? per_cell : 3)
+    add(topology.data() + k, k < in_cells ? per_cell : 3);
+  for (const Coupling& coupling : couplings) add(chain.unknowns(coupling).data(), 6);
+  return cliques;
+}
+
+void analyse(StepMatrix& matrix, const HeatSystem& system, const EdgeChain& chain, std::vector<Index> topology) {
+  matrix.order = elimination_order(system, matrix.couplings);
+  std::vector<Index> rank(system.size());
+  for (Index k = 0; k < system.size(); ++k) rank[matrix.order[k]] = k;
+  const core::Cliques cliques = list_cliques(system, chain, topology, matrix.couplings, rank);
+  matrix.assembly = core::make_assembly(system.size(), cliques, core::Triangle::upper);
+  matrix.first_coupling = cliques.count() - static_cast<Index>(matrix.couplings.size());
+  matrix.cholesky.analyse_ordered(matrix.assembly.matrix, matrix.order);
+  matrix.topology = std::move(topology);
+  matrix.analysed_couplings = matrix.couplings;
+  matrix.factored_step = 0;
+}
+
+/// Which clique each segment of the interface has; false where one has none.
+bool note_cliques(StepMatrix& matrix, const HeatSystem& system) {
+  const std::vector<Coupling>& couplings = matrix.couplings;
+  matrix.segment_clique.clear();
+  for (const HeatSegment& segment : system.interface.segments) {
+    const Coupling coupling = coupling_of(segment);
+    const auto found = std::lower_bound(couplings.begin(), couplings.end(), coupling);
+    if (found == couplings.end() || *found != coupling) return false;
+    matrix.segment_clique.push_back(matrix.first_coupling + static_cast<Index>(found - couplings.begin()));
+  }
+  return true;
+}
+
+}  // namespace
+
+void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Index count, const Index* unknowns,
+                double* local) {
+  if (!system.prescribed.empty())
+    for (Index i = 0; i < count; ++i)
+      if (system.is_prescribed[unknowns[i]])
+        for (Index j = 0; j < count; ++j) local[i * count + j] = local[j * count + i] = 0;
+  core::add_clique(matrix.assembly.matrix, matrix.assembly.scatter, clique, count, local);
+}
+
+void prepare(StepMatrix& matrix, const HeatSystem& system) {
+  if (system.is_prescribed != matrix.is_prescribed) matrix.factored_step = 0;
+  matrix.is_prescribed = system.is_prescribed;
+  std::vector<Index> topology = list_topology(system);
+  std::vector<Coupling>& couplings = matrix.couplings;
+  const auto is_analysed = [&] { return topology == matrix.topology && couplings == matrix.analysed_couplings; };
+  const bool lacks = !note_cliques(matrix, system);
+  if (!lacks && is_analysed()) return;
+  const EdgeChain chain(system);
+  if (lacks || !chain.holds(couplings)) couplings = chain.widen(present_couplings(system));
+  if (!is_analysed()) analyse(matrix, system, chain, std::move(topology));
+  note_cliques(matrix, system);
+}
+
+bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
+  core::SymmetricMatrix& values = matrix.assembly.matrix;
+  std::fill(values.value.begin(), values.value.end(), 0.0);
+  assemble_cells(matrix, system, temperature, step);
+  assemble_exchange(matrix, system, temperature, step);
+  matrix.diagonal.resize(values.size);
+  for (Index k = 0; k < values.size; ++k) {
+    double& diagonal = values.value[values.column_start[k + 1] - 1];
+    if (system.is_prescribed[matrix.order[k]]) diagonal = 1;
+    matrix.diagonal[matrix.order[k]] = diagonal;
+  }
+  ++matrix.factorisations;
+  const bool done = matrix.cholesky.factorise(values);
+  matrix.factored_step = done ? step : 0;
+  return done;
+}
+
+namespace {
+
+/// The vertices among the unknowns, numbered on.
+struct Vertices {
+  std::vector<Index> unknown;
+  std::vector<Index> number;  ///< by unknown, -1 for a mid-side node
+};
+
+Vertices list_vertices(const HeatSystem& system) {
+  Vertices vertices{{}, std::vector<Index>(system.size(), -1)};
+  for (std::size_t b = 0; b < system.problem->bodies.size(); ++b)
+    for (Index v = 0; v < system.problem->bodies[b].mesh->vertex_count; ++v) {
+      vertices.number[system.first_unknown[b] + v] = static_cast<Index>(vertices.unknown.size());
+      vertices.unknown.push_back(system.first_unknown[b] + v);
+    }
+  return vertices;
+}
+
+/// Position in the order by vertex.
+std::vector<Index> rank_vertices(const HeatSystem& system, const Vertices& vertices,
+                                 const std::vector<Coupling>& couplings) {
+  std::vector<std::array<Index, 2>> edges;
+  edges.reserve(3 * system.cells.size() + 4 * couplings.size());
+  const auto add = [&](Index a, Index b) { edges.push_back({vertices.number[a], vertices.number[b]}); };
+  for (const auto& cell : system.cells)
+    for (int i = 0; i < 3; ++i) add(cell[i], cell[(i + 1) % 3]);
+  for (const Coupling& coupling : couplings)
+    for (const int slave : {0, 1})
+      for (const int master : {2, 3}) add(coupling[slave], coupling[master]);
+  const Index count = static_cast<Index>(vertices.unknown.size());
+  const std::vector<Index> order = core::minimum_degree_order(count, edges).unknown;
+  std::vector<Index> rank(count);
+  for (Index k = 0; k < count; ++k) rank[order[k]] = k;
+  return rank;
+}
+
+}  // namespace
+
+std::vector<Index> elimination_order(const HeatSystem& system, const std::vector<Coupling>& couplings) {
+  const Vertices vertices = list_vertices(system);
+  const std::vector<Index> rank = rank_vertices(system, vertices, couplings);
+  const Index count = static_cast<Index>(rank.size());
+  // With each unknown goes the vertex that is eliminated right after it or with it.
+  std::vector<Index> with(system.size(), count);
+  for (Index v = 0; v < count; ++v) with[vertices.unknown[v]] = rank[v];
+  if (system.problem->order == 2)
+    for (const auto& cell : system.cells)
+      for (int i = 0; i < 3; ++i) with[cell[3 + i]] = std::min(with[cell[i]], with[cell[(i + 1) % 3]]);
+  std::vector<Index> end(count + 1, 0), order(system.size());
+  for (const Index w : with) ++end[w + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Index> next(end.begin(), end.end() - 1);
+  for (Index u = 0; u < system.size(); ++u) order[vertices.number[u] < 0 ? next[with[u]]++ : end[with[u] + 1] - 1] = u;
+  return order;
+}
+
+}  // namespace parison::thermal
