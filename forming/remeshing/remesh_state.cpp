@@ -14,7 +14,6 @@
 #include "forming/remeshing/tool_corners.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
-#include "forming/step/heat_step.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/remesh_glass.hpp"
 #include "remesh/sizing/recovery.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forming/step/heat_step.hpp"
 #include "remesh/mesher/mesh_profile.hpp"
+#include "thermal/problem.hpp"
 
 namespace parison::forming {
 
@@ -62,6 +62,12 @@ core::Mesh mass_mesh(const State& state) {
   core::Mesh mesh = state.bodies[0].mesh;
   mesh.nodes = state.mass_nodes;
   return mesh;
+}
+
+double glass_heat(const Scene& scene, const State& state) {
+  const core::Mesh mass = mass_mesh(state);
+  thermal::BodyView view{&mass, &mass, state.density, &*scene.glass.thermal, {}, {}};
+  return thermal::heat_content(view, scene.geometry, state.bodies[0].temperature);
 }
 
 State initial_state(const Scene& scene) {

@@ -27,6 +27,9 @@ PieceKind piece_kind(const Body& body, const std::string& piece);
 /// The glass mesh with its nodes where the mass was last distributed.
 core::Mesh mass_mesh(const State& state);
 
+/// Heat content of the glass, J, relative to thermal::content_reference.
+double glass_heat(const Scene& scene, const State& state);
+
 /// Body 0 is the glass, body 1 + i tool i.
 const Body& body_of(const Scene& scene, Index body);
 

@@ -168,12 +168,6 @@ HeatOutcome advance_standing(const Scene& scene, State& state, const std::vector
 
 }  // namespace
 
-double glass_heat(const Scene& scene, const State& state) {
-  const core::Mesh mass = mass_mesh(state);
-  thermal::BodyView view{&mass, &mass, state.density, &*scene.glass.thermal, {}, {}};
-  return thermal::heat_content(view, scene.geometry, state.bodies[0].temperature);
-}
-
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace) {
   HeatOutcome result;

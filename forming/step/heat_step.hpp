@@ -6,9 +6,6 @@
 
 namespace parison::forming {
 
-/// Heat content of the glass, J, relative to thermal::content_reference.
-double glass_heat(const Scene& scene, const State& state);
-
 struct HeatOutcome {
   bool converged = false;
   std::string reason;

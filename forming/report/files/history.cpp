@@ -11,7 +11,6 @@
 #include "core/mesh/element.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
-#include "forming/step/heat_step.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
