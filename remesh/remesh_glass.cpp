@@ -19,11 +19,11 @@ using core::Point;
 namespace {
 
 constexpr double volume_tolerance = 2e-15;  ///< relative, at which the shift stops
-constexpr double largest_defect = 0.01;     ///< relative volume a resampling may miss
-constexpr double largest_lap = 1e-3;        ///< of the volume, in the notch of a lap that is closed
-/// Where the free surface would have to move by more than `far` the whole one moves, if that is by less than `slight`,
-/// m.
-constexpr double far = 20e-6, slight = 3e-6;
+constexpr double max_defect = 0.01;         ///< relative volume a resampling may miss
+constexpr double max_lap = 1e-3;            ///< of the volume, in the notch of a lap that is closed
+/// Where the free surface would have to move by more than `max_free_shift` the whole one moves, if that is by less than
+/// `max_whole_shift`, m.
+constexpr double max_free_shift = 20e-6, max_whole_shift = 3e-6;
 
 /// Unit normals at the surface nodes that may give way, at contacts too where wanted, zero elsewhere.
 std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface, bool contacts) {
@@ -54,16 +54,17 @@ double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<P
   return area;
 }
 
-double restore_volume(Mesh& mesh, const Surface& surface, core::Geometry geometry, double wanted) {
+double restore_volume(Mesh& mesh, const Surface& surface, core::Geometry geometry, double target) {
   double now = core::volume(mesh, geometry);
   const std::vector<Point> free = shift_directions(mesh, surface, false), all = shift_directions(mesh, surface, true);
-  const double missed = std::abs(wanted - now), open = swept_area(mesh, geometry, free);
-  const bool everywhere = open <= 0 || (missed > far * open && missed < slight * swept_area(mesh, geometry, all));
+  const double missed = std::abs(target - now), open = swept_area(mesh, geometry, free);
+  const bool everywhere =
+      open <= 0 || (missed > max_free_shift * open && missed < max_whole_shift * swept_area(mesh, geometry, all));
   const std::vector<Point>& directions = everywhere ? all : free;
-  for (int pass = 0; pass < 4 && std::abs(now - wanted) > volume_tolerance * wanted; ++pass) {
+  for (int pass = 0; pass < 4 && std::abs(now - target) > volume_tolerance * target; ++pass) {
     const double area = swept_area(mesh, geometry, directions);
     if (!(area > 0)) break;
-    const double shift = (wanted - now) / area;
+    const double shift = (target - now) / area;
     for (std::size_t i = 0; i < directions.size(); ++i) mesh.nodes[i] += shift * directions[i];
     now = core::volume(mesh, geometry);
   }
@@ -78,31 +79,31 @@ std::string describe(const Point& x) {
 
 }  // namespace
 
-Remeshed remesh_glass(const Mesh& worn, const Criteria& criteria) {
+Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria) {
   Remeshed result;
-  result.volume_before = core::volume(worn, criteria.geometry);
-  const Mesh old = without_collapsed_edges(worn);
+  result.volume_before = core::volume(distorted, criteria.geometry);
+  const Mesh old = without_collapsed_edges(distorted);
   const SizeField size = size_field(old, criteria);
-  result.coarser = size.coarser();
+  result.coarsening_factor = size.coarsening_factor();
   Surface surface = resample(old, criteria, size);
-  const Laps laps = close_laps(criteria.geometry, largest_lap * result.volume_before, surface);
+  const Laps laps = close_laps(criteria.geometry, max_lap * result.volume_before, surface);
   result.laps = laps.closed;
   result.lap_volume = laps.volume;
   if (laps.first >= 0) {
     const auto at = [&](Index vertex) { return describe(surface.outline.vertices[vertex]); };
     result.reason =
         fmt::format("the glass surface crosses itself near {} and {}, in a lap of more than {:g} of the volume",
-                    at(laps.first), at(laps.second), largest_lap);
+                    at(laps.first), at(laps.second), max_lap);
     return result;
   }
-  MeshedOutline meshed = mesh_outline(surface.outline, old.pieces, size);
+  MeshedOutline meshed = mesh_outline(surface.outline, old.boundary_names, size);
   if (!meshed.reason.empty()) {
     result.reason = "the glass cannot be remeshed: " + meshed.reason;
     return result;
   }
   result.mesh = std::move(meshed.mesh);
   const double missed = core::volume(result.mesh, criteria.geometry) / result.volume_before - 1;
-  if (!(std::abs(missed) < largest_defect)) {
+  if (!(std::abs(missed) < max_defect)) {
     result.reason = fmt::format("the resampled surface misses the glass volume by {:.2g} %", 100 * missed);
     return result;
   }

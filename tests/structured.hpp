@@ -6,7 +6,7 @@
 
 namespace parison::tests {
 
-/// Structured quadratic mesh of the image of the unit square; its sides are the pieces bottom, right, top, left.
+/// Structured quadratic mesh of the image of the unit square; its sides are the boundaries bottom, right, top, left.
 /// `map` is evaluated at all nodes, mid-sides included.
 inline core::Mesh structured(core::Index columns, core::Index rows,
                              const std::function<core::Point(double, double)>& map) {
@@ -28,10 +28,10 @@ inline core::Mesh structured(core::Index columns, core::Index rows,
       }
     }
   core::Mesh mesh = core::make_quadratic_mesh(x, cells);
-  mesh.pieces = {"bottom", "right", "top", "left"};
+  mesh.boundary_names = {"bottom", "right", "top", "left"};
   for (auto& edge : mesh.boundary) {
     const Point& m = mesh.nodes[edge.nodes[2]];
-    edge.piece = m[1] == 0 ? 0 : m[0] == 1 ? 1 : m[1] == 1 ? 2 : 3;
+    edge.boundary_id = m[1] == 0 ? 0 : m[0] == 1 ? 1 : m[1] == 1 ? 2 : 3;
   }
   for (auto& node : mesh.nodes) node = map(node[0], node[1]);
   return mesh;

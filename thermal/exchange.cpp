@@ -11,12 +11,12 @@ namespace parison::thermal {
 
 namespace {
 
-const SurfaceExchange* exchange_of(const BodyView& body, Index piece) {
-  if (body.exchange.empty() || !body.exchange[piece]) return nullptr;
-  return &*body.exchange[piece];
+const SurfaceExchange* exchange_of(const BodyView& body, Index boundary_id) {
+  if (body.exchange.empty() || !body.exchange[boundary_id]) return nullptr;
+  return &*body.exchange[boundary_id];
 }
 
-/// What a square metre of a piece gives the air: linear T + quartic |T|^3 T - constant, W/m2.
+/// What a square metre of a boundary gives the air: linear T + quartic |T|^3 T - constant, W/m2.
 struct AirLaw {
   double linear = 0, quartic = 0, constant = 0;
 };
@@ -27,19 +27,19 @@ AirLaw air_law(const SurfaceExchange* exchange) {
           exchange->h * exchange->air_temperature + radiant * std::pow(exchange->ambient_temperature, 4)};
 }
 
-/// The pieces of a body's boundary and the air on them.
+/// The boundaries of a body's boundary and the air on them.
 struct BodyAir {
-  std::vector<AirLaw> laws;  ///< by piece
-  std::vector<Index> piece;  ///< of the boundary edge with a given mid node
+  std::vector<AirLaw> laws;        ///< by boundary
+  std::vector<Index> boundary_id;  ///< of the boundary edge with a given mid node
 
-  const AirLaw& at(Index mid_node) const { return laws[piece[mid_node]]; }
+  const AirLaw& at(Index mid_node) const { return laws[boundary_id[mid_node]]; }
 };
 BodyAir body_air(const BodyView& body) {
   BodyAir air;
-  for (std::size_t p = 0; p < body.mesh->pieces.size(); ++p)
+  for (std::size_t p = 0; p < body.mesh->boundary_names.size(); ++p)
     air.laws.push_back(air_law(exchange_of(body, static_cast<Index>(p))));
-  air.piece.resize(body.mesh->nodes.size());
-  for (const core::BoundaryEdge& edge : body.mesh->boundary) air.piece[edge.nodes[2]] = edge.piece;
+  air.boundary_id.resize(body.mesh->nodes.size());
+  for (const core::BoundaryEdge& edge : body.mesh->boundary) air.boundary_id[edge.nodes[2]] = edge.boundary_id;
   return air;
 }
 
@@ -87,23 +87,23 @@ void add_contact_heat(const HeatSystem& system, const Eigen::VectorXd& temperatu
   system.problem->law(system.problem->interface, T1, h, nullptr);
   for (const HeatSegment& segment : interface.segments) {
     // In shares of the unknowns.
-    Vector3d given = Vector3d::Zero(), taken = given, covered1 = given, covered2 = given;
+    Vector3d from_slave = Vector3d::Zero(), to_master = from_slave, covered1 = from_slave, covered2 = from_slave;
     for (Index i = segment.first_point; i < segment.last_point; ++i) {
       const Eigen::Map<const Vector3d> s(&interface.shape(0, i)), m(&interface.shape(3, i));
       const double across = interface.area[i] * h[i] * (T1[i] - T2[i]);
-      given += across * s;
-      taken += across * m;
+      from_slave += across * s;
+      to_master += across * m;
       covered1 += interface.slave_air.heat(i, T1[i]) * s;
       covered2 += interface.master_air.heat(i, T2[i]) * m;
     }
-    flows.across[segment.pair] += given.sum();
-    flows.received[segment.pair] += taken.sum();
+    flows.across[segment.pair] += from_slave.sum();
+    flows.received[segment.pair] += to_master.sum();
     flows.to_air[segment.slave_body] -= covered1.sum();
     flows.to_air[segment.master_body] -= covered2.sum();
     if (!power) continue;
     for (int i = 0; i < 3; ++i) {
-      (*power)[segment.unknowns[i]] -= given[i] - covered1[i];
-      (*power)[segment.unknowns[3 + i]] -= -taken[i] - covered2[i];
+      (*power)[segment.unknowns[i]] -= from_slave[i] - covered1[i];
+      (*power)[segment.unknowns[3 + i]] -= -to_master[i] - covered2[i];
     }
   }
 }
@@ -115,7 +115,7 @@ void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) 
   const auto& rule = core::edge_rule(3);
   for (std::size_t e = 0; e < body.mesh->boundary.size(); ++e) {
     const core::BoundaryEdge& boundary = body.mesh->boundary[e];
-    const SurfaceExchange* exchange = exchange_of(body, boundary.piece);
+    const SurfaceExchange* exchange = exchange_of(body, boundary.boundary_id);
     if (!exchange) continue;
     HeatEdge edge{edge_unknowns(system, body_index, boundary.nodes),
                   first_boundary_edge + static_cast<Index>(e),
@@ -147,13 +147,13 @@ void add_interface(HeatSystem& system) {
     const auto slave = unknown_weights(points[i].slave_shape, system.problem->order);
     const auto master = unknown_weights(points[i].master_shape, system.problem->order);
     interface.shape.col(i) << slave[0], slave[1], slave[2], master[0], master[1], master[2];
-    interface.area[i] = points[i].closure * points[i].area;
+    interface.area[i] = points[i].contact_weight * points[i].area;
   }
   if (count == 0) return;
   std::vector<BodyAir> air(system.problem->bodies.size());
   for (const auto& [slave, master] : system.pairs)
     for (const Index body : {slave, master})
-      if (air[body].piece.empty()) air[body] = body_air(system.problem->bodies[body]);
+      if (air[body].boundary_id.empty()) air[body] = body_air(system.problem->bodies[body]);
   for (const HeatSegment& segment : interface.segments) {
     const core::InterfacePoint& point = points[segment.first_point];
     cover(interface.slave_air, segment, interface.area, air[point.slave_body].at(point.slave_nodes[2]));
@@ -190,35 +190,35 @@ void add_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, 
 
 namespace {
 
-ContactSlopes linearise_contact(const HeatSystem& system, const Eigen::VectorXd& temperature) {
+ContactDerivatives linearise_contact(const HeatSystem& system, const Eigen::VectorXd& temperature) {
   const HeatInterface& interface = system.interface;
   if (interface.segments.empty()) return {};
   const auto [T1, T2] = side_temperatures(interface, temperature);
   Eigen::ArrayXd h(T1.size()), dh_dT(T1.size());
   system.problem->law(system.problem->interface, T1, h, &dh_dT);
-  return {interface.area * h, interface.area * dh_dT * (T1 - T2), interface.slave_air.slope(T1),
-          interface.master_air.slope(T2)};
+  return {interface.area * h, interface.area * dh_dT * (T1 - T2), interface.slave_air.derivative(T1),
+          interface.master_air.derivative(T2)};
 }
 
-void add_edges(StepMatrix& matrix, const HeatSystem& system, const Linearisation& slopes, double step) {
+void add_edges(StepMatrix& matrix, const HeatSystem& system, const Linearisation& derivatives, double step) {
   for (std::size_t e = 0; e < system.edges.size(); ++e) {
     const HeatEdge& edge = system.edges[e];
     std::array<double, 9> local{};
     for (int q = 0; q < 3; ++q)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j)
-          local[i * 3 + j] += step * slopes.edges[e][q] * edge.shape[q][i] * edge.shape[q][j];
+          local[i * 3 + j] += step * derivatives.edges[e][q] * edge.shape[q][i] * edge.shape[q][j];
     const Index clique = static_cast<Index>(system.cells.size()) + edge.boundary_edge;
     add_clique(matrix, system, clique, 3, edge.unknowns.data(), local.data());
   }
 }
 
 /// The points of a segment share their clique: one entry in the matrix for all of them.
-void add_segments(StepMatrix& matrix, const HeatSystem& system, const ContactSlopes& slopes, double step) {
+void add_segments(StepMatrix& matrix, const HeatSystem& system, const ContactDerivatives& derivatives, double step) {
   using RowMajor = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-  const Eigen::ArrayXd across = step * slopes.across;
-  const Eigen::ArrayXd slave = step * (slopes.across + slopes.conductance.max(0) - slopes.slave_air);
-  const Eigen::ArrayXd master = step * (slopes.across - slopes.master_air);
+  const Eigen::ArrayXd across = step * derivatives.across;
+  const Eigen::ArrayXd slave = step * (derivatives.across + derivatives.conductance.max(0) - derivatives.slave_air);
+  const Eigen::ArrayXd master = step * (derivatives.across - derivatives.master_air);
   for (std::size_t k = 0; k < system.interface.segments.size(); ++k) {
     const HeatSegment& segment = system.interface.segments[k];
     RowMajor local = RowMajor::Zero();
@@ -236,10 +236,10 @@ void add_segments(StepMatrix& matrix, const HeatSystem& system, const ContactSlo
 
 void linearise_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, Linearisation& result) {
   for (const HeatEdge& edge : system.edges) {
-    auto& slopes = result.edges.emplace_back();
+    auto& derivatives = result.edges.emplace_back();
     for (int q = 0; q < 3; ++q) {
       const double T = interpolate(temperature, edge.unknowns.data(), edge.shape[q]);
-      slopes[q] = edge.area[q] * surface_flux(edge.exchange, T).dq_dT;
+      derivatives[q] = edge.area[q] * surface_flux(edge.exchange, T).dq_dT;
     }
   }
   result.contacts = linearise_contact(system, temperature);
@@ -256,9 +256,10 @@ void apply_exchange(const HeatSystem& system, const Linearisation& linearisation
   }
   if (system.interface.segments.empty()) return;
   const auto [d1, d2] = side_temperatures(system.interface, change);
-  const ContactSlopes& slopes = linearisation.contacts;
-  const Eigen::ArrayXd across = step * (slopes.across * (d1 - d2) + slopes.conductance * d1);
-  const Eigen::ArrayXd slave = across - step * slopes.slave_air * d1, master = -across - step * slopes.master_air * d2;
+  const ContactDerivatives& derivatives = linearisation.contacts;
+  const Eigen::ArrayXd across = step * (derivatives.across * (d1 - d2) + derivatives.conductance * d1);
+  const Eigen::ArrayXd slave = across - step * derivatives.slave_air * d1,
+                       master = -across - step * derivatives.master_air * d2;
   for (const HeatSegment& segment : system.interface.segments) {
     Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
     for (Index i = segment.first_point; i < segment.last_point; ++i) {
@@ -270,10 +271,10 @@ void apply_exchange(const HeatSystem& system, const Linearisation& linearisation
 }
 
 void assemble_exchange(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
-  Linearisation slopes;
-  linearise_exchange(system, temperature, slopes);
-  add_edges(matrix, system, slopes, step);
-  if (!system.interface.segments.empty()) add_segments(matrix, system, slopes.contacts, step);
+  Linearisation derivatives;
+  linearise_exchange(system, temperature, derivatives);
+  add_edges(matrix, system, derivatives, step);
+  if (!system.interface.segments.empty()) add_segments(matrix, system, derivatives.contacts, step);
 }
 
 }  // namespace parison::thermal

@@ -36,7 +36,7 @@ struct CoveredExchange {
 
   /// At one point.
   double heat(Index i, double T) const { return (linear[i] + quartic[i] * T * T * std::abs(T)) * T - constant[i]; }
-  Eigen::ArrayXd slope(const Eigen::ArrayXd& T) const { return linear + 4 * quartic * T.square() * T.abs(); }
+  Eigen::ArrayXd derivative(const Eigen::ArrayXd& T) const { return linear + 4 * quartic * T.square() * T.abs(); }
 };
 /// The closed interface: its points in arrays, segment after segment.
 struct HeatInterface {
@@ -46,7 +46,7 @@ struct HeatInterface {
   CoveredExchange slave_air, master_air;           ///< the exchanges that the closed interface replaces
 };
 /// Slopes of the heat at the interface's points with temperature, W/K.
-struct ContactSlopes {
+struct ContactDerivatives {
   Eigen::ArrayXd across;                 ///< by the temperature difference: conductance times closed area
   Eigen::ArrayXd conductance;            ///< by the slave's temperature through the conductance alone
   Eigen::ArrayXd slave_air, master_air;  ///< of the exchanges that the closed interface replaces

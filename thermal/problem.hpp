@@ -19,8 +19,8 @@ struct BodyView {
   const core::Mesh* mass_mesh;  ///< positions in which the mass was last distributed; same topology
   double density;               ///< of mass_mesh, kg/m3
   const Material* material;
-  std::vector<std::optional<SurfaceExchange>> exchange;  ///< one per piece of the mesh; empty: none anywhere
-  std::vector<std::optional<double>> prescribed;         ///< given temperature per piece, K; empty: none anywhere
+  std::vector<std::optional<SurfaceExchange>> exchange;  ///< one per boundary of the mesh; empty: none anywhere
+  std::vector<std::optional<double>> prescribed;         ///< given temperature per boundary, K; empty: none anywhere
   const Eigen::VectorXd* wall_thickness = nullptr;       ///< per node, m; null: no thin-wall limit
   const std::vector<double>* source = nullptr;  ///< W at each point of triangle_rule(4), cell by cell; null: none
 };

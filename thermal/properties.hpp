@@ -23,7 +23,7 @@ struct Material {
   std::optional<Radiation> radiation;
 };
 
-/// What a piece of surface exchanges with its surroundings, positive out of the body:
+/// What a part of surface exchanges with its surroundings, positive out of the body:
 /// q = h (T - air) + emissivity sigma (T^4 - ambient^4).
 struct SurfaceExchange {
   double h = 0;                  ///< W/m2/K
@@ -53,9 +53,9 @@ class Conductivity {
     add_radiant(temperature, thin_wall, k);
     return k;
   }
-  void set_values(const PointPacks& temperature, const PointPacks& thin_wall, PointPacks& values) const;
+  void set_values(const PointValues& temperature, const PointValues& thin_wall, PointValues& values) const;
   /// Derivatives with respect to temperature, W/m/K2.
-  void set_slopes(const PointPacks& temperature, const PointPacks& thin_wall, PointPacks& slopes) const;
+  void set_derivatives(const PointValues& temperature, const PointValues& thin_wall, PointValues& derivatives) const;
 
  private:
   template <typename Number>
@@ -79,8 +79,8 @@ class Enthalpy {
  public:
   explicit Enthalpy(const core::Table& heat_capacity);
   EnthalpyValue operator()(double temperature) const;
-  void set_enthalpies(const PointPacks& temperature, PointPacks& values) const;  ///< J/kg
-  void set_capacities(const PointPacks& temperature, PointPacks& values) const;  ///< J/kg/K
+  void set_enthalpies(const PointValues& temperature, PointValues& values) const;  ///< J/kg
+  void set_capacities(const PointValues& temperature, PointValues& values) const;  ///< J/kg/K
 
  private:
   core::Table capacity_;
@@ -89,16 +89,17 @@ class Enthalpy {
 
 namespace detail {
 template <typename Law>
-[[gnu::always_inline]] inline void set_each(const PointPacks& temperature, const Law& law, PointPacks& values) {
+[[gnu::always_inline]] inline void set_each(const PointValues& temperature, const Law& law, PointValues& values) {
   for (int q = 0; q < 6; ++q)
-    values[q] = Pack{law(temperature[q][0]), law(temperature[q][1]), law(temperature[q][2]), law(temperature[q][3])};
+    values[q] =
+        VectorizedArray{law(temperature[q][0]), law(temperature[q][1]), law(temperature[q][2]), law(temperature[q][3])};
 }
 }  // namespace detail
 
-[[gnu::always_inline]] inline void Conductivity::set_values(const PointPacks& temperature, const PointPacks& thin_wall,
-                                                            PointPacks& values) const {
+[[gnu::always_inline]] inline void Conductivity::set_values(const PointValues& temperature,
+                                                            const PointValues& thin_wall, PointValues& values) const {
   if (phonon_.x.size() == 1)
-    for (Pack& value : values.own) value = Pack{} + phonon_.y[0];
+    for (VectorizedArray& value : values.own) value = VectorizedArray{} + phonon_.y[0];
   else
     detail::set_each(
         temperature, [this](double T) { return phonon_(T); }, values);
@@ -106,32 +107,33 @@ template <typename Law>
   for (int q = 0; q < 6; ++q) add_radiant(temperature[q], thin_wall[q], values[q]);
 }
 
-[[gnu::always_inline]] inline void Conductivity::set_slopes(const PointPacks& temperature, const PointPacks& thin_wall,
-                                                            PointPacks& slopes) const {
+[[gnu::always_inline]] inline void Conductivity::set_derivatives(const PointValues& temperature,
+                                                                 const PointValues& thin_wall,
+                                                                 PointValues& derivatives) const {
   if (phonon_.x.size() == 1)
-    slopes = {};
+    derivatives = {};
   else
     detail::set_each(
-        temperature, [this](double T) { return phonon_.derivative(T); }, slopes);
+        temperature, [this](double T) { return phonon_.derivative(T); }, derivatives);
   if (radiant_ == 0) return;
   for (int q = 0; q < 6; ++q) {
-    const Pack T = temperature[q] < 0 ? Pack{} : temperature[q];
-    slopes[q] += 3 * radiant_ * thin_wall[q] * T * T;
+    const VectorizedArray T = temperature[q] < 0 ? VectorizedArray{} : temperature[q];
+    derivatives[q] += 3 * radiant_ * thin_wall[q] * T * T;
   }
 }
 
-[[gnu::always_inline]] inline void Enthalpy::set_enthalpies(const PointPacks& temperature, PointPacks& values) const {
+[[gnu::always_inline]] inline void Enthalpy::set_enthalpies(const PointValues& temperature, PointValues& values) const {
   if (capacity_.x.size() > 1)
     return detail::set_each(
         temperature, [this](double T) { return (*this)(T).h; }, values);
   for (int q = 0; q < 6; ++q) values[q] = at_knot_[0] + capacity_.y[0] * (temperature[q] - capacity_.x[0]);
 }
 
-[[gnu::always_inline]] inline void Enthalpy::set_capacities(const PointPacks& temperature, PointPacks& values) const {
+[[gnu::always_inline]] inline void Enthalpy::set_capacities(const PointValues& temperature, PointValues& values) const {
   if (capacity_.x.size() > 1)
     return detail::set_each(
         temperature, [this](double T) { return (*this)(T).c; }, values);
-  for (Pack& value : values.own) value = Pack{} + capacity_.y[0];
+  for (VectorizedArray& value : values.own) value = VectorizedArray{} + capacity_.y[0];
 }
 
 /// Heat flux out of a surface and its slope.

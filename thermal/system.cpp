@@ -11,16 +11,16 @@ namespace parison::thermal {
 
 namespace {
 
-using Groups = std::vector<CellGroup>;
+using Batches = std::vector<CellBatch>;
 
-std::shared_ptr<const Groups> groups_of(const BodyView& body, core::Geometry geometry, KeptCells* kept) {
+std::shared_ptr<const Batches> batches_of(const BodyView& body, core::Geometry geometry, KeptCells* kept) {
   const core::Mesh &mesh = *body.mesh, &mass = *body.mass_mesh;
-  if (!kept || has_thin_wall(body)) return std::make_shared<const Groups>(make_groups(body, geometry));
-  if (!kept->groups || kept->geometry != geometry || kept->density != body.density || kept->cells != mesh.cells ||
+  if (!kept || has_thin_wall(body)) return std::make_shared<const Batches>(make_batches(body, geometry));
+  if (!kept->batches || kept->geometry != geometry || kept->density != body.density || kept->cells != mesh.cells ||
       kept->nodes != mesh.nodes || kept->mass_nodes != mass.nodes)
     *kept = {mesh.nodes,   mass.nodes, mesh.cells,
-             body.density, geometry,   std::make_shared<const Groups>(make_groups(body, geometry))};
-  return kept->groups;
+             body.density, geometry,   std::make_shared<const Batches>(make_batches(body, geometry))};
+  return kept->batches;
 }
 
 /// Unknowns of a body's cells, one by one and by groups.
@@ -31,9 +31,9 @@ void add_unknowns(HeatSystem& system, const core::Mesh& mesh, Index first_unknow
     auto& unknowns = system.cells.emplace_back();
     for (int i = 0; i < used; ++i) unknowns[i] = first_unknown + nodes[i];
   }
-  for (Index first = 0; first < count; first += group_size) {
-    GroupUnknowns& unknowns = system.groups.emplace_back();
-    for (int c = 0; c < group_size; ++c)
+  for (Index first = 0; first < count; first += batch_size) {
+    BatchUnknowns& unknowns = system.batches.emplace_back();
+    for (int c = 0; c < batch_size; ++c)
       for (int i = 0; i < used; ++i) unknowns[i][c] = first_unknown + mesh.cells[std::min(first + c, count - 1)][i];
   }
 }
@@ -50,11 +50,11 @@ void add_source(HeatSystem& system, const BodyLaws& laws, const std::vector<doub
 void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) {
   if (body.prescribed.empty()) return;
   for (const core::BoundaryEdge& edge : body.mesh->boundary) {
-    if (!body.prescribed[edge.piece]) continue;
+    if (!body.prescribed[edge.boundary_id]) continue;
     for (const Index unknown : edge_unknowns(system, body_index, edge.nodes)) {
       if (system.is_prescribed[unknown]) continue;
       system.is_prescribed[unknown] = 1;
-      system.prescribed.emplace_back(unknown, *body.prescribed[edge.piece]);
+      system.prescribed.emplace_back(unknown, *body.prescribed[edge.boundary_id]);
     }
   }
 }
@@ -68,8 +68,8 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
   system.first_unknown.push_back(0);
   for (const BodyView& body : problem.bodies) {
     assert(body.mesh->cell_count() == body.mass_mesh->cell_count());
-    assert(body.exchange.empty() || body.exchange.size() == body.mesh->pieces.size());
-    assert(body.prescribed.empty() || body.prescribed.size() == body.mesh->pieces.size());
+    assert(body.exchange.empty() || body.exchange.size() == body.mesh->boundary_names.size());
+    assert(body.prescribed.empty() || body.prescribed.size() == body.mesh->boundary_names.size());
     const Index count = problem.order == 2 ? body.mesh->node_count() : body.mesh->vertex_count;
     system.first_unknown.push_back(system.first_unknown.back() + count);
   }
@@ -79,17 +79,17 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
   std::size_t cells = 0;
   for (const BodyView& body : problem.bodies) cells += body.mesh->cells.size();
   system.cells.reserve(cells);
-  system.groups.reserve(cells / group_size + problem.bodies.size());
+  system.batches.reserve(cells / batch_size + problem.bodies.size());
   if (kept) kept->resize(problem.bodies.size());
   Index boundary_edges = 0;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     const BodyView& body = problem.bodies[b];
     const auto first_cell = static_cast<Index>(system.cells.size()),
-               first_group = static_cast<Index>(system.groups.size());
+               first_batch = static_cast<Index>(system.batches.size());
     add_unknowns(system, *body.mesh, system.first_unknown[b]);
     system.bodies.push_back({Enthalpy(body.material->heat_capacity), Conductivity(*body.material), first_cell,
-                             static_cast<Index>(system.cells.size()), first_group,
-                             groups_of(body, problem.geometry, kept ? &(*kept)[b] : nullptr)});
+                             static_cast<Index>(system.cells.size()), first_batch,
+                             batches_of(body, problem.geometry, kept ? &(*kept)[b] : nullptr)});
     if (body.source) {
       (problem.order == 2 ? add_source<6> : add_source<3>)(system, system.bodies.back(), *body.source);
       system.body_source[b] = std::accumulate(body.source->begin(), body.source->end(), 0.0);
@@ -132,29 +132,29 @@ Index body_of(const HeatSystem& system, Index unknown) {
   return static_cast<Index>(std::upper_bound(first.begin(), first.end(), unknown) - first.begin() - 1);
 }
 
-Ledger empty_ledger(const HeatSystem& system) {
-  Ledger ledger;
-  ledger.bodies.resize(system.bodies.size());
-  for (const auto& [slave, master] : system.pairs) ledger.pairs.push_back({slave, master});
-  return ledger;
+HeatBalance zero_balance(const HeatSystem& system) {
+  HeatBalance balance;
+  balance.bodies.resize(system.bodies.size());
+  for (const auto& [slave, master] : system.pairs) balance.pairs.push_back({slave, master});
+  return balance;
 }
 
-void book(Ledger& ledger, const Flows& flows, double duration) {
-  for (std::size_t b = 0; b < ledger.bodies.size(); ++b) {
-    ledger.bodies[b].to_air += duration * flows.to_air[b];
-    ledger.bodies[b].from_source += duration * flows.from_source[b];
+void accumulate(HeatBalance& balance, const Flows& flows, double duration) {
+  for (std::size_t b = 0; b < balance.bodies.size(); ++b) {
+    balance.bodies[b].to_air += duration * flows.to_air[b];
+    balance.bodies[b].from_source += duration * flows.from_source[b];
   }
-  for (std::size_t p = 0; p < ledger.pairs.size(); ++p) {
-    ledger.pairs[p].heat += duration * flows.across[p];
-    ledger.pairs[p].received += duration * flows.received[p];
+  for (std::size_t p = 0; p < balance.pairs.size(); ++p) {
+    balance.pairs[p].heat += duration * flows.across[p];
+    balance.pairs[p].received += duration * flows.received[p];
   }
 }
 
-void book_content(Ledger& ledger, const HeatSystem& system, const Eigen::VectorXd& before,
-                  const Eigen::VectorXd& after) {
+void accumulate_content(HeatBalance& balance, const HeatSystem& system, const Eigen::VectorXd& before,
+                        const Eigen::VectorXd& after) {
   const Eigen::VectorXd change = after - before;
-  for (std::size_t b = 0; b < ledger.bodies.size(); ++b)
-    ledger.bodies[b].content_change +=
+  for (std::size_t b = 0; b < balance.bodies.size(); ++b)
+    balance.bodies[b].content_change +=
         change.segment(system.first_unknown[b], system.first_unknown[b + 1] - system.first_unknown[b]).sum();
 }
 

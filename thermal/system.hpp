@@ -19,10 +19,10 @@ struct BodyLaws {
   Enthalpy enthalpy;
   Conductivity conductivity;
   Index first_cell, last_cell;  ///< range of HeatSystem::cells
-  Index first_group;            ///< its cells in HeatSystem::groups, from there on
-  std::shared_ptr<const std::vector<CellGroup>> cells;
+  Index first_batch;            ///< its cells in HeatSystem::groups, from there on
+  std::shared_ptr<const std::vector<CellBatch>> cells;
 
-  Index group_count() const { return static_cast<Index>(cells->size()); }
+  Index batch_count() const { return static_cast<Index>(cells->size()); }
 };
 
 /// A heat problem with the meshes where they are: everything but the temperature. The unknowns are the
@@ -32,7 +32,7 @@ struct HeatSystem {
   std::vector<Index> first_unknown;  ///< of each body; the last entry is the number of unknowns
   std::vector<BodyLaws> bodies;
   std::vector<std::array<Index, 6>> cells;  ///< their unknowns; the first three alone in a problem of order 1
-  std::vector<GroupUnknowns> groups;        ///< the same of all bodies' groups
+  std::vector<BatchUnknowns> batches;       ///< the same of all bodies' groups
   Eigen::VectorXd source;                   ///< of volume into each unknown, W
   Eigen::VectorXd body_source;              ///< of volume in each body, W
   std::vector<HeatEdge> edges;
@@ -49,12 +49,12 @@ struct KeptCells {
   std::vector<std::array<Index, 6>> cells;
   double density = 0;
   core::Geometry geometry;
-  std::shared_ptr<const std::vector<CellGroup>> groups;
+  std::shared_ptr<const std::vector<CellBatch>> batches;
 };
 /// `kept`, by body, spares what has not changed since the last call with it.
 HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept = nullptr);
 
-/// Heat flows of the ledger's entries, W: to air by body, from source by body, and by pair what the interface takes
+/// Heat flows of the balance's entries, W: to air by body, from source by body, and by pair what the interface takes
 /// from the slave's nodes and what it gives to the master's.
 struct Flows {
   Eigen::VectorXd to_air, from_source, across, received;
@@ -73,13 +73,13 @@ Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature, 
 /// Flows alone: no loop over the cells.
 Flows evaluate_flows(const HeatSystem& system, const Eigen::VectorXd& temperature);
 
-/// Ledger with its bodies and pairs named and every entry zero.
-Ledger empty_ledger(const HeatSystem& system);
-/// Books flows that lasted `duration` seconds.
-void book(Ledger& ledger, const Flows& flows, double duration);
-/// Books the content change between two vectors of nodal content.
-void book_content(Ledger& ledger, const HeatSystem& system, const Eigen::VectorXd& before,
-                  const Eigen::VectorXd& after);
+/// Balance with its bodies and pairs named and every entry zero.
+HeatBalance zero_balance(const HeatSystem& system);
+/// Accumulates flows that lasted `duration` seconds.
+void accumulate(HeatBalance& balance, const Flows& flows, double duration);
+/// Accumulates the content change between two vectors of nodal content.
+void accumulate_content(HeatBalance& balance, const HeatSystem& system, const Eigen::VectorXd& before,
+                        const Eigen::VectorXd& after);
 
 /// Unknowns of the nodes of a boundary edge, as HeatEdge names them.
 std::array<Index, 3> edge_unknowns(const HeatSystem& system, Index body, const std::array<Index, 3>& nodes);

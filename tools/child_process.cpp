@@ -42,7 +42,7 @@ bool has_ended(int child) {
   return waitpid(child, nullptr, WNOHANG) == child;
 }
 
-void ask_to_stop(int child) {
+void request_stop(int child) {
   kill(child, SIGTERM);
 }
 

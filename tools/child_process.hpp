@@ -13,6 +13,6 @@ int start_self(const std::vector<std::string>& arguments, const std::string& log
 bool has_ended(int child);
 
 /// Asks a child to stop as a first Ctrl-C does.
-void ask_to_stop(int child);
+void request_stop(int child);
 
 }  // namespace parison::tools

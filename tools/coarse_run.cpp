@@ -19,33 +19,33 @@ constexpr unsigned poll_microseconds = 20000;
 
 }  // namespace
 
-CompanionRun::CompanionRun(const forming::Scene& scene, std::string directory)
+CoarseRun::CoarseRun(const forming::Scene& scene, std::string directory)
     : scene_(scene), directory_(std::move(directory)) {}
 
-CompanionRun::~CompanionRun() {
+CoarseRun::~CoarseRun() {
   if (has_ended()) return;
-  ask_to_stop(child_);
+  request_stop(child_);
   while (!has_ended()) usleep(poll_microseconds);
 }
 
-void CompanionRun::start() {
+void CoarseRun::start() {
   if (std::exchange(started_, true) || std::thread::hardware_concurrency() < 2) return;
-  const forming::CompanionCase companion = forming::companion_case(scene_, directory_);
-  std::vector<std::string> arguments = {"run",      companion.file,     "--accuracy", companion.accuracy,
-                                        "--output", companion.directory};
-  for (const std::string& assignment : companion.overrides) arguments.insert(arguments.end(), {"--set", assignment});
-  child_ = start_self(arguments, companion.directory + ".log");
+  const forming::CoarseCase coarse_run = forming::coarse_case(scene_, directory_);
+  std::vector<std::string> arguments = {"run",      coarse_run.file,     "--accuracy", coarse_run.accuracy,
+                                        "--output", coarse_run.directory};
+  for (const std::string& assignment : coarse_run.overrides) arguments.insert(arguments.end(), {"--set", assignment});
+  child_ = start_self(arguments, coarse_run.directory + ".log");
 }
 
-void CompanionRun::wait() {
+void CoarseRun::wait() {
   if (has_ended()) return;
-  fmt::print("\nwaiting for the companion run of the error bars, {}\n", directory_ + "/companion.log");
+  fmt::print("\nwaiting for the coarse run of the error bars, {}\n", directory_ + "/coarse_run.log");
   std::fflush(stdout);
-  for (bool told = false; !has_ended(); usleep(poll_microseconds))
-    if (stop_asked() && !std::exchange(told, true)) ask_to_stop(child_);
+  for (bool requested = false; !has_ended(); usleep(poll_microseconds))
+    if (stop_requested() && !std::exchange(requested, true)) request_stop(child_);
 }
 
-bool CompanionRun::has_ended() {
+bool CoarseRun::has_ended() {
   if (child_ != 0 && tools::has_ended(child_)) child_ = 0;
   return child_ == 0;
 }

@@ -6,14 +6,14 @@
 
 namespace parison::tools {
 
-/// The companion run of the error bars, beside its run on another core; whoever drops it while it runs asks it to stop
+/// The coarse run of the error bars, beside its run on another core; whoever drops it while it runs asks it to stop
 /// and waits until it has.
-class CompanionRun {
+class CoarseRun {
  public:
   /// Of the run of a scene in a folder.
-  CompanionRun(const forming::Scene& scene, std::string directory);
-  CompanionRun(const CompanionRun&) = delete;
-  ~CompanionRun();
+  CoarseRun(const forming::Scene& scene, std::string directory);
+  CoarseRun(const CoarseRun&) = delete;
+  ~CoarseRun();
 
   /// Starts it, once and where this process may use a second core; the folder is there.
   void start();

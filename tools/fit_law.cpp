@@ -36,10 +36,10 @@ contact::LawFitOptions read_options(const FitLawRequest& request) {
   contact::LawFitOptions options;
   options.relative = request.relative;
   const auto& names = contact::law_constant_names;
-  for (const auto& text : request.held) {
+  for (const auto& text : request.fixed) {
     const auto equals = text.find('=');
     core::CaseNode node;
-    node.file = "--hold";
+    node.file = "--fix";
     node.key = text.substr(0, equals);
     const auto at = std::find(names.begin(), names.end(), node.key) - names.begin();
     if (equals == text.npos || at == contact::law_constants)
@@ -47,13 +47,13 @@ contact::LawFitOptions read_options(const FitLawRequest& request) {
     const auto value = core::parse_value(text.substr(equals + 1), node);
     const int constant = static_cast<int>(at);
     const bool exponent = constant == a || constant == b;
-    contact::constant_of(options.held, constant) = exponent ? core::not_negative(value, units[constant].dimension)
-                                                            : core::positive(value, units[constant].dimension);
-    options.is_held[constant] = true;
+    contact::constant_of(options.fixed, constant) = exponent ? core::not_negative(value, units[constant].dimension)
+                                                             : core::positive(value, units[constant].dimension);
+    options.is_fixed[constant] = true;
   }
-  if (!options.is_held[p_ref] && !options.is_held[eta_ref]) {
-    options.is_held[p_ref] = true;
-    options.held.p_ref = default_p_ref;
+  if (!options.is_fixed[p_ref] && !options.is_fixed[eta_ref]) {
+    options.is_fixed[p_ref] = true;
+    options.fixed.p_ref = default_p_ref;
   }
   return options;
 }
@@ -75,7 +75,7 @@ std::string constant_lines(const contact::LawFit& fit) {
   std::string text = fmt::format("  {:<10}{:<22}{}\n", "constant", "value", "95 % interval");
   for (int i = 0; i < contact::law_constants; ++i) {
     const auto& constant = fit.constants[i];
-    const std::string interval = constant.held     ? "held"
+    const std::string interval = constant.fixed    ? "fixed"
                                  : !constant.known ? "not identifiable"
                                                    : fmt::format("{:.4g} to {:.4g}", constant.low, constant.high);
     text += fmt::format("  {:<10}{:<22}{}\n", contact::law_constant_names[i], shown(constant.value, units[i].unit),

@@ -7,9 +7,9 @@ namespace parison::tools {
 
 /// What `parison fit-law` was asked for.
 struct FitLawRequest {
-  std::string data;               ///< CSV file
-  std::vector<std::string> held;  ///< "NAME=VALUE"
-  std::string case_path;          ///< its glass gives the viscosity; may be empty
+  std::string data;                ///< CSV file
+  std::vector<std::string> fixed;  ///< "NAME=VALUE"
+  std::string case_path;           ///< its glass gives the viscosity; may be empty
   bool relative = false;
 };
 

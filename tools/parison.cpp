@@ -32,14 +32,15 @@ int check(const std::string& path, const std::string& accuracy, const Overrides&
   return 0;
 }
 
-/// Tells what the companion of a run that has completed says, and runs it where it has not run.
+/// Tells what the coarse run of a run that has completed says, and runs it where it has not run.
 int report_errors(const parison::forming::Scene& scene, const parison::forming::RunOutcome& outcome,
-                  const std::string& output, parison::tools::CompanionRun& companion,
+                  const std::string& output, parison::tools::CoarseRun& coarse_run,
                   parison::forming::Summary& summary) {
-  companion.wait();
-  const auto bars = parison::forming::estimate_errors(scene, summary.quantities, output, parison::tools::stop_asked);
+  coarse_run.wait();
+  const auto bars =
+      parison::forming::estimate_errors(scene, summary.quantities, output, parison::tools::stop_requested);
   if (!bars) {
-    fmt::print(stderr, "parison: the companion run has not completed; `parison resume {} --error-bars` continues it\n",
+    fmt::print(stderr, "parison: the coarse run has not completed; `parison resume {} --error-bars` continues it\n",
                output);
     return run_failed;
   }
@@ -48,9 +49,9 @@ int report_errors(const parison::forming::Scene& scene, const parison::forming::
   return 0;
 }
 
-/// Writes the summary of a run and tells how it ended; its companion is null where no error bars are wanted.
+/// Writes the summary of a run and tells how it ended; its coarse run is null where no error bars are wanted.
 int report(const parison::forming::Scene& scene, const parison::forming::RunOutcome& outcome, const std::string& output,
-           parison::tools::CompanionRun* companion) {
+           parison::tools::CoarseRun* coarse_run) {
   const auto& facts = outcome.facts;
   if (!facts.completed) fmt::print(stderr, "parison: the run stopped in {}\n", facts.reason);
   auto summary = parison::forming::write_summary(output, scene, outcome.state, facts);
@@ -58,7 +59,7 @@ int report(const parison::forming::Scene& scene, const parison::forming::RunOutc
   std::fflush(stdout);
   if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
   if (!facts.completed) return run_failed;
-  return companion ? report_errors(scene, outcome, output, *companion, summary) : 0;
+  return coarse_run ? report_errors(scene, outcome, output, *coarse_run, summary) : 0;
 }
 
 int run(const std::string& path, const std::string& accuracy, const Overrides& overrides, std::string output,
@@ -69,12 +70,12 @@ int run(const std::string& path, const std::string& accuracy, const Overrides& o
   fmt::print("{}\n", describe_scene(scene));
   std::fflush(stdout);
   parison::tools::catch_signals();
-  parison::tools::CompanionRun companion(scene, output);
+  parison::tools::CoarseRun coarse_run(scene, output);
   const auto stop = [&] {  // asked after each step, when the folder is there
-    if (error_bars) companion.start();
-    return parison::tools::stop_asked();
+    if (error_bars) coarse_run.start();
+    return parison::tools::stop_requested();
   };
-  return report(scene, parison::forming::run(scene, output, stop), output, error_bars ? &companion : nullptr);
+  return report(scene, parison::forming::run(scene, output, stop), output, error_bars ? &coarse_run : nullptr);
 }
 
 int resume(const std::string& output, const std::string& path, bool error_bars) {
@@ -88,31 +89,32 @@ int resume(const std::string& output, const std::string& path, bool error_bars) 
   fmt::print("{} at {} accuracy, from the last checkpoint in {}\n", scene.name, scene.accuracy_name, output);
   std::fflush(stdout);
   parison::tools::catch_signals();
-  parison::tools::CompanionRun companion(scene, output);
-  return report(scene, parison::forming::resume(scene, output, parison::tools::stop_asked), output,
-                error_bars ? &companion : nullptr);
+  parison::tools::CoarseRun coarse_run(scene, output);
+  return report(scene, parison::forming::resume(scene, output, parison::tools::stop_requested), output,
+                error_bars ? &coarse_run : nullptr);
 }
 
 CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {
-  auto* command = app.add_subcommand("tradeoff", "run a ladder of settings and model parts: error against CPU time");
+  auto* command =
+      app.add_subcommand("tradeoff", "run a convergence study of settings and model parts: error against CPU time");
   command->add_option("case", trade.case_path, "folder that holds a case.toml, or a case file")->required();
   command->add_option("--output", trade.output,
-                      "folder of the ladder; what has run there is not run again [results/tradeoff_NAME]");
+                      "folder of the study; what has run there is not run again [results/tradeoff_NAME]");
   command->add_option(
       "--reference", trade.reference,
       "accuracy that the others are held against [fine; \"fine coarser 0.5\" where the case maps its mesh]");
   command->add_option("--base", trade.base, "accuracy at which one thing at a time is changed")->capture_default_str();
-  command->add_option("--ladder", trade.ladder, "TOML file of [[rung]] tables in place of the standard ladder");
-  command->add_option("--only", trade.groups, "groups to run: dial, mesh, time, coupling, order, model")
+  command->add_option("--study", trade.study, "TOML file of [[variant]] tables in place of the standard study");
+  command->add_option("--only", trade.groups, "groups to run: accuracy, mesh, time, coupling, order, model")
       ->delimiter(',');
-  command->add_option("--set", trade.overrides, "KEY=VALUE for every rung")->take_all()->allow_extra_args(false);
+  command->add_option("--set", trade.overrides, "KEY=VALUE for every variant")->take_all()->allow_extra_args(false);
   command->add_option("--jobs", trade.jobs, "runs at once, one thread each")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
-  command->add_option("--timings", trade.timings, "runs of a rung below a minute of CPU time; the least time counts")
+  command->add_option("--timings", trade.timings, "runs of a variant below a minute of CPU time; the least time counts")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  command->add_flag("--list", trade.list, "name the rungs and run none");
+  command->add_flag("--list", trade.list, "name the variants and run none");
   return command;
 }
 
@@ -137,7 +139,7 @@ int main(int argc, char** argv) {
   };
   auto* run_command = with_case("run", "run a case");
   run_command->add_option("--output", output, "new folder for the results [results/NAME]");
-  run_command->add_flag("--error-bars", error_bars, "estimate the error of each result by a coarser companion run");
+  run_command->add_flag("--error-bars", error_bars, "estimate the error of each result by a coarse run");
   auto* resume_command = app.add_subcommand("resume", "continue a run from its last checkpoint");
   resume_command->add_option("results", output, "folder with the results of the run")->required();
   resume_command->add_option("--case", path, "the case, where it has moved");
@@ -148,7 +150,7 @@ int main(int argc, char** argv) {
   parison::tools::FitLawRequest fit;
   auto* fit_command = app.add_subcommand("fit-law", "fit the pressure-viscosity law to measurements");
   fit_command->add_option("data", fit.data, "CSV file: p and h, or q, T_glass and T_tool; eta or T_glass")->required();
-  fit_command->add_option("--hold", fit.held, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
+  fit_command->add_option("--fix", fit.fixed, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
       ->take_all()
       ->allow_extra_args(false);
   fit_command->add_option("--case", fit.case_path, "case whose glass gives the viscosity at T_glass");

@@ -11,18 +11,18 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
 
-MARKS = {"dial": "o", "mesh": "s", "time": "^", "coupling": "D", "order": "v"}
+MARKS = {"accuracy": "o", "mesh": "s", "time": "^", "coupling": "D", "order": "v"}
 
 
 def main():
     folder = Path(sys.argv[1])
-    rungs = json.loads((folder / "tradeoff.json").read_text())["rungs"]
-    shown = [r for r in rungs if r["completed"] and r["group"] not in ("reference", "model") and r["error"]]
+    variants = json.loads((folder / "tradeoff.json").read_text())["variants"]
+    shown = [r for r in variants if r["completed"] and r["group"] not in ("reference", "model") and r["error"]]
     figure, axes = plt.subplots(figsize=(7, 4.6))
     for group in dict.fromkeys(r["group"] for r in shown):
         members = [r for r in shown if r["group"] == group]
         axes.plot([r["cpu_seconds"] for r in members], [100 * r["error"] for r in members], MARKS.get(group, "x"),
-                  label={"dial": "the dial"}.get(group, f"one thing changed: {group}"), markersize=6, alpha=0.8)
+                  label={"accuracy": "accuracy levels"}.get(group, f"one thing changed: {group}"), markersize=6, alpha=0.8)
     front = sorted((r for r in shown if r["on_front"]), key=lambda r: r["cpu_seconds"])
     axes.plot([r["cpu_seconds"] for r in front], [100 * r["error"] for r in front], "k-", linewidth=1, label="best line")
     for r in shown:
@@ -32,7 +32,7 @@ def main():
             axes.annotate(r["name"], at, xytext=(9, 7), textcoords="offset points", color="crimson")
     axes.set(xscale="log", yscale="log", xlabel="CPU time, s",
              ylabel="error, %: the larger of\nmean wall thickness and heat into tools")
-    for r in rungs:
+    for r in variants:
         if r["group"] == "reference" and r["completed"]:
             axes.axvline(r["cpu_seconds"], color="crimson", linestyle=":", linewidth=1)
             axes.annotate(f"{r['accuracy']}, the reference", (r["cpu_seconds"], 0.97), xycoords=axes.get_xaxis_transform(),

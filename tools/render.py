@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the temperature and the mesh of glass and tools in place from a result folder, one PNG for each time or a strip."""
+"""Draws the temperature and the mesh of glass and active tools from a result folder, one PNG for each time or a strip."""
 import argparse
 import json
 import sys
@@ -34,8 +34,8 @@ class Body:
         self.cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 6)
         temperature = grid.GetPointData().GetArray("temperature_C")
         self.temperature = None if temperature is None else vtk_to_numpy(temperature)
-        place = grid.GetCellData().GetArray("in_place")
-        self.in_place = place is None or place.GetTuple1(0) > 0
+        place = grid.GetCellData().GetArray("active")
+        self.active = place is None or place.GetTuple1(0) > 0
 
     def edges(self):
         """Quadratic cell edges once each, as (first, last, mid), and how many cells share them."""
@@ -57,7 +57,7 @@ def collection(results, name):
 
 
 def bodies_at(results, time):
-    """The glass and the tools in place at the output nearest to a time."""
+    """The glass and the active tools at the output nearest to a time."""
     found, actual = {}, None
     for pvd in sorted(results.glob("*.pvd"), key=lambda p: p.stem != "glass"):
         entries = collection(results, pvd.stem)
@@ -66,7 +66,7 @@ def bodies_at(results, time):
             sys.exit(f"{results}: {time:g} s was asked for, allowed are times from {entries[0][0]:g} to {entries[-1][0]:g} s")
         body = Body(path)
         actual = at if pvd.stem == "glass" else actual
-        if body.in_place:
+        if body.active:
             found[pvd.stem] = body
     return found, actual
 

@@ -5,13 +5,14 @@
 
 namespace parison::tools {
 
-/// CPU times of the further runs of a rung, s, kept beside its folder. Throws core::CaseError where a line is no time.
+/// CPU times of the further runs of a variant, s, kept beside its folder. Throws core::CaseError where a line is no
+/// time.
 std::vector<double> read_timings(const std::string& folder);
 
 /// Adds the CPU time of a further run, s.
 void add_timing(const std::string& folder, double cpu);
 
-/// Takes them away, as a rung that runs anew has none.
+/// Takes them away, as a variant that runs anew has none.
 void forget_timings(const std::string& folder);
 
 }  // namespace parison::tools

@@ -8,6 +8,6 @@ namespace parison::tools {
 void catch_signals();
 
 /// Whether a stop was asked for.
-bool stop_asked();
+bool stop_requested();
 
 }  // namespace parison::tools

@@ -7,16 +7,16 @@ namespace parison::tools {
 
 /// What `parison tradeoff` is asked for.
 struct TradeoffRequest {
-  std::string case_path, output, ladder;
+  std::string case_path, output, study;
   std::string base = "draft";
   std::string reference;                       ///< empty: that of forming::usual_reference
-  std::vector<std::string> overrides, groups;  ///< for every rung; the groups to run, all where none is named
+  std::vector<std::string> overrides, groups;  ///< for every variant; the groups to run, all where none is named
   int jobs = 2;
-  int timings = 3;    ///< runs of a short rung, of which the least CPU time counts
-  bool list = false;  ///< names the rungs and runs none
+  int timings = 3;    ///< runs of a short variant, of which the least CPU time counts
+  bool list = false;  ///< names the variants and runs none
 };
 
-/// Runs the ladder of a case in a folder, as far as it has not run yet, and writes what it says. Returns the exit code.
+/// Runs the study of a case in a folder, as far as it has not run yet, and writes what it says. Returns the exit code.
 int tradeoff(const TradeoffRequest& request);
 
 }  // namespace parison::tools

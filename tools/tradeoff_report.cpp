@@ -17,13 +17,13 @@
 namespace parison::tools {
 namespace {
 
-using forming::RungResult;
-using Results = std::vector<RungResult>;
+using forming::VariantResult;
+using Results = std::vector<VariantResult>;
 
-RungResult read_result(const std::string& folder, const forming::Rung& rung) {
-  RungResult result;
-  result.rung = rung;
-  const std::string path = folder + '/' + rung.name + "/summary.json";
+VariantResult read_result(const std::string& folder, const forming::Variant& variant) {
+  VariantResult result;
+  result.variant = variant;
+  const std::string path = folder + '/' + variant.name + "/summary.json";
   if (!std::filesystem::exists(path)) {
     result.reason = "no summary";
     return result;
@@ -32,37 +32,39 @@ RungResult read_result(const std::string& folder, const forming::Rung& rung) {
   result.completed = summary.flag_of("completed");
   result.reason = summary.text_of("reason");
   result.cpu = summary.number_of("cpu_seconds");
-  for (const double seconds : read_timings(folder + '/' + rung.name)) result.cpu = std::min(result.cpu, seconds);
+  for (const double seconds : read_timings(folder + '/' + variant.name)) result.cpu = std::min(result.cpu, seconds);
   result.steps = static_cast<long>(summary.number_of("steps"));
-  result.reynolds = summary.number_of("largest_reynolds");
+  result.reynolds = summary.number_of("max_reynolds");
   if (result.completed) result.quantities = forming::read_quantities(summary);
   return result;
 }
 
-bool is_preset(const RungResult& result) {
-  return result.rung.accuracy.find(' ') == std::string::npos && result.rung.group == "dial";
+bool is_preset(const VariantResult& result) {
+  return result.variant.accuracy.find(' ') == std::string::npos && result.variant.group == "accuracy";
 }
 
-std::string share(double value) {
+std::string percent(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", 100 * value) : "";
 }
 
-const RungResult& compared_with(const Results& results, const RungResult& result, const RungResult& base) {
-  return result.rung.group == "model" ? base : results.front();
+const VariantResult& compared_with(const Results& results, const VariantResult& result, const VariantResult& base) {
+  return result.variant.group == "model" ? base : results.front();
 }
 
-std::string as_csv(const Results& results, const RungResult& base) {
+std::string as_csv(const Results& results, const VariantResult& base) {
   std::string text =
-      "rung,group,accuracy,overrides,completed,cpu_s,steps,thickness_mean_%,thickness_largest_%,at_arc_share,heat_%,on_"
+      "variant,group,accuracy,overrides,completed,cpu_s,steps,thickness_mean_%,thickness_max_%,at_arc_fraction,heat_%,"
+      "on_"
       "front";
   for (const auto& quantity : results.front().quantities.values)
     text += fmt::format(",{0}_{1},{0}_change", quantity.name, quantity.unit);
   text += '\n';
-  for (const RungResult& r : results) {
-    text += fmt::format(
-        "{},{},{},{},{},{:.4g},{},{},{},{:.4g},{},{}", r.rung.name, r.rung.group, core::csv_text(r.rung.accuracy),
-        core::csv_text(fmt::format("{}", fmt::join(r.rung.overrides, "; "))), r.completed ? 1 : 0, r.cpu, r.steps,
-        share(r.profile.mean), share(r.profile.largest), r.profile.where, share(r.heat), r.on_front ? 1 : 0);
+  for (const VariantResult& r : results) {
+    text += fmt::format("{},{},{},{},{},{:.4g},{},{},{},{:.4g},{},{}", r.variant.name, r.variant.group,
+                        core::csv_text(r.variant.accuracy),
+                        core::csv_text(fmt::format("{}", fmt::join(r.variant.overrides, "; "))), r.completed ? 1 : 0,
+                        r.cpu, r.steps, percent(r.profile.mean), percent(r.profile.largest), r.profile.where,
+                        percent(r.heat), r.on_front ? 1 : 0);
     for (const auto& quantity : results.front().quantities.values) {
       const auto *own = r.quantities.find(quantity.name),
                  *other = compared_with(results, r, base).quantities.find(quantity.name);
@@ -73,12 +75,12 @@ std::string as_csv(const Results& results, const RungResult& base) {
   return text;
 }
 
-std::string as_json(const Results& results, const RungResult& base,
-                    const std::vector<forming::PartEstimate>& estimates) {
+std::string as_json(const Results& results, const VariantResult& base,
+                    const std::vector<forming::PartSensitivity>& estimates) {
   core::JsonWriter json;
-  json.add("base", base.rung.name);
+  json.add("base", base.variant.name);
   json.open_list("estimates");
-  for (const forming::PartEstimate& part : estimates) {
+  for (const forming::PartSensitivity& part : estimates) {
     json.open_object("");
     json.add("part", part.name);
     json.add("in_scene", part.in_scene);
@@ -87,13 +89,13 @@ std::string as_json(const Results& results, const RungResult& base,
     json.close();
   }
   json.close();
-  json.open_list("rungs");
-  for (const RungResult& r : results) {
+  json.open_list("variants");
+  for (const VariantResult& r : results) {
     json.open_object("");
-    json.add("name", r.rung.name);
-    json.add("group", r.rung.group);
-    json.add("accuracy", r.rung.accuracy);
-    json.add("what", r.rung.what);
+    json.add("name", r.variant.name);
+    json.add("group", r.variant.group);
+    json.add("accuracy", r.variant.accuracy);
+    json.add("what", r.variant.what);
     json.add("completed", r.completed);
     json.add("reason", r.reason);
     json.add("preset", is_preset(r));
@@ -102,8 +104,8 @@ std::string as_json(const Results& results, const RungResult& base,
     json.add("cpu_over_best_line", is_preset(r) ? forming::over_front(results, r) : std::nan(""));
     json.add("error", r.error());
     json.add("thickness_mean", r.profile.mean);
-    json.add("thickness_largest", r.profile.largest);
-    json.add("thickness_largest_at", r.profile.where);
+    json.add("thickness_max", r.profile.largest);
+    json.add("thickness_max_at", r.profile.where);
     json.add("heat", r.heat);
     json.open_object("changes");
     for (const auto& quantity : r.quantities.values)
@@ -118,20 +120,20 @@ std::string as_json(const Results& results, const RungResult& base,
 std::string numerics_table(const Results& results) {
   std::string text =
       "| settings | CPU, s | thickness, mean % | largest % | heat into tools % | |\n|---|---|---|---|---|---|\n";
-  for (const RungResult& r : results)
-    if (r.rung.group != "model")
+  for (const VariantResult& r : results)
+    if (r.variant.group != "model")
       text += r.completed
-                  ? fmt::format("| {} | {:.4g} | {} | {} | {} | {} |\n", r.rung.name, r.cpu, share(r.profile.mean),
-                                share(r.profile.largest), share(r.heat), r.on_front ? "on the best line" : "")
-                  : fmt::format("| {} | | | | | {} |\n", r.rung.name, r.reason);
-  for (const RungResult& r : results)
+                  ? fmt::format("| {} | {:.4g} | {} | {} | {} | {} |\n", r.variant.name, r.cpu, percent(r.profile.mean),
+                                percent(r.profile.largest), percent(r.heat), r.on_front ? "on the best line" : "")
+                  : fmt::format("| {} | | | | | {} |\n", r.variant.name, r.reason);
+  for (const VariantResult& r : results)
     if (is_preset(r) && r.completed)
       if (const double over = forming::over_front(results, r); std::isfinite(over))
-        text += fmt::format("\n{}: {:.2f} times the CPU time of the best line at its error.", r.rung.name, over);
+        text += fmt::format("\n{}: {:.2f} times the CPU time of the best line at its error.", r.variant.name, over);
   return text + '\n';
 }
 
-std::string changes(const RungResult& r, const RungResult& base) {
+std::string changes(const VariantResult& r, const VariantResult& base) {
   std::string text;
   for (const auto& quantity : r.quantities.values)
     if (const auto* other = base.quantities.find(quantity.name))
@@ -141,16 +143,16 @@ std::string changes(const RungResult& r, const RungResult& base) {
 }
 
 /// What each part of the model changes against the base, and what of its time it takes.
-std::string model_table(const Results& results, const RungResult& base,
-                        const std::vector<forming::PartEstimate>& estimates) {
+std::string model_table(const Results& results, const VariantResult& base,
+                        const std::vector<forming::PartSensitivity>& estimates) {
   std::string rows;
-  for (const RungResult& r : results)
-    if (r.rung.group == "model")
-      rows += r.completed ? fmt::format("| {} | {} | {} | {} | {:+.0f} | {} |\n", r.rung.what, share(r.profile.mean),
-                                        share(r.profile.largest), share(r.heat), 100 * (base.cpu - r.cpu) / base.cpu,
-                                        changes(r, base))
-                          : fmt::format("| {} | | | | | {} |\n", r.rung.what, r.reason);
-  for (const forming::PartEstimate& part : estimates)
+  for (const VariantResult& r : results)
+    if (r.variant.group == "model")
+      rows += r.completed ? fmt::format("| {} | {} | {} | {} | {:+.0f} | {} |\n", r.variant.what,
+                                        percent(r.profile.mean), percent(r.profile.largest), percent(r.heat),
+                                        100 * (base.cpu - r.cpu) / base.cpu, changes(r, base))
+                          : fmt::format("| {} | | | | | {} |\n", r.variant.what, r.reason);
+  for (const forming::PartSensitivity& part : estimates)
     if (!part.in_the_model)
       rows += fmt::format(
           "| {} (never in the model; estimated by {} {:.2g}, largest Reynolds number {:.2g}) | {:.2g} | | | | |\n",
@@ -160,15 +162,15 @@ std::string model_table(const Results& results, const RungResult& base,
              "\nWithout a part, or with one that the case leaves out, against {}:\n\n| part | thickness, mean % | "
              "largest % | heat into tools % | its share of the CPU time, % | changes |\n"
              "|---|---|---|---|---|---|\n",
-             base.rung.name) +
+             base.variant.name) +
          rows;
 }
 
-/// Whether the dial says nothing: where a case maps its mesh and sets its steps the presets compute the same.
+/// Whether the accuracy level says nothing: where a case maps its mesh and sets its steps the presets compute the same.
 bool presets_agree(const Results& results) {
-  const RungResult* first = nullptr;
+  const VariantResult* first = nullptr;
   int alike = 0;
-  for (const RungResult& r : results) {
+  for (const VariantResult& r : results) {
     if (!is_preset(r) || !r.completed) continue;
     if (first && r.error() != first->error()) return false;
     first = &r;
@@ -180,9 +182,9 @@ bool presets_agree(const Results& results) {
 std::string error_laws(const Results& results) {
   if (presets_agree(results)) return "\nThe presets compute the same: the case sets its mesh and its steps itself.\n";
   std::string text;
-  const std::pair<const char*, double (*)(const RungResult&)> laws[] = {
-      {"thickness", [](const RungResult& r) { return r.profile.mean; }},
-      {"heat", [](const RungResult& r) { return r.heat; }}};
+  const std::pair<const char*, double (*)(const VariantResult&)> laws[] = {
+      {"thickness", [](const VariantResult& r) { return r.profile.mean; }},
+      {"heat", [](const VariantResult& r) { return r.heat; }}};
   for (const auto& [name, error] : laws)
     if (const auto law = forming::fit_error_law(results, error); std::isfinite(law.at_draft))
       text += fmt::format("\nerror of the {}: {:.2g} % * 2^(-{:.2f} level), level 0 draft, 1 standard, 2 fine", name,
@@ -201,18 +203,18 @@ void plot(const std::string& folder) {
 
 }  // namespace
 
-bool report_tradeoff(const std::string& folder, const std::vector<forming::Rung>& rungs, const std::string& base_name,
-                     const std::vector<forming::PartEstimate>& estimates) {
+bool report_tradeoff(const std::string& folder, const std::vector<forming::Variant>& variants,
+                     const std::string& base_name, const std::vector<forming::PartSensitivity>& estimates) {
   Results results;
-  for (const forming::Rung& rung : rungs) results.push_back(read_result(folder, rung));
-  const RungResult& base =
-      *std::find_if(results.begin(), results.end(), [&](const RungResult& r) { return r.rung.name == base_name; });
+  for (const forming::Variant& variant : variants) results.push_back(read_result(folder, variant));
+  const VariantResult& base = *std::find_if(results.begin(), results.end(),
+                                            [&](const VariantResult& r) { return r.variant.name == base_name; });
   if (!results.front().completed || !base.completed) {
-    const RungResult& missing = results.front().completed ? base : results.front();
-    fmt::print(stderr, "parison: no comparison without {}: {}\n", missing.rung.name, missing.reason);
+    const VariantResult& missing = results.front().completed ? base : results.front();
+    fmt::print(stderr, "parison: no comparison without {}: {}\n", missing.variant.name, missing.reason);
     return false;
   }
-  forming::compare_rungs(results, base_name);
+  forming::compare_variants(results, base_name);
   forming::mark_front(results);
   const std::string table = numerics_table(results) + model_table(results, base, estimates) + error_laws(results);
   core::write_text(folder + "/tradeoff.csv", as_csv(results, base));

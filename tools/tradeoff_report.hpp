@@ -8,10 +8,10 @@
 
 namespace parison::tools {
 
-/// Reads the results of a ladder's rungs and writes tradeoff.csv, tradeoff.json, tradeoff.md and, where Python can, the
-/// plot into the folder; prints the table, with the estimates of what no run can measure. False when the reference or
-/// the base has not completed.
-bool report_tradeoff(const std::string& folder, const std::vector<forming::Rung>& rungs, const std::string& base,
-                     const std::vector<forming::PartEstimate>& estimates);
+/// Reads the results of a study's variants and writes tradeoff.csv, tradeoff.json, tradeoff.md and, where Python can,
+/// the plot into the folder; prints the table, with the estimates of what no run can measure. False when the reference
+/// or the base has not completed.
+bool report_tradeoff(const std::string& folder, const std::vector<forming::Variant>& variants, const std::string& base,
+                     const std::vector<forming::PartSensitivity>& estimates);
 
 }  // namespace parison::tools

@@ -12,7 +12,7 @@ namespace {
 /// Place of a value on a logarithmic axis: between entries `low` and `high`, at `weight` from low to high.
 struct AxisPlace {
   std::size_t low, high;
-  double weight, slope;  ///< slope = d weight / d value, 0 where an end is held
+  double weight, derivative;  ///< slope = d weight / d value, 0 where an end is held
   bool outside;
 };
 
@@ -35,13 +35,13 @@ ConductanceValue evaluate(const ConstantConductance& law, double, double) {
 ConductanceValue evaluate(const PressureViscosityConductance& law, double pressure, double viscosity) {
   if (pressure <= 0 && law.a > 0) return {law.h0, 0, 0};
   // One exponential: this is evaluated at every point of the interface in every residual.
-  const double pressed = pressure / law.p_ref, stiff = law.b * std::log(law.eta_ref / viscosity);
+  const double relative_pressure = pressure / law.p_ref, stiff = law.b * std::log(law.eta_ref / viscosity);
   const double x = law.a == 0   ? std::exp(stiff)
-                   : law.a == 1 ? pressed * std::exp(stiff)
-                                : std::exp(law.a * std::log(pressed) + stiff);
-  const double share = x < 1 ? x / (1 + x) : 1 / (1 + 1 / x);
-  const double h = law.h0 + (law.h1 - law.h0) * share;
-  const double dh_dlogx = (law.h1 - law.h0) * share / (1 + x);
+                   : law.a == 1 ? relative_pressure * std::exp(stiff)
+                                : std::exp(law.a * std::log(relative_pressure) + stiff);
+  const double fraction = x < 1 ? x / (1 + x) : 1 / (1 + 1 / x);
+  const double h = law.h0 + (law.h1 - law.h0) * fraction;
+  const double dh_dlogx = (law.h1 - law.h0) * fraction / (1 + x);
   return {h, law.a == 0 ? 0 : dh_dlogx * law.a / pressure, -dh_dlogx * law.b / viscosity};
 }
 
@@ -52,7 +52,8 @@ ConductanceValue evaluate(const TableConductance& law, double pressure, double v
   const double high = entry(p.high, e.low) + e.weight * (entry(p.high, e.high) - entry(p.high, e.low));
   const double thin = entry(p.low, e.low) + p.weight * (entry(p.high, e.low) - entry(p.low, e.low));
   const double thick = entry(p.low, e.high) + p.weight * (entry(p.high, e.high) - entry(p.low, e.high));
-  return {low + p.weight * (high - low), p.slope * (high - low), e.slope * (thick - thin), p.outside || e.outside};
+  return {low + p.weight * (high - low), p.derivative * (high - low), e.derivative * (thick - thin),
+          p.outside || e.outside};
 }
 
 }  // namespace

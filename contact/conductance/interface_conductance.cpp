@@ -14,73 +14,73 @@ using Given = Eigen::Ref<const Eigen::ArrayXd>;
 
 /// The points of a run: what they keep, their viscosities, and where the result goes.
 struct Batch {
-  Given pressure, log_pressed, log_viscosity;
+  Given pressure, log_pressure_factor, log_viscosity;
   Values h;
-  double* slope;  ///< null: not wanted
+  double* derivative;  ///< null: not wanted
 
-  Eigen::Map<Eigen::ArrayXd> slopes() const { return {slope, h.size()}; }
+  Eigen::Map<Eigen::ArrayXd> derivatives() const { return {derivative, h.size()}; }
 };
 
-constexpr double largest_log = 700;  ///< of x: beyond, the exponential overflows and the law is at its end
+constexpr double max_log = 700;  ///< of x: beyond, the exponential overflows and the law is at its end
 
 core::Index evaluate(const ConstantConductance& law, Batch batch) {
   batch.h.setConstant(law.h);
-  if (batch.slope) batch.slopes().setZero();
+  if (batch.derivative) batch.derivatives().setZero();
   return 0;
 }
 
 core::Index evaluate(const PressureViscosityConductance& law, Batch batch) {
   Values x = batch.h;
-  x = (batch.log_pressed - law.b * batch.log_viscosity).max(-largest_log).min(largest_log).exp();
+  x = (batch.log_pressure_factor - law.b * batch.log_viscosity).max(-max_log).min(max_log).exp();
   const double range = law.h1 - law.h0;
-  if (batch.slope) batch.slopes() = -law.b * range * (x / (1 + x)) / (1 + x);
+  if (batch.derivative) batch.derivatives() = -law.b * range * (x / (1 + x)) / (1 + x);
   batch.h = law.h0 + range * (x / (1 + x));
   return 0;
 }
 
 core::Index evaluate(const TableConductance& law, Batch batch) {
-  core::Index held = 0;
+  core::Index clamped = 0;
   for (Eigen::Index i = 0; i < batch.h.size(); ++i) {
     const double viscosity = std::exp(batch.log_viscosity[i]);
     const ConductanceValue value = conductance(law, batch.pressure[i], viscosity);
     batch.h[i] = value.h;
-    if (batch.slope) batch.slope[i] = viscosity * value.dh_deta;
-    held += value.outside;
+    if (batch.derivative) batch.derivative[i] = viscosity * value.dh_deta;
+    clamped += value.outside;
   }
-  return held;
+  return clamped;
 }
 
-double log_pressed(const ConductanceLaw& law, double pressure) {
-  const auto* pressed = std::get_if<PressureViscosityConductance>(&law);
-  if (!pressed) return 0;
-  const double part = pressed->a > 0 ? pressed->a * std::log(pressure / pressed->p_ref) : 0;  // 0^0 is 1
-  return part + pressed->b * std::log(pressed->eta_ref);
+double log_pressure_factor(const ConductanceLaw& law, double pressure) {
+  const auto* pressure_law = std::get_if<PressureViscosityConductance>(&law);
+  if (!pressure_law) return 0;
+  const double part = pressure_law->a > 0 ? pressure_law->a * std::log(pressure / pressure_law->p_ref) : 0;  // 0^0 is 1
+  return part + pressure_law->b * std::log(pressure_law->eta_ref);
 }
 
 }  // namespace
 
 InterfaceConductance::InterfaceConductance(std::vector<ConductanceLaw> laws,
                                            const std::vector<core::InterfacePoint>& points)
-    : laws_(std::move(laws)), pressure_(points.size()), log_pressed_(points.size()) {
+    : laws_(std::move(laws)), pressure_(points.size()), log_pressure_factor_(points.size()) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const core::Index law = points[i].law, at = static_cast<core::Index>(i);
     if (i == 0 || law != points[i - 1].law) runs_.push_back({law, at, 0});
     ++runs_.back().count;
     pressure_[at] = points[i].pressure;
-    log_pressed_[at] = log_pressed(laws_[law], std::max(points[i].pressure, 0.0));
+    log_pressure_factor_[at] = log_pressure_factor(laws_[law], std::max(points[i].pressure, 0.0));
   }
 }
 
 core::Index InterfaceConductance::operator()(const Eigen::ArrayXd& log_viscosity, Eigen::ArrayXd& h,
                                              Eigen::ArrayXd* dh_dlog) const {
-  core::Index held = 0;
+  core::Index clamped = 0;
   for (const auto& [law, first, count] : runs_) {
-    const Batch batch{pressure_.segment(first, count), log_pressed_.segment(first, count),
+    const Batch batch{pressure_.segment(first, count), log_pressure_factor_.segment(first, count),
                       log_viscosity.segment(first, count), h.segment(first, count),
                       dh_dlog ? dh_dlog->data() + first : nullptr};
-    held += std::visit([&](const auto& l) { return evaluate(l, batch); }, laws_[law]);
+    clamped += std::visit([&](const auto& l) { return evaluate(l, batch); }, laws_[law]);
   }
-  return held;
+  return clamped;
 }
 
 }  // namespace parison::contact

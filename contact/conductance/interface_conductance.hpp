@@ -25,8 +25,9 @@ class InterfaceConductance {
   };
   std::vector<ConductanceLaw> laws_;
   std::vector<Run> runs_;
-  Eigen::ArrayXd pressure_;     ///< Pa
-  Eigen::ArrayXd log_pressed_;  ///< logarithm of x of the law of pressure and viscosity at a viscosity of 1 Pa.s
+  Eigen::ArrayXd pressure_;  ///< Pa
+  Eigen::ArrayXd
+      log_pressure_factor_;  ///< logarithm of x of the law of pressure and viscosity at a viscosity of 1 Pa.s
 };
 
 }  // namespace parison::contact

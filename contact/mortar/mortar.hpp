@@ -12,13 +12,13 @@ namespace parison::contact {
 struct Master {
   Surface surface;
   Eigen::VectorXd gap;    ///< of the slave mesh's nodes to the exact profile, m; +infinity where out of reach
-  double handover_width;  ///< gap over which the contact opens, m, positive; less than the reach
+  double transition_gap;  ///< gap over which the contact opens, m, positive; less than the reach
   Index law;              ///< handed on to the interface points
 };
 
 /// 1 for gap <= 0, 1 - u^3 (10 - 15 u + 6 u^2) with u = gap / width, 0 for gap >= width: two continuous derivatives,
 /// and gaps below a fiftieth of the width change it by less than 1e-4.
-double closure(double gap, double width);
+double contact_weight(double gap, double width);
 
 /// The virtual surface between the slave and all its masters: each slave edge cut at the
 /// projections of both meshes' nodes, with Gauss points on each segment. Open stretches are left out. Every slave point

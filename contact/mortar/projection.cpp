@@ -13,18 +13,18 @@ namespace {
 constexpr double smooth_cosine = 0.5;  ///< ends whose normals differ by more than 60 degrees make a corner
 
 /// Slope, against the edge, of a surface that is square to the turned normal at an end.
-double rise(const SurfaceEdge& edge, double end, const Point& turn) {
-  const Point along = slope(edge, end), out = normal(edge, end), upright = out + turn;
+double end_slope(const SurfaceEdge& edge, double end, const Point& turn) {
+  const Point along = derivative(edge, end), out = normal(edge, end), upright = out + turn;
   return -upright.dot(along) / upright.dot(out);
 }
 
 void finish(RayEdge& slave) {
   slave.first = {slave.edge.x[0], direction(slave, 0).normalized()};
   slave.last = {slave.edge.x[1], direction(slave, 1).normalized()};
-  slave.first_rise = rise(slave.edge, 0, slave.first_turn);
-  slave.last_rise = rise(slave.edge, 1, slave.last_turn);
-  if (slave.first_free) slave.first_rise = -slave.last_rise;
-  if (slave.last_free) slave.last_rise = -slave.first_rise;
+  slave.first_slope = end_slope(slave.edge, 0, slave.first_turn);
+  slave.last_slope = end_slope(slave.edge, 1, slave.last_turn);
+  if (slave.first_free) slave.first_slope = -slave.last_slope;
+  if (slave.last_free) slave.last_slope = -slave.first_slope;
 }
 
 }  // namespace
@@ -56,10 +56,10 @@ std::vector<RayEdge> make_rays(const Surface& slave) {
 }
 
 std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x) {
-  const double first = aside(slave.first, x), last = aside(slave.last, x);
+  const double first = signed_offset(slave.first, x), last = signed_offset(slave.last, x);
   if (!((first > 0 && last < 0) || (first < 0 && last > 0))) return std::nullopt;
-  const auto beside = [&](double s) { return aside({position(slave.edge, s), direction(slave, s)}, x); };
-  return find_root(beside, 0, beside(0), 1, beside(1));
+  const auto offset = [&](double s) { return signed_offset({position(slave.edge, s), direction(slave, s)}, x); };
+  return find_root(offset, 0, offset(0), 1, offset(1));
 }
 
 }  // namespace parison::contact

@@ -20,17 +20,17 @@ struct Ray {
 /// normal.
 struct RayEdge {
   SurfaceEdge edge;
-  Point first_turn, last_turn;   ///< what the ends' rays add to the normal
-  bool first_free, last_free;    ///< no edge is joined there
-  Ray first, last;               ///< from the ends
-  double first_rise, last_rise;  ///< slope against the edge of the smooth surface that the rays stand on, m
+  Point first_turn, last_turn;     ///< what the ends' rays add to the normal
+  bool first_free, last_free;      ///< no edge is joined there
+  Ray first, last;                 ///< from the ends
+  double first_slope, last_slope;  ///< slope against the edge of the smooth surface that the rays stand on, m
 };
 
 std::vector<RayEdge> make_rays(const Surface& slave);
 
 /// Along the ray that leaves at s, of no certain length.
 inline Point direction(const RayEdge& slave, double s) {
-  const Point along = slope(slave.edge, s);
+  const Point along = derivative(slave.edge, s);
   return Point(along[1], -along[0]) + along.norm() * ((1 - s) * slave.first_turn + s * slave.last_turn);
 }
 
@@ -44,8 +44,8 @@ inline Ray ray(const RayEdge& slave, double s) {
 /// How far the smooth surface that the rays stand on lies outside the edge, m: the cubic through the edge's ends,
 /// square to their rays, and symmetric where one end is free. A chord of a convex arc gets back what it cuts off;
 /// negative where the surface is hollow.
-inline double bulge(const RayEdge& slave, double s) {
-  return s * (1 - s) * ((1 - s) * slave.first_rise - s * slave.last_rise);
+inline double chord_offset(const RayEdge& slave, double s) {
+  return s * (1 - s) * ((1 - s) * slave.first_slope - s * slave.last_slope);
 }
 
 /// Where the ray from a slave point meets a master edge.
@@ -58,7 +58,7 @@ struct Hit {
 std::optional<double> find_slave_parameter(const RayEdge& slave, const Point& x);
 
 /// How far a point lies to the left of a ray's line, m.
-inline double aside(const Ray& ray, const Point& x) {
+inline double signed_offset(const Ray& ray, const Point& x) {
   const Point off = x - ray.from;
   return ray.along[0] * off[1] - ray.along[1] * off[0];
 }
@@ -78,8 +78,10 @@ inline bool passes_by(const Sides& sides, const SurfaceEdge& master) {
 /// signs.
 inline double quadratic_root(double first, double mid, double last) {
   const double square = 2 * (first + last - 2 * mid), linear = last - first - square;
-  const double slope = std::copysign(std::sqrt(std::max(linear * linear - 4 * square * first, 0.0)), last - first);
-  const double t = linear * slope >= 0 ? -2 * first / (linear + slope) : (slope - linear) / (2 * square);
+  const double root_derivative =
+      std::copysign(std::sqrt(std::max(linear * linear - 4 * square * first, 0.0)), last - first);
+  const double t = linear * root_derivative >= 0 ? -2 * first / (linear + root_derivative)
+                                                 : (root_derivative - linear) / (2 * square);
   return std::clamp(t, 0.0, 1.0);
 }
 
@@ -87,12 +89,12 @@ inline double quadratic_root(double first, double mid, double last) {
 inline double meeting_parameter(const Ray& ray, const SurfaceEdge& master, const Sides& sides) {
   const auto [first, last] = sides;
   if (first * last >= 0) return std::abs(first) < std::abs(last) ? 0 : 1;
-  return quadratic_root(first, aside(ray, master.x[2]), last);
+  return quadratic_root(first, signed_offset(ray, master.x[2]), last);
 }
 
 /// The s of the point of the master that a point of the slave sees: none when its ray passes the edge by.
 inline std::optional<double> find_master_parameter(const Ray& ray, const SurfaceEdge& master) {
-  const Sides sides{aside(ray, master.x[0]), aside(ray, master.x[1])};
+  const Sides sides{signed_offset(ray, master.x[0]), signed_offset(ray, master.x[1])};
   if (passes_by(sides, master)) return std::nullopt;
   return meeting_parameter(ray, master, sides);
 }

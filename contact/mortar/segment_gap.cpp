@@ -12,8 +12,8 @@ namespace parison::contact {
 
 namespace {
 
-constexpr double touching = 1e-9;  ///< of the hand-over width: gaps this near to an end of the hand-over are at it
-constexpr double nearly_closed = 0.02;
+constexpr double touching = 1e-9;  ///< of the transition gap: gaps this near to an end of the transition are at it
+constexpr double full_contact_gap = 0.02;
 
 constexpr double out_of_reach = std::numeric_limits<double>::infinity();
 
@@ -24,7 +24,7 @@ bool passes_zero(double first, double last, double width) {
 
 }  // namespace
 
-double closure(double gap, double width) {
+double contact_weight(double gap, double width) {
   if (gap <= 0) return 1;
   if (!(gap < width)) return 0;
   const double u = gap / width;
@@ -41,28 +41,28 @@ SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const Maste
     if (std::isfinite(known)) return known;
     const auto hit = hit_master(ray(*slave_, node.slave_s), view.masters[segment.edge].edge);
     const double distance = hit ? hit->distance : view.range;
-    return of_slave && distance < -master.handover_width ? master.handover_width : distance;
+    return of_slave && distance < -master.transition_gap ? master.transition_gap : distance;
   };
   first_ = at(segment.begin);
   last_ = at(segment.end);
-  const auto closed = [&](int i) { return closure(master.gap[slave_->edge.nodes[i]], master.handover_width); };
-  chord_ = closed(0) * closed(1);
+  const auto weight = [&](int i) { return contact_weight(master.gap[slave_->edge.nodes[i]], master.transition_gap); };
+  chord_ = weight(0) * weight(1);
 }
 
-bool is_closed(const SegmentGap& gap, double begin, double end, double width) {
-  const double most = nearly_closed * width;
+bool is_in_contact(const SegmentGap& gap, double begin, double end, double width) {
+  const double most = full_contact_gap * width;
   return gap(begin) <= most && gap(end) <= most && gap(0.5 * (begin + end)) <= most;
 }
 
-Closing closing(const SegmentGap& gap, double width) {
-  const double most = nearly_closed * width, first = gap(gap.begin()), last = gap(gap.end());
-  if (!(first <= most && last <= most) || passes_zero(first, last, width)) return Closing::open;
+ContactStatus contact_status(const SegmentGap& gap, double width) {
+  const double most = full_contact_gap * width, first = gap(gap.begin()), last = gap(gap.end());
+  if (!(first <= most && last <= most) || passes_zero(first, last, width)) return ContactStatus::open;
   const double middle = gap(0.5 * (gap.begin() + gap.end()));
-  if (!(middle <= most)) return Closing::open;
-  return middle <= touching * width ? Closing::touching : Closing::near;
+  if (!(middle <= most)) return ContactStatus::open;
+  return middle <= touching * width ? ContactStatus::touching : ContactStatus::near;
 }
 
-Parts cut_at_handover(const SegmentGap& gap, double width) {
+Parts cut_at_transition(const SegmentGap& gap, double width) {
   Parts parts{{gap.begin()}, 1};
   for (const double level : {0.0, width}) {
     const auto excess = [&](double s) { return gap(s) - level; };

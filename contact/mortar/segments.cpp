@@ -13,44 +13,44 @@ constexpr double opposing_cosine =
 constexpr double coincident = 1e-12;  ///< nodes closer than this on an edge are one
 constexpr double just_inside = 1e-6;  ///< of a segment's length: where its ends are looked at
 constexpr int halvings = 50;
-constexpr int most_cuts = 4;  ///< between two nodes; what is left after them goes to the last edge seen
+constexpr int max_cuts = 4;  ///< between two nodes; what is left after them goes to the last edge seen
 
 bool faces(const Ray& from, const SurfaceEdge& master, const Hit& hit) {
-  const Point along = slope(master, hit.s);
+  const Point along = derivative(master, hit.s);
   const double opposed =
       from.along[1] * along[0] - from.along[0] * along[1];  // to the outward normal, times its length
   return opposed > 0 && opposed * opposed > opposing_cosine * opposing_cosine * along.squaredNorm();
 }
 
-Index edge_seen(const EdgeView& view, double s) {
-  const auto sight = see_master(view, s);
-  return sight ? sight->edge : -1;
+Index visible_edge(const EdgeView& view, double s) {
+  const auto visible = find_visible_master(view, s);
+  return visible ? visible->edge : -1;
 }
 
 /// The edge seen at the far end of an interval between neighbouring nodes, from what is seen at its near end: an edge
 /// that is met alone there is met alone all along.
-Index edge_seen_too(const EdgeView& view, const std::optional<Sight>& near_end, double s) {
-  if (!near_end || !near_end->alone) return edge_seen(view, s);
+Index visible_edge_at_end(const EdgeView& view, const std::optional<VisibleEdge>& near_end, double s) {
+  if (!near_end || !near_end->alone) return visible_edge(view, s);
   const Ray from = ray(view.slave, s);
   const SurfaceEdge& master = view.masters[near_end->edge].edge;
   const auto hit = hit_master(from, master);
-  const bool seen = hit && std::abs(hit->distance) <= view.range && faces(from, master, *hit);
-  return seen ? near_end->edge : edge_seen(view, s);
+  const bool visible = hit && std::abs(hit->distance) <= view.range && faces(from, master, *hit);
+  return visible ? near_end->edge : visible_edge(view, s);
 }
 
 /// Where, between two points, the edge that is seen ceases to be the one seen from `begin`.
-double end_of_sight(const EdgeView& view, double begin, double end, Index seen) {
+double end_of_visibility(const EdgeView& view, double begin, double end, Index visible) {
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (begin + end);
-    (edge_seen(view, middle) == seen ? begin : end) = middle;
+    (visible_edge(view, middle) == visible ? begin : end) = middle;
   }
   return 0.5 * (begin + end);
 }
 
 }  // namespace
 
-std::optional<Sight> see_master(const EdgeView& view, double s) {
-  std::optional<Sight> nearest;
+std::optional<VisibleEdge> find_visible_master(const EdgeView& view, double s) {
+  std::optional<VisibleEdge> nearest;
   int met = 0;
   const Ray from = ray(view.slave, s);
   for (const Index m : view.near) {
@@ -60,7 +60,7 @@ std::optional<Sight> see_master(const EdgeView& view, double s) {
     ++met;
     const double away = std::abs(hit->distance);
     if (away > view.range || (nearest && away >= std::abs(nearest->hit.distance))) continue;
-    if (faces(from, master, *hit)) nearest = Sight{m, *hit, false};
+    if (faces(from, master, *hit)) nearest = VisibleEdge{m, *hit, false};
   }
   if (nearest) nearest->alone = met == 1;
   return nearest;
@@ -102,14 +102,14 @@ void find_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes
     const double inside = just_inside * (nodes[i].slave_s - nodes[i - 1].slave_s);
     const double last_s = nodes[i].slave_s - inside;
     InterfaceNode from = nodes[i - 1];
-    const auto first = see_master(view, from.slave_s + inside);
-    const Index last = edge_seen_too(view, first, last_s);
-    Index seen = first ? first->edge : -1;
-    for (int cuts = 0; cuts < most_cuts && seen != last; ++cuts) {
-      const double cut = end_of_sight(view, from.slave_s + inside, last_s, seen);
-      add(from, {cut, -1}, seen);
+    const auto first = find_visible_master(view, from.slave_s + inside);
+    const Index last = visible_edge_at_end(view, first, last_s);
+    Index visible = first ? first->edge : -1;
+    for (int cuts = 0; cuts < max_cuts && visible != last; ++cuts) {
+      const double cut = end_of_visibility(view, from.slave_s + inside, last_s, visible);
+      add(from, {cut, -1}, visible);
       from = {cut, -1};
-      seen = cut + inside < last_s ? edge_seen(view, cut + inside) : last;
+      visible = cut + inside < last_s ? visible_edge(view, cut + inside) : last;
     }
     add(from, nodes[i], last);
   }

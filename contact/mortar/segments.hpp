@@ -22,13 +22,13 @@ struct EdgeView {
 };
 
 /// What a slave point sees.
-struct Sight {
+struct VisibleEdge {
   Index edge;  ///< into EdgeView::masters
   Hit hit;
   bool alone;  ///< the ray meets no other edge near
 };
 /// The nearest edge, of all masters, that the slave point sees and that looks back at it.
-std::optional<Sight> see_master(const EdgeView& view, double s);
+std::optional<VisibleEdge> find_visible_master(const EdgeView& view, double s);
 
 /// Node of the virtual surface, on a slave edge. The shape functions of both edges there follow
 /// the two rules by themselves: at a node they are 1 for its own body's node.

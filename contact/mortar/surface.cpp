@@ -3,12 +3,12 @@
 
 namespace parison::contact {
 
-Surface make_surface(Index body, const core::Mesh& mesh, const std::vector<bool>& pieces_in_contact,
+Surface make_surface(Index body, const core::Mesh& mesh, const std::vector<bool>& boundaries_in_contact,
                      const Point& displacement) {
   Surface surface{body, {}};
   surface.edges.reserve(mesh.boundary.size());
   for (const auto& edge : mesh.boundary) {
-    if (!pieces_in_contact[edge.piece]) continue;
+    if (!boundaries_in_contact[edge.boundary_id]) continue;
     surface.edges.push_back({edge.nodes, {}});
     for (int i = 0; i < 3; ++i) surface.edges.back().x[i] = mesh.nodes[edge.nodes[i]] + displacement;
   }

@@ -22,8 +22,8 @@ struct Surface {
   std::vector<SurfaceEdge> edges;
 };
 
-/// The edges of the pieces in contact (one flag for each of mesh.pieces), moved by `displacement`, m.
-Surface make_surface(Index body, const core::Mesh& mesh, const std::vector<bool>& pieces_in_contact,
+/// The edges of the boundaries in contact (one flag for each of mesh.boundaries), moved by `displacement`, m.
+Surface make_surface(Index body, const core::Mesh& mesh, const std::vector<bool>& boundaries_in_contact,
                      const Point& displacement);
 
 /// Position, m, and its derivative with respect to s in [0, 1].
@@ -32,12 +32,12 @@ inline Point position(const SurfaceEdge& edge, double s) {
   if (s == 1) return edge.x[1];
   return (1 - s) * (1 - 2 * s) * edge.x[0] + s * (2 * s - 1) * edge.x[1] + 4 * s * (1 - s) * edge.x[2];
 }
-inline Point slope(const SurfaceEdge& edge, double s) {
+inline Point derivative(const SurfaceEdge& edge, double s) {
   return (4 * s - 3) * edge.x[0] + (4 * s - 1) * edge.x[1] + 4 * (1 - 2 * s) * edge.x[2];
 }
 /// Outward unit normal.
 inline Point normal(const SurfaceEdge& edge, double s) {
-  const Point along = slope(edge, s).normalized();
+  const Point along = derivative(edge, s).normalized();
   return {along[1], -along[0]};
 }
 

@@ -16,7 +16,7 @@ constexpr double smooth_angle =
     M_PI / 9;  ///< 20 degrees: joints that turn less are smooth, normals that differ less are one
 constexpr double end_tolerance = 1e-9;  ///< of the segment's length: on the end counts as on the segment
 constexpr double touching = 1e-9;       ///< m
-constexpr double most_off = 2;  ///< reaches from a segment: past its end by no more than one, and beside it as well
+constexpr double max_off = 2;  ///< reaches from a segment: past its end by no more than one, and beside it as well
 
 double cross(const Point& a, const Point& b) {
   return a[0] * b[1] - a[1] * b[0];
@@ -55,52 +55,53 @@ bool crosses(const Segment& segment, const Point& a, const Point& b) {
 
 /// A tool and a point, and what is asked about them.
 struct ToolConstraints::Query {
-  const std::vector<Piece>& pieces;
+  const std::vector<BoundedSegment>& segments;
   const Point& x;
   double reach;
 
-  Index count() const { return static_cast<Index>(pieces.size()); }
-  const Segment& segment(Index i) const { return *pieces[i].segment; }
+  Index count() const { return static_cast<Index>(segments.size()); }
+  const Segment& segment(Index i) const { return *segments[i].segment; }
   Index next(Index i) const { return i + 1 < count() ? i + 1 : 0; }
   Index previous(Index i) const { return i > 0 ? i - 1 : count() - 1; }
   bool joined(Index i, Index j) const { return next(i) == j || next(j) == i; }
-  bool joined_in_hollow(Index i, Index j) const {
-    return (next(i) == j && pieces[i].hollow_after) || (next(j) == i && pieces[j].hollow_after);
+  bool joined_at_reentrant_corner(Index i, Index j) const {
+    return (next(i) == j && segments[i].reentrant_after) || (next(j) == i && segments[j].reentrant_after);
   }
   bool projects_on(Index i) const;
   bool hidden(Index i, const Point& foot) const;
   void add_segment(Index i, std::vector<GapConstraint>& found) const;
   void add_joint(Index i, std::vector<GapConstraint>& found) const;
-  void keep_shortest_way_out(std::vector<GapConstraint>& found) const;
+  void keep_closest_exterior(std::vector<GapConstraint>& found) const;
 };
 
-/// Whether x projects on segment i, or past an end in a hollow corner while still on the neighbour's side of that one's
-/// far end.
+/// Whether x projects on segment i, or past an end in a re-entrant corner while still on the neighbour's side of that
+/// one's far end.
 bool ToolConstraints::Query::projects_on(Index i) const {
-  const double slack = pieces[i].slack;
+  const double slack = segments[i].slack;
   const double before = core::beyond_start(segment(i), x), past = core::beyond_end(segment(i), x);
   if (before <= slack && past <= slack) return true;
   if (past > slack) {
     const Index j = next(i);
-    return past <= reach && pieces[j].in_contact && pieces[i].hollow_after && core::beyond_end(segment(j), x) <= 0 &&
-           core::beyond_start(segment(j), x) <= reach;
+    return past <= reach && segments[j].in_contact && segments[i].reentrant_after &&
+           core::beyond_end(segment(j), x) <= 0 && core::beyond_start(segment(j), x) <= reach;
   }
   const Index j = previous(i);
-  return before <= reach && pieces[j].in_contact && pieces[j].hollow_after && core::beyond_start(segment(j), x) <= 0 &&
-         core::beyond_end(segment(j), x) <= reach;
+  return before <= reach && segments[j].in_contact && segments[j].reentrant_after &&
+         core::beyond_start(segment(j), x) <= 0 && core::beyond_end(segment(j), x) <= reach;
 }
 
 /// Whether another part of the outline lies between x and its foot on segment i.
 bool ToolConstraints::Query::hidden(Index i, const Point& foot) const {
   const Box path{x.cwiseMin(foot), x.cwiseMax(foot)};
   for (Index j = 0; j < count(); ++j)
-    if (j != i && overlap(path, pieces[j].bounds) && !joined_in_hollow(i, j) && crosses(segment(j), x, foot))
+    if (j != i && overlap(path, segments[j].bounds) && !joined_at_reentrant_corner(i, j) &&
+        crosses(segment(j), x, foot))
       return true;
   return false;
 }
 
 void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& found) const {
-  if (!pieces[i].in_contact || !is_near(x, pieces[i].bounds, most_off * reach) || !projects_on(i)) return;
+  if (!segments[i].in_contact || !is_near(x, segments[i].bounds, max_off * reach) || !projects_on(i)) return;
   const double t = core::projected_parameter(segment(i), x);
   const Point foot = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
   const double gap = (x - foot).dot(normal);
@@ -109,8 +110,8 @@ void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& fo
 
 /// The joint after segment i, for a point that projects on neither side of it.
 void ToolConstraints::Query::add_joint(Index i, std::vector<GapConstraint>& found) const {
-  const Piece &before = pieces[i], &after = pieces[next(i)];
-  if (!before.in_contact || !after.in_contact || before.hollow_after) return;
+  const BoundedSegment &before = segments[i], &after = segments[next(i)];
+  if (!before.in_contact || !after.in_contact || before.reentrant_after) return;
   const Point joint = before.segment->end, arm = x - joint;
   if (arm.squaredNorm() > reach * reach) return;
   if (core::beyond_end(*before.segment, x) <= before.slack || core::beyond_start(*after.segment, x) <= after.slack)
@@ -122,41 +123,41 @@ void ToolConstraints::Query::add_joint(Index i, std::vector<GapConstraint>& foun
 }
 
 /// A point inside the tool leaves it the shortest way: of the penetrated segments only the nearest one counts, and its
-/// neighbours in a hollow corner. On the edge of a sharp corner, too, one of the two sides counts.
-void ToolConstraints::Query::keep_shortest_way_out(std::vector<GapConstraint>& found) const {
+/// neighbours in a re-entrant corner. On the edge of a sharp corner, too, one of the two sides counts.
+void ToolConstraints::Query::keep_closest_exterior(std::vector<GapConstraint>& found) const {
   if (found.empty()) return;
   const Index nearest = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
                           return std::abs(a.gap) < std::abs(b.gap);
                         })->segment;
   const auto needless = [&](const GapConstraint& c) {
-    if (c.segment == nearest || joined_in_hollow(c.segment, nearest)) return false;
+    if (c.segment == nearest || joined_at_reentrant_corner(c.segment, nearest)) return false;
     return c.gap < (joined(c.segment, nearest) ? touching : 0.0);
   };
   found.erase(std::remove_if(found.begin(), found.end(), needless), found.end());
 }
 
-ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_pieces)
+ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_boundaries)
     : in_contact_(no_box()) {
   const auto& segments = tool.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment &segment = segments[i], &next = segments[i + 1 < segments.size() ? i + 1 : 0];
     const double turn = turn_between(segment, next);
-    pieces_.push_back({&segment, bounds(segment), bool(contact_pieces[segment.piece]),
-                       end_tolerance * core::length(segment), turn < -smooth_angle, std::abs(turn) <= smooth_angle,
-                       (core::normal_at(segment, 1) + core::normal_at(next, 0)).normalized()});
-    if (pieces_.back().in_contact) in_contact_ = united(in_contact_, pieces_.back().bounds);
+    segments_.push_back({&segment, bounds(segment), bool(contact_boundaries[segment.boundary_id]),
+                         end_tolerance * core::length(segment), turn < -smooth_angle, std::abs(turn) <= smooth_angle,
+                         (core::normal_at(segment, 1) + core::normal_at(next, 0)).normalized()});
+    if (segments_.back().in_contact) in_contact_ = united(in_contact_, segments_.back().bounds);
   }
 }
 
 std::vector<GapConstraint> ToolConstraints::operator()(const Point& x, double reach) const {
-  if (!is_near(x, in_contact_, most_off * reach)) return {};
-  const Query query{pieces_, x, reach};
+  if (!is_near(x, in_contact_, max_off * reach)) return {};
+  const Query query{segments_, x, reach};
   std::vector<GapConstraint> found;
   for (Index i = 0; i < query.count(); ++i) {
     query.add_segment(i, found);
     query.add_joint(i, found);
   }
-  query.keep_shortest_way_out(found);
+  query.keep_closest_exterior(found);
   merge_constraints(found);
   return found;
 }

@@ -8,12 +8,12 @@ namespace parison::contact {
 using core::Point;
 using core::Profile;
 
-ToolGap::ToolGap(const Profile& tool, const std::vector<bool>& contact_pieces, double reach)
+ToolGap::ToolGap(const Profile& tool, const std::vector<bool>& contact_boundaries, double reach)
     : tool_(&tool), reach_(reach), in_reach_(no_box()) {
   for (const auto& segment : tool.segments) {
-    if (!contact_pieces[segment.piece]) continue;
-    pieces_.push_back({bounds(segment), &segment});
-    in_reach_ = united(in_reach_, inflated(pieces_.back().bounds, reach));
+    if (!contact_boundaries[segment.boundary_id]) continue;
+    segments_.push_back({bounds(segment), &segment});
+    in_reach_ = united(in_reach_, inflated(segments_.back().bounds, reach));
   }
 }
 
@@ -21,14 +21,14 @@ double ToolGap::operator()(const Point& x) const {
   constexpr double beyond = std::numeric_limits<double>::infinity();
   if (!is_near(x, in_reach_, 0)) return beyond;
   double best = reach_;
-  for (const auto& [bounds, segment] : pieces_)
+  for (const auto& [bounds, segment] : segments_)
     if (is_near(x, bounds, best)) best = core::distance(*segment, x, best);
   if (best >= reach_) return beyond;
   return core::contains(*tool_, x) ? -best : best;
 }
 
-double signed_gap(const Profile& tool, const std::vector<bool>& contact_pieces, const Point& x, double reach) {
-  return ToolGap(tool, contact_pieces, reach)(x);
+double signed_gap(const Profile& tool, const std::vector<bool>& contact_boundaries, const Point& x, double reach) {
+  return ToolGap(tool, contact_boundaries, reach)(x);
 }
 
 }  // namespace parison::contact

@@ -8,27 +8,27 @@
 
 namespace parison::contact {
 
-/// Distance from points to a tool's contact pieces, m, negative inside the tool; +infinity without contact pieces and
-/// where they are further away than `reach`. The tool outlives it.
+/// Distance from points to a tool's contact boundaries, m, negative inside the tool; +infinity without contact
+/// boundaries and where they are further away than `reach`. The tool outlives it.
 class ToolGap {
  public:
-  ToolGap(const core::Profile& tool, const std::vector<bool>& contact_pieces,
+  ToolGap(const core::Profile& tool, const std::vector<bool>& contact_boundaries,
           double reach = std::numeric_limits<double>::infinity());
   double operator()(const core::Point& x) const;
 
  private:
-  struct Piece {
+  struct BoundedSegment {
     Box bounds;
     const core::Segment* segment;
   };
   const core::Profile* tool_;
   double reach_;
-  std::vector<Piece> pieces_;
+  std::vector<BoundedSegment> segments_;
   Box in_reach_;
 };
 
 /// The same for one point.
-double signed_gap(const core::Profile& tool, const std::vector<bool>& contact_pieces, const core::Point& x,
+double signed_gap(const core::Profile& tool, const std::vector<bool>& contact_boundaries, const core::Point& x,
                   double reach = std::numeric_limits<double>::infinity());
 
 }  // namespace parison::contact

@@ -28,7 +28,7 @@ std::vector<Segment> end_segments(const PlacedTool& tool, bool last) {
   std::vector<Segment> found;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t neighbour = last ? (i + 1) % count : (i + count - 1) % count;
-    if (tool.contact_pieces[segments[i].piece] && !tool.contact_pieces[segments[neighbour].piece])
+    if (tool.contact_boundaries[segments[i].boundary_id] && !tool.contact_boundaries[segments[neighbour].boundary_id])
       found.push_back(shifted(segments[i], tool.offset));
   }
   return found;
@@ -39,7 +39,7 @@ bool lies_on(const PlacedTool& tool, const Point& x) {
   const Point local = x - tool.offset * core::axis_direction();
   const auto& segments = tool.profile->segments;
   return std::any_of(segments.begin(), segments.end(), [&](const Segment& segment) {
-    return tool.contact_pieces[segment.piece] && core::distance(segment, local, 2 * joined) < joined &&
+    return tool.contact_boundaries[segment.boundary_id] && core::distance(segment, local, 2 * joined) < joined &&
            core::beyond_start(segment, local) < -joined && core::beyond_end(segment, local) < -joined;
   });
 }
@@ -75,25 +75,25 @@ std::vector<JointConstraint> joint_constraints(const ToolJoint& joint, const Poi
   return found;
 }
 
-std::vector<ToolFoot> tool_feet(const std::vector<PlacedTool>& tools) {
-  std::vector<ToolFoot> feet;
+std::vector<ToolTJunction> tool_t_junctions(const std::vector<PlacedTool>& tools) {
+  std::vector<ToolTJunction> t_junctions;
   for (std::size_t a = 0; a < tools.size(); ++a)
     for (const bool at_end : {false, true})
       for (const Segment& segment : end_segments(tools[a], at_end)) {
         const Point end = at_end ? segment.end : segment.start;
         for (std::size_t b = 0; b < tools.size(); ++b)
-          if (a != b && lies_on(tools[b], end)) feet.push_back({Index(a), segment, at_end});
+          if (a != b && lies_on(tools[b], end)) t_junctions.push_back({Index(a), segment, at_end});
       }
-  return feet;
+  return t_junctions;
 }
 
-std::optional<JointConstraint> foot_constraint(const ToolFoot& foot, const Point& x, double reach) {
-  const Segment& segment = foot.segment;
-  const Point arm = x - (foot.at_end ? segment.end : segment.start);
+std::optional<JointConstraint> t_junction_constraint(const ToolTJunction& t_junction, const Point& x, double reach) {
+  const Segment& segment = t_junction.segment;
+  const Point arm = x - (t_junction.at_end ? segment.end : segment.start);
   if (arm.squaredNorm() > reach * reach) return std::nullopt;
-  if (!((foot.at_end ? core::beyond_end(segment, x) : core::beyond_start(segment, x)) > 0)) return std::nullopt;
-  const Point normal = core::normal_at(segment, foot.at_end ? 1 : 0);
-  return JointConstraint{foot.tool, {arm.dot(normal), normal, -1}};
+  if (!((t_junction.at_end ? core::beyond_end(segment, x) : core::beyond_start(segment, x)) > 0)) return std::nullopt;
+  const Point normal = core::normal_at(segment, t_junction.at_end ? 1 : 0);
+  return JointConstraint{t_junction.tool, {arm.dot(normal), normal, -1}};
 }
 
 }  // namespace parison::contact

@@ -10,11 +10,11 @@ namespace parison::contact {
 /// A tool as it stands in space.
 struct PlacedTool {
   const core::Profile* profile;
-  std::vector<bool> contact_pieces;
+  std::vector<bool> contact_boundaries;
   double offset;  ///< along the axis, m
 };
 
-/// Where the contact pieces of one tool end on the start of another's: the parting line of two tools.
+/// Where the contact boundaries of one tool end on the start of another's: the parting line of two tools.
 struct ToolJoint {
   core::Index before, after;                    ///< of the placed tools, in the sense of their outlines
   core::Segment segment_before, segment_after;  ///< in space
@@ -34,15 +34,16 @@ struct JointConstraint {
 std::vector<JointConstraint> joint_constraints(const ToolJoint& joint, const core::Point& x, double reach);
 
 /// Where the contact of one tool ends on the face of another, as a ring's wall on a plate.
-struct ToolFoot {
+struct ToolTJunction {
   core::Index tool;       ///< that ends, of the placed tools
   core::Segment segment;  ///< its last one, in space
   bool at_end;            ///< of the segment; else at its start
 };
-std::vector<ToolFoot> tool_feet(const std::vector<PlacedTool>& tools);
+std::vector<ToolTJunction> tool_t_junctions(const std::vector<PlacedTool>& tools);
 
 /// The segment of a foot goes on beyond it within `reach`: glass that lies a little inside the other tool does not pass
 /// under it.
-std::optional<JointConstraint> foot_constraint(const ToolFoot& foot, const core::Point& x, double reach);
+std::optional<JointConstraint> t_junction_constraint(const ToolTJunction& t_junction, const core::Point& x,
+                                                     double reach);
 
 }  // namespace parison::contact

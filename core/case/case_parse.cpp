@@ -56,9 +56,9 @@ CaseNode convert(const toml::node& node, CaseNode place) {
 }
 
 /// Gives a value and all in it to the command line, which has no lines.
-void take_off_lines(CaseNode& node) {
+void clear_lines(CaseNode& node) {
   node.line = 0;
-  for (auto& item : node.items) take_off_lines(item);
+  for (auto& item : node.items) clear_lines(item);
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ CaseNode parse_value(const std::string& text, const CaseNode& place) {
   CaseNode value = place;
   if (parsed && parsed.table().size() == 1) {
     value = convert(*parsed.table().get("value"), place);
-    take_off_lines(value);
+    clear_lines(value);
   } else if (is_text) {
     value.kind = CaseNode::Kind::text;
     value.text = text;

@@ -136,17 +136,17 @@ struct Graph {
   std::vector<Index> start, neighbour;
 };
 
-std::vector<Index> order_graph(const Graph& graph, double* told) {
+std::vector<Index> order_graph(const Graph& graph, double* info) {
   const auto size = static_cast<Index>(graph.start.size()) - 1;
   std::vector<Index> order(size);
   [[maybe_unused]] const int status =
-      amd_order(size, graph.start.data(), graph.neighbour.data(), order.data(), nullptr, told);  // orders A + A'
+      amd_order(size, graph.start.data(), graph.neighbour.data(), order.data(), nullptr, info);  // orders A + A'
   assert(status >= AMD_OK);
   return order;
 }
 
-double operations(const double* told) {
-  return 2 * told[AMD_NMULTSUBS_LDL];
+double operations(const double* info) {
+  return 2 * info[AMD_NMULTSUBS_LDL];
 }
 
 /// A number that stands for an unknown in the fingerprint of a pattern (the finaliser of splitmix64).
@@ -228,22 +228,22 @@ EliminationOrder minimum_degree_order(Index size, const std::vector<std::array<I
     graph.neighbour.insert(graph.neighbour.end(), first, std::unique(first, last));
     graph.start.push_back(static_cast<Index>(graph.neighbour.size()));
   }
-  double told[AMD_INFO];
-  std::vector<Index> order = order_graph(graph, told);
-  return {std::move(order), operations(told)};
+  double info[AMD_INFO];
+  std::vector<Index> order = order_graph(graph, info);
+  return {std::move(order), operations(info)};
 }
 
 EliminationOrder minimum_degree_order(const SymmetricMatrix& matrix) {
   const Groups groups = equal_patterns(matrix);
-  double told[AMD_INFO];
-  const std::vector<Index> order = order_graph(quotient(matrix, groups), told);
+  double info[AMD_INFO];
+  const std::vector<Index> order = order_graph(quotient(matrix, groups), info);
   EliminationOrder result;
   result.unknown.reserve(matrix.size);
   for (const Index g : order)
     result.unknown.insert(result.unknown.end(), groups.member.begin() + groups.start[g],
                           groups.member.begin() + groups.start[g + 1]);
   const double members = double(matrix.size) / groups.count();
-  result.operations = operations(told) * members * members * members;
+  result.operations = operations(info) * members * members * members;
   return result;
 }
 

@@ -60,16 +60,16 @@ const std::vector<EdgeRulePoint>& edge_rule(int points) {
     std::array<std::vector<EdgeRulePoint>, 5> made;
     for (int n = 1; n <= 5; ++n)
       for (int i = 0; i < n; ++i) {
-        double x = -std::cos(M_PI * (i + 0.75) / (n + 0.5)), slope = 1;
+        double x = -std::cos(M_PI * (i + 0.75) / (n + 0.5)), derivative = 1;
         for (int k = 0; k < 60; ++k) {
           double p0 = 1, p1 = x;
           for (int m = 2; m <= n; ++m) std::tie(p0, p1) = std::pair{p1, ((2 * m - 1) * x * p1 - (m - 1) * p0) / m};
-          slope = n * (x * p1 - p0) / (x * x - 1);
-          const double step = p1 / slope;
+          derivative = n * (x * p1 - p0) / (x * x - 1);
+          const double step = p1 / derivative;
           x -= step;
           if (std::abs(step) < 1e-16) break;
         }
-        made[n - 1].push_back({0.5 * (1 + x), 1 / ((1 - x * x) * slope * slope)});
+        made[n - 1].push_back({0.5 * (1 + x), 1 / ((1 - x * x) * derivative * derivative)});
       }
     return made;
   }();
@@ -137,15 +137,15 @@ EdgePoint map_edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, Geo
   EdgePoint point;
   point.shape = edge_shape(at.s);
   point.position = Point::Zero();
-  Point slope = Point::Zero();
+  Point along = Point::Zero();
   for (int i = 0; i < 3; ++i) {
     point.position += point.shape[i] * mesh.nodes[edge[i]];
-    slope += derivative[i] * mesh.nodes[edge[i]];
+    along += derivative[i] * mesh.nodes[edge[i]];
   }
-  const double stretch = slope.norm();
-  point.tangent = stretch > 0 ? Point(slope / stretch) : Point::Zero();
+  const double jacobian = along.norm();
+  point.tangent = jacobian > 0 ? Point(along / jacobian) : Point::Zero();
   point.normal = {point.tangent[1], -point.tangent[0]};
-  point.area = at.weight * stretch * depth(geometry, point.position);
+  point.area = at.weight * jacobian * depth(geometry, point.position);
   return point;
 }
 
@@ -161,37 +161,39 @@ CellMap cell_map(const Mesh& mesh, Index cell) {
 namespace {
 
 /// A change of the reference coordinates that Newton's next step squares.
-constexpr double settled = 1e-7;
+constexpr double tolerance = 1e-7;
 
 }  // namespace
 
-std::array<Places, 2> invert(const CellMap& map, const Places& x, const Places& y) {
-  const auto& [m, n, p] = map.bulge;
+std::array<BatchArray, 2> invert(const CellMap& map, const BatchArray& x, const BatchArray& y) {
+  const auto& [m, n, p] = map.mid_side_offset;
   const Point &u = map.u, &v = map.v;
   const double area = u[0] * v[1] - u[1] * v[0];
-  const Places target_x = x - map.origin[0], target_y = y - map.origin[1];
-  Places a = (target_x * v[1] - target_y * v[0]) / area, b = (u[0] * target_y - u[1] * target_x) / area;
+  const BatchArray target_x = x - map.origin[0], target_y = y - map.origin[1];
+  BatchArray a = (target_x * v[1] - target_y * v[0]) / area, b = (u[0] * target_y - u[1] * target_x) / area;
   for (int iteration = 0; iteration < 30; ++iteration) {
-    const Places c = 1 - a - b, ca = 4 * c * a, ab = 4 * a * b, bc = 4 * b * c;
-    const Places residual_x = target_x - a * u[0] - b * v[0] - ca * m[0] - ab * n[0] - bc * p[0];
-    const Places residual_y = target_y - a * u[1] - b * v[1] - ca * m[1] - ab * n[1] - bc * p[1];
-    const Places c_a = 4 * (c - a), c_b = 4 * (c - b), a4 = 4 * a, b4 = 4 * b;
-    const Places along_ax = u[0] + c_a * m[0] + b4 * (n[0] - p[0]), along_ay = u[1] + c_a * m[1] + b4 * (n[1] - p[1]);
-    const Places along_bx = v[0] + c_b * p[0] + a4 * (n[0] - m[0]), along_by = v[1] + c_b * p[1] + a4 * (n[1] - m[1]);
-    const Places scale = 1 / (along_ax * along_by - along_ay * along_bx);
-    const Places da = scale * (residual_x * along_by - residual_y * along_bx);
-    const Places db = scale * (along_ax * residual_y - along_ay * residual_x);
+    const BatchArray c = 1 - a - b, ca = 4 * c * a, ab = 4 * a * b, bc = 4 * b * c;
+    const BatchArray residual_x = target_x - a * u[0] - b * v[0] - ca * m[0] - ab * n[0] - bc * p[0];
+    const BatchArray residual_y = target_y - a * u[1] - b * v[1] - ca * m[1] - ab * n[1] - bc * p[1];
+    const BatchArray c_a = 4 * (c - a), c_b = 4 * (c - b), a4 = 4 * a, b4 = 4 * b;
+    const BatchArray along_ax = u[0] + c_a * m[0] + b4 * (n[0] - p[0]),
+                     along_ay = u[1] + c_a * m[1] + b4 * (n[1] - p[1]);
+    const BatchArray along_bx = v[0] + c_b * p[0] + a4 * (n[0] - m[0]),
+                     along_by = v[1] + c_b * p[1] + a4 * (n[1] - m[1]);
+    const BatchArray scale = 1 / (along_ax * along_by - along_ay * along_bx);
+    const BatchArray da = scale * (residual_x * along_by - residual_y * along_bx);
+    const BatchArray db = scale * (along_ax * residual_y - along_ay * residual_x);
     a += da;
     b += db;
     const double change = (da.abs() + db.abs()).maxCoeff();
-    if (change < settled || !((a.abs() + b.abs()).maxCoeff() < 1e3)) break;
+    if (change < tolerance || !((a.abs() + b.abs()).maxCoeff() < 1e3)) break;
   }
   return {a, b};
 }
 
 std::array<double, 2> invert(const CellMap& map, const Point& x) {
   const auto cross = [](const Point& p, const Point& q) { return p[0] * q[1] - p[1] * q[0]; };
-  const auto& [m, n, p] = map.bulge;
+  const auto& [m, n, p] = map.mid_side_offset;
   const Point target = x - map.origin;
   const double area = cross(map.u, map.v);
   double a = cross(target, map.v) / area, b = cross(map.u, target) / area;
@@ -203,7 +205,7 @@ std::array<double, 2> invert(const CellMap& map, const Point& x) {
     const double da = scale * cross(residual, along_b), db = scale * cross(along_a, residual);
     a += da;
     b += db;
-    if (std::abs(da) + std::abs(db) < settled || !(std::abs(a) < 1e3 && std::abs(b) < 1e3)) break;
+    if (std::abs(da) + std::abs(db) < tolerance || !(std::abs(a) < 1e3 && std::abs(b) < 1e3)) break;
   }
   return {a, b};
 }

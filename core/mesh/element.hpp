@@ -59,7 +59,7 @@ EdgePoint map_edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, Geo
 /// The quadratic map of a cell: its chords from vertex 0 and how far each mid-side node lies off its chord's middle.
 struct CellMap {
   Point origin, u, v;
-  std::array<Point, 3> bulge;
+  std::array<Point, 3> mid_side_offset;
 };
 CellMap cell_map(const Mesh& mesh, Index cell);
 
@@ -67,9 +67,9 @@ CellMap cell_map(const Mesh& mesh, Index cell);
 /// outside.
 std::array<double, 2> invert(const CellMap& map, const Point& x);
 /// Several places at once.
-using Places = Eigen::Array<double, 8, 1>;
+using BatchArray = Eigen::Array<double, 8, 1>;
 /// The same for the places (x, y); they share the number of Newton's steps.
-std::array<Places, 2> invert(const CellMap& map, const Places& x, const Places& y);
+std::array<BatchArray, 2> invert(const CellMap& map, const BatchArray& x, const BatchArray& y);
 /// The same in a cell of a mesh.
 std::array<double, 2> invert_cell_map(const Mesh& mesh, Index cell, const Point& x);
 

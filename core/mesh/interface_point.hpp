@@ -14,12 +14,12 @@ struct InterfacePoint {
   std::array<Index, 3> slave_nodes,
       master_nodes;  ///< first, last, mid of the edge, in the numbering of its body's mesh
   std::array<double, 3> slave_shape, master_shape;
-  Point position;   ///< on the slave side, m
-  double area;      ///< quadrature weight times measure, m2
-  double gap;       ///< distance between the surfaces, m; negative where they overlap
-  double closure;   ///< 1 where closed, falling smoothly to 0 where the gap exceeds the hand-over width
-  double pressure;  ///< contact pressure interpolated from the slave nodes, Pa
-  Index law;        ///< which named interface
+  Point position;         ///< on the slave side, m
+  double area;            ///< quadrature weight times measure, m2
+  double gap;             ///< distance between the surfaces, m; negative where they overlap
+  double contact_weight;  ///< 1 where closed, falling smoothly to 0 where the gap exceeds the transition gap
+  double pressure;        ///< contact pressure interpolated from the slave nodes, Pa
+  Index law;              ///< which named interface
 };
 
 /// Conductance of the interface and its derivative with respect to the slave side's temperature.

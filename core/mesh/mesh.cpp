@@ -78,9 +78,9 @@ Eigen::Array<double, Points, 1> values_at(const RuleShapes<Points>& rule, const 
 
 }  // namespace
 
-Index find_piece(const Mesh& mesh, const std::string& name) {
-  const auto found = std::find(mesh.pieces.begin(), mesh.pieces.end(), name);
-  return found == mesh.pieces.end() ? -1 : static_cast<Index>(found - mesh.pieces.begin());
+Index find_boundary(const Mesh& mesh, const std::string& name) {
+  const auto found = std::find(mesh.boundary_names.begin(), mesh.boundary_names.end(), name);
+  return found == mesh.boundary_names.end() ? -1 : static_cast<Index>(found - mesh.boundary_names.begin());
 }
 
 Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<std::array<Index, 3>>& triangles) {
@@ -90,7 +90,7 @@ Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<s
   Mesh mesh;
   mesh.nodes = vertices;
   mesh.vertex_count = static_cast<Index>(vertices.size());
-  mesh.pieces = {"boundary"};
+  mesh.boundary_names = {"boundary"};
   mesh.cells.reserve(triangles.size());
   std::map<std::pair<Index, Index>, Side> sides;
   for (const auto& triangle : triangles) {
@@ -133,12 +133,12 @@ Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load)
 
 double volume(const Mesh& mesh, Geometry geometry) {
   // Gauss: the depth's integral over the first coordinate flows out through the boundary; degree 5 on a quadratic edge.
-  const double share = geometry == Geometry::axisymmetric ? 0.5 : 1.0;
+  const double fraction = geometry == Geometry::axisymmetric ? 0.5 : 1.0;
   long double sum = 0;  // the two sides of a thin wall all but cancel
   for (const BoundaryEdge& edge : mesh.boundary)
     for (const auto& at : edge_rule(3)) {
       const EdgePoint point = map_edge_point(mesh, edge.nodes, geometry, at);
-      sum += share * point.area * point.position[0] * point.normal[0];
+      sum += fraction * point.area * point.position[0] * point.normal[0];
     }
   return static_cast<double>(sum);
 }

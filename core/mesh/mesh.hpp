@@ -16,7 +16,7 @@ enum class Geometry { planar, axisymmetric };
 struct BoundaryEdge {
   std::array<Index, 3> nodes;
   Index cell;
-  Index piece;  ///< index into Mesh::pieces
+  Index boundary_id;  ///< index into Mesh::boundaries
 };
 
 /// Quadratic isoparametric triangles. The vertices are numbered before the mid-side nodes.
@@ -25,17 +25,17 @@ struct Mesh {
   Index vertex_count = 0;                   ///< nodes [0, vertex_count) are vertices
   std::vector<std::array<Index, 6>> cells;  ///< vertices 0 1 2 counterclockwise, then mid-sides of 01, 12, 20
   std::vector<BoundaryEdge> boundary;       ///< chained: edge i+1 starts where edge i ends, loop by loop
-  std::vector<std::string> pieces;          ///< names of the boundary pieces
+  std::vector<std::string> boundary_names;  ///< names of the boundaries
 
   Index node_count() const { return static_cast<Index>(nodes.size()); }
   Index cell_count() const { return static_cast<Index>(cells.size()); }
 };
 
-/// Index of a boundary piece by name, -1 when the mesh has none of that name.
-Index find_piece(const Mesh& mesh, const std::string& name);
+/// Index of a boundary by name, -1 when the mesh has none of that name.
+Index find_boundary(const Mesh& mesh, const std::string& name);
 
-/// A quadratic mesh from straight-sided triangles: adds mid-side nodes and the chained boundary (piece 0, "boundary").
-/// Triangles must be counterclockwise.
+/// A quadratic mesh from straight-sided triangles: adds mid-side nodes and the chained boundary (boundary 0,
+/// "boundary"). Triangles must be counterclockwise.
 Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<std::array<Index, 3>>& triangles);
 
 /// Nodal field from values at the vertices: the value of a mid-side node is the mean of its ends.

@@ -16,13 +16,13 @@ struct Segment {
   Point centre = Point::Zero();
   double radius = 0;        ///< m
   double from = 0, to = 0;  ///< angles of start and end, rad; to > from turns counterclockwise
-  Index piece = 0;          ///< index into Profile::pieces
+  Index boundary_id = 0;    ///< index into Profile::boundaries
 };
 
 /// Closed outline of a body, counterclockwise (body on the left), exact geometry.
 struct Profile {
   std::vector<Segment> segments;
-  std::vector<std::string> pieces;
+  std::vector<std::string> boundary_names;
 };
 
 /// Point of a segment at t in [0, 1], uniform in arc length.
@@ -55,7 +55,7 @@ std::pair<Index, Index> find_self_crossing(const Profile& profile);
 /// Chords of the outline with at most `chord` length and `sagitta` deviation; first point of each segment included.
 std::vector<Point> polyline(const Profile& profile, double chord, double sagitta);
 
-/// Straight piece of an outline. `from` and `to` name its ends; chords that meet share a name.
+/// Straight part of an outline. `from` and `to` name its ends; chords that meet share a name.
 struct Chord {
   Point a, b;  ///< m
   Index from, to;

@@ -12,42 +12,42 @@ using core::dim;
 namespace {
 
 /// Slower than this into a tool is round-off to a run of seconds, m/s.
-constexpr double standstill = 1e-8;
+constexpr double velocity_round_off = 1e-8;
 /// A contact released this often in one solve stays closed: the set would cycle.
-constexpr int most_releases = 3;
+constexpr int max_releases = 3;
 /// A node whose slip turned round this often takes the secant of its friction.
-constexpr int most_reversals = 3;
+constexpr int max_reversals = 3;
 /// Slope of Coulomb's limit against its secant: none would leave glass unheld that slides everywhere.
-constexpr double least_slope = 1e-3;
+constexpr double min_stiffness_ratio = 1e-3;
 
 }  // namespace
 
-std::vector<bool> first_set(const Problem& problem, const std::vector<bool>& warm) {
+std::vector<bool> initial_active_set(const Problem& problem, const std::vector<bool>& warm) {
   std::vector<bool> active(problem.candidates.size(), false);
   for (std::size_t i = 0; i < active.size(); ++i)
-    active[i] = problem.candidates[i].held || (warm.empty() ? problem.candidates[i].rate >= 0 : bool(warm[i]));
+    active[i] = problem.candidates[i].tied || (warm.empty() ? problem.candidates[i].rate >= 0 : bool(warm[i]));
   return active;
 }
 
-SetChange update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active,
-                     std::vector<int>& releases) {
-  const Eigen::VectorXd pressed = shared_forces(problem, active, instant.forces.normal);
+ActiveSetChange update_active_set(const Problem& problem, const Instant& instant, std::vector<bool>& active,
+                                  std::vector<int>& releases) {
+  const Eigen::VectorXd lumped = lumped_forces(problem, active, instant.forces.normal);
   const double force_noise = 1e-6 * instant.forces.normal.lpNorm<Eigen::Infinity>();
   const double speed_noise =
-      1e-9 * instant.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + standstill;
+      1e-9 * instant.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + velocity_round_off;
   const Point axis = core::axis_direction();
-  SetChange change;
+  ActiveSetChange change;
   for (std::size_t i = 0; i < active.size(); ++i) {
     const auto& candidate = problem.candidates[i];
     if (active[i]) {
-      if (candidate.held) continue;
+      if (candidate.tied) continue;
       // A vertex carries its neighbours' share: its own quadratic weight may vanish or oscillate.
       const double force = candidate.node < problem.mesh->vertex_count && instant.forces.normal[i] < 0
-                               ? pressed[candidate.node]
+                               ? lumped[candidate.node]
                                : instant.forces.normal[i];
       if (force >= -force_noise) continue;
-      if (releases[i] >= most_releases) {
-        ++change.latched;
+      if (releases[i] >= max_releases) {
+        ++change.locked;
         continue;
       }
       active[i] = false;
@@ -65,17 +65,17 @@ SetChange update_set(const Problem& problem, const Instant& instant, std::vector
 }
 
 void add_friction(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area,
-                  const Instant* last, Sliding& sliding, Held& held) {
-  for (const auto& frame : held.frames) {
-    if (frame.friction_tool < 0) continue;
-    const Index node = frame.node, i = frame.equalities[0].candidate;
-    const auto& friction = problem.tools[frame.friction_tool].friction;
-    const double navier = problem.candidates[i].share * friction.coefficient * area[node];
-    held.drag[node] = navier;
+                  const Instant* last, Sliding& sliding, Constraints& constraints) {
+  for (const auto& constraint : constraints.nodes) {
+    if (constraint.friction_tool < 0) continue;
+    const Index node = constraint.node, i = constraint.equalities[0].candidate;
+    const auto& friction = problem.tools[constraint.friction_tool].friction;
+    const double navier = problem.candidates[i].contact_fraction * friction.coefficient * area[node];
+    constraints.tangential_stiffness[node] = navier;
     if (!friction.coulomb || !last || !active[i]) continue;
     const Point relative =
-        node_velocity(last->unknowns, node) - last->tool_velocity[frame.friction_tool] * core::axis_direction();
-    const double slip = frame.frame.col(dim - 1).dot(relative),
+        node_velocity(last->unknowns, node) - last->tool_velocity[constraint.friction_tool] * core::axis_direction();
+    const double slip = constraint.basis.col(dim - 1).dot(relative),
                  cap = *friction.coulomb * std::max(0.0, last->forces.normal[i]);
     const int sense = navier * std::abs(slip) <= cap ? 0
                       : slip > 0                     ? 1
@@ -84,11 +84,12 @@ void add_friction(const Problem& problem, const std::vector<bool>& active, const
     if (sense == 0) continue;
     if (sense == -before) {
       sliding.sense[i] = 0;
-      if (sliding.reversals[i]++ < most_reversals) continue;
+      if (sliding.reversals[i]++ < max_reversals) continue;
     }
     const double secant = cap / std::abs(slip);
-    held.drag[node] = sliding.reversals[i] < most_reversals ? least_slope * secant : secant;
-    held.pull[node] = sense * cap - held.drag[node] * slip;
+    constraints.tangential_stiffness[node] =
+        sliding.reversals[i] < max_reversals ? min_stiffness_ratio * secant : secant;
+    constraints.tangential_load[node] = sense * cap - constraints.tangential_stiffness[node] * slip;
   }
 }
 

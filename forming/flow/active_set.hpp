@@ -5,18 +5,18 @@
 namespace parison::flow {
 
 /// The candidates that start closed: the guess, or those without a gap where it is empty.
-std::vector<bool> first_set(const Problem& problem, const std::vector<bool>& warm);
+std::vector<bool> initial_active_set(const Problem& problem, const std::vector<bool>& warm);
 
 /// What an update of the contact set did.
-struct SetChange {
+struct ActiveSetChange {
   int changed = 0;  ///< contacts closed or opened
-  int latched = 0;  ///< contacts that pull but stay closed, as they were opened too often
+  int locked = 0;   ///< contacts that pull but stay closed, as they were opened too often
 };
 
 /// Closes the contacts that would be passed through and opens those that pull. `releases` counts how often each was
 /// opened.
-SetChange update_set(const Problem& problem, const Instant& instant, std::vector<bool>& active,
-                     std::vector<int>& releases);
+ActiveSetChange update_active_set(const Problem& problem, const Instant& instant, std::vector<bool>& active,
+                                  std::vector<int>& releases);
 
 /// What is known of the candidates that slide at Coulomb's limit.
 struct Sliding {
@@ -28,6 +28,6 @@ struct Sliding {
 /// Friction of the candidates that are closed, as a line in the slip: Navier's, or Coulomb's limit at the last iterate,
 /// where there is one, with the slip it had. A node whose slip turns round is brought back to Navier's line first.
 void add_friction(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area,
-                  const Instant* last, Sliding& sliding, Held& held);
+                  const Instant* last, Sliding& sliding, Constraints& constraints);
 
 }  // namespace parison::flow

@@ -10,7 +10,7 @@ namespace parison::flow {
 namespace {
 
 /// Share of the largest resistance by which tools that press glass against each other alone are kept from drifting.
-constexpr double least_resistance = 1e-12;
+constexpr double min_resistance = 1e-12;
 
 /// Velocities of the driven tools: force balance, or the speed limit where it would be passed.
 /// `force` column 0 is the axial force at rest, column 1 + k its growth per m/s of driven tool k.
@@ -34,16 +34,16 @@ Eigen::VectorXd drive(const Problem& problem, const std::vector<Index>& driven, 
         resistance.row(k) = Eigen::RowVectorXd::Unit(count, k);
         rhs[k] = velocity[k];
       }
-    const double least = least_resistance * resistance.diagonal().maxCoeff();
+    const double least = min_resistance * resistance.diagonal().maxCoeff();
     for (Index k = 0; k < count; ++k)
       if (!limited[k]) resistance(k, k) += least;
     velocity = resistance.partialPivLu().solve(rhs);
     Index furthest = -1;  // over its limit, of those not yet held by it
     double most = 1;
     for (Index k = 0; k < count; ++k)
-      if (const double share = std::abs(velocity[k]) / problem.tools[driven[k]].speed_limit;
-          !limited[k] && share > most) {
-        most = share;
+      if (const double fraction = std::abs(velocity[k]) / problem.tools[driven[k]].speed_limit;
+          !limited[k] && fraction > most) {
+        most = fraction;
         furthest = k;
       }
     if (furthest < 0) break;
@@ -55,14 +55,14 @@ Eigen::VectorXd drive(const Problem& problem, const std::vector<Index>& driven, 
 
 }  // namespace
 
-Instant balance_tools(const Problem& problem, const std::vector<NodeFrame>& frames, const Eigen::MatrixXd& solution,
-                      const Eigen::MatrixXd& reaction) {
+Instant balance_tools(const Problem& problem, const std::vector<NodeConstraint>& constraints,
+                      const Eigen::MatrixXd& solution, const Eigen::MatrixXd& reaction) {
   const auto driven = driven_tools(problem);
   const auto columns = solution.cols();
   Eigen::MatrixXd force = Eigen::MatrixXd::Zero(Index(driven.size()), columns);
   std::vector<ContactForces> parts;
   for (Index column = 0; column < columns; ++column) {
-    parts.push_back(contact_forces(problem, frames, reaction.col(column)));
+    parts.push_back(contact_forces(problem, constraints, reaction.col(column)));
     for (std::size_t i = 0; i < problem.candidates.size(); ++i)
       for (std::size_t k = 0; k < driven.size(); ++k)
         if (problem.candidates[i].tool == driven[k]) force(k, column) += parts.back().axial[i];
@@ -82,26 +82,28 @@ Instant balance_tools(const Problem& problem, const std::vector<NodeFrame>& fram
 
 using core::dim;
 
-double friction_power(const Held& held, const Instant& instant) {
+double friction_power(const Constraints& constraints, const Instant& instant) {
   double power = 0;
-  for (const auto& frame : held.frames) {
-    if (frame.friction_tool < 0) continue;
-    const Point relative = node_velocity(instant.unknowns, frame.node) -
-                           instant.tool_velocity[frame.friction_tool] * core::axis_direction();
-    const double slip = frame.frame.col(dim - 1).dot(relative);
-    power += (held.drag[frame.node] * slip + held.pull[frame.node]) * slip;
+  for (const auto& constraint : constraints.nodes) {
+    if (constraint.friction_tool < 0) continue;
+    const Point relative = node_velocity(instant.unknowns, constraint.node) -
+                           instant.tool_velocity[constraint.friction_tool] * core::axis_direction();
+    const double slip = constraint.basis.col(dim - 1).dot(relative);
+    power += (constraints.tangential_stiffness[constraint.node] * slip + constraints.tangential_load[constraint.node]) *
+             slip;
   }
   return power;
 }
 
-double arrival_power(const Problem& problem, const std::vector<bool>& active, const ContactForces& forces) {
+double impact_power(const Problem& problem, const std::vector<bool>& active, const ContactForces& forces) {
   double power = 0;
   for (std::size_t i = 0; i < active.size(); ++i) {
     if (!active[i]) continue;
     const auto& candidate = problem.candidates[i];
     if (candidate.rate < 0) power -= forces.normal[i] * candidate.rate;
     if (sticks(problem, candidate))
-      power -= forces.sideways[i] * (1 - candidate.share) * candidate.until.dot(perpendicular(candidate.normal));
+      power -= forces.sideways[i] * (1 - candidate.contact_fraction) *
+               candidate.approach_velocity.dot(perpendicular(candidate.normal));
   }
   return power;
 }
@@ -116,49 +118,51 @@ double correction_power(const Problem& problem, const std::vector<bool>& active,
 
 using core::dim;
 
-std::vector<Index> held_batches(const core::Mesh& mesh, const Held& held) {
+std::vector<Index> constrained_batches(const core::Mesh& mesh, const Constraints& constraints) {
   std::vector<Index> batches;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     const auto& nodes = mesh.cells[c];
-    if (!batches.empty() && batches.back() == c / lanes) continue;
-    if (std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return held.find(node); }))
-      batches.push_back(c / lanes);
+    if (!batches.empty() && batches.back() == c / batch_size) continue;
+    if (std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return constraints.find(node); }))
+      batches.push_back(c / batch_size);
   }
   return batches;
 }
 
-Eigen::VectorXd unbalanced(const Problem& problem, const Held& held, const Eigen::VectorXd& load,
+Eigen::VectorXd unbalanced(const Problem& problem, const Constraints& constraints, const Eigen::VectorXd& load,
                            const Iterate& iterate) {
   Eigen::VectorXd residual = load - iterate.force;
   const auto tools = driven_tools(problem);
-  for (const auto& frame : held.frames) {
-    if (frame.friction_tool < 0) continue;
-    const Point along = frame.frame.col(dim - 1);
-    const auto k = std::find(tools.begin(), tools.end(), frame.friction_tool);
+  for (const auto& constraint : constraints.nodes) {
+    if (constraint.friction_tool < 0) continue;
+    const Point along = constraint.basis.col(dim - 1);
+    const auto k = std::find(tools.begin(), tools.end(), constraint.friction_tool);
     const double wall =
-        k == tools.end() ? problem.tools[frame.friction_tool].velocity : iterate.driven[k - tools.begin()];
-    const double slip = along.dot(node_velocity(iterate.x, frame.node) - wall * core::axis_direction());
-    residual.segment<dim>(dim * frame.node) -= (held.drag[frame.node] * slip + held.pull[frame.node]) * along;
+        k == tools.end() ? problem.tools[constraint.friction_tool].velocity : iterate.driven[k - tools.begin()];
+    const double slip = along.dot(node_velocity(iterate.x, constraint.node) - wall * core::axis_direction());
+    residual.segment<dim>(dim * constraint.node) -=
+        (constraints.tangential_stiffness[constraint.node] * slip + constraints.tangential_load[constraint.node]) *
+        along;
   }
   return residual;
 }
 
-double imbalance(const Problem& problem, const CellMatrices& cells, const Held& held, const Eigen::VectorXd& load,
-                 Iterate& iterate) {
+double imbalance(const Problem& problem, const CellMatrices& cells, const Constraints& constraints,
+                 const Eigen::VectorXd& load, Iterate& iterate) {
   const Eigen::MatrixXd parts = product_and_size(*problem.mesh, cells, iterate.x);
   iterate.force = parts.col(0);
   const Eigen::VectorXd size = parts.col(1) + load.cwiseAbs();
-  Eigen::VectorXd residual = unbalanced(problem, held, load, iterate);
-  for (const auto& frame : held.frames)
+  Eigen::VectorXd residual = unbalanced(problem, constraints, load, iterate);
+  for (const auto& constraint : constraints.nodes)
     for (int a = 0; a < dim; ++a)
-      if (frame.fixed[a]) {
-        auto there = residual.segment<dim>(dim * frame.node);
-        there -= (frame.frame.col(a).dot(there) * frame.frame.col(a)).eval();
+      if (constraint.fixed[a]) {
+        auto there = residual.segment<dim>(dim * constraint.node);
+        there -= (constraint.basis.col(a).dot(there) * constraint.basis.col(a)).eval();
       }
-  double worst = 0;
+  double max_imbalance = 0;
   for (Index i = 0; i < residual.size(); ++i)
-    if (residual[i] != 0) worst = std::max(worst, std::abs(residual[i]) / size[i]);
-  return worst;
+    if (residual[i] != 0) max_imbalance = std::max(max_imbalance, std::abs(residual[i]) / size[i]);
+  return max_imbalance;
 }
 
 }  // namespace parison::flow

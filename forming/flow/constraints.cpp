@@ -19,33 +19,33 @@ namespace {
 constexpr double parallel = 0.05;
 
 /// The nodes that have equalities, and which of these is a node's; -1 where it has none.
-struct HeldNodes {
+struct NodeEqualityMap {
   std::vector<Index> of_node;
   std::vector<NodeEqualities> equalities;
 
   /// Adds an equality that is independent of those that the node has.
-  void add(Index node, const NodeEquality& wish) {
+  void add(Index node, const NodeEquality& equality) {
     if (of_node[node] < 0) {
       of_node[node] = static_cast<Index>(equalities.size());
       equalities.emplace_back();
     }
     auto& list = equalities[of_node[node]];
     if (list.size() >= dim) return;
-    for (const auto& have : list)
-      if (std::abs(have.normal[0] * wish.normal[1] - have.normal[1] * wish.normal[0]) < parallel) return;
-    list.push_back(wish);
+    for (const auto& known : list)
+      if (std::abs(known.normal[0] * equality.normal[1] - known.normal[1] * equality.normal[0]) < parallel) return;
+    list.push_back(equality);
   }
 };
 
-/// Equalities of symmetry planes and fixed pieces.
-void add_piece_equalities(const Problem& problem, HeldNodes& nodes) {
+/// Equalities of symmetry planes and fixed boundaries.
+void add_boundary_equalities(const Problem& problem, NodeEqualityMap& nodes) {
   const auto& mesh = *problem.mesh;
   for (const auto& edge : mesh.boundary) {
-    const auto& condition = problem.pieces[edge.piece];
-    if (condition.kind == PieceCondition::Kind::free) continue;
+    const auto& condition = problem.boundary_conditions[edge.boundary_id];
+    if (condition.kind == BoundaryCondition::Kind::free) continue;
     const auto at = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1.0});
     for (const Index node : edge.nodes) {
-      const bool fixed = condition.kind == PieceCondition::Kind::fixed;
+      const bool fixed = condition.kind == BoundaryCondition::Kind::fixed;
       const Point velocity = fixed && condition.velocity ? condition.velocity(mesh.nodes[node]) : Point(Point::Zero());
       nodes.add(node, {at.normal, velocity.dot(at.normal)});
       if (fixed) nodes.add(node, {at.tangent, velocity.dot(at.tangent)});
@@ -53,20 +53,21 @@ void add_piece_equalities(const Problem& problem, HeldNodes& nodes) {
   }
 }
 
-NodeFrame make_frame(const Problem& problem, Index node, const NodeEqualities& equalities,
-                     const std::vector<Index>& driven) {
-  NodeFrame result;
+NodeConstraint make_node_constraint(const Problem& problem, Index node, const NodeEqualities& equalities,
+                                    const std::vector<Index>& driven) {
+  NodeConstraint result;
   result.node = node;
   result.equalities = equalities;
   const Point axis = core::axis_direction();
   auto rows = equalities;
   if (rows.size() == 1) {
-    result.frame.col(0) = rows[0].normal;
-    result.frame.col(1) = perpendicular(rows[0].normal);
+    result.basis.col(0) = rows[0].normal;
+    result.basis.col(1) = perpendicular(rows[0].normal);
     const Index tool = rows[0].tool;
     if (tool >= 0 && sticks(problem, problem.candidates[rows[0].candidate])) {
       const auto& candidate = problem.candidates[rows[0].candidate];
-      NodeEquality side{result.frame.col(1), (1 - candidate.share) * candidate.until.dot(result.frame.col(1)), tool,
+      NodeEquality side{result.basis.col(1),
+                        (1 - candidate.contact_fraction) * candidate.approach_velocity.dot(result.basis.col(1)), tool,
                         -1};
       if (!problem.tools[tool].force) side.value += problem.tools[tool].velocity * side.normal.dot(axis);
       rows.push_back(side);
@@ -84,7 +85,7 @@ NodeFrame make_frame(const Problem& problem, Index node, const NodeEqualities& e
     result.fixed[i] = true;
   }
   if (rows.size() == dim) values = (normals.inverse() * values).eval();  // the velocity itself
-  if (rows.size() == dim) result.frame = core::Tensor::Identity();
+  if (rows.size() == dim) result.basis = core::Tensor::Identity();
   result.given = values;
   return result;
 }
@@ -103,10 +104,10 @@ std::vector<Index> driven_tools(const Problem& problem) {
   return driven;
 }
 
-Held hold_nodes(const Problem& problem, const std::vector<bool>& active) {
+Constraints make_constraints(const Problem& problem, const std::vector<bool>& active) {
   const auto driven = driven_tools(problem);
-  HeldNodes nodes{std::vector<Index>(problem.mesh->nodes.size(), -1), {}};
-  add_piece_equalities(problem, nodes);
+  NodeEqualityMap nodes{std::vector<Index>(problem.mesh->nodes.size(), -1), {}};
+  add_boundary_equalities(problem, nodes);
   const Point axis = core::axis_direction();
   for (std::size_t i = 0; i < problem.candidates.size(); ++i) {
     if (!active[i]) continue;
@@ -116,26 +117,27 @@ Held hold_nodes(const Problem& problem, const std::vector<bool>& active) {
     if (!tool.force) equality.value += tool.velocity * candidate.normal.dot(axis);
     nodes.add(candidate.node, equality);
   }
-  Held held;
-  held.frame_of.assign(nodes.of_node.size(), -1);
-  held.frames.reserve(nodes.equalities.size());
-  held.drag = held.pull = Eigen::VectorXd::Zero(problem.mesh->node_count());
+  Constraints constraints;
+  constraints.index_of.assign(nodes.of_node.size(), -1);
+  constraints.nodes.reserve(nodes.equalities.size());
+  constraints.tangential_stiffness = constraints.tangential_load = Eigen::VectorXd::Zero(problem.mesh->node_count());
   for (Index node = 0; node < problem.mesh->node_count(); ++node) {
     if (nodes.of_node[node] < 0) continue;
-    held.frame_of[node] = static_cast<Index>(held.frames.size());
-    held.frames.push_back(make_frame(problem, node, nodes.equalities[nodes.of_node[node]], driven));
+    constraints.index_of[node] = static_cast<Index>(constraints.nodes.size());
+    constraints.nodes.push_back(make_node_constraint(problem, node, nodes.equalities[nodes.of_node[node]], driven));
   }
-  return held;
+  return constraints;
 }
 
 namespace {
 
 /// Whether anything resists a translation of the glass along coordinate `axis`.
-bool resists(const std::vector<NodeFrame>& frames, int axis) {
+bool resists(const std::vector<NodeConstraint>& constraints, int axis) {
   constexpr double counts = 1e-3;
-  return std::any_of(frames.begin(), frames.end(), [&](const NodeFrame& frame) {
+  return std::any_of(constraints.begin(), constraints.end(), [&](const NodeConstraint& constraint) {
     for (int a = 0; a < dim; ++a)
-      if ((frame.fixed[a] || (frame.friction_tool >= 0 && a == dim - 1)) && std::abs(frame.frame(axis, a)) > counts)
+      if ((constraint.fixed[a] || (constraint.friction_tool >= 0 && a == dim - 1)) &&
+          std::abs(constraint.basis(axis, a)) > counts)
         return true;
     return false;
   });
@@ -155,14 +157,14 @@ bool close_first_met(const Problem& problem, int axis, double load, std::vector<
 
 }  // namespace
 
-bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Held& held) {
+bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Constraints& constraints) {
   const bool rings = core::hoop(problem.geometry, Point::Ones()) != 0;
   for (int axis = rings ? dim - 1 : 0; axis < dim; ++axis) {
-    if (resists(held.frames, axis)) continue;
+    if (resists(constraints.nodes, axis)) continue;
     double force = 0;
     for (Index n = 0; n < problem.mesh->node_count(); ++n) force += load[dim * n + axis];
     if (!close_first_met(problem, axis, force, active)) return false;
-    held = hold_nodes(problem, active);
+    constraints = make_constraints(problem, active);
   }
   return true;
 }
@@ -196,27 +198,27 @@ struct Frame {
   }
 };
 
-Eigen::Matrix<double, motions, motions> holding(const Problem& problem) {
+Eigen::Matrix<double, motions, motions> constrained_motions(const Problem& problem) {
   const core::Mesh& mesh = *problem.mesh;
   const Frame frame(mesh);
   Eigen::Matrix<double, motions, motions> sum = Eigen::Matrix<double, motions, motions>::Zero();
-  const auto hold = [&](Index node, const Point& direction) {
+  const auto constrain = [&](Index node, const Point& direction) {
     const Motion row = frame.speeds(mesh.nodes[node], direction);
     sum += row * row.transpose();
   };
   for (const auto& edge : mesh.boundary) {
-    const auto kind = problem.pieces[edge.piece].kind;
-    if (kind == PieceCondition::Kind::free) continue;
+    const auto kind = problem.boundary_conditions[edge.boundary_id].kind;
+    if (kind == BoundaryCondition::Kind::free) continue;
     const auto at = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1.0});
     for (const Index node : edge.nodes) {
-      hold(node, at.normal);
-      if (kind == PieceCondition::Kind::fixed) hold(node, at.tangent);
+      constrain(node, at.normal);
+      if (kind == BoundaryCondition::Kind::fixed) constrain(node, at.tangent);
     }
   }
   for (const auto& candidate : problem.candidates) {
-    hold(candidate.node, candidate.normal);
+    constrain(candidate.node, candidate.normal);
     if (problem.tools[candidate.tool].friction.law != Friction::Law::slip)
-      hold(candidate.node, Point(-candidate.normal[1], candidate.normal[0]));
+      constrain(candidate.node, Point(-candidate.normal[1], candidate.normal[0]));
   }
   return sum;
 }
@@ -226,12 +228,12 @@ Eigen::Matrix<double, motions, motions> holding(const Problem& problem) {
 std::string free_motion(const Problem& problem) {
   const auto sentence = [](const char* motion) {
     return std::string("the glass is not held: it is free to ") + motion +
-           ", which no tool, symmetry plane or fixed piece prevents";
+           ", which no tool, symmetry plane or fixed boundary prevents";
   };
-  const auto held = holding(problem);
+  const auto constrained = constrained_motions(problem);
   if (core::hoop(problem.geometry, Point::Ones()) != 0)  // rings only move along the axis
-    return held(dim - 1, dim - 1) > weakest ? "" : sentence("move along the axis");
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, motions, motions>> modes(held);
+    return constrained(dim - 1, dim - 1) > weakest ? "" : sentence("move along the axis");
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, motions, motions>> modes(constrained);
   if (modes.eigenvalues()[0] > weakest * std::max(1.0, modes.eigenvalues()[motions - 1])) return "";
   Index axis = 0;
   modes.eigenvectors().col(0).cwiseAbs().maxCoeff(&axis);

@@ -12,7 +12,7 @@ namespace parison::flow {
 struct NodeEquality {
   Point normal;
   double value = 0;
-  Index tool = -1;       ///< Problem::tools index, -1 for symmetry planes and fixed pieces
+  Index tool = -1;       ///< Problem::tools index, -1 for symmetry planes and fixed boundaries
   Index candidate = -1;  ///< Problem::candidates index, -1 likewise
 };
 
@@ -29,14 +29,15 @@ struct NodeEqualities {
 };
 
 /// Tools driven by force at a time, at the most.
-inline constexpr int most_driven = 4;
+inline constexpr int max_driven_tools = 4;
 /// Coordinates of a velocity: column 0 constant, column 1 + k per m/s of driven tool k.
-using GivenVelocity = Eigen::Matrix<double, core::dim, Eigen::Dynamic, Eigen::ColMajor, core::dim, 1 + most_driven>;
+using GivenVelocity =
+    Eigen::Matrix<double, core::dim, Eigen::Dynamic, Eigen::ColMajor, core::dim, 1 + max_driven_tools>;
 
 /// A node with equalities, in the frame of its columns: v = frame u, u[i] given where fixed[i].
-struct NodeFrame {
+struct NodeConstraint {
   Index node;
-  core::Tensor frame = core::Tensor::Identity();
+  core::Tensor basis = core::Tensor::Identity();
   std::array<bool, core::dim> fixed{};
   GivenVelocity given;
   NodeEqualities equalities;
@@ -44,13 +45,13 @@ struct NodeFrame {
 };
 
 /// How the nodes are held with one set of closed contacts.
-struct Held {
-  std::vector<NodeFrame> frames;
-  std::vector<Index> frame_of;  ///< per node, -1 where free
+struct Constraints {
+  std::vector<NodeConstraint> nodes;
+  std::vector<Index> index_of;  ///< per node, -1 where free
   /// Per node, along the last column of the frame where friction acts: friction = drag x slip + pull, N.s/m and N.
-  Eigen::VectorXd drag, pull;
+  Eigen::VectorXd tangential_stiffness, tangential_load;
 
-  const NodeFrame* find(Index node) const { return frame_of[node] < 0 ? nullptr : &frames[frame_of[node]]; }
+  const NodeConstraint* find(Index node) const { return index_of[node] < 0 ? nullptr : &nodes[index_of[node]]; }
 };
 
 /// A direction along a surface: its normal turned left.
@@ -64,15 +65,15 @@ bool sticks(const Problem& problem, const ContactCandidate& candidate);
 /// Tools whose velocity is an unknown, as indices into Problem::tools.
 std::vector<Index> driven_tools(const Problem& problem);
 
-/// The nodes held by symmetry, fixed pieces and the active candidates; no friction yet.
-Held hold_nodes(const Problem& problem, const std::vector<bool>& active);
+/// The nodes held by symmetry, fixed boundaries and the active candidates; no friction yet.
+Constraints make_constraints(const Problem& problem, const std::vector<bool>& active);
 
 /// Sees to it that no translation is left free, closing the contact that the glass would fall on under `load`; false
 /// when it would fall for ever. Radial motion of a ring is no translation.
-bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Held& held);
+bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Constraints& constraints);
 
 /// A rigid motion of the glass that nothing can hold, as a sentence; empty where there is none. Symmetry planes, fixed
-/// pieces and every candidate count, closed or not: tools that stick or rub hold sideways as well.
+/// boundaries and every candidate count, closed or not: tools that stick or rub hold sideways as well.
 std::string free_motion(const Problem& problem);
 
 }  // namespace parison::flow

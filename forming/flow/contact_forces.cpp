@@ -8,14 +8,14 @@ namespace parison::flow {
 
 using core::dim;
 
-ContactForces contact_forces(const Problem& problem, const std::vector<NodeFrame>& frames,
+ContactForces contact_forces(const Problem& problem, const std::vector<NodeConstraint>& constraints,
                              const Eigen::VectorXd& reaction) {
   const auto count = static_cast<Index>(problem.candidates.size());
   ContactForces forces{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
   const Point axis = core::axis_direction();
-  for (const auto& frame : frames) {
-    const Point total = node_velocity(reaction, frame.node);
-    const auto& equalities = frame.equalities;
+  for (const auto& constraint : constraints) {
+    const Point total = node_velocity(reaction, constraint.node);
+    const auto& equalities = constraint.equalities;
     if (equalities.size() == 1) {
       if (equalities[0].candidate < 0) continue;
       forces.normal[equalities[0].candidate] = total.dot(equalities[0].normal);
@@ -47,7 +47,7 @@ Eigen::VectorXd to_nodes(const Problem& problem, const std::vector<bool>& active
 }
 
 /// Adds half of each mid-side value to its edge's ends.
-Eigen::VectorXd share(const core::Mesh& mesh, const Eigen::VectorXd& nodal) {
+Eigen::VectorXd distribute_mid_sides(const core::Mesh& mesh, const Eigen::VectorXd& nodal) {
   Eigen::VectorXd shared = nodal;
   for (const auto& edge : mesh.boundary)
     for (int end = 0; end < 2; ++end) shared[edge.nodes[end]] += 0.5 * nodal[edge.nodes[2]];
@@ -56,28 +56,29 @@ Eigen::VectorXd share(const core::Mesh& mesh, const Eigen::VectorXd& nodal) {
 
 }  // namespace
 
-std::vector<bool> pressed_nodes(const Problem& problem, const std::vector<bool>& active) {
-  std::vector<bool> pressed(problem.mesh->nodes.size(), false);
+std::vector<bool> nodes_in_contact(const Problem& problem, const std::vector<bool>& active) {
+  std::vector<bool> in_contact(problem.mesh->nodes.size(), false);
   for (std::size_t i = 0; i < active.size(); ++i)
-    if (active[i]) pressed[problem.candidates[i].node] = true;
-  return pressed;
+    if (active[i]) in_contact[problem.candidates[i].node] = true;
+  return in_contact;
 }
 
-Eigen::VectorXd shared_forces(const Problem& problem, const std::vector<bool>& active,
+Eigen::VectorXd lumped_forces(const Problem& problem, const std::vector<bool>& active,
                               const Eigen::VectorXd& normal_force) {
-  return share(*problem.mesh, to_nodes(problem, active, normal_force));
+  return distribute_mid_sides(*problem.mesh, to_nodes(problem, active, normal_force));
 }
 
 Eigen::VectorXd contact_pressure(const Problem& problem, const std::vector<bool>& active,
                                  const Eigen::VectorXd& normal_force, const Eigen::VectorXd& area) {
   const auto& mesh = *problem.mesh;
-  const auto pressed = pressed_nodes(problem, active);
-  const Eigen::VectorXd force = shared_forces(problem, active, normal_force), shared_area = share(mesh, area);
+  const auto in_contact = nodes_in_contact(problem, active);
+  const Eigen::VectorXd force = lumped_forces(problem, active, normal_force),
+                        shared_area = distribute_mid_sides(mesh, area);
   Eigen::VectorXd pressure = Eigen::VectorXd::Zero(mesh.node_count());
   for (Index n = 0; n < mesh.vertex_count; ++n)
-    if (pressed[n] && shared_area[n] > 0) pressure[n] = std::max(0.0, force[n] / shared_area[n]);
+    if (in_contact[n] && shared_area[n] > 0) pressure[n] = std::max(0.0, force[n] / shared_area[n]);
   for (const auto& edge : mesh.boundary)
-    if (pressed[edge.nodes[2]]) pressure[edge.nodes[2]] = 0.5 * (pressure[edge.nodes[0]] + pressure[edge.nodes[1]]);
+    if (in_contact[edge.nodes[2]]) pressure[edge.nodes[2]] = 0.5 * (pressure[edge.nodes[0]] + pressure[edge.nodes[1]]);
   return pressure;
 }
 

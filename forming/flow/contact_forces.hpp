@@ -11,12 +11,12 @@ struct ContactForces {
 };
 
 /// Splits the nodal reactions (two per node, N) of constrained nodes among their contacts.
-ContactForces contact_forces(const Problem& problem, const std::vector<NodeFrame>& frames,
+ContactForces contact_forces(const Problem& problem, const std::vector<NodeConstraint>& constraints,
                              const Eigen::VectorXd& reaction);
 
 /// Normal forces with those of mid-side nodes shared by their edge's ends: the weights by which a vertex is pressed or
 /// pulled. At mid-side nodes the force itself.
-Eigen::VectorXd shared_forces(const Problem& problem, const std::vector<bool>& active,
+Eigen::VectorXd lumped_forces(const Problem& problem, const std::vector<bool>& active,
                               const Eigen::VectorXd& normal_force);
 
 /// Contact pressure per node, Pa: linear along each edge, from the shared forces over the shared contact areas `area`,
@@ -25,6 +25,6 @@ Eigen::VectorXd contact_pressure(const Problem& problem, const std::vector<bool>
                                  const Eigen::VectorXd& normal_force, const Eigen::VectorXd& area);
 
 /// Which nodes an active candidate presses.
-std::vector<bool> pressed_nodes(const Problem& problem, const std::vector<bool>& active);
+std::vector<bool> nodes_in_contact(const Problem& problem, const std::vector<bool>& active);
 
 }  // namespace parison::flow

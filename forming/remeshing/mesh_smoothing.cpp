@@ -14,7 +14,7 @@ namespace parison::forming {
 
 using core::dim;
 
-void spread_shift(const core::Mesh& from, core::Mesh& mesh) {
+void smooth_displacement(const core::Mesh& from, core::Mesh& mesh) {
   constexpr int sweeps = 20;
   std::vector<bool> on_surface(mesh.nodes.size(), false);
   for (const Index node : surface_nodes(mesh)) on_surface[node] = true;
@@ -33,11 +33,11 @@ void spread_shift(const core::Mesh& from, core::Mesh& mesh) {
 
 namespace {
 
-/// Unit directions in which surface nodes may move: along the normal, within symmetry planes; zero on fixed pieces.
+/// Unit directions in which surface nodes may move: along the normal, within symmetry planes; zero on fixed boundaries.
 std::vector<Point> surface_directions(const Scene& scene, const core::Mesh& mesh) {
   std::vector<Point> direction(mesh.nodes.size(), Point::Zero());
   for (const auto& edge : mesh.boundary) {
-    if (piece_kind(scene.glass, mesh.pieces[edge.piece]) == PieceKind::symmetry) continue;
+    if (boundary_kind(scene.glass, mesh.boundary_names[edge.boundary_id]) == BoundaryKind::symmetry) continue;
     const double ends[] = {0, 1, 0.5};
     for (int i = 0; i < 3; ++i)
       direction[edge.nodes[i]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {ends[i], 1}).normal;
@@ -45,22 +45,22 @@ std::vector<Point> surface_directions(const Scene& scene, const core::Mesh& mesh
   for (auto& along : direction)
     if (along.norm() > 0) along.normalize();
   for (const auto& edge : mesh.boundary) {
-    const PieceKind kind = piece_kind(scene.glass, mesh.pieces[edge.piece]);
+    const BoundaryKind kind = boundary_kind(scene.glass, mesh.boundary_names[edge.boundary_id]);
     const Point normal = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1}).normal;
     for (const Index node : edge.nodes) {
-      if (kind == PieceKind::symmetry) direction[node] -= direction[node].dot(normal) * normal;
-      if (kind == PieceKind::fixed) direction[node].setZero();
+      if (kind == BoundaryKind::symmetry) direction[node] -= direction[node].dot(normal) * normal;
+      if (kind == BoundaryKind::fixed) direction[node].setZero();
     }
   }
   return direction;
 }
 
 /// Takes the directions of nodes that touch tools away.
-void hold_at_tools(const Scene& scene, const State& state, const core::Mesh& mesh, std::vector<Point>& direction) {
+void constrain_at_tools(const Scene& scene, const State& state, const core::Mesh& mesh, std::vector<Point>& direction) {
   constexpr double touching = 2e-6;
   for (const auto& place : scene.stages[state.stage].tools) {
     const Body& body = scene.tools[place.tool];
-    const auto contact = contact_pieces(body);
+    const auto contact = contact_boundaries(body);
     const Point offset = state.bodies[1 + place.tool].offset * core::axis_direction();
     for (const Index node : surface_nodes(mesh))
       if (contact::signed_gap(body.profile, contact, mesh.nodes[node] - offset) < touching) direction[node].setZero();
@@ -84,26 +84,26 @@ void move(double distance, const std::vector<Point>& direction, core::Mesh& mesh
 
 }  // namespace
 
-void restore_volume(const Scene& scene, const State& state, double wanted, core::Mesh& mesh) {
-  constexpr double furthest = 0.05e-3;  // of the free surface in one round
-  constexpr double far = 20e-6, slight = 3e-6;
+void restore_volume(const Scene& scene, const State& state, double target, core::Mesh& mesh) {
+  constexpr double max_shift = 0.05e-3;  // of the free surface in one round
+  constexpr double max_free_shift = 20e-6, max_whole_shift = 3e-6;
   constexpr double reached = 4e-15;
   constexpr int free_rounds = 20, rounds = 26;
   bool everywhere = false;
   for (int round = 0; round < rounds; ++round) {
-    const double defect = wanted - core::volume(mesh, scene.geometry);
-    if (std::abs(defect) <= reached * wanted) return;
+    const double defect = target - core::volume(mesh, scene.geometry);
+    if (std::abs(defect) <= reached * target) return;
     auto direction = surface_directions(scene, mesh);
     const double whole = swept_area(scene, mesh, direction);
     if (!everywhere) {
       auto free = direction;
-      hold_at_tools(scene, state, mesh, free);
+      constrain_at_tools(scene, state, mesh, free);
       const double open = swept_area(scene, mesh, free);
-      const bool little = std::abs(defect) > far * open && std::abs(defect) < slight * whole;
-      everywhere = open <= 0 || little || round >= free_rounds;
+      const bool small = std::abs(defect) > max_free_shift * open && std::abs(defect) < max_whole_shift * whole;
+      everywhere = open <= 0 || small || round >= free_rounds;
       if (!everywhere) {
-        move(std::clamp(defect / open, -furthest, furthest), free, mesh);
-        lift_out_of_tools(scene, state, mesh);
+        move(std::clamp(defect / open, -max_shift, max_shift), free, mesh);
+        project_out_of_tools(scene, state, mesh);
         continue;
       }
     }

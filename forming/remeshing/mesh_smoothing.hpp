@@ -7,11 +7,11 @@ namespace parison::forming {
 
 /// Carries the shift of the surface nodes since `from` into the mesh, where it fades: inner nodes follow the mean of
 /// the cells around them.
-void spread_shift(const core::Mesh& from, core::Mesh& mesh);
+void smooth_displacement(const core::Mesh& from, core::Mesh& mesh);
 
-/// Moves the surface along its normals until the mesh has the volume `wanted`, m3, to round-off: the part that no tool
+/// Moves the surface along its normals until the mesh has the volume `target`, m3, to round-off: the part that no tool
 /// touches, by the same distance everywhere, and does not enter a tool; the whole surface, contacts as well, where
 /// nothing is free or the free part is so small that it would move far, for what is below a few micrometres there.
-void restore_volume(const Scene& scene, const State& state, double wanted, core::Mesh& mesh);
+void restore_volume(const Scene& scene, const State& state, double target, core::Mesh& mesh);
 
 }  // namespace parison::forming

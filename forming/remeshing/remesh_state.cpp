@@ -26,26 +26,27 @@ using core::dim;
 namespace {
 
 /// From the end of a stretch that a stage names to the surface of the glass, m.
-constexpr double farthest_name = 5e-3;
+constexpr double max_end_distance = 5e-3;
 
 /// A new node this near to a tool, next to an old node that touched it, touches it.
 constexpr double touching = 2e-5;
 /// A surface node nearer to a tool than this will soon touch: it wants the resolution of a thermal skin.
-constexpr double soon = 1.0e-3;
+constexpr double contact_proximity = 1.0e-3;
 /// Smallest edge of all, of the skin size.
-constexpr double smallest_share = 0.5;
+constexpr double min_edge_fraction = 0.5;
 
 /// Edge length in each cell with which the gradient of temperature and the rate of deformation keep the wanted error.
-std::vector<double> solution_wishes(const Scene& scene, const State& state) {
+std::vector<double> solution_target_sizes(const Scene& scene, const State& state) {
   const core::Mesh& mesh = state.bodies[0].mesh;
-  std::vector<double> wishes(mesh.cells.size(), std::numeric_limits<double>::infinity());
-  const auto take = [&](const remesh::DerivativeError& error) {
+  std::vector<double> target_sizes(mesh.cells.size(), std::numeric_limits<double>::infinity());
+  const auto refine = [&](const remesh::DerivativeError& error) {
     const Eigen::VectorXd sizes = remesh::equidistributing_sizes(mesh, error, scene.accuracy.solution_error);
-    for (std::size_t cell = 0; cell < wishes.size(); ++cell) wishes[cell] = std::min(wishes[cell], sizes[cell]);
+    for (std::size_t cell = 0; cell < target_sizes.size(); ++cell)
+      target_sizes[cell] = std::min(target_sizes[cell], sizes[cell]);
   };
-  if (scene.has_heat()) take(remesh::gradient_error(mesh, scene.geometry, state.bodies[0].temperature));
-  if (state.last_step > 0) take(remesh::rate_error(mesh, scene.geometry, state.velocity));
-  return wishes;
+  if (scene.has_heat()) refine(remesh::gradient_error(mesh, scene.geometry, state.bodies[0].temperature));
+  if (state.last_step > 0) refine(remesh::rate_error(mesh, scene.geometry, state.velocity));
+  return target_sizes;
 }
 
 remesh::Criteria criteria(const Scene& scene, const State& state) {
@@ -57,22 +58,22 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   result.skin_size = accuracy.skin_size;
   result.elements_across = accuracy.elements_across;
   result.growth = accuracy.glass_growth;
-  result.smallest = smallest_share * accuracy.skin_size;
-  result.straight_pieces = symmetry_pieces(scene.glass, mesh);
+  result.smallest = min_edge_fraction * accuracy.skin_size;
+  result.straight_boundaries = symmetry_boundaries(scene.glass, mesh);
   result.contact.assign(mesh.nodes.size(), false);
-  result.skin_wish.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
+  result.target_skin_size.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
   for (Index n = 0; n < mesh.node_count(); ++n) result.contact[n] = state.contact.tool[n] >= 0;
   if (scene.has_heat())
     for (const auto& place : scene.stages[state.stage].tools) {
-      const Eigen::VectorXd gaps = tool_gaps(scene, state, place.tool, soon);
+      const Eigen::VectorXd gaps = tool_gaps(scene, state, place.tool, contact_proximity);
       for (Index n = 0; n < mesh.node_count(); ++n)
-        if (gaps[n] < soon) result.skin_wish[n] = accuracy.skin_size;
+        if (gaps[n] < contact_proximity) result.target_skin_size[n] = accuracy.skin_size;
     }
-  result.thinnest_film = scene.glass.film.thinnest;
-  result.most_cells = accuracy.most_cells;
+  result.min_film_thickness = scene.glass.film.min_thickness;
+  result.max_cells = accuracy.max_cells;
   result.keep = tool_corners(scene, state);
-  result.clear = way_out_of_tools(scene, state);
-  if (accuracy.solution_error > 0) result.cell_wish = solution_wishes(scene, state);
+  result.project_out = projector_out_of_tools(scene, state);
+  if (accuracy.solution_error > 0) result.target_cell_size = solution_target_sizes(scene, state);
   return result;
 }
 
@@ -101,7 +102,7 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const r
     const Index tool = old.contact.tool[nearest_surface_node(from, on_surface, transfer.cell[node], x)];
     if (tool < 0) continue;
     const Body& body = scene.tools[tool];
-    const auto contact = contact_pieces(body);
+    const auto contact = contact_boundaries(body);
     const Point local = x - old.bodies[1 + tool].offset * core::axis_direction();
     if (contact::signed_gap(body.profile, contact, local) < touching) tools[node] = tool;
   }
@@ -111,18 +112,18 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const r
 /// Lifts the new surface out of the tools and gives the mesh the old volume; the inside follows where cells suffer.
 /// False where that folds the mesh.
 bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
-  constexpr double suffering = 0.9;  // of the quality as meshed
+  constexpr double acceptable = 0.9;  // of the quality as meshed
   const core::Mesh made = mesh;
-  lift_out_of_tools(scene, state, mesh);
+  project_out_of_tools(scene, state, mesh);
   restore_volume(scene, state, core::volume(state.bodies[0].mesh, scene.geometry), mesh);
-  double worst = remesh::worst_quality(mesh);
-  if (worst < suffering * remesh::worst_quality(made)) {
+  double min_quality = remesh::min_quality(mesh);
+  if (min_quality < acceptable * remesh::min_quality(made)) {
     core::Mesh followed = mesh;
-    spread_shift(made, followed);
-    const double then = remesh::worst_quality(followed);
-    if (then > worst) mesh = std::move(followed), worst = then;
+    smooth_displacement(made, followed);
+    const double then = remesh::min_quality(followed);
+    if (then > min_quality) mesh = std::move(followed), min_quality = then;
   }
-  return worst > 0;
+  return min_quality > 0;
 }
 
 /// The temperature on the new mesh, within the old extremes and with the heat content of the old one.
@@ -163,44 +164,44 @@ void carry_flow(const Scene& scene, const State& state, const remesh::Transfer& 
   const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
   next.velocity = interpolate_vectors(old, transfer, state.velocity);
   next.acceleration = interpolate_vectors(old, transfer, state.acceleration);
-  next.swelling = interpolate_vectors(old, transfer, state.swelling);
+  next.dilatation_mode = interpolate_vectors(old, transfer, state.dilatation_mode);
   if (state.temperature_rate.size() > 0)
     next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
   next.contact.tool = next.contact.tool_before = carried_contact(scene, state, transfer, mesh);
-  next.contact.closed = {};
+  next.contact.active = {};
   next.heat_couplings.clear();
   next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
   for (Index n = 0; n < mesh.node_count(); ++n)
     if (next.contact.tool[n] < 0) next.contact.pressure[n] = 0;
 }
 
-void book_change(double change, double& sum, double& largest) {
+void accumulate_change(double change, double& sum, double& largest) {
   sum += change;
   largest = std::max(largest, std::abs(change));
 }
 
 /// How far the new temperatures go beyond the old ones, K; 0 where they do not.
-double new_extreme(const State& state, const State& next) {
+double transfer_overshoot(const State& state, const State& next) {
   const Eigen::VectorXd &old = state.bodies[0].temperature, &now = next.bodies[0].temperature;
   return std::max({0.0, now.maxCoeff() - old.maxCoeff(), old.minCoeff() - now.minCoeff()});
 }
 
-void book(const Scene& scene, const State& state, RemeshReason why, const remesh::Remeshed& made, State& next) {
+void accumulate(const Scene& scene, const State& state, RemeshReason why, const remesh::Remeshed& made, State& next) {
   const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
-  RemeshLedger& ledger = next.totals.remeshing;
-  ++ledger.count[static_cast<std::size_t>(why)];
-  book_change(core::volume(mesh, scene.geometry) - core::volume(old, scene.geometry), ledger.volume,
-              ledger.largest_volume);
+  RemeshStatistics& statistics = next.totals.remeshing;
+  ++statistics.count[static_cast<std::size_t>(why)];
+  accumulate_change(core::volume(mesh, scene.geometry) - core::volume(old, scene.geometry), statistics.volume,
+                    statistics.max_volume);
   if (scene.has_heat()) {
-    book_change(glass_heat(scene, next) - glass_heat(scene, state), ledger.heat, ledger.largest_heat);
-    ledger.new_extreme = std::max(ledger.new_extreme, new_extreme(state, next));
+    accumulate_change(glass_heat(scene, next) - glass_heat(scene, state), statistics.heat, statistics.max_heat);
+    statistics.transfer_overshoot = std::max(statistics.transfer_overshoot, transfer_overshoot(state, next));
   }
-  ledger.coarser = std::max(ledger.coarser, made.coarser);
-  ledger.laps += made.laps;
-  ledger.lap_volume += made.lap_volume;
+  statistics.coarsening_factor = std::max(statistics.coarsening_factor, made.coarsening_factor);
+  statistics.laps += made.laps;
+  statistics.lap_volume += made.lap_volume;
   const auto quality = remesh::quality(mesh);
-  ledger.worst_quality = std::min(ledger.worst_quality, quality.worst);
-  ledger.lowest_median = std::min(ledger.lowest_median, quality.median);
+  statistics.min_quality = std::min(statistics.min_quality, quality.min);
+  statistics.min_median = std::min(statistics.min_median, quality.median);
 }
 
 /// The edge that may touch tools whose first (`end` 0) or last (1) node is nearest to x, and the distance.
@@ -211,7 +212,7 @@ struct NearestEdge {
 NearestEdge nearest_edge(const core::Mesh& mesh, const std::vector<bool>& may_touch, const Point& x, int end) {
   NearestEdge nearest;
   for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
-    if (!may_touch[mesh.boundary[e].piece]) continue;
+    if (!may_touch[mesh.boundary[e].boundary_id]) continue;
     const double d = (mesh.nodes[mesh.boundary[e].nodes[end]] - x).norm();
     if (d < nearest.distance) nearest = {e, d};
   }
@@ -219,27 +220,28 @@ NearestEdge nearest_edge(const core::Mesh& mesh, const std::vector<bool>& may_to
 }
 
 /// Names the edges that may touch tools from the surface node nearest `from` to the one nearest `to`.
-void name_stretch(const NamedStretch& stretch, const std::vector<bool>& may_touch, core::Mesh& mesh) {
-  Index piece = core::find_piece(mesh, stretch.name);
-  if (piece < 0) {
-    piece = static_cast<Index>(mesh.pieces.size());
-    mesh.pieces.push_back(stretch.name);
+void name_boundary(const NamedBoundary& named, const std::vector<bool>& may_touch, core::Mesh& mesh) {
+  Index boundary_id = core::find_boundary(mesh, named.name);
+  if (boundary_id < 0) {
+    boundary_id = static_cast<Index>(mesh.boundary_names.size());
+    mesh.boundary_names.push_back(named.name);
   }
-  const std::size_t last = nearest_edge(mesh, may_touch, stretch.to, 1).edge;
-  for (std::size_t e = nearest_edge(mesh, may_touch, stretch.from, 0).edge;; e = (e + 1) % mesh.boundary.size()) {
-    if (mesh.boundary[e].piece != piece && may_touch[mesh.boundary[e].piece]) mesh.boundary[e].piece = piece;
+  const std::size_t last = nearest_edge(mesh, may_touch, named.to, 1).edge;
+  for (std::size_t e = nearest_edge(mesh, may_touch, named.from, 0).edge;; e = (e + 1) % mesh.boundary.size()) {
+    if (mesh.boundary[e].boundary_id != boundary_id && may_touch[mesh.boundary[e].boundary_id])
+      mesh.boundary[e].boundary_id = boundary_id;
     if (e == last) break;
   }
 }
 
 }  // namespace
 
-bool needs_new_mesh(const Scene& scene, const State& state) {
-  return remesh::worst_quality(state.bodies[0].mesh) < scene.accuracy.quality_floor;
+bool needs_remesh(const Scene& scene, const State& state) {
+  return remesh::min_quality(state.bodies[0].mesh) < scene.accuracy.quality_floor;
 }
 
-Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason why) {
-  Renewed result;
+RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why) {
+  RemeshedState result;
   auto made = remesh::remesh_glass(state.bodies[0].mesh, criteria(scene, state));
   if (!made.ok) {
     result.reason = made.reason;
@@ -258,26 +260,26 @@ Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason wh
   next.mass_nodes = mesh.nodes;
   next.density = state.density * core::volume(mass_mesh(state), scene.geometry) / core::volume(mesh, scene.geometry);
   carry_temperature(scene, state, transfer, next);
-  book(scene, state, why, made, next);
+  accumulate(scene, state, why, made, next);
   result.ok = true;
   return result;
 }
 
-std::string misplaced_stretch(const Scene& scene, const State& state, Index stage) {
+std::string misplaced_boundary(const Scene& scene, const State& state, Index stage) {
   const core::Mesh& mesh = state.bodies[0].mesh;
-  const auto may_touch = contact_pieces(scene.glass, mesh);
-  for (const auto& stretch : scene.stages[stage].name_pieces)
+  const auto may_touch = contact_boundaries(scene.glass, mesh);
+  for (const auto& named : scene.stages[stage].named_boundaries)
     for (const int end : {0, 1}) {
-      const Point& x = end == 0 ? stretch.from : stretch.to;
+      const Point& x = end == 0 ? named.from : named.to;
       const auto nearest = nearest_edge(mesh, may_touch, x, end);
-      if (nearest.distance <= farthest_name) continue;
+      if (nearest.distance <= max_end_distance) continue;
       const Point& found = mesh.nodes[mesh.boundary[nearest.edge].nodes[end]];
       return fmt::format(
-          "name_piece {}: \"{}\", ({:.4g}, {:.4g}) mm, lies {:.3g} mm from the surface of the glass, nearest to "
+          "name_boundary {}: \"{}\", ({:.4g}, {:.4g}) mm, lies {:.3g} mm from the surface of the glass, nearest to "
           "({:.4g}, {:.4g}) mm; "
           "allowed are {:g} mm",
-          stretch.name, end == 0 ? "from" : "to", 1e3 * x[0], 1e3 * x[1], 1e3 * nearest.distance, 1e3 * found[0],
-          1e3 * found[1], 1e3 * farthest_name);
+          named.name, end == 0 ? "from" : "to", 1e3 * x[0], 1e3 * x[1], 1e3 * nearest.distance, 1e3 * found[0],
+          1e3 * found[1], 1e3 * max_end_distance);
     }
   return "";
 }
@@ -291,24 +293,24 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.last_step = 0;
   next.velocity.setZero();
   next.acceleration.setZero();
-  next.swelling.setZero();
+  next.dilatation_mode.setZero();
   next.moves_smoothly = false;
   next.temperature_rate.setZero();
-  next.contact.closed = {};
+  next.contact.active = {};
   next.heat_couplings.clear();
   const auto& tools = scene.stages[stage].tools;
-  const auto in_place = [&](Index tool) {
+  const auto is_active = [&](Index tool) {
     return std::any_of(tools.begin(), tools.end(), [&](const StageTool& t) { return t.tool == tool; });
   };
   for (std::size_t n = 0; n < next.contact.tool.size(); ++n)
-    if (next.contact.tool[n] >= 0 && !in_place(next.contact.tool[n])) {
+    if (next.contact.tool[n] >= 0 && !is_active(next.contact.tool[n])) {
       next.contact.tool[n] = -1;
       next.contact.pressure[static_cast<Index>(n)] = 0;
     }
   for (std::size_t b = 1; b < next.bodies.size(); ++b) next.bodies[b].velocity = next.bodies[b].force = 0;
   auto& mesh = next.bodies[0].mesh;
-  for (const auto& stretch : scene.stages[stage].name_pieces)
-    name_stretch(stretch, contact_pieces(scene.glass, mesh), mesh);
+  for (const auto& named : scene.stages[stage].named_boundaries)
+    name_boundary(named, contact_boundaries(scene.glass, mesh), mesh);
   return next;
 }
 

@@ -7,17 +7,17 @@
 
 namespace parison::forming {
 
-struct Renewed {
+struct RemeshedState {
   State state;
   bool ok = false;
   std::string reason;
 };
 
-/// The state on a new glass mesh: geometry, heat content, velocity and contact carried over, the remesh booked.
-Renewed renew_glass_mesh(const Scene& scene, const State& state, RemeshReason why);
+/// The state on a new glass mesh: geometry, heat content, velocity and contact carried over, the remesh accumulated.
+RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why);
 
 /// Whether the quality of the glass mesh asks for a new one.
-bool needs_new_mesh(const Scene& scene, const State& state);
+bool needs_remesh(const Scene& scene, const State& state);
 
 /// The state at the start of stage `stage`: contacts with tools no longer in place open, stretches of the surface
 /// named.
@@ -25,6 +25,6 @@ State start_stage(const Scene& scene, const State& state, Index stage);
 
 /// What is wrong with a stretch that a stage names on the surface as it stands when the stage begins; empty where
 /// nothing is.
-std::string misplaced_stretch(const Scene& scene, const State& state, Index stage);
+std::string misplaced_boundary(const Scene& scene, const State& state, Index stage);
 
 }  // namespace parison::forming

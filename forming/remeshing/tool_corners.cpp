@@ -23,7 +23,7 @@ double cross(const Point& a, const Point& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// A contact segment of a tool in place as a chain of chords.
+/// A contact segment of an active tool as a chain of chords.
 using Chain = std::vector<Point>;
 
 Chain chain_of(const core::Segment& segment, const Point& shift) {
@@ -51,13 +51,13 @@ void add_crossings(const Chain& first, const Chain& second, std::vector<Point>& 
     }
 }
 
-/// Whether a point lies inside a tool in place: no glass gets there.
+/// Whether a point lies inside an active tool: no glass gets there.
 bool is_hidden(const Scene& scene, const State& state, const Point& x) {
   const auto& places = scene.stages[state.stage].tools;
   return std::any_of(places.begin(), places.end(), [&](const auto& place) {
     const Body& tool = scene.tools[place.tool];
     const Point local = x - state.bodies[1 + place.tool].offset * core::axis_direction();
-    return contact::signed_gap(tool.profile, contact_pieces(tool), local) < -same;
+    return contact::signed_gap(tool.profile, contact_boundaries(tool), local) < -same;
   });
 }
 
@@ -71,7 +71,7 @@ std::vector<Point> tool_corners(const Scene& scene, const State& state) {
     const Point shift = state.bodies[1 + place.tool].offset * core::axis_direction();
     const auto& segments = tool.profile.segments;
     const auto touches = [&](const core::Segment& segment) {
-      return tool.pieces[segment.piece].kind == PieceKind::contact;
+      return tool.boundaries[segment.boundary_id].kind == BoundaryKind::contact;
     };
     chains.emplace_back();
     for (std::size_t i = 0; i < segments.size(); ++i) {

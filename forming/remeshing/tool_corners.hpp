@@ -7,8 +7,8 @@
 
 namespace parison::forming {
 
-/// Where the outline that the tools in place give the glass turns sharply, m: corners of their contact pieces, into the
-/// glass or away from it, and places where two of them meet; without those that another tool covers.
+/// Where the outline that the active tools give the glass turns sharply, m: corners of their contact boundaries, into
+/// the glass or away from it, and places where two of them meet; without those that another tool covers.
 std::vector<core::Point> tool_corners(const Scene& scene, const State& state);
 
 }  // namespace parison::forming

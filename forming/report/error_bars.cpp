@@ -18,9 +18,10 @@ constexpr double resolution = 1e-4;
 constexpr double neighbourhood = 0.1;  ///< of the arc
 constexpr double spacing = 1.0 / (profile_points - 1);
 
-/// From the difference of both runs to the error of the finer one, by the order that the dial's ladder showed.
+/// From the difference of both runs to the error of the finer one, by the order that the convergence study of the
+/// presets showed.
 double richardson() {
-  return 1 / (std::pow(companion_factor, error_model().thickness.order) - 1);
+  return 1 / (std::pow(coarsening_factor, error_model().thickness.order) - 1);
 }
 
 /// What two runs may agree on by chance, over the error expected of the wall in the mean. The law is that of the case
@@ -69,20 +70,20 @@ struct Usual {
 };
 
 /// Differences of each kind, as shares.
-std::map<std::string, Usual> usual_differences(const Quantities& run, const Quantities& companion) {
+std::map<std::string, Usual> usual_differences(const Quantities& run, const Quantities& coarse_run) {
   std::map<std::string, Usual> usual;
   for (const Quantity& quantity : run.values)
-    if (const Quantity* other = companion.find(quantity.name); other && !is_thinnest(quantity))
+    if (const Quantity* other = coarse_run.find(quantity.name); other && !is_thinnest(quantity))
       usual[kind(quantity)].sizes.push_back(std::abs(other->value - quantity.value) / size_of_kind(run, quantity));
   return usual;
 }
 
 /// How far the mean of the profile may be off: its difference wavers, and each wave adds by chance.
-double chance_of_mean(const Quantities& run, const Quantities& companion) {
+double chance_of_mean(const Quantities& run, const Quantities& coarse_run) {
   double square = 0, last = 0;
   int count = 0, waves = 1;
-  for (std::size_t i = 0; i < run.profile.size() && i < companion.profile.size(); ++i) {
-    const double difference = companion.profile[i] - run.profile[i];
+  for (std::size_t i = 0; i < run.profile.size() && i < coarse_run.profile.size(); ++i) {
+    const double difference = coarse_run.profile[i] - run.profile[i];
     if (!std::isfinite(difference)) continue;
     waves += last * difference < 0;
     if (difference != 0) last = difference;
@@ -116,15 +117,15 @@ double usual_near(const std::vector<double>& profile, const std::vector<double>&
 }
 
 /// The thinnest wall and its place, which lies where the wall is as thin to within the error of its thickness.
-void add_thinnest(Quantities& run, const Quantities& companion) {
+void add_thinnest(Quantities& run, const Quantities& coarse_run) {
   double error = 0;
   for (Quantity& quantity : run.values) {
-    if (!is_thinnest(quantity) || companion.profile.empty()) continue;
+    if (!is_thinnest(quantity) || coarse_run.profile.empty()) continue;
     if (quantity.name == "thickness_min") {
       const int at = static_cast<int>(std::lround(run.find("thickness_min_at")->value / spacing));
-      const Quantity* other = companion.find(quantity.name);
+      const Quantity* other = coarse_run.find(quantity.name);
       const double own = other ? std::abs(other->value - quantity.value) : 0;
-      error = richardson() * std::max(own, usual_near(run.profile, companion.profile, at));
+      error = richardson() * std::max(own, usual_near(run.profile, coarse_run.profile, at));
       quantity.error = error = std::max(error, resolution * quantity.scale);
       continue;
     }
@@ -138,11 +139,11 @@ void add_thinnest(Quantities& run, const Quantities& companion) {
 
 }  // namespace
 
-ErrorBars error_bars(const Quantities& run, const Quantities& companion, const ExpectedErrors& expected) {
+ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const ExpectedErrors& expected) {
   ErrorBars bars{run, 0, 0, 0, 0};
-  auto usual = usual_differences(run, companion);
+  auto usual = usual_differences(run, coarse_run);
   for (Quantity& quantity : bars.quantities.values) {
-    const Quantity* other = companion.find(quantity.name);
+    const Quantity* other = coarse_run.find(quantity.name);
     if (!other || is_thinnest(quantity)) continue;
     const double size = size_of_kind(run, quantity);
     const Usual& alike = usual[kind(quantity)];
@@ -150,19 +151,19 @@ ErrorBars error_bars(const Quantities& run, const Quantities& companion, const E
     // order.
     const double chance =
         quantity.name == "thickness_mean"
-            ? richardson() * std::hypot(chance_of_mean(run, companion), step_of_mean(run, quantity.value))
+            ? richardson() * std::hypot(chance_of_mean(run, coarse_run), step_of_mean(run, quantity.value))
             : alike.scatter() * size;
     quantity.error = std::max({richardson() * std::abs(other->value - quantity.value), chance, resolution * size});
     if (is_heat(quantity))
       quantity.error = std::max(quantity.error, scatter * expected.heat / double(alike.sizes.size()) * size);
     if (is_time(quantity)) quantity.error = std::max(quantity.error, chance_in_time * expected.thickness * size);
   }
-  add_thinnest(bars.quantities, companion);
-  const ProfileDifference profile = compare_profiles(companion.profile, run.profile);
+  add_thinnest(bars.quantities, coarse_run);
+  const ProfileDifference profile = compare_profiles(coarse_run.profile, run.profile);
   // Not a number where there is no wall, or no tool receives heat.
   bars.profile_mean = std::max({richardson() * profile.mean, chance_in_mean * expected.thickness, resolution});
-  bars.profile_largest = std::max({richardson() * profile.largest, chance_at_worst * expected.thickness, resolution});
-  bars.heat = std::max({richardson() * heat_difference(companion, run), scatter * expected.heat, resolution});
+  bars.profile_max = std::max({richardson() * profile.largest, chance_at_worst * expected.thickness, resolution});
+  bars.heat = std::max({richardson() * heat_difference(coarse_run, run), scatter * expected.heat, resolution});
   return bars;
 }
 

@@ -4,22 +4,23 @@
 
 namespace parison::forming {
 
-/// Edges and steps of the companion run over those of the run itself.
-inline constexpr double companion_factor = 1.5;
+/// Edges and steps of the coarse run over those of the run itself.
+inline constexpr double coarsening_factor = 1.5;
 
-/// What a companion run says about a run: Richardson's estimate with the order that the dial's ladder showed.
-/// Quantities of one kind lend each other the usual size of their differences, as one of them may vanish by chance.
+/// What a coarse run says about a run: Richardson's estimate with the order that the convergence study of the presets
+/// showed. Quantities of one kind lend each other the usual size of their differences, as one of them may vanish by
+/// chance.
 struct ErrorBars {
-  Quantities quantities;                 ///< those of the run, with their errors
-  double profile_mean, profile_largest;  ///< of the wall thickness, shares; NaN without a wall
-  double heat;                           ///< into all tools, a share; NaN without
-  double companion_cpu_seconds = 0;
+  Quantities quantities;             ///< those of the run, with their errors
+  double profile_mean, profile_max;  ///< of the wall thickness, shares; NaN without a wall
+  double heat;                       ///< into all tools, a share; NaN without
+  double coarse_run_cpu_seconds = 0;
 };
 /// Errors known beforehand, as shares: of the wall in the mean, of the heat into all tools; 0 where nothing is known.
 struct ExpectedErrors {
   double thickness = 0, heat = 0;
 };
 /// No bar is narrower than what `expected` says of it.
-ErrorBars error_bars(const Quantities& run, const Quantities& companion, const ExpectedErrors& expected = {});
+ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const ExpectedErrors& expected = {});
 
 }  // namespace parison::forming

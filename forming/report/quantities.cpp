@@ -145,17 +145,17 @@ Quantities read_quantities(const core::JsonValue& summary) {
 
 ProfileDifference compare_profiles(const std::vector<double>& profile, const std::vector<double>& reference) {
   if (profile.empty() || profile.size() != reference.size()) return {none, none, none};
-  std::vector<double> share(profile.size());
-  for (std::size_t i = 0; i < profile.size(); ++i) share[i] = std::abs(profile[i] - reference[i]) / reference[i];
-  const std::vector<int> places = inner_places(share);
+  std::vector<double> fraction(profile.size());
+  for (std::size_t i = 0; i < profile.size(); ++i) fraction[i] = std::abs(profile[i] - reference[i]) / reference[i];
+  const std::vector<int> places = inner_places(fraction);
   if (places.empty()) return {none, none, none};
   double sum = 0;
-  int worst = places.front();
+  int max_index = places.front();
   for (const int i : places) {
-    sum += share[i];
-    if (share[i] > share[worst]) worst = i;
+    sum += fraction[i];
+    if (fraction[i] > fraction[max_index]) max_index = i;
   }
-  return {sum / double(places.size()), share[worst], double(worst) / (profile_points - 1)};
+  return {sum / double(places.size()), fraction[max_index], double(max_index) / (profile_points - 1)};
 }
 
 double heat_difference(const Quantities& run, const Quantities& reference) {

@@ -28,7 +28,7 @@ double celsius(double kelvin) {
   return kelvin - thermal::content_reference;
 }
 
-/// Distance to the nearest tool in place, by the exact profiles, m.
+/// Distance to the nearest active tool, by the exact profiles, m.
 double gap_to_tools(const Scene& scene, const State& state, const std::vector<std::vector<bool>>& contact,
                     const Point& x) {
   double gap = std::numeric_limits<double>::infinity();
@@ -40,11 +40,11 @@ double gap_to_tools(const Scene& scene, const State& state, const std::vector<st
   return gap;
 }
 
-double share_near_tools(const Scene& scene, const State& state) {
+double fraction_near_tools(const Scene& scene, const State& state) {
   const core::Mesh& mesh = state.bodies[0].mesh;
   std::vector<std::vector<bool>> contact;
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
-    contact.push_back(contact_pieces(scene.tools[i], state.bodies.at(i + 1).mesh));
+    contact.push_back(contact_boundaries(scene.tools[i], state.bodies.at(i + 1).mesh));
   double near = 0, whole = 0;
   for (const Index edge : outer_edges(scene, mesh))
     for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
@@ -91,34 +91,34 @@ void add_numerics(JsonWriter& json, const Accuracy& accuracy) {
 void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
   json.add("volume_drift", summary.glass.volume_drift);
   json.add("energy_imbalance", summary.glass.energy_imbalance);
-  json.add("largest_volume_drift", state.totals.largest_drift);
-  json.add("largest_penetration_mm", 1e3 * state.totals.deepest);
+  json.add("max_volume_drift", state.totals.max_drift);
+  json.add("max_penetration_mm", 1e3 * state.totals.max_penetration);
   json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
   json.add("heat_to_air_J", state.totals.to_air);
   json.add("dissipation_J", state.totals.dissipation);
-  json.add("largest_reynolds", state.totals.largest_reynolds);
-  json.add("largest_flux_mismatch", state.totals.largest_flux_mismatch);
+  json.add("max_reynolds", state.totals.max_reynolds);
+  json.add("max_flux_mismatch", state.totals.max_flux_mismatch);
   json.add("temperature_overshoot_K", state.totals.overshoot);
-  json.add("conductance_outside_table", static_cast<long>(state.totals.table_holds));
+  json.add("clamped_table_lookups", static_cast<long>(state.totals.clamped_lookups));
 }
 
 void add_remeshing(JsonWriter& json, const State& state, const Summary& summary) {
-  const RemeshLedger& ledger = state.totals.remeshing;
+  const RemeshStatistics& statistics = state.totals.remeshing;
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const double heat = state.first_heat != 0 ? state.first_heat : none;
+  const double heat = state.initial_heat != 0 ? state.initial_heat : none;
   json.open_object("remeshing");
-  for (std::size_t i = 0; i < ledger.count.size(); ++i)
-    json.add(fmt::format("for_{}", remesh_reasons[i]), static_cast<long>(ledger.count[i]));
-  json.add("failed", static_cast<long>(ledger.failed));
-  json.add("laps", static_cast<long>(ledger.laps));
-  json.add("lap_volume_m3", ledger.lap_volume);
-  json.add("heat_drift", ledger.heat / heat);
-  json.add("largest_heat_change", ledger.largest_heat / heat);
-  json.add("volume_drift", ledger.volume / state.first_volume);
-  json.add("largest_volume_change", ledger.largest_volume / state.first_volume);
-  json.add("new_extreme_K", ledger.new_extreme);
-  json.add("worst_quality", remeshes(state) > 0 ? ledger.worst_quality : none);
-  json.add("lowest_median_quality", remeshes(state) > 0 ? ledger.lowest_median : none);
+  for (std::size_t i = 0; i < statistics.count.size(); ++i)
+    json.add(fmt::format("for_{}", remesh_reasons[i]), static_cast<long>(statistics.count[i]));
+  json.add("failed", static_cast<long>(statistics.failed));
+  json.add("laps", static_cast<long>(statistics.laps));
+  json.add("lap_volume_m3", statistics.lap_volume);
+  json.add("heat_drift", statistics.heat / heat);
+  json.add("max_heat_change", statistics.max_heat / heat);
+  json.add("volume_drift", statistics.volume / state.initial_volume);
+  json.add("max_volume_change", statistics.max_volume / state.initial_volume);
+  json.add("transfer_overshoot_K", statistics.transfer_overshoot);
+  json.add("min_quality", remeshes(state) > 0 ? statistics.min_quality : none);
+  json.add("min_median_quality", remeshes(state) > 0 ? statistics.min_median : none);
   const auto seconds = summary.run.timing.find("remesh");
   json.add("seconds", seconds == summary.run.timing.end() ? 0.0 : seconds->second);
   json.close();
@@ -136,7 +136,7 @@ void add_bodies(JsonWriter& json, const Summary& summary) {
   for (const ToolSummary& tool : summary.tools) {
     json.open_object(tool.name);
     json.add("heat_received_J", tool.heat_received);
-    json.add("surface_temperature_max_C", celsius(tool.hottest_surface));
+    json.add("surface_temperature_max_C", celsius(tool.max_surface_temperature));
     json.close();
   }
   json.close();
@@ -158,10 +158,10 @@ void add_stages(JsonWriter& json, const RunFacts& run) {
 
 void add_errors(JsonWriter& json, const ErrorBars& bars) {
   json.open_object("error_bars");
-  json.add("companion_factor", companion_factor);
-  json.add("companion_cpu_seconds", bars.companion_cpu_seconds);
+  json.add("coarsening_factor", coarsening_factor);
+  json.add("coarse_run_cpu_seconds", bars.coarse_run_cpu_seconds);
   json.add("thickness_profile_mean", bars.profile_mean);
-  json.add("thickness_profile_largest", bars.profile_largest);
+  json.add("thickness_profile_max", bars.profile_max);
   json.add("heat_into_tools", bars.heat);
   json.close();
 }
@@ -172,8 +172,8 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_numerics(json, scene.accuracy);
   add_balance(json, state, summary);
   add_work(json, state.totals.work);
-  json.add("largest_work_imbalance", largest_work_imbalance(summary.run));
-  add_effort(json, summary.run.effort);
+  json.add("max_work_imbalance", max_work_imbalance(summary.run));
+  add_solver_statistics(json, summary.run.solver_statistics);
   add_remeshing(json, state, summary);
   add_bodies(json, summary);
   add_stages(json, summary.run);
@@ -196,12 +196,12 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.run = run;
   summary.glass = glass_facts(scene, state);
   summary.thickness = thickness_range(rows);
-  summary.outer_within_02mm = share_near_tools(scene, state);
+  summary.outer_within_02mm = fraction_near_tools(scene, state);
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     const BodyState& body = state.bodies.at(i + 1);
-    const double hottest =
-        body.temperature.size() > 0 ? body.hottest_surface : std::numeric_limits<double>::quiet_NaN();
-    summary.tools.push_back({scene.tools[i].name, body.heat_received, hottest, body.offset, body.force});
+    const double max_temperature =
+        body.temperature.size() > 0 ? body.max_surface_temperature : std::numeric_limits<double>::quiet_NaN();
+    summary.tools.push_back({scene.tools[i].name, body.heat_received, max_temperature, body.offset, body.force});
   }
   summary.quantities = quantities(scene, state, summary, rows);
   return summary;

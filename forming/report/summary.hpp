@@ -22,7 +22,7 @@ struct StageRecord {
   Work work = {};          ///< since the start of the run
 };
 
-/// What the time of a run is booked under.
+/// What the time of a run is accumulated under.
 inline constexpr std::array timed_parts{"flow", "heat", "contact", "remesh", "output"};
 
 /// What only the run itself knows.
@@ -35,7 +35,7 @@ struct RunFacts {
   std::map<std::string, double> timing;  ///< s by part
   std::vector<std::string> warnings;
   std::vector<StageRecord> stages;
-  Effort effort;
+  SolverStatistics solver_statistics;
 };
 
 struct RunOutcome {
@@ -45,9 +45,9 @@ struct RunOutcome {
 
 struct ToolSummary {
   std::string name;
-  double heat_received;    ///< J
-  double hottest_surface;  ///< so far, K; NaN where the tool carries no heat
-  double position, force;  ///< m, N
+  double heat_received;            ///< J
+  double max_surface_temperature;  ///< so far, K; NaN where the tool carries no heat
+  double position, force;          ///< m, N
 };
 
 /// The results of a run in numbers.
@@ -56,7 +56,7 @@ struct Summary {
   GlassFacts glass;
   std::vector<ToolSummary> tools;
   ThicknessRange thickness;  ///< m
-  double outer_within_02mm;  ///< share of the outer surface within 0.2 mm of a tool in place
+  double outer_within_02mm;  ///< share of the outer surface within 0.2 mm of an active tool
   Quantities quantities;
 };
 Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const std::vector<ThicknessRow>& rows);

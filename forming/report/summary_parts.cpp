@@ -23,9 +23,9 @@ struct JsonNumbers {
 
 }  // namespace
 
-void add_effort(core::JsonWriter& json, const Effort& effort) {
-  json.open_object("effort");
-  visit_effort(JsonNumbers{json}, effort);
+void add_solver_statistics(core::JsonWriter& json, const SolverStatistics& statistics) {
+  json.open_object("solver_statistics");
+  visit_statistics(JsonNumbers{json}, statistics);
   json.close();
   json.close();
 }
@@ -37,14 +37,14 @@ void add_work(core::JsonWriter& json, const Work& work) {
   json.add("air_J", work.air);
   json.add("dissipation_J", work.dissipation);
   json.add("friction_J", work.friction);
-  json.add("arrival_J", work.arrival);
+  json.add("impact_loss_J", work.impact_loss);
   json.add("surface_J", work.surface);
-  json.add("corrections_J", work.corrections);
+  json.add("correction_J", work.correction);
   json.add("imbalance", work_imbalance(work));
   json.close();
 }
 
-double largest_work_imbalance(const RunFacts& run) {
+double max_work_imbalance(const RunFacts& run) {
   double largest = std::numeric_limits<double>::quiet_NaN();
   for (const StageRecord& stage : run.stages) largest = std::fmax(largest, std::abs(work_imbalance(stage.work)));
   return largest;

@@ -6,12 +6,12 @@
 namespace parison::forming {
 
 /// What the steps took, as an object of summary.json.
-void add_effort(core::JsonWriter& json, const Effort& effort);
+void add_solver_statistics(core::JsonWriter& json, const SolverStatistics& statistics);
 
 /// The work on the glass, likewise.
 void add_work(core::JsonWriter& json, const Work& work);
 
 /// Imbalance of the work at any stage's end, without sign; NaN where nothing was lost.
-double largest_work_imbalance(const RunFacts& run);
+double max_work_imbalance(const RunFacts& run);
 
 }  // namespace parison::forming

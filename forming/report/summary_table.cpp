@@ -30,17 +30,17 @@ std::string glass_lines(const Scene& scene, const Summary& summary) {
                                                      : "n/a");
   if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
     text += line("outer surface",
-                 fmt::format("{:.1f} % within 0.2 mm of the tools in place", 100 * summary.outer_within_02mm));
+                 fmt::format("{:.1f} % within 0.2 mm of the active tools", 100 * summary.outer_within_02mm));
   return text;
 }
 
 std::string tool_lines(const Summary& summary) {
   if (summary.tools.empty()) return {};
-  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>12}\n", "tool", "heat, kJ", "hottest, degC", "at, mm");
+  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>12}\n", "tool", "heat, kJ", "max, degC", "at, mm");
   for (const ToolSummary& tool : summary.tools) {
-    const std::string hottest =
-        std::isnan(tool.hottest_surface) ? "-" : fmt::format("{:.0f}", celsius(tool.hottest_surface));
-    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>12.2f}\n", tool.name, 1e-3 * tool.heat_received, hottest,
+    const std::string max_temperature =
+        std::isnan(tool.max_surface_temperature) ? "-" : fmt::format("{:.0f}", celsius(tool.max_surface_temperature));
+    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>12.2f}\n", tool.name, 1e-3 * tool.heat_received, max_temperature,
                         1e3 * tool.position);
   }
   return text;
@@ -58,21 +58,21 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
   std::string text =
       line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, totals.rejected, remeshes(state)));
   text += line("volume drift", fmt::format("{:.4f} % at the end, {:.4f} % at the most",
-                                           100 * summary.glass.volume_drift, 100 * totals.largest_drift));
+                                           100 * summary.glass.volume_drift, 100 * totals.max_drift));
   if (scene.has_heat()) {
     text += line("energy imbalance", fmt::format("{:.4f} %", 100 * summary.glass.energy_imbalance));
     text += line("heat lost",
                  fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air", 1e-3 * totals.to_tools, 1e-3 * totals.to_air));
   }
   if (scene.has_flow() && !scene.tools.empty())
-    text += line("deepest penetration", fmt::format("{:.4f} mm", 1e3 * totals.deepest));
+    text += line("max penetration", fmt::format("{:.4f} mm", 1e3 * totals.max_penetration));
   text += line("wall time", fmt::format("{:.1f} s", summary.run.wall_seconds));
   for (const std::string& warning : summary.run.warnings) text += line("warning", warning);
   return text;
 }
 
-std::string share_line(const char* label, double share) {
-  return std::isfinite(share) ? fmt::format("  {:<30}{:>14.2g} %\n", label, 100 * share) : "";
+std::string share_line(const char* label, double fraction) {
+  return std::isfinite(fraction) ? fmt::format("  {:<30}{:>14.2g} %\n", label, 100 * fraction) : "";
 }
 
 std::string error_text(const Quantity& quantity) {
@@ -89,7 +89,7 @@ std::string target_line(double target, double bar) {
   if (!std::isfinite(bar))
     verdict = "not to be told, with neither a wall nor tools that receive heat";
   else if (bar <= target)
-    verdict = "held";
+    verdict = "met";
   else if (bar <= widest * target)
     verdict = fmt::format("expected, not proved: the bar of {:.2g} % is a bound, as a rule two to five times the error",
                           100 * bar);
@@ -104,12 +104,12 @@ std::string error_table(const Scene& scene, const ErrorBars& bars) {
     text +=
         fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity), quantity.unit);
   text += share_line("wall thickness, mean error", bars.profile_mean);
-  text += share_line("wall thickness, largest error", bars.profile_largest);
+  text += share_line("wall thickness, largest error", bars.profile_max);
   text += share_line("heat into tools, error", bars.heat);
   if (const auto target = scene.accuracy_choice.target)
     text += target_line(*target, std::fmax(bars.profile_mean, bars.heat));
-  return text + fmt::format("  by a companion run {:g} times coarser ({:.1f} s CPU)\n", companion_factor,
-                            bars.companion_cpu_seconds);
+  return text + fmt::format("  by a coarse run {:g} times coarser ({:.1f} s CPU)\n", coarsening_factor,
+                            bars.coarse_run_cpu_seconds);
 }
 
 std::string summary_table(const Scene& scene, const State& state, const Summary& summary) {

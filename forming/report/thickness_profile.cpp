@@ -35,18 +35,18 @@ double arc_length(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
 
 }  // namespace
 
-std::vector<bool> loaded_pieces(const Scene& scene, const core::Mesh& glass) {
-  std::vector<bool> loaded(glass.pieces.size(), false);
+std::vector<bool> loaded_boundaries(const Scene& scene, const core::Mesh& glass) {
+  std::vector<bool> loaded(glass.boundary_names.size(), false);
   const auto last = std::find_if(scene.stages.rbegin(), scene.stages.rend(),
                                  [](const Stage& stage) { return !stage.pressure.empty(); });
   if (last == scene.stages.rend()) return loaded;
   for (const auto& entry : last->pressure)
-    if (const Index index = core::find_piece(glass, entry.first); index >= 0) loaded[index] = true;
+    if (const Index index = core::find_boundary(glass, entry.first); index >= 0) loaded[index] = true;
   return loaded;
 }
 
-std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_pieces) {
-  const auto wanted = [&](Index edge) { return wanted_pieces.at(mesh.boundary[edge].piece); };
+std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_boundaries) {
+  const auto wanted = [&](Index edge) { return wanted_boundaries.at(mesh.boundary[edge].boundary_id); };
   std::vector<ChainEdge> chain;
   double arc = 0;
   for (Index begin = 0; begin < static_cast<Index>(mesh.boundary.size());) {
@@ -72,10 +72,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<bool> outer_pieces(const Scene& scene, const core::Mesh& glass) {
-  std::vector<bool> outer = symmetry_pieces(scene.glass, glass);
-  const std::vector<bool> loaded = loaded_pieces(scene, glass);
-  for (std::size_t piece = 0; piece < outer.size(); ++piece) outer[piece] = !outer[piece] && !loaded[piece];
+std::vector<bool> outer_boundaries(const Scene& scene, const core::Mesh& glass) {
+  std::vector<bool> outer = symmetry_boundaries(scene.glass, glass);
+  const std::vector<bool> loaded = loaded_boundaries(scene, glass);
+  for (std::size_t boundary_id = 0; boundary_id < outer.size(); ++boundary_id)
+    outer[boundary_id] = !outer[boundary_id] && !loaded[boundary_id];
   return outer;
 }
 
@@ -84,12 +85,12 @@ double distance_to_chord(const Point& x, const Point& a, const Point& b) {
   return (x - a - std::clamp(along, 0.0, 1.0) * (b - a)).norm();
 }
 
-/// Boundary edge nearest to x, symmetry pieces aside.
+/// Boundary edge nearest to x, symmetry boundaries aside.
 const core::BoundaryEdge& nearest_edge(const core::Mesh& mesh, const std::vector<bool>& symmetry, const Point& x) {
   double nearest = infinity;
   const core::BoundaryEdge* found = &mesh.boundary.front();
   for (const core::BoundaryEdge& edge : mesh.boundary) {
-    if (symmetry[edge.piece]) continue;
+    if (symmetry[edge.boundary_id]) continue;
     const auto& [first, last, mid] = edge.nodes;
     const double distance = std::min(distance_to_chord(x, mesh.nodes[first], mesh.nodes[mid]),
                                      distance_to_chord(x, mesh.nodes[mid], mesh.nodes[last]));
@@ -105,7 +106,7 @@ constexpr double facing = -0.8;
 std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>& symmetry) {
   std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
   for (const core::BoundaryEdge& edge : mesh.boundary) {
-    if (symmetry[edge.piece]) continue;
+    if (symmetry[edge.boundary_id]) continue;
     constexpr std::array<double, 3> places{0, 1, 0.5};
     for (int k = 0; k < 3; ++k)
       normals[edge.nodes[k]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {places[k], 1}).normal;
@@ -126,7 +127,7 @@ std::vector<ThicknessRow> make_rows(const Scene& scene, const core::Mesh& mesh, 
     }
     return rows[row_of[node]];
   };
-  for (const ChainEdge& edge : walk_surface(mesh, outer_pieces(scene, mesh))) {
+  for (const ChainEdge& edge : walk_surface(mesh, outer_boundaries(scene, mesh))) {
     const auto& [first, last, mid] = mesh.boundary[edge.edge].nodes;
     row(first, edge.start);
     row(mid, edge.start + 0.5 * edge.length);
@@ -142,17 +143,17 @@ std::vector<ThicknessRow> make_rows(const Scene& scene, const core::Mesh& mesh, 
 }  // namespace
 
 std::vector<Index> outer_edges(const Scene& scene, const core::Mesh& glass) {
-  const std::vector<bool> outer = outer_pieces(scene, glass);
+  const std::vector<bool> outer = outer_boundaries(scene, glass);
   std::vector<Index> edges;
   for (std::size_t edge = 0; edge < glass.boundary.size(); ++edge)
-    if (outer[glass.boundary[edge].piece]) edges.push_back(static_cast<Index>(edge));
+    if (outer[glass.boundary[edge].boundary_id]) edges.push_back(static_cast<Index>(edge));
   return edges;
 }
 
 std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& state) {
   const BodyState& glass = state.bodies[0];
   const core::Mesh& mesh = glass.mesh;
-  const std::vector<bool> symmetry = symmetry_pieces(scene.glass, mesh), loaded = loaded_pieces(scene, mesh);
+  const std::vector<bool> symmetry = symmetry_boundaries(scene.glass, mesh), loaded = loaded_boundaries(scene, mesh);
   const bool any_loaded = std::count(loaded.begin(), loaded.end(), true) > 0;
   const Eigen::VectorXd thickness = remesh::wall_thickness(mesh, symmetry);
   const std::vector<Point> normals = node_normals(mesh, symmetry);
@@ -165,7 +166,7 @@ std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& sta
     opposite.push_back(rows[i].position - rows[i].thickness * normals[nodes[i]]);
     const core::BoundaryEdge& far_side = nearest_edge(mesh, symmetry, opposite.back());
     const Point far_normal = core::map_edge_point(mesh, far_side.nodes, core::Geometry::planar, {0.5, 1}).normal;
-    rows[i].is_wall = !any_loaded || (loaded[far_side.piece] && far_normal.dot(normals[nodes[i]]) < facing);
+    rows[i].is_wall = !any_loaded || (loaded[far_side.boundary_id] && far_normal.dot(normals[nodes[i]]) < facing);
     rows[i].inner_temperature = rows[i].outer_temperature = std::numeric_limits<double>::quiet_NaN();
   }
   if (!scene.has_heat()) return rows;

@@ -8,9 +8,9 @@
 
 namespace parison::forming {
 
-/// Which pieces of the glass mesh the last stage with a pressure loads with it, be it 0: the inner side of the
+/// Which boundaries of the glass mesh the last stage with a pressure loads with it, be it 0: the inner side of the
 /// container.
-std::vector<bool> loaded_pieces(const Scene& scene, const core::Mesh& glass);
+std::vector<bool> loaded_boundaries(const Scene& scene, const core::Mesh& glass);
 
 /// A boundary edge with its place along a stretch of the surface.
 struct ChainEdge {
@@ -19,11 +19,11 @@ struct ChainEdge {
   double length;  ///< m
 };
 
-/// The boundary edges on wanted pieces in the order of walking them, from where they begin; further parts go on
+/// The boundary edges on wanted boundaries in the order of walking them, from where they begin; further parts go on
 /// counting.
-std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_pieces);
+std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_boundaries);
 
-/// Glass boundary edges of the outer surface: neither on a symmetry piece nor on one that a stage loads with a
+/// Glass boundary edges of the outer surface: neither on a symmetry boundary nor on one that a stage loads with a
 /// pressure.
 std::vector<Index> outer_edges(const Scene& scene, const core::Mesh& glass);
 

@@ -38,12 +38,13 @@ void write_mesh(Hdf5Group group, const core::Mesh& mesh) {
   std::vector<int> cells, boundary;
   for (const auto& cell : mesh.cells) cells.insert(cells.end(), cell.begin(), cell.end());
   for (const core::BoundaryEdge& edge : mesh.boundary)
-    for (const Index value : {edge.nodes[0], edge.nodes[1], edge.nodes[2], edge.cell, edge.piece})
+    for (const Index value : {edge.nodes[0], edge.nodes[1], edge.nodes[2], edge.cell, edge.boundary_id})
       boundary.push_back(value);
   group.write("cells", cells, 6);
   group.write("boundary", boundary, 5);
-  group.write("piece_count", static_cast<std::int64_t>(mesh.pieces.size()));
-  for (std::size_t i = 0; i < mesh.pieces.size(); ++i) group.write(fmt::format("piece_{}", i), mesh.pieces[i]);
+  group.write("boundary_count", static_cast<std::int64_t>(mesh.boundary_names.size()));
+  for (std::size_t i = 0; i < mesh.boundary_names.size(); ++i)
+    group.write(fmt::format("boundary_{}", i), mesh.boundary_names[i]);
 }
 
 core::Mesh read_mesh(const Hdf5Group& group) {
@@ -55,8 +56,8 @@ core::Mesh read_mesh(const Hdf5Group& group) {
   for (std::size_t i = 0; i < cells.size(); ++i) mesh.cells[i / 6][i % 6] = cells[i];
   for (std::size_t i = 0; i + 5 <= boundary.size(); i += 5)
     mesh.boundary.push_back({{boundary[i], boundary[i + 1], boundary[i + 2]}, boundary[i + 3], boundary[i + 4]});
-  for (std::int64_t i = 0; i < group.read_integer("piece_count"); ++i)
-    mesh.pieces.push_back(group.read_string(fmt::format("piece_{}", i)));
+  for (std::int64_t i = 0; i < group.read_integer("boundary_count"); ++i)
+    mesh.boundary_names.push_back(group.read_string(fmt::format("boundary_{}", i)));
   return mesh;
 }
 
@@ -117,7 +118,7 @@ void visit_facts(Visitor visit, Facts& facts) {
   visit("wall_seconds", facts.wall_seconds);
   visit("cpu_seconds", facts.cpu_seconds);
   for (const char* part : timed_parts) visit(part, facts.timing[part]);
-  visit_effort(visit.part("effort"), facts.effort);
+  visit_statistics(visit.part("solver_statistics"), facts.solver_statistics);
   for (std::size_t i = 0; i < facts.warnings.size(); ++i)
     visit(fmt::format("warning_{}", i).c_str(), facts.warnings[i]);
   for (std::size_t i = 0; i < facts.stages.size(); ++i) {

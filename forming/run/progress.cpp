@@ -24,12 +24,12 @@ double cpu_seconds_of_process() {
   return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
-void note_times(Progress& run) {
+void update_times(Progress& run) {
   run.outcome.facts.wall_seconds = run.wall_before + seconds_since(run.start);
   run.outcome.facts.cpu_seconds = run.cpu_before + cpu_seconds_of_process() - run.cpu_start;
 }
 
-double share_done(const Progress& run) {
+double fraction_done(const Progress& run) {
   double total = 0, done = run.outcome.state.stage_time;
   for (std::size_t i = 0; i < run.scene.stages.size(); ++i) {
     total += run.scene.stages[i].duration;
@@ -42,10 +42,10 @@ void print_progress(Progress& run, const StepReport& report) {
   if (seconds_since(run.last_line) < 1) return;
   run.last_line = Clock::now();
   const State& state = run.outcome.state;
-  const double share = share_done(run), wall = seconds_since(run.start);
+  const double fraction = fraction_done(run), wall = seconds_since(run.start);
   fmt::print("  {:<10} t {:8.4f} s  step {:5}  dt {:.2e} s  {:3.0f} %  about {:.0f} s left\n",
-             run.scene.stages[state.stage].name, state.time, state.totals.steps, report.dt, 100 * share,
-             wall * (1 - share) / std::max(share - run.share_before, 1e-3));
+             run.scene.stages[state.stage].name, state.time, state.totals.steps, report.dt, 100 * fraction,
+             wall * (1 - fraction) / std::max(fraction - run.fraction_before, 1e-3));
   std::fflush(stdout);
 }
 
@@ -58,11 +58,11 @@ void write_fields(Progress& run, const State& state) {
 
 void save(Progress& run) {
   const State& state = run.outcome.state;
-  const auto& standing = run.workspace.standing;
-  const bool in_integrator = standing && !standing->spent && !stage_over(run.scene, state, state.has_moved);
+  const auto& static_stage = run.workspace.static_stage;
+  const bool in_integrator = static_stage && !static_stage->expired && !stage_over(run.scene, state, state.has_moved);
   if (in_integrator || state.totals.steps == run.checkpoint_steps) return;
   const auto start = Clock::now();
-  note_times(run);
+  update_times(run);
   write_checkpoint(run.files.directory(), run.scene, {run.outcome, run.files.sync()});
   run.last_checkpoint = Clock::now();
   run.checkpoint_steps = state.totals.steps;

@@ -26,18 +26,18 @@ struct Progress {
   double cpu_start = cpu_seconds_of_process();
   double cpu_before = 0;        ///< CPU time of the run up to its last checkpoint likewise, s
   double wall_before = 0;       ///< wall time of the run up to its last checkpoint when it was taken up again, s
-  double share_before = 0;      ///< of the simulated time that was done by then
+  double fraction_before = 0;   ///< of the simulated time that was done by then
   Index checkpoint_steps = -1;  ///< steps done at the last checkpoint, -1 before the first
 };
 
-/// Books the time since `start` under a part of the run.
+/// Accumulates the time since `start` under a part of the run.
 void account(Progress& run, const char* part, Clock::time_point start);
 
 /// Puts the wall and CPU time of the whole run into its facts.
-void note_times(Progress& run);
+void update_times(Progress& run);
 
 /// Of the longest time that all stages can take.
-double share_done(const Progress& run);
+double fraction_done(const Progress& run);
 
 /// A line for the terminal, at the most once a second.
 void print_progress(Progress& run, const StepReport& report);
@@ -45,7 +45,7 @@ void print_progress(Progress& run, const StepReport& report);
 /// A state, that of the run or one within its last step, into the result files.
 void write_fields(Progress& run, const State& state);
 
-/// Writes a checkpoint where one can be written: not while the heat of a standing stage is in an integrator with a
+/// Writes a checkpoint where one can be written: not while the heat of a static stage is in an integrator with a
 /// memory of its own, which ends after `output.checkpoint_steps` steps and after 300 of its own.
 void save(Progress& run);
 

@@ -25,86 +25,86 @@ namespace {
 /// Shortest step after a rejected one, of the rejected one.
 constexpr double shorten = 0.4, longest_retry = 0.9;
 
-constexpr const char* renew_advice = "a smaller numerics.surface_size or a larger numerics.quality_floor may help";
+constexpr const char* remesh_advice = "a smaller numerics.surface_size or a larger numerics.quality_floor may help";
 
 /// A new glass mesh for the present state; false when none could be made and the old one cannot go on.
-bool renew(Progress& run, RemeshReason why) {
+bool remesh_glass(Progress& run, RemeshReason why) {
   const bool must = why == RemeshReason::failed_step;
   const auto start = Clock::now();
-  auto renewed = renew_glass_mesh(run.scene, run.outcome.state, why);
+  auto remeshed = remesh_state(run.scene, run.outcome.state, why);
   account(run, "remesh", start);
-  if (renewed.ok) {
-    run.outcome.state = std::move(renewed.state);
+  if (remeshed.ok) {
+    run.outcome.state = std::move(remeshed.state);
     run.workspace.flow.reset();
     return true;
   }
-  const std::string sentence = fmt::format("no new glass mesh: {}", renewed.reason);
+  const std::string sentence = fmt::format("no new glass mesh: {}", remeshed.reason);
   State& state = run.outcome.state;
   if (++state.totals.remeshing.failed == 1)
     run.outcome.facts.warnings.push_back(fmt::format("at {:.5f} s {}", state.time, sentence));
   auto& reason = run.outcome.facts.reason;
-  if (must) reason += fmt::format("{}{}; {}", reason.empty() ? "" : "; ", sentence, renew_advice);
+  if (must) reason += fmt::format("{}{}; {}", reason.empty() ? "" : "; ", sentence, remesh_advice);
   return !must;
 }
 
 /// What a step did and the state that it began with.
-struct StepTaken {
+struct AcceptedStep {
   State before;
   StepReport report;
 };
 
-/// Whether the run was told to stop; then the facts say so.
-bool is_told_to_stop(Progress& run) {
+/// Whether the run was stopped on request; then the facts say so.
+bool stop_requested(Progress& run) {
   RunFacts& facts = run.outcome.facts;
   if (!run.stop || !run.stop()) return false;
   facts.stopped = true;
-  facts.reason = "the run was told to stop";
+  facts.reason = "the run was stopped on request";
   return true;
 }
 
 /// A step that converged and kept within its allowance; false when the smallest one did not.
-bool step_once(Progress& run, StepTaken& step) {
+bool step_once(Progress& run, AcceptedStep& step) {
   State& state = run.outcome.state;
   auto limit = static_cast<StepLimit>(state.next_limit);
-  double dt = landing_step(run.scene, state, state.next_step);
-  if (dt < state.next_step) limit = StepLimit::landing;
+  double dt = clip_step_to_event(run.scene, state, state.next_step);
+  if (dt < state.next_step) limit = StepLimit::event;
   for (;;) {
     auto result = coupled_step(run.scene, state, dt, run.workspace);
     result.report.limit = limit;
     for (const auto& [part, seconds] : result.report.seconds) run.outcome.facts.timing[part] += seconds;
-    const bool taken = result.converged && !overshot(run.scene, result.report);
-    add_step(result.report, taken, run.outcome.facts.effort);
-    const WishedStep wish = wished_step(run.scene, result.report, taken ? state.next_step : dt);
-    if (taken) {
-      result.state.next_step = wish.dt;
-      result.state.next_limit = static_cast<Index>(wish.limit);
+    const bool accepted = result.converged && !rejected_by_error_control(run.scene, result.report);
+    add_step(result.report, accepted, run.outcome.facts.solver_statistics);
+    const ProposedStep proposed = propose_step(run.scene, result.report, accepted ? state.next_step : dt);
+    if (accepted) {
+      result.state.next_step = proposed.dt;
+      result.state.next_limit = static_cast<Index>(proposed.limit);
       step = {std::move(state), std::move(result.report)};
       state = std::move(result.state);
       run.outcome.facts.reason.clear();
       return true;
     }
     ++state.totals.rejected;
-    run.workspace.standing.reset();
+    run.workspace.static_stage.reset();
     run.outcome.facts.reason = result.converged ? "the step deforms the glass too much" : result.reason;
-    dt = result.converged ? std::clamp(wish.dt, shorten * dt, longest_retry * dt) : shorten * dt;
-    if (result.hopeless) return false;
-    if (dt < run.scene.accuracy.smallest_step) {
-      run.outcome.facts.reason += fmt::format("; steps below {:g} s, numerics.smallest_step, would be needed",
-                                              run.scene.accuracy.smallest_step);
+    dt = result.converged ? std::clamp(proposed.dt, shorten * dt, longest_retry * dt) : shorten * dt;
+    if (result.unrecoverable) return false;
+    if (dt < run.scene.accuracy.min_step) {
+      run.outcome.facts.reason +=
+          fmt::format("; steps below {:g} s, numerics.min_step, would be needed", run.scene.accuracy.min_step);
       return false;
     }
-    limit = result.converged ? wish.limit : StepLimit::failure;
+    limit = result.converged ? proposed.limit : StepLimit::failure;
     state.next_step = dt;
     state.next_limit = static_cast<Index>(limit);
-    if (is_told_to_stop(run)) return false;
+    if (stop_requested(run)) return false;
   }
 }
 
 /// A tool deeper than this in the glass at a stage's start is an error of the scene, m.
-constexpr double most_overlap = 0.5e-3;
+constexpr double max_overlap = 0.5e-3;
 
 /// What makes the stage impossible from where the tools and the glass stand; empty when nothing does.
-std::string stage_obstacle(const Scene& scene, const State& state) {
+std::string stage_precondition_failure(const Scene& scene, const State& state) {
   for (const auto& place : scene.stages[state.stage].tools) {
     const auto* position = std::get_if<PositionMotion>(&place.motion);
     const double now = state.bodies[1 + place.tool].offset;
@@ -112,38 +112,38 @@ std::string stage_obstacle(const Scene& scene, const State& state) {
       return fmt::format("tool {} stands at {:.4g} mm, its motion starts at {:.4g} mm", scene.tools[place.tool].name,
                          1e3 * now, 1e3 * position->offset(0));
   }
-  Penetration deepest{};
+  Penetration max_penetration{};
   for (const Penetration& inside : penetrations(scene, state, 0))
-    if (inside.depth > deepest.depth) deepest = inside;
-  if (deepest.depth <= most_overlap) return "";
-  const Point& x = state.bodies[0].mesh.nodes[deepest.node];
+    if (inside.depth > max_penetration.depth) max_penetration = inside;
+  if (max_penetration.depth <= max_overlap) return "";
+  const Point& x = state.bodies[0].mesh.nodes[max_penetration.node];
   return fmt::format(
       "tool {} in place overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the "
       "stage's tools as it is",
-      scene.tools[deepest.tool].name, 1e3 * deepest.depth, 1e3 * x[0], 1e3 * x[1]);
+      scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1]);
 }
 
 /// Whether the stage can begin; the reason why not goes into the facts.
 bool can_begin(Progress& run) {
-  run.outcome.facts.reason = stage_obstacle(run.scene, run.outcome.state);
+  run.outcome.facts.reason = stage_precondition_failure(run.scene, run.outcome.state);
   return run.outcome.facts.reason.empty();
 }
 
 /// Enters a stage; false when it cannot begin.
 bool begin_stage(Progress& run, Index stage) {
   State& state = run.outcome.state;
-  const std::string misplaced = misplaced_stretch(run.scene, state, stage);
+  const std::string misplaced = misplaced_boundary(run.scene, state, stage);
   state = start_stage(run.scene, state, stage);
-  state.next_step = run.scene.accuracy.first_step;
-  state.next_limit = static_cast<Index>(StepLimit::first);
-  run.workspace.standing.reset();
+  state.next_step = run.scene.accuracy.initial_step;
+  state.next_limit = static_cast<Index>(StepLimit::initial);
+  run.workspace.static_stage.reset();
   bool good = can_begin(run);
   if (!misplaced.empty()) {
     run.outcome.facts.reason = misplaced;
     good = false;
   }
   if (stage == 0) write_fields(run, state);
-  return good && (stage == 0 || !run.scene.has_flow() || renew(run, RemeshReason::stage_start));
+  return good && (stage == 0 || !run.scene.has_flow() || remesh_glass(run, RemeshReason::stage_start));
 }
 
 /// Tools that were to come to rest in a stage whose duration was too short for that.
@@ -171,16 +171,17 @@ void end_stage(Progress& run, bool good) {
 }
 
 /// One step of the stage, after a new mesh where that is needed; false when none can be made.
-bool advance(Progress& run, StepTaken& step) {
+bool advance(Progress& run, AcceptedStep& step) {
   const Scene& scene = run.scene;
-  if (scene.has_flow() && needs_new_mesh(scene, run.outcome.state) && !renew(run, RemeshReason::quality)) return false;
+  if (scene.has_flow() && needs_remesh(scene, run.outcome.state) && !remesh_glass(run, RemeshReason::quality))
+    return false;
   if (step_once(run, step)) return true;
   if (run.outcome.facts.stopped) return false;
   // A mesh that is still sound may be what holds the step back.
-  return scene.has_flow() && renew(run, RemeshReason::failed_step) && step_once(run, step);
+  return scene.has_flow() && remesh_glass(run, RemeshReason::failed_step) && step_once(run, step);
 }
 
-void note_motion(const Scene& scene, State& state) {
+void update_motion(const Scene& scene, State& state) {
   const Stage& stage = scene.stages[state.stage];
   for (const auto& tool : stage.tools) {
     BodyState& body = state.bodies[1 + tool.tool];
@@ -191,13 +192,13 @@ void note_motion(const Scene& scene, State& state) {
 }
 
 /// A row of the history; the fields at the output times within the step and at the stage's end.
-void write_step(Progress& run, const StepTaken& step) {
+void write_step(Progress& run, const AcceptedStep& step) {
   const State& state = run.outcome.state;
   const auto start = Clock::now();
   run.files.row(history_row(run.scene, state, step.report));
   account(run, "output", start);
   for (const double time : outputs_due(run.scene, step.before.time, state.time))
-    write_fields(run, time < state.time ? between(step.before, state, time) : state);
+    write_fields(run, time < state.time ? interpolate(step.before, state, time) : state);
   if (stage_over(run.scene, state, state.has_moved)) write_fields(run, state);
   print_progress(run, step.report);
 }
@@ -205,21 +206,21 @@ void write_step(Progress& run, const StepTaken& step) {
 /// Whether glass between tools is too thin to go on; the reason goes into the facts.
 bool is_too_thin(Progress& run) {
   if (!run.scene.has_flow()) return false;
-  run.outcome.facts.reason = film_obstacle(run.scene, run.outcome.state);
+  run.outcome.facts.reason = film_failure(run.scene, run.outcome.state);
   return !run.outcome.facts.reason.empty();
 }
 
 /// Steps until the stage is over. Wherever a checkpoint is written the run can enter here again.
 bool advance_stage(Progress& run) {
   State& state = run.outcome.state;
-  StepTaken step;
+  AcceptedStep step;
   while (!stage_over(run.scene, state, state.has_moved)) {
     if (!advance(run, step)) return false;
-    note_motion(run.scene, state);
+    update_motion(run.scene, state);
     write_step(run, step);
     if (is_too_thin(run)) return false;
     save_when_due(run);
-    if (is_told_to_stop(run)) return false;
+    if (stop_requested(run)) return false;
   }
   return true;
 }
@@ -235,50 +236,51 @@ void warn_of_unused_interfaces(Progress& run) {
           fmt::format("the interface of the glass with {} was never used: in the whole run they did not come within "
                       "{:.4g} mm of each "
                       "other",
-                      tool.name, 1e3 * interface.handover_width));
+                      tool.name, 1e3 * interface.transition_gap));
   }
 }
 
 /// Of the span of the scene's temperatures; more is told.
-constexpr double most_overshoot = 0.1;
+constexpr double overshoot_limit = 0.1;
 /// Of the work; more is told.
-constexpr double most_work_imbalance = 1e-3;
+constexpr double work_imbalance_limit = 1e-3;
 /// Contacts held closed against a pull for each step; more is told.
-constexpr double most_latched = 0.1;
+constexpr double locked_limit = 0.1;
 
 void warn(Progress& run) {
   const Totals& totals = run.outcome.state.totals;
   auto& warnings = run.outcome.facts.warnings;
-  if (totals.largest_reynolds > 1)
+  if (totals.max_reynolds > 1)
     warnings.push_back(
-        fmt::format("inertia was left out, but the Reynolds number reached {:.2g}", totals.largest_reynolds));
-  const RemeshLedger& remeshing = totals.remeshing;
+        fmt::format("inertia was left out, but the Reynolds number reached {:.2g}", totals.max_reynolds));
+  const RemeshStatistics& remeshing = totals.remeshing;
   if (remeshing.failed > 1) warnings.push_back(fmt::format("{} new glass meshes could not be made", remeshing.failed));
   if (remeshing.laps > 0)
     warnings.push_back(fmt::format(
         "the glass folded onto itself at {} places, which were closed with {:.2g} mm3 of air in them: marks of "
         "laps are to be expected there",
         remeshing.laps, 1e9 * remeshing.lap_volume));
-  if (remeshing.coarser > 1)
+  if (remeshing.coarsening_factor > 1)
     warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have about {:g} cells",
-                                   remeshing.coarser, run.scene.accuracy.most_cells));
-  if (const double imbalance = largest_work_imbalance(run.outcome.facts); imbalance > most_work_imbalance)
+                                   remeshing.coarsening_factor, run.scene.accuracy.max_cells));
+  if (const double imbalance = max_work_imbalance(run.outcome.facts); imbalance > work_imbalance_limit)
     warnings.push_back(
         fmt::format("the work done on the glass and what became of it differ by {:.2g} % at a stage's end; a higher "
                     "accuracy or a smaller "
                     "numerics.strain_per_step helps",
                     100 * imbalance));
-  if (totals.table_holds > 0)
-    warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.table_holds));
-  if (const double span = temperature_range(run.scene).span(); totals.overshoot > most_overshoot * span)
+  if (totals.clamped_lookups > 0)
+    warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.clamped_lookups));
+  if (const double span = temperature_range(run.scene).span(); totals.overshoot > overshoot_limit * span)
     warnings.push_back(
         fmt::format("a temperature rose {:.0f} K above the hottest of the scene for a moment, {:.2g} % of the span "
                     "of all: skins too thin for the mesh; a smaller numerics.skin_size helps",
                     totals.overshoot, 100 * totals.overshoot / span));
-  if (const long latched = run.outcome.facts.effort.latched_contacts; latched > most_latched * double(totals.steps))
+  if (const long locked = run.outcome.facts.solver_statistics.locked_contacts;
+      locked > locked_limit * double(totals.steps))
     warnings.push_back(fmt::format(
         "in all steps together {} contacts stayed closed although they pull, as they kept opening and closing",
-        latched));
+        locked));
 }
 
 /// The stages from the present one on, which has begun if `good`; false when one cannot end.
@@ -312,7 +314,7 @@ RunOutcome finish(Progress& run, const std::function<bool()>& from_here) {
         fmt::format("stage {} at {:.5f} s: {}", run.scene.stages[state.stage].name, state.time, facts.reason);
   warn(run);
   if (facts.completed) warn_of_unused_interfaces(run);
-  note_times(run);
+  update_times(run);
   return std::move(run.outcome);
 }
 
@@ -335,7 +337,7 @@ RunOutcome resume(const Scene& scene, const std::string& directory, const StopRe
   const State& state = run.outcome.state;
   run.wall_before = run.outcome.facts.wall_seconds;
   run.cpu_before = run.outcome.facts.cpu_seconds;
-  run.share_before = share_done(run);
+  run.fraction_before = fraction_done(run);
   run.checkpoint_steps = state.totals.steps;
   fmt::print("  {:<10} t {:8.4f} s  step {:5}  {} remeshes so far\n", scene.stages[state.stage].name, state.time,
              state.totals.steps, remeshes(state));

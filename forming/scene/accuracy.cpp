@@ -19,8 +19,8 @@ constexpr std::array preset_names{"draft", "standard", "fine"};
 constexpr const char* coarser_word = " coarser ";
 constexpr std::array passes{1, 1, 1};
 constexpr std::array temperature_orders{2, 2, 2};
-constexpr double least_coarser = 0.05, most_coarser = 20;
-constexpr double smallest_target = 0.0013, largest_target = 0.07;  ///< at the levels 2.9 and -2
+constexpr double min_coarsening = 0.05, max_coarsening = 20;
+constexpr double min_target = 0.0013, max_target = 0.07;  ///< at the levels 2.9 and -2
 
 std::size_t nearest_preset(double level) {
   return static_cast<std::size_t>(std::clamp(std::floor(level + 0.5), 0.0, double(preset_names.size() - 1)));
@@ -49,9 +49,9 @@ double read_target(const std::string& text) {
   const double target = number(text.substr(0, text.find_last_not_of(" %") + 1)) / 100;
   if (target <= 0) refuse(text);
   constexpr double rounding = 1e-12;
-  if (target > largest_target * (1 + rounding) || target < smallest_target * (1 - rounding))
+  if (target > max_target * (1 + rounding) || target < min_target * (1 - rounding))
     throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are errors from {:g}% to {:g}%", text,
-                                      100 * smallest_target, 100 * largest_target));
+                                      100 * min_target, 100 * max_target));
   return target;
 }
 
@@ -85,9 +85,9 @@ const std::vector<Setting>& settings() {
        {40, 20, 10},
        1e-3,
        2000},
-      {"largest_step", &A::largest_step, dimension::time, "s", 1, 1, {0.2, 0.1, 0.05}, 1e-9, 1e6},
-      {"first_step", &A::first_step, dimension::time, "s", 1, 0, {1e-3, 1e-3, 1e-3}, 1e-9, 1e6},
-      {"smallest_step", &A::smallest_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}, 1e-12, 1e6},
+      {"max_step", &A::max_step, dimension::time, "s", 1, 1, {0.2, 0.1, 0.05}, 1e-9, 1e6},
+      {"initial_step", &A::initial_step, dimension::time, "s", 1, 0, {1e-3, 1e-3, 1e-3}, 1e-9, 1e6},
+      {"min_step", &A::min_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}, 1e-12, 1e6},
       {"motion_tolerance",
        &A::motion_tolerance,
        dimension::length,
@@ -97,7 +97,7 @@ const std::vector<Setting>& settings() {
        {0.05e-3, 0.025e-3, 6.25e-6},
        1e-10,
        0.01},
-      {"most_cells", &A::most_cells, dimension::none, "", 1, -2, {2e4, 3e4, 4.5e4}, 100, 1e7},
+      {"max_cells", &A::max_cells, dimension::none, "", 1, -2, {2e4, 3e4, 4.5e4}, 100, 1e7},
       {"solution_error", &A::solution_error, dimension::none, "", 1, 2, {0, 0, 0}, 0, 1},
       {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.04, 0.1, 0.1}, 1e-4, 0.9}};
   return all;
@@ -126,7 +126,7 @@ Accuracy accuracy_at(double level) {
 
 Accuracy coarsened(Accuracy accuracy, double factor) {
   for (const Setting& setting : settings()) accuracy.*setting.value *= std::pow(factor, setting.order);
-  accuracy.first_step = std::min(accuracy.first_step, accuracy.largest_step);
+  accuracy.initial_step = std::min(accuracy.initial_step, accuracy.max_step);
   return accuracy;
 }
 
@@ -142,11 +142,11 @@ AccuracyChoice read_accuracy(const std::string& text) {
   const auto at = text.find(coarser_word);
   const std::string base = text.substr(0, at);
   AccuracyChoice choice;
-  if (at != text.npos) choice.coarser = number(text.substr(at + std::strlen(coarser_word)));
-  if (choice.coarser == 0) refuse(text);
-  if (choice.coarser < least_coarser || choice.coarser > most_coarser)
+  if (at != text.npos) choice.coarsening_factor = number(text.substr(at + std::strlen(coarser_word)));
+  if (choice.coarsening_factor == 0) refuse(text);
+  if (choice.coarsening_factor < min_coarsening || choice.coarsening_factor > max_coarsening)
     throw core::CaseError(fmt::format("accuracy: \"{}\" was found, allowed are factors from {:g} to {:g}", text,
-                                      least_coarser, most_coarser));
+                                      min_coarsening, max_coarsening));
   const auto preset = std::find(preset_names.begin(), preset_names.end(), base);
   if (preset != preset_names.end()) {
     choice.level = double(preset - preset_names.begin());
@@ -159,15 +159,15 @@ AccuracyChoice read_accuracy(const std::string& text) {
   return choice;
 }
 
-std::string coarser_text(const std::string& text, double factor) {
+std::string coarsened_text(const std::string& text, double factor) {
   return fmt::format("{}{}{:.12g}", text.substr(0, text.find(coarser_word)), coarser_word,
-                     factor * read_accuracy(text).coarser);
+                     factor * read_accuracy(text).coarsening_factor);
 }
 
 Accuracy accuracy_preset(const std::string& text) {
   const AccuracyChoice choice = read_accuracy(text);
   const Accuracy accuracy = accuracy_at(choice.level);
-  return choice.coarser == 1 ? accuracy : coarsened(accuracy, choice.coarser);
+  return choice.coarsening_factor == 1 ? accuracy : coarsened(accuracy, choice.coarsening_factor);
 }
 
 }  // namespace parison::forming

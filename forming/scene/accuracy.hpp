@@ -10,29 +10,30 @@
 
 namespace parison::forming {
 
-/// Everything numerical that the accuracy dial sets; each can be overridden under [numerics] in the case file.
+/// Everything numerical that the accuracy level sets; each can be overridden under [numerics] in the case file.
 struct Accuracy {
   double surface_size;           ///< largest edge on the glass surface, m
   double skin_size;              ///< smallest edge asked for where hot glass meets a cold tool, m
   double elements_across;        ///< elements across a glass wall
   double glass_growth;           ///< growth of the glass edge length with the distance from the surface
-  double tool_contact_size;      ///< edge on a tool's contact pieces, m
+  double tool_contact_size;      ///< edge on a tool's contact boundaries, m
   double tool_growth;            ///< growth of the edge with the distance from there
   double strain_per_step;        ///< rate of deformation times step, seen by 2 % of the glass
   double temperature_tolerance;  ///< local error of a heat step, K
   double temperature_per_step;   ///< largest change of the glass surface temperature in a coupled step, K
-  double largest_step;           ///< s
-  double first_step;             ///< of each stage, s
-  double smallest_step;          ///< s; a run that needs less stops
-  double most_cells;             ///< of the glass, about: sizes that ask for more grow
+  double max_step;               ///< s
+  double initial_step;           ///< of each stage, s
+  double min_step;               ///< s; a run that needs less stops
+  double max_cells;              ///< of the glass, about: sizes that ask for more grow
   double solution_error;    ///< relative, of gradient and rate of deformation, that a new glass mesh is to keep; 0: any
   double quality_floor;     ///< remesh below this scaled inverse condition number
-  double motion_tolerance;  ///< a sweep whose velocity moves the mid-step mesh by more than this is repeated, m
+  double motion_tolerance;  ///< a coupling iteration whose velocity moves the mid-step mesh by more than this is
+                            ///< repeated, m
   int temperature_order;    ///< of the temperature in a cell: 2, or 1: linear between the vertices
   int passes;               ///< flow and heat in a step, so many times
 };
 
-/// A number of the dial: its key, how it is shown, and its values at the levels 0, 1, 2.
+/// A setting of the accuracy level: its key, how it is shown, and its values at the levels 0, 1, 2.
 struct Setting {
   const char* key;
   double Accuracy::*value;
@@ -45,8 +46,8 @@ struct Setting {
 };
 const std::vector<Setting>& settings();
 
-/// The dial as one number: 0 is draft, 1 standard, 2 fine, and every setting runs evenly in its logarithm between and
-/// beyond them; passes and temperature_order are those of the nearest preset.
+/// The accuracy level as one number: 0 is draft, 1 standard, 2 fine, and every setting runs evenly in its logarithm
+/// between and beyond them; passes and temperature_order are those of the nearest preset.
 Accuracy accuracy_at(double level);
 
 /// The same run with edges and steps `factor` times as long, tolerances to match.
@@ -56,20 +57,21 @@ Accuracy coarsened(Accuracy accuracy, double factor);
 struct AccuracyChoice {
   double level = 0;
   std::optional<double> target;  ///< share of the wall thickness and of the heat into tools, when given so
-  double coarser = 1;  ///< edges and steps of the whole scene, the case's own included, are so many times longer
-  /// The level at which the dial's law would see it.
-  double effective_level() const { return level - std::log2(coarser); }
+  double coarsening_factor =
+      1;  ///< edges and steps of the whole scene, the case's own included, are so many times longer
+  /// The level at which the error law of the presets would see it.
+  double effective_level() const { return level - std::log2(coarsening_factor); }
 };
 /// Throws core::CaseError where the text is no choice.
 AccuracyChoice read_accuracy(const std::string& text);
 
 /// The text of a choice `factor` times coarser.
-std::string coarser_text(const std::string& text, double factor);
+std::string coarsened_text(const std::string& text, double factor);
 
 /// The presets draft, standard and fine, or what another text asks for.
 Accuracy accuracy_preset(const std::string& text);
 
-/// An error of the dial: at_draft * 2^(-order * level), as a share.
+/// An error of the accuracy level: at_draft * 2^(-order * level), as a share.
 struct ErrorLaw {
   double at_draft, order;
   double at(double level) const { return at_draft * std::exp2(-order * level); }

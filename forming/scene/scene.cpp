@@ -55,14 +55,14 @@ std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
 TemperatureRange temperature_range(const Scene& scene) {
   TemperatureRange range{scene.glass.initial_temperature, scene.glass.initial_temperature};
   const auto include = [&](double temperature) {
-    range = {std::min(range.coldest, temperature), std::max(range.hottest, temperature)};
+    range = {std::min(range.min_temperature, temperature), std::max(range.max_temperature, temperature)};
   };
   const auto include_body = [&](const Body& body) {
     if (!body.thermal) return;
     include(body.initial_temperature);
-    for (const Piece& piece : body.pieces) {
-      if (piece.kind == PieceKind::cooled) include(piece.cooling.air_temperature);
-      if (piece.kind == PieceKind::temperature) include(piece.temperature);
+    for (const Boundary& boundary : body.boundaries) {
+      if (boundary.kind == BoundaryKind::cooled) include(boundary.cooling.air_temperature);
+      if (boundary.kind == BoundaryKind::temperature) include(boundary.temperature);
     }
   };
   include_body(scene.glass);
@@ -99,7 +99,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   for (const auto* probe : root.tables("probe")) scene.probes.push_back(read_probe(*probe, scene));
   if (const auto* output = root.find("output")) scene.output = read_output(*output);
   if (const auto* numerics = root.find("numerics")) read_numerics(*numerics, scene);
-  if (scene.accuracy_choice.coarser != 1) coarsen(scene, scene.accuracy_choice.coarser);
+  if (scene.accuracy_choice.coarsening_factor != 1) coarsen(scene, scene.accuracy_choice.coarsening_factor);
   check_sizes(scene, root);
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));

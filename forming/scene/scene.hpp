@@ -19,8 +19,8 @@ namespace parison::forming {
 
 using core::Index;
 
-/// What a named piece of a body's outline is.
-enum class PieceKind {
+/// What a named boundary of a body's outline is.
+enum class BoundaryKind {
   contact,      ///< may touch other bodies; air and pressure of the stage where it does not
   symmetry,     ///< axis or symmetry plane: no normal motion, no heat
   fixed,        ///< held still, no heat
@@ -30,9 +30,9 @@ enum class PieceKind {
   air           ///< never in contact; the stage's air acts on it
 };
 
-struct Piece {
+struct Boundary {
   std::string name;
-  PieceKind kind;
+  BoundaryKind kind;
   thermal::SurfaceExchange cooling;  ///< cooled
   double temperature = 0;            ///< temperature, K
 };
@@ -40,10 +40,10 @@ struct Piece {
 /// How a body is meshed at the start.
 struct MeshSpec {
   std::optional<double> size;          ///< largest edge, m
-  std::optional<double> contact_size;  ///< edge on contact pieces, m
-  std::optional<double> growth;        ///< size per distance from the contact pieces
-  /// Mapped mesh of a body with four pieces: divisions along the first and second piece, and the ratio of the last
-  /// division to the first along each (in the direction of the piece).
+  std::optional<double> contact_size;  ///< edge on contact boundaries, m
+  std::optional<double> growth;        ///< size per distance from the contact boundaries
+  /// Mapped mesh of a body with four boundaries: divisions along the first and second boundary, and the ratio of the
+  /// last division to the first along each (in the direction of the boundary).
   struct Mapped {
     Index along_first, along_second;
     double ratio_first = 1, ratio_second = 1;
@@ -53,8 +53,8 @@ struct MeshSpec {
 
 struct Body {
   std::string name;
-  core::Profile profile;      ///< in the body's own frame, m
-  std::vector<Piece> pieces;  ///< one for each of profile.pieces
+  core::Profile profile;             ///< in the body's own frame, m
+  std::vector<Boundary> boundaries;  ///< one for each of profile.boundaries
   MeshSpec mesh;
   double initial_temperature = 0;            ///< K
   std::optional<thermal::Material> thermal;  ///< none: the body carries no heat in this scene
@@ -64,7 +64,7 @@ struct Body {
 
 /// What becomes of glass between tools that gets thinner than the mesh can follow.
 struct FilmLimit {
-  double thinnest = 0.3e-3;                            ///< m
+  double min_thickness = 0.3e-3;                       ///< m
   enum class Then { stop, freeze } then = Then::stop;  ///< the run ends, or the film flows no more
 };
 
@@ -82,7 +82,7 @@ struct Tool : Body {
 struct Interface {
   Index tool;  ///< index into Scene::tools
   contact::ConductanceLaw law;
-  double handover_width;  ///< gap over which contact hands over to air, m
+  double transition_gap;  ///< gap over which contact hands over to air, m
 };
 
 /// A tool's motion during a stage.
@@ -102,7 +102,7 @@ struct StageTool {
 
 /// Names a stretch of the glass surface at the stage's start: from the surface point nearest `from` to the one nearest
 /// `to`, walked with the glass on the left.
-struct NamedStretch {
+struct NamedBoundary {
   std::string name;
   core::Point from, to;
 };
@@ -113,10 +113,10 @@ struct Stage {
   std::optional<double>
       end_speed;  ///< the stage also ends when every force-driven tool is slower than this, m/s, having been faster
   double gravity = 0;                      ///< along +axis, m/s2
-  std::vector<StageTool> tools;            ///< tools in place; the others are absent
-  std::map<std::string, double> pressure;  ///< over-pressure on open glass pieces by piece name, Pa
+  std::vector<StageTool> tools;            ///< active tools; the others are absent
+  std::map<std::string, double> pressure;  ///< over-pressure on open glass boundaries by boundary name, Pa
   thermal::SurfaceExchange air;            ///< of open surfaces; emissivity is the body's own
-  std::vector<NamedStretch> name_pieces;
+  std::vector<NamedBoundary> named_boundaries;
 };
 
 struct Probe {
@@ -149,18 +149,18 @@ struct Scene {
   AccuracyChoice accuracy_choice;
   Accuracy accuracy;
   std::map<std::string, std::string>
-      accuracy_origin;  ///< "case" or "--set" for each setting that the dial did not choose
+      accuracy_origin;  ///< "case" or "--set" for each setting that the accuracy level did not choose
 
   bool has_flow() const { return glass.flow.has_value(); }
   bool has_heat() const { return glass.thermal.has_value(); }
-  /// Whether the dial's error law is of such scenes: glass that flows on a mesh of the dial's.
+  /// Whether the error law of the presets is of such scenes: glass that flows on a mesh of the presets.
   bool is_of_error_law() const { return has_flow() && !glass.mesh.mapped; }
 };
 
 /// The coldest and the hottest of the bodies at the start, their cooling and the air, K.
 struct TemperatureRange {
-  double coldest, hottest;
-  double span() const { return hottest - coldest; }
+  double min_temperature, max_temperature;
+  double span() const { return max_temperature - min_temperature; }
 };
 TemperatureRange temperature_range(const Scene& scene);
 

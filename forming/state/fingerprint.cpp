@@ -26,7 +26,7 @@ struct Bits {
     (*this)("nodes", mesh.nodes);
     (*this)("cells", mesh.cells);
     (*this)("boundary", mesh.boundary);
-    for (const std::string& piece : mesh.pieces) (*this)("piece", piece);
+    for (const std::string& boundary : mesh.boundary_names) (*this)("boundary", boundary);
   }
   Bits part(const std::string&) { return *this; }
 };

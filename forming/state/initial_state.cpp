@@ -19,7 +19,7 @@ core::Mesh mesh_of(const Body& body, double size, double contact_size, double gr
   sizes.size = body.mesh.size.value_or(size);
   sizes.contact_size = body.mesh.contact_size.value_or(contact_size);
   sizes.growth = body.mesh.growth.value_or(growth);
-  sizes.fine_pieces = contact_pieces(body);
+  sizes.fine_boundaries = contact_boundaries(body);
   return remesh::mesh_profile(body.profile, sizes);
 }
 
@@ -34,27 +34,27 @@ const Body& body_of(const Scene& scene, Index body) {
   return body == 0 ? static_cast<const Body&>(scene.glass) : scene.tools[body - 1];
 }
 
-PieceKind piece_kind(const Body& body, const std::string& piece) {
-  for (const auto& known : body.pieces)
-    if (known.name == piece) return known.kind;
-  return PieceKind::contact;
+BoundaryKind boundary_kind(const Body& body, const std::string& boundary) {
+  for (const auto& known : body.boundaries)
+    if (known.name == boundary) return known.kind;
+  return BoundaryKind::contact;
 }
 
-std::vector<bool> symmetry_pieces(const Body& body, const core::Mesh& mesh) {
+std::vector<bool> symmetry_boundaries(const Body& body, const core::Mesh& mesh) {
   std::vector<bool> flags;
-  for (const auto& name : mesh.pieces) flags.push_back(piece_kind(body, name) == PieceKind::symmetry);
+  for (const auto& name : mesh.boundary_names) flags.push_back(boundary_kind(body, name) == BoundaryKind::symmetry);
   return flags;
 }
 
-std::vector<bool> contact_pieces(const Body& body, const core::Mesh& mesh) {
+std::vector<bool> contact_boundaries(const Body& body, const core::Mesh& mesh) {
   std::vector<bool> flags;
-  for (const auto& name : mesh.pieces) flags.push_back(piece_kind(body, name) == PieceKind::contact);
+  for (const auto& name : mesh.boundary_names) flags.push_back(boundary_kind(body, name) == BoundaryKind::contact);
   return flags;
 }
 
-std::vector<bool> contact_pieces(const Body& body) {
+std::vector<bool> contact_boundaries(const Body& body) {
   std::vector<bool> flags;
-  for (const auto& piece : body.pieces) flags.push_back(piece.kind == PieceKind::contact);
+  for (const auto& boundary : body.boundaries) flags.push_back(boundary.kind == BoundaryKind::contact);
   return flags;
 }
 
@@ -78,29 +78,29 @@ State initial_state(const Scene& scene) {
     const Body& body = body_of(scene, b);
     BodyState start;
     // Where nothing flows the first meshes serve the whole run.
-    const double share = scene.has_flow() ? 1.0 : standing_share;
-    const double contact_size = scene.has_flow() ? accuracy.surface_size : share * accuracy.skin_size;
+    const double fraction = scene.has_flow() ? 1.0 : static_edge_factor;
+    const double contact_size = scene.has_flow() ? accuracy.surface_size : fraction * accuracy.skin_size;
     start.mesh =
-        b == 0 ? mesh_of(body, inner_glass_size * share * accuracy.surface_size, contact_size, accuracy.glass_growth)
-               : mesh_of(body, coarse_tool_size, share * accuracy.tool_contact_size, accuracy.tool_growth);
+        b == 0 ? mesh_of(body, inner_glass_size * fraction * accuracy.surface_size, contact_size, accuracy.glass_growth)
+               : mesh_of(body, coarse_tool_size, fraction * accuracy.tool_contact_size, accuracy.tool_growth);
     if (body.thermal) start.temperature.setConstant(start.mesh.node_count(), body.initial_temperature);
     if (scene.has_flow() && b == 0 && !body.thermal)
       start.temperature.setConstant(start.mesh.node_count(), body.initial_temperature);
     start.offset = body.position;
-    start.hottest_surface = body.initial_temperature;
+    start.max_surface_temperature = body.initial_temperature;
     state.bodies.push_back(std::move(start));
   }
   const core::Mesh& glass = state.bodies[0].mesh;
   state.mass_nodes = glass.nodes;
   state.density = scene.has_heat() ? scene.glass.thermal->density : scene.has_flow() ? scene.glass.flow->density : 0;
-  state.first_volume = core::volume(glass, scene.geometry);
+  state.initial_volume = core::volume(glass, scene.geometry);
   if (scene.has_flow())
-    state.velocity = state.acceleration = state.swelling = Eigen::VectorXd::Zero(core::dim * glass.node_count());
+    state.velocity = state.acceleration = state.dilatation_mode = Eigen::VectorXd::Zero(core::dim * glass.node_count());
   state.contact.tool.assign(glass.nodes.size(), -1);
   state.contact.tool_before = state.contact.tool;
   state.contact.pressure.setZero(glass.node_count());
   for (const auto& probe : scene.probes) state.probes.push_back(probe.point);
-  if (scene.has_heat()) state.first_heat = glass_heat(scene, state);
+  if (scene.has_heat()) state.initial_heat = glass_heat(scene, state);
   return state;
 }
 

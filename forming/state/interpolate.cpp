@@ -5,9 +5,9 @@
 
 namespace parison::forming {
 
-State between(const State& before, const State& after, double time) {
-  const double share = (time - before.time) / (after.time - before.time);
-  const auto mixed = [&](const auto& first, const auto& last) { return first + share * (last - first); };
+State interpolate(const State& before, const State& after, double time) {
+  const double fraction = (time - before.time) / (after.time - before.time);
+  const auto mixed = [&](const auto& first, const auto& last) { return first + fraction * (last - first); };
   State state = after;
   state.time = time;
   state.stage_time = mixed(before.stage_time, after.stage_time);

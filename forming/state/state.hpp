@@ -17,14 +17,14 @@ using core::Point;
 
 /// A body at an instant. Tools keep their mesh and move by `offset`; the glass mesh moves itself.
 struct BodyState {
-  core::Mesh mesh;              ///< tools: in their own frame
-  Eigen::VectorXd temperature;  ///< per node, K; empty where the scene has no heat
-  double offset = 0;            ///< along the axis, m
-  double velocity = 0;          ///< along the axis, m/s
-  double force = 0;             ///< on the glass along the axis, N
-  double peak_force = 0;        ///< largest so far without sign while a force drove it, N
-  double heat_received = 0;     ///< through interfaces since the start, J
-  double hottest_surface = 0;   ///< highest temperature so far on its contact pieces, K
+  core::Mesh mesh;                     ///< tools: in their own frame
+  Eigen::VectorXd temperature;         ///< per node, K; empty where the scene has no heat
+  double offset = 0;                   ///< along the axis, m
+  double velocity = 0;                 ///< along the axis, m/s
+  double force = 0;                    ///< on the glass along the axis, N
+  double peak_force = 0;               ///< largest so far without sign while a force drove it, N
+  double heat_received = 0;            ///< through interfaces since the start, J
+  double max_surface_temperature = 0;  ///< highest temperature so far on its contact boundaries, K
 };
 
 /// Where the glass touches tools, per glass node.
@@ -33,10 +33,10 @@ struct ContactState {
   std::vector<Index> tool_before;  ///< the same a step earlier
   Eigen::VectorXd pressure;        ///< Pa
   /// Every contact that the last flow solve left closed (a node in a corner has two); empty where there was none yet.
-  struct Closed {
+  struct Active {
     std::vector<Index> node, tool;
     std::vector<Point> normal;  ///< unit, from the tool into the glass
-  } closed;
+  } active;
 };
 
 /// Why the glass was given a new mesh, and the names of these reasons.
@@ -49,23 +49,23 @@ struct Work {
   double tools = 0, gravity = 0, air = 0;  ///< done on the glass
   double dissipation = 0;                  ///< viscous
   double friction = 0;                     ///< lost where the glass slides along tools
-  double arrival = 0;                      ///< lost where it came to rest on a tool before a step was over
+  double impact_loss = 0;                  ///< lost where it came to rest on a tool before a step was over
   double surface = 0;                      ///< stored in open surface by its tension
-  double corrections = 0;                  ///< taken by leading volume and penetrated nodes back; counts as unexplained
+  double correction = 0;                   ///< taken by leading volume and penetrated nodes back; counts as unexplained
 };
 
 /// What remeshing did by itself since the start.
-struct RemeshLedger {
+struct RemeshStatistics {
   std::array<Index, remesh_reasons.size()> count{};  ///< by RemeshReason
-  double heat = 0, largest_heat = 0;      ///< heat content changed: in all, and by one remesh without sign, J
-  double volume = 0, largest_volume = 0;  ///< volume likewise, m3
-  double new_extreme = 0;                 ///< furthest that a new temperature went beyond all old ones, K
-  double worst_quality = 1;               ///< of a cell after any remesh
-  double lowest_median = 1;               ///< quality of the median cell after any remesh
-  Index failed = 0;                       ///< new meshes that could not be made
-  double lap_volume = 0;                  ///< of the air in those, m3
-  Index laps = 0;                         ///< places where the glass had folded onto itself a little and was closed
-  double coarser = 1;                     ///< by which a mesh was coarser than asked for, for the sake of most_cells
+  double heat = 0, max_heat = 0;      ///< heat content changed: in all, and by one remesh without sign, J
+  double volume = 0, max_volume = 0;  ///< volume likewise, m3
+  double transfer_overshoot = 0;      ///< furthest that a new temperature went beyond all old ones, K
+  double min_quality = 1;             ///< of a cell after any remesh
+  double min_median = 1;              ///< quality of the median cell after any remesh
+  Index failed = 0;                   ///< new meshes that could not be made
+  double lap_volume = 0;              ///< of the air in those, m3
+  Index laps = 0;                     ///< places where the glass had folded onto itself a little and was closed
+  double coarsening_factor = 1;       ///< by which a mesh was coarser than asked for, for the sake of max_cells
 };
 
 /// Sums since the start.
@@ -74,20 +74,20 @@ struct Totals {
   double to_tools = 0;     ///< heat that crossed from glass to tools, J
   double dissipation = 0;  ///< viscous, into the glass, J
   Index steps = 0, rejected = 0;
-  long table_holds = 0;      ///< evaluations of h outside its table
-  double deepest = 0;        ///< deepest penetration of a glass node into a tool at any step, m
-  double largest_drift = 0;  ///< of the glass volume at any step, relative to the start, without sign
-  double largest_reynolds = 0;
-  double overshoot = 0;              ///< of any temperature above the hottest of the scene at any step, K
-  double largest_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative
+  long clamped_lookups = 0;    ///< evaluations of h outside its table
+  double max_penetration = 0;  ///< max penetration of a glass node into a tool at any step, m
+  double max_drift = 0;        ///< of the glass volume at any step, relative to the start, without sign
+  double max_reynolds = 0;
+  double overshoot = 0;          ///< of any temperature above the hottest of the scene at any step, K
+  double max_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative
   Work work;
-  RemeshLedger remeshing;
+  RemeshStatistics remeshing;
 };
 
 /// What kept a step from being longer, and the names of these limits.
-enum class StepLimit { first, growth, largest, strain, temperature, motion, landing, failure };
-inline constexpr std::array step_limits{"first",       "growth", "largest", "strain",
-                                        "temperature", "motion", "landing", "failure"};
+enum class StepLimit { initial, growth, max_step, strain, temperature, motion, event, failure };
+inline constexpr std::array step_limits{"initial",     "growth", "max_step", "strain",
+                                        "temperature", "motion", "event",    "failure"};
 
 /// Everything that changes during a run.
 struct State {
@@ -104,12 +104,12 @@ struct State {
   std::vector<BodyState> bodies;      ///< glass, then the tools in the scene's order
   std::vector<Point> mass_nodes;      ///< glass node positions in which the mass was last distributed
   double density = 0;                 ///< of the glass in those positions, kg/m3
-  double first_volume = 0;            ///< of the glass, m3
-  double first_heat = 0;              ///< heat content of the glass at the start, J
+  double initial_volume = 0;          ///< of the glass, m3
+  double initial_heat = 0;            ///< heat content of the glass at the start, J
   Eigen::VectorXd velocity;           ///< of the glass nodes over the last step, m/s; empty without flow
   Eigen::VectorXd acceleration;       ///< of the glass nodes between the last two steps, m/s2; empty without flow
-  Eigen::VectorXd swelling;  ///< of the glass nodes at 1/s everywhere (flow::Problem::more_swelling), m/s; zero where
-                             ///< unknown; empty without flow
+  Eigen::VectorXd dilatation_mode;    ///< of the glass nodes at 1/s everywhere (flow::Problem::volume_correction), m/s;
+                                    ///< zero where unknown; empty without flow
   bool moves_smoothly = false;       ///< the last change of velocity was much as the acceleration before had told
   Eigen::VectorXd temperature_rate;  ///< of the glass nodes over the last step, K/s; empty without flow or heat
   ContactState contact;
@@ -126,13 +126,13 @@ inline Index remeshes(const State& state) {
 /// What one step did, beyond the new state.
 struct StepReport {
   double dt = 0;
-  Index sweeps = 0, flow_solves = 0, flow_factorisations = 0, contact_changes = 0,
-        heat_substeps = 0;     ///< in all sweeps
-  Index latched_contacts = 0;  ///< that pull but stay closed, in the last sweep
-  StepLimit limit = StepLimit::first;
-  double temperature_change = 0;                ///< largest of the glass surface, K
-  double unsettled_motion = 0;                  ///< by which the last sweep still moved the mid-step mesh, m
-  double strain = 0;                            ///< largest rate of deformation times dt
+  Index coupling_iterations = 0, flow_solves = 0, flow_factorisations = 0, contact_changes = 0,
+        heat_substeps = 0;    ///< in all coupling iterations
+  Index locked_contacts = 0;  ///< that pull but stay closed, in the last coupling iteration
+  StepLimit limit = StepLimit::initial;
+  double temperature_change = 0;              ///< largest of the glass surface, K
+  double predictor_corrector_difference = 0;  ///< by which the last coupling iteration still moved the mid-step mesh, m
+  double strain = 0;                          ///< largest rate of deformation times dt
   std::vector<core::InterfacePoint> interface;  ///< of the step's end
   std::map<std::string, double> seconds;        ///< by part: flow, heat, contact, remesh, output
 };
@@ -142,7 +142,7 @@ struct HistoryRow {
   double time, dt, volume, glass_mean, heat_to_tools, heat_to_air, dissipation, energy_imbalance, contact_area;
   std::string stage;
   std::vector<double> tool_force, tool_position, probe;  ///< N, m, K
-  Index sweeps, flow_solves, contact_changes, heat_substeps;
+  Index coupling_iterations, flow_solves, contact_changes, heat_substeps;
   std::string limited_by;
 };
 

@@ -17,23 +17,23 @@ void visit_body(Visitor visit, Body& body) {
   visit("force", body.force);
   visit("peak_force", body.peak_force);
   visit("heat_received", body.heat_received);
-  visit("hottest_surface", body.hottest_surface);
+  visit("max_surface_temperature", body.max_surface_temperature);
 }
 
-template <typename Visitor, typename Ledger>
-void visit_remeshing(Visitor visit, Ledger& remeshing) {
+template <typename Visitor, typename Statistics>
+void visit_remeshing(Visitor visit, Statistics& remeshing) {
   for (std::size_t i = 0; i < remeshing.count.size(); ++i) visit(remesh_reasons[i], remeshing.count[i]);
   visit("heat", remeshing.heat);
-  visit("largest_heat", remeshing.largest_heat);
+  visit("max_heat", remeshing.max_heat);
   visit("volume", remeshing.volume);
-  visit("largest_volume", remeshing.largest_volume);
-  visit("new_extreme", remeshing.new_extreme);
-  visit("worst_quality", remeshing.worst_quality);
-  visit("lowest_median", remeshing.lowest_median);
+  visit("max_volume", remeshing.max_volume);
+  visit("transfer_overshoot", remeshing.transfer_overshoot);
+  visit("min_quality", remeshing.min_quality);
+  visit("min_median", remeshing.min_median);
   visit("failed", remeshing.failed);
   visit("laps", remeshing.laps);
   visit("lap_volume", remeshing.lap_volume);
-  visit("coarser", remeshing.coarser);
+  visit("coarsening_factor", remeshing.coarsening_factor);
 }
 
 template <typename Visitor, typename Sums>
@@ -43,9 +43,9 @@ void visit_work(Visitor visit, Sums& work) {
   visit("air", work.air);
   visit("dissipation", work.dissipation);
   visit("friction", work.friction);
-  visit("arrival", work.arrival);
+  visit("impact_loss", work.impact_loss);
   visit("surface", work.surface);
-  visit("corrections", work.corrections);
+  visit("correction", work.correction);
 }
 
 template <typename Visitor, typename Sums>
@@ -55,12 +55,12 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("dissipation", totals.dissipation);
   visit("steps", totals.steps);
   visit("rejected", totals.rejected);
-  visit("table_holds", totals.table_holds);
-  visit("deepest", totals.deepest);
-  visit("largest_drift", totals.largest_drift);
-  visit("largest_reynolds", totals.largest_reynolds);
+  visit("clamped_lookups", totals.clamped_lookups);
+  visit("max_penetration", totals.max_penetration);
+  visit("max_drift", totals.max_drift);
+  visit("max_reynolds", totals.max_reynolds);
   visit("overshoot", totals.overshoot);
-  visit("largest_flux_mismatch", totals.largest_flux_mismatch);
+  visit("max_flux_mismatch", totals.max_flux_mismatch);
   visit_work(visit.part("work"), totals.work);
   visit_remeshing(visit.part("remeshing"), totals.remeshing);
 }
@@ -79,19 +79,19 @@ void visit_state(Visitor visit, Whole& state) {
   visit("last_step", state.last_step);
   visit("mass_nodes", state.mass_nodes);
   visit("density", state.density);
-  visit("first_volume", state.first_volume);
-  visit("first_heat", state.first_heat);
+  visit("initial_volume", state.initial_volume);
+  visit("initial_heat", state.initial_heat);
   visit("velocity", state.velocity);
   visit("acceleration", state.acceleration);
-  visit("swelling", state.swelling);
+  visit("dilatation_mode", state.dilatation_mode);
   visit("moves_smoothly", state.moves_smoothly);
   visit("temperature_rate", state.temperature_rate);
   visit("contact_tool", state.contact.tool);
   visit("contact_tool_before", state.contact.tool_before);
   visit("contact_pressure", state.contact.pressure);
-  visit("contact_closed_node", state.contact.closed.node);
-  visit("contact_closed_tool", state.contact.closed.tool);
-  visit("contact_closed_normal", state.contact.closed.normal);
+  visit("contact_active_node", state.contact.active.node);
+  visit("contact_active_tool", state.contact.active.tool);
+  visit("contact_active_normal", state.contact.active.normal);
   visit("probes", state.probes);
   visit_totals(visit.part("totals"), state.totals);
   for (std::size_t i = 0; i < state.bodies.size(); ++i)

@@ -26,26 +26,27 @@ namespace {
 /// Time over which the flow takes back a drift of the glass volume, at least one step, s.
 constexpr double volume_recovery_time = 5e-3;
 
-/// Flow sweeps in one step, at the most.
-constexpr int most_sweeps = 4;
+/// Flow coupling iterations in one step, at the most.
+constexpr int max_coupling_iterations = 4;
 
-/// Of the tolerance of motion, in a stage's first step: it is foretold at rest.
-constexpr double first_share = 0.1;
+/// Of the tolerance of motion, in a stage's first step: it is predicted at rest.
+constexpr double initial_fraction = 0.1;
 
-/// What a sweep may leave deeper in a tool than the step found it, m; and what the last sweep may.
-constexpr double most_depth = 1e-6, most_last_depth = 4e-6;
+/// What a coupling iteration may leave deeper in a tool than the step found it, m; and what the last coupling iteration
+/// may.
+constexpr double max_depth = 1e-6, max_last_depth = 4e-6;
 
 /// Steps no longer than this, of the first step of a stage, are taken with whatever depth they leave.
-constexpr double least_step = 0.1;
+constexpr double min_step_ratio = 0.1;
 
-std::vector<flow::PieceCondition> piece_conditions(const Scene& scene, const State& state) {
-  std::vector<flow::PieceCondition> conditions;
+std::vector<flow::BoundaryCondition> boundary_conditions(const Scene& scene, const State& state) {
+  std::vector<flow::BoundaryCondition> conditions;
   const auto& pressure = scene.stages[state.stage].pressure;
-  for (const auto& name : state.bodies[0].mesh.pieces) {
-    flow::PieceCondition condition;
-    const PieceKind kind = piece_kind(scene.glass, name);
-    if (kind == PieceKind::symmetry) condition.kind = flow::PieceCondition::Kind::symmetry;
-    if (kind == PieceKind::fixed) condition.kind = flow::PieceCondition::Kind::fixed;
+  for (const auto& name : state.bodies[0].mesh.boundary_names) {
+    flow::BoundaryCondition condition;
+    const BoundaryKind kind = boundary_kind(scene.glass, name);
+    if (kind == BoundaryKind::symmetry) condition.kind = flow::BoundaryCondition::Kind::symmetry;
+    if (kind == BoundaryKind::fixed) condition.kind = flow::BoundaryCondition::Kind::fixed;
     if (const auto found = pressure.find(name); found != pressure.end()) condition.pressure = found->second;
     conditions.push_back(condition);
   }
@@ -63,73 +64,73 @@ double volume_missed(const Scene& scene, const core::Mesh& start, const core::Me
                      const Eigen::VectorXd& velocity, double dt) {
   core::Mesh end = start;
   for (Index n = 0; n < end.node_count(); ++n) end.nodes[n] += dt * flow::node_velocity(velocity, n);
-  double told = 0;
+  double divergence_volume = 0;
   for (const auto& edge : middle.boundary)
     for (const auto& rule : core::edge_rule(3)) {
       const auto at = core::map_edge_point(middle, edge.nodes, scene.geometry, rule);
       for (int i = 0; i < 3; ++i)
-        told += dt * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(velocity, edge.nodes[i]));
+        divergence_volume += dt * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(velocity, edge.nodes[i]));
     }
-  return core::volume(end, scene.geometry) - core::volume(start, scene.geometry) - told;
+  return core::volume(end, scene.geometry) - core::volume(start, scene.geometry) - divergence_volume;
 }
 
 /// div v that leaves the glass its first volume at the step's end, 1/s.
-double wanted_volume_rate(const Scene& scene, const State& state, const core::Mesh& middle, const Middle& foretold,
-                          double dt) {
+double target_volume_rate(const Scene& scene, const State& state, const core::Mesh& middle,
+                          const MidpointPredictor& predictor, double dt) {
   const core::Mesh& start = state.bodies[0].mesh;
-  const double missed = foretold.trusted ? volume_missed(scene, start, middle, foretold.velocity, dt) : 0;
-  const double excess = core::volume(start, scene.geometry) - state.first_volume;
-  return -(excess / std::max(dt, volume_recovery_time) + missed / dt) / state.first_volume;
+  const double missed = predictor.trusted ? volume_missed(scene, start, middle, predictor.velocity, dt) : 0;
+  const double excess = core::volume(start, scene.geometry) - state.initial_volume;
+  return -(excess / std::max(dt, volume_recovery_time) + missed / dt) / state.initial_volume;
 }
 
-/// What makes the glass end the step with the volume that `wanted_volume_rate` is after.
-auto more_swelling(const Scene& scene, const State& state, double dt) {
-  const double excess = core::volume(state.bodies[0].mesh, scene.geometry) - state.first_volume;
-  const double wanted = state.first_volume + excess * (1 - std::min(1.0, dt / volume_recovery_time));
-  return [&scene, &state, dt, wanted](const Eigen::VectorXd& velocity, const Eigen::VectorXd& swelling) {
-    return swelling_rate(scene, state, velocity, swelling, dt, wanted).value_or(0);
+/// What makes the glass end the step with the volume that `target_volume_rate` is after.
+auto volume_correction(const Scene& scene, const State& state, double dt) {
+  const double excess = core::volume(state.bodies[0].mesh, scene.geometry) - state.initial_volume;
+  const double target = state.initial_volume + excess * (1 - std::min(1.0, dt / volume_recovery_time));
+  return [&scene, &state, dt, target](const Eigen::VectorXd& velocity, const Eigen::VectorXd& dilatation_mode) {
+    return dilatation_rate(scene, state, velocity, dilatation_mode, dt, target).value_or(0);
   };
 }
 
 /// Flow of the step seen from its middle.
-FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::Closed& closed, const Middle& foretold,
-                    double dt, Workspace& workspace) {
-  const core::Mesh middle = middle_mesh(scene, state, foretold.velocity, dt);
+FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::Active& active,
+                    const MidpointPredictor& predictor, double dt, Workspace& workspace) {
+  const core::Mesh middle = midpoint_mesh(scene, state, predictor.velocity, dt);
   flow::Problem problem{};
   problem.mesh = &middle;
   problem.geometry = scene.geometry;
   problem.material = &*scene.glass.flow;
-  problem.temperature = &foretold.temperature;
+  problem.temperature = &predictor.temperature;
   problem.frozen = frozen_cells(scene, state);
   problem.gravity = scene.stages[state.stage].gravity;
-  problem.volume_rate = wanted_volume_rate(scene, state, middle, foretold, dt);
-  problem.more_swelling = more_swelling(scene, state, dt);
-  problem.pieces = piece_conditions(scene, state);
+  problem.volume_rate = target_volume_rate(scene, state, middle, predictor, dt);
+  problem.volume_correction = volume_correction(scene, state, dt);
+  problem.boundary_conditions = boundary_conditions(scene, state);
   problem.tools = tool_motions(scene, state, dt);
-  problem.candidates = contact_candidates(scene, state, foretold.velocity, dt);
-  keep_bounds(foretold.bounds, problem.candidates);
+  problem.candidates = contact_candidates(scene, state, predictor.velocity, dt);
+  keep_bounds(predictor.bounds, problem.candidates);
   keep_bounds(corner_bounds(scene, state), problem.candidates);
-  const auto warm = likely_contacts(state, closed, problem, foretold.velocity);
+  const auto warm = likely_contacts(state, active, problem, predictor.velocity);
   if (!workspace.flow) workspace.flow.emplace(middle);
   auto solution = workspace.flow->solve(problem, warm);
   return {std::move(problem.candidates), std::move(solution)};
 }
 
 /// Puts the velocities and the contact into the state.
-void take_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
+void store_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
   const auto& [candidates, solution] = pass;
   state.velocity = solution.velocity;
-  if (solution.swelling.size() > 0) state.swelling = solution.swelling;
+  if (solution.dilatation_mode.size() > 0) state.dilatation_mode = solution.dilatation_mode;
   state.last_step = dt;
   std::fill(state.contact.tool.begin(), state.contact.tool.end(), -1);
   for (std::size_t i = candidates.size(); i-- > 0;)
     if (solution.active[i]) state.contact.tool[candidates[i].node] = candidates[i].tool;
-  state.contact.closed = {};
+  state.contact.active = {};
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (solution.active[i]) {
-      state.contact.closed.node.push_back(candidates[i].node);
-      state.contact.closed.tool.push_back(candidates[i].tool);
-      state.contact.closed.normal.push_back(candidates[i].normal);
+      state.contact.active.node.push_back(candidates[i].node);
+      state.contact.active.tool.push_back(candidates[i].tool);
+      state.contact.active.normal.push_back(candidates[i].normal);
     }
   state.contact.pressure = solution.contact_pressure;
   for (const auto& tool : scene.stages[state.stage].tools) {
@@ -158,9 +159,9 @@ void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::
 double reynolds(const Scene& scene, const flow::Solution& solution, const core::Mesh& mesh) {
   double dissipation = 0, surface = 0;
   for (const double w : solution.dissipation) dissipation += w;
-  const auto symmetry = symmetry_pieces(scene.glass, mesh);
+  const auto symmetry = symmetry_boundaries(scene.glass, mesh);
   for (const auto& edge : mesh.boundary)
-    if (!symmetry[edge.piece])
+    if (!symmetry[edge.boundary_id])
       for (const auto& at : core::edge_rule(2))
         surface += core::map_edge_point(mesh, edge.nodes, scene.geometry, at).area;
   const double volume = core::volume(mesh, scene.geometry), length = 2 * volume / surface;
@@ -169,43 +170,43 @@ double reynolds(const Scene& scene, const flow::Solution& solution, const core::
 }
 
 /// How deep the velocities carry glass into a tool, beyond what `before` holds, m; where that is too deep the next
-/// sweep will see other bounds. Those of this sweep are then kept beside them, so that a node does not go to and fro in
-/// a hollow of the tools.
-double depth_gained(const Scene& scene, const State& before, double dt, const FlowPass& pass, const State& swept,
-                    Middle& foretold) {
+/// coupling iteration will see other bounds. Those of this coupling iteration are then kept beside them, so that a node
+/// does not go to and fro in a hollow of the tools.
+double depth_gained(const Scene& scene, const State& before, double dt, const FlowPass& pass, const State& updated,
+                    MidpointPredictor& predictor) {
   std::vector<bool> deep(before.bodies[0].mesh.nodes.size(), false);
-  const double known = deepest_penetration(scene, before), allowed = std::max(most_depth, known);
-  double deepest = known;
-  for (const auto& inside : penetrations(scene, swept, dt)) {
-    deepest = std::max(deepest, inside.depth);
+  const double known = max_penetration(scene, before), allowed = std::max(max_depth, known);
+  double found_depth = known;
+  for (const auto& inside : penetrations(scene, updated, dt)) {
+    found_depth = std::max(found_depth, inside.depth);
     if (inside.depth > allowed) deep[inside.node] = true;
   }
   for (const auto& bound : pass.candidates)
-    if (deep[bound.node]) foretold.bounds.push_back(bound);
-  return deepest > allowed ? deepest - known : 0;
+    if (deep[bound.node]) predictor.bounds.push_back(bound);
+  return found_depth > allowed ? found_depth - known : 0;
 }
 
-/// Which tool a step drives into a piece of the glass without contact; empty where none is.
-std::string collision_without_contact(const Scene& scene, const State& before, const State& swept, double dt) {
+/// Which tool a step drives into a boundary of the glass without contact; empty where none is.
+std::string collision_without_contact(const Scene& scene, const State& before, const State& updated, double dt) {
   const core::Mesh& glass = before.bodies[0].mesh;
   const auto may_touch = touching_nodes(scene, glass);
   Eigen::VectorXd known = Eigen::VectorXd::Zero(glass.node_count());
   for (const auto& inside : penetrations(scene, before, 0))
     known[inside.node] = std::max(known[inside.node], inside.depth);
-  for (const auto& inside : penetrations(scene, swept, dt))
-    if (!may_touch[inside.node] && inside.depth > known[inside.node] + most_last_depth)
+  for (const auto& inside : penetrations(scene, updated, dt))
+    if (!may_touch[inside.node] && inside.depth > known[inside.node] + max_last_depth)
       for (const auto& edge : glass.boundary)
         if (std::count(edge.nodes.begin(), edge.nodes.end(), inside.node))
           return fmt::format("tool {} runs into {} of the glass, which cannot touch: its condition is not contact",
-                             scene.tools[inside.tool].name, glass.pieces[edge.piece]);
+                             scene.tools[inside.tool].name, glass.boundary_names[edge.boundary_id]);
   return "";
 }
 
 /// By which another velocity moves the mid-step mesh, m: the most of a linear field with the same root mean square over
 /// the nodes, so that a few at an edge of contact do not decide. A shift along the axis changes no shape and does not
 /// count.
-double unsettled_motion(const Eigen::VectorXd& velocity, const Eigen::VectorXd& foretold, double dt) {
-  const Eigen::VectorXd change = 0.5 * dt * (velocity - foretold);
+double predictor_corrector_difference(const Eigen::VectorXd& velocity, const Eigen::VectorXd& predicted, double dt) {
+  const Eigen::VectorXd change = 0.5 * dt * (velocity - predicted);
   const double nodes = double(change.size()) / dim;
   Point mean = Point::Zero();
   for (Index n = 0; n < change.size() / dim; ++n) mean += flow::node_velocity(change, n) / nodes;
@@ -213,26 +214,27 @@ double unsettled_motion(const Eigen::VectorXd& velocity, const Eigen::VectorXd& 
   return std::sqrt(3 * std::max(0.0, change.squaredNorm() / nodes - shift * shift));
 }
 
-/// One sweep: velocities of the glass and the tools by the flow, seen from the middle as it is foretold, which is
-/// foretold anew. An unsuccessful solve is told in `result.reason`.
-std::optional<flow::Solution> sweep_flow(const Scene& scene, const State& state, Middle& foretold, double dt,
-                                         Workspace& workspace, StepResult& result, double& gained) {
-  auto pass = solve_flow(scene, state, result.state.contact.closed, foretold, dt, workspace);
-  ++result.report.sweeps;
+/// One coupling iteration: velocities of the glass and the tools by the flow, seen from the middle as it is predicted,
+/// which is predicted anew. An unsuccessful solve is told in `result.reason`.
+std::optional<flow::Solution> flow_iteration(const Scene& scene, const State& state, MidpointPredictor& predictor,
+                                             double dt, Workspace& workspace, StepResult& result, double& gained) {
+  auto pass = solve_flow(scene, state, result.state.contact.active, predictor, dt, workspace);
+  ++result.report.coupling_iterations;
   result.report.flow_solves += pass.solution.iterations;
   result.report.flow_factorisations += pass.solution.factorisations;
   result.report.contact_changes += pass.solution.contact_changes;
-  result.report.latched_contacts = pass.solution.latched;
+  result.report.locked_contacts = pass.solution.locked;
   if (!pass.solution.converged) {
     result.reason = pass.solution.reason;
     return std::nullopt;
   }
-  take_flow(scene, pass, dt, result.state);
+  store_flow(scene, pass, dt, result.state);
   result.report.strain = pass.solution.high_rate * dt;
-  result.report.unsettled_motion = unsettled_motion(result.state.velocity, foretold.velocity, dt);
-  gained = depth_gained(scene, state, dt, pass, result.state, foretold);
-  foretold.velocity = result.state.velocity;
-  foretold.trusted = true;
+  result.report.predictor_corrector_difference =
+      predictor_corrector_difference(result.state.velocity, predictor.velocity, dt);
+  gained = depth_gained(scene, state, dt, pass, result.state, predictor);
+  predictor.velocity = result.state.velocity;
+  predictor.trusted = true;
   return std::move(pass.solution);
 }
 
@@ -241,34 +243,34 @@ std::optional<flow::Solution> sweep_flow(const Scene& scene, const State& state,
 std::vector<double> heating(flow::Solution solution) {
   std::vector<double> heat = std::move(solution.dissipation);
   const double whole = std::accumulate(heat.begin(), heat.end(), 0.0);
-  const double nobodys = std::max(0.0, -solution.arrival_power) + std::max(0.0, solution.correction_power);
-  if (nobodys > 0)
-    for (double& power : heat) power *= std::max(0.0, 1 - nobodys / whole);
+  const double unphysical = std::max(0.0, -solution.impact_power) + std::max(0.0, solution.correction_power);
+  if (unphysical > 0)
+    for (double& power : heat) power *= std::max(0.0, 1 - unphysical / whole);
   return heat;
 }
 
 }  // namespace
 
-bool sweep_until_settled(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
-                         StepResult& result) {
+bool iterate_until_converged(const Scene& scene, const State& state, MidpointPredictor& predictor, double dt,
+                             Workspace& workspace, StepResult& result) {
   double gained = 0;
-  const double tolerance = (state.last_step > 0 ? 1 : first_share) * scene.accuracy.motion_tolerance;
-  const auto settled = [&] { return gained == 0 && result.report.unsettled_motion <= tolerance; };
+  const double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
+  const auto converged = [&] { return gained == 0 && result.report.predictor_corrector_difference <= tolerance; };
   std::optional<flow::Solution> solution;
-  for (int sweep = 0; sweep == 0 || (sweep < most_sweeps && !settled()); ++sweep) {
-    solution = sweep_flow(scene, state, foretold, dt, workspace, result, gained);
+  for (int iteration = 0; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
+    solution = flow_iteration(scene, state, predictor, dt, workspace, result, gained);
     if (!solution) return false;
   }
-  if (gained > most_last_depth && dt > least_step * scene.accuracy.first_step) {
+  if (gained > max_last_depth && dt > min_step_ratio * scene.accuracy.initial_step) {
     result.reason = collision_without_contact(scene, state, result.state, dt);
-    result.hopeless = !result.reason.empty() && dt <= scene.accuracy.first_step;
+    result.unrecoverable = !result.reason.empty() && dt <= scene.accuracy.initial_step;
     if (result.reason.empty())
       result.reason = fmt::format("the step carries glass {:.2g} um into a tool", 1e6 * gained);
     return false;
   }
   auto& totals = result.state.totals;
-  book_work(scene, state, *solution, dt, totals.work);
-  totals.largest_reynolds = std::max(totals.largest_reynolds, reynolds(scene, *solution, state.bodies[0].mesh));
+  accumulate_work(scene, state, *solution, dt, totals.work);
+  totals.max_reynolds = std::max(totals.max_reynolds, reynolds(scene, *solution, state.bodies[0].mesh));
   result.dissipation = heating(std::move(*solution));
   move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
   return true;

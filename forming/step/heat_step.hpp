@@ -12,8 +12,8 @@ struct HeatOutcome {
   int substeps = 0;
 };
 
-/// Advances the temperatures of all bodies by dt at their present positions and books the ledger in the state's totals;
-/// `dissipation` in W at the glass quadrature points (empty: none).
+/// Advances the temperatures of all bodies by dt at their present positions and accumulates the balance in the state's
+/// totals; `dissipation` in W at the glass quadrature points (empty: none).
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace);
 

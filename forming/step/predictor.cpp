@@ -14,74 +14,74 @@ namespace {
 /// The motion is smooth where the last acceleration told the next change of velocity to this share.
 constexpr double smooth = 0.5;
 
-/// Of the change of volume that swelling is to make, the least that it does make where the glass has room for it.
-constexpr double least_room = 0.5;
+/// Of the change of volume that dilatation is to make, the least that it does make where the glass has room for it.
+constexpr double min_response = 0.5;
 
 }  // namespace
 
-Eigen::VectorXd foretold_temperature(const Scene& scene, const State& state, double dt) {
+Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, double dt) {
   const Eigen::VectorXd& now = state.bodies[0].temperature;
   if (state.temperature_rate.size() == 0) return now;
   const double most = scene.accuracy.temperature_per_step;
   return now + (dt * state.temperature_rate).cwiseMin(most).cwiseMax(-most);
 }
 
-Eigen::VectorXd foretold_velocity(const State& state, double ahead) {
+Eigen::VectorXd predicted_velocity(const State& state, double ahead) {
   Eigen::VectorXd velocity = state.velocity;
   if (state.moves_smoothly) velocity += (0.5 * state.last_step + ahead) * state.acceleration;
-  const auto& closed = state.contact.closed;
-  for (std::size_t i = 0; i < closed.node.size(); ++i) {
-    const double tool_speed = state.bodies[1 + closed.tool[i]].velocity;
-    auto own = velocity.segment<dim>(dim * closed.node[i]);
-    const double inward = closed.normal[i].dot(own - tool_speed * core::axis_direction());
-    own -= std::min(0.0, inward) * closed.normal[i];
+  const auto& active = state.contact.active;
+  for (std::size_t i = 0; i < active.node.size(); ++i) {
+    const double tool_speed = state.bodies[1 + active.tool[i]].velocity;
+    auto own = velocity.segment<dim>(dim * active.node[i]);
+    const double inward = active.normal[i].dot(own - tool_speed * core::axis_direction());
+    own -= std::min(0.0, inward) * active.normal[i];
   }
   return velocity;
 }
 
-std::optional<double> swelling_rate(const Scene& scene, const State& state, const Eigen::VectorXd& velocity,
-                                    const Eigen::VectorXd& swelling, double dt, double wanted) {
+std::optional<double> dilatation_rate(const Scene& scene, const State& state, const Eigen::VectorXd& velocity,
+                                      const Eigen::VectorXd& dilatation_mode, double dt, double target) {
   const core::Mesh& start = state.bodies[0].mesh;
   core::Mesh end = start;
   const auto volume_with = [&](double rate) {
     for (const auto& edge : start.boundary)
       for (const Index n : edge.nodes)
         end.nodes[n] =
-            start.nodes[n] + dt * (flow::node_velocity(velocity, n) + rate * flow::node_velocity(swelling, n));
+            start.nodes[n] + dt * (flow::node_velocity(velocity, n) + rate * flow::node_velocity(dilatation_mode, n));
     return core::volume(end, scene.geometry);
   };
-  const double without = volume_with(0), trial = (wanted - without) / (dt * wanted);
+  const double without = volume_with(0), trial = (target - without) / (dt * target);
   if (trial == 0) return 0;
-  const double with = volume_with(trial), slope = (with - without) / trial;
-  if (slope < least_room * dt * wanted) return std::nullopt;
-  return trial + (wanted - with) / slope;
+  const double with = volume_with(trial), derivative = (with - without) / trial;
+  if (derivative < min_response * dt * target) return std::nullopt;
+  return trial + (target - with) / derivative;
 }
 
-core::Mesh middle_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& middle, double dt) {
+core::Mesh midpoint_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& midpoint_velocity, double dt) {
   core::Mesh mesh = state.bodies[0].mesh;
-  Eigen::VectorXd mean = middle;  // over the first half of the step
+  Eigen::VectorXd mean = midpoint_velocity;  // over the first half of the step
   if (state.moves_smoothly) mean -= 0.25 * dt * state.acceleration;
-  if (const auto rate = swelling_rate(scene, state, mean, state.swelling, 0.5 * dt, state.first_volume))
-    mean += *rate * state.swelling;
+  if (const auto rate = dilatation_rate(scene, state, mean, state.dilatation_mode, 0.5 * dt, state.initial_volume))
+    mean += *rate * state.dilatation_mode;
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += 0.5 * dt * flow::node_velocity(mean, n);
   return mesh;
 }
 
-void note_rates(const State& before, double dt, State& after) {
+void update_rates(const State& before, double dt, State& after) {
   if (after.bodies[0].temperature.size() > 0)
     after.temperature_rate = (after.bodies[0].temperature - before.bodies[0].temperature) / dt;
   after.contact.tool_before = before.contact.tool;
   after.acceleration.setZero(after.velocity.size());
   after.moves_smoothly = false;
   if (before.last_step == 0) return;
-  const double between = 0.5 * (before.last_step + dt);
+  const double interval = 0.5 * (before.last_step + dt);
   for (Index n = 0; n < static_cast<Index>(after.contact.tool.size()); ++n) {
     const Index tool = after.contact.tool[n];
     if (before.contact.tool[n] == tool && before.contact.tool_before[n] == tool)
-      after.acceleration.segment<dim>(dim * n) = (after.velocity - before.velocity).segment<dim>(dim * n) / between;
+      after.acceleration.segment<dim>(dim * n) = (after.velocity - before.velocity).segment<dim>(dim * n) / interval;
   }
-  const double change = between * after.acceleration.norm();
-  const double missed = between * (after.acceleration - before.acceleration).norm();
+  const double change = interval * after.acceleration.norm();
+  const double missed = interval * (after.acceleration - before.acceleration).norm();
   after.moves_smoothly = missed < smooth * change;
 }
 

@@ -9,23 +9,23 @@ namespace parison::forming {
 
 /// Temperature of the glass after `dt` at the rate of the last step, changed by no more than a step may change it, K
 /// per node.
-Eigen::VectorXd foretold_temperature(const Scene& scene, const State& state, double dt);
+Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, double dt);
 
 /// Velocity of the glass nodes `ahead` after the state, from the last two steps while that serves; what touches a tool
 /// does not go on into it.
-Eigen::VectorXd foretold_velocity(const State& state, double ahead);
+Eigen::VectorXd predicted_velocity(const State& state, double ahead);
 
-/// How much of `swelling`, 1/s, makes the glass end a time dt of straight motion at `velocity` with the volume
-/// `wanted`, m3; nothing where it has no room to swell or the swelling is unknown.
-std::optional<double> swelling_rate(const Scene& scene, const State& state, const Eigen::VectorXd& velocity,
-                                    const Eigen::VectorXd& swelling, double dt, double wanted);
+/// How much of `dilatation_mode`, 1/s, makes the glass end a time dt of straight motion at `velocity` with the volume
+/// `target`, m3; nothing where it has no room to swell or the dilatation is unknown.
+std::optional<double> dilatation_rate(const Scene& scene, const State& state, const Eigen::VectorXd& velocity,
+                                      const Eigen::VectorXd& dilatation_mode, double dt, double target);
 
-/// Where the glass stands in the middle of a step with velocity `middle` there, to third order in the step; its volume
-/// is the first.
-core::Mesh middle_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& middle, double dt);
+/// Where the glass stands in the middle of a step with velocity `midpoint_velocity` there, to third order in the step;
+/// its volume is the first.
+core::Mesh midpoint_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& midpoint_velocity, double dt);
 
-/// Books in `after`, a step of length dt behind `before`, the rates from which the next step is foretold. Nodes whose
-/// contact changed in the last two steps are given no acceleration.
-void note_rates(const State& before, double dt, State& after);
+/// Accumulates in `after`, a step of length dt behind `before`, the rates from which the next step is predicted. Nodes
+/// whose contact changed in the last two steps are given no acceleration.
+void update_rates(const State& before, double dt, State& after);
 
 }  // namespace parison::forming

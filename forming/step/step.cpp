@@ -36,13 +36,13 @@ void move_nodes(core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt) {
 }
 
 /// Velocities of tools that move by position where nothing flows.
-void take_motions(const Scene& scene, double dt, State& state) {
+void store_tool_velocities(const Scene& scene, double dt, State& state) {
   const auto motions = tool_motions(scene, state, dt);
   for (const auto& tool : scene.stages[state.stage].tools)
     state.bodies[1 + tool.tool].velocity = motions[tool.tool].velocity;
 }
 
-/// Moves the glass and the tools in place with their velocities.
+/// Moves the glass and the active tools with their velocities.
 void move_bodies(const Scene& scene, double dt, State& state) {
   if (scene.has_flow()) move_nodes(state.bodies[0].mesh, state.velocity, dt);
   for (const auto& tool : scene.stages[state.stage].tools) {
@@ -52,19 +52,19 @@ void move_bodies(const Scene& scene, double dt, State& state) {
 }
 
 /// Velocities of the step: by the flow, or as the tools are told.
-bool find_velocities(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
-                     StepResult& result) {
+bool find_velocities(const Scene& scene, const State& state, MidpointPredictor& predictor, double dt,
+                     Workspace& workspace, StepResult& result) {
   if (!scene.has_flow()) {
-    take_motions(scene, dt, result.state);
+    store_tool_velocities(scene, dt, result.state);
     return true;
   }
   const Timer timer(result.report, "flow");
-  return sweep_until_settled(scene, state, foretold, dt, workspace, result);
+  return iterate_until_converged(scene, state, predictor, dt, workspace, result);
 }
 
 /// Whether every cell of the glass has kept its sense.
 bool is_unfolded(StepResult& result) {
-  if (remesh::worst_quality(result.state.bodies[0].mesh) > 0) return true;
+  if (remesh::min_quality(result.state.bodies[0].mesh) > 0) return true;
   result.reason = "a cell of the glass turned over";
   return false;
 }
@@ -84,9 +84,9 @@ bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& 
 }
 
 /// Flow, half the motion, heat, the other half.
-bool pass_once(const Scene& scene, const State& state, Middle& foretold, double dt, Workspace& workspace,
+bool pass_once(const Scene& scene, const State& state, MidpointPredictor& predictor, double dt, Workspace& workspace,
                StepResult& result) {
-  if (!find_velocities(scene, state, foretold, dt, workspace, result)) return false;
+  if (!find_velocities(scene, state, predictor, dt, workspace, result)) return false;
   move_bodies(scene, 0.5 * dt, result.state);
   if (scene.has_flow() && !is_unfolded(result)) return false;
   if (!step_heat(scene, dt, workspace, result)) return false;
@@ -98,37 +98,38 @@ bool pass_once(const Scene& scene, const State& state, Middle& foretold, double 
 
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
   workspace.heat.factored_step = 0;  // its factor comes from earlier steps
-  workspace.table_holds = state.totals.table_holds;
+  workspace.clamped_lookups = state.totals.clamped_lookups;
   StepResult result;
-  Middle foretold;
+  MidpointPredictor predictor;
   if (scene.has_flow())
-    foretold = {
-        foretold_velocity(state, 0.5 * dt), foretold_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
+    predictor = {
+        predicted_velocity(state, 0.5 * dt), predicted_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
   result.state = state;
   const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
   for (int pass = 0; pass < passes; ++pass) {
     if (pass > 0) {
-      foretold.temperature = 0.5 * (state.bodies[0].temperature + result.state.bodies[0].temperature);
-      auto closed = std::move(result.state.contact.closed);
+      predictor.temperature = 0.5 * (state.bodies[0].temperature + result.state.bodies[0].temperature);
+      auto active = std::move(result.state.contact.active);
       result.state = state;
-      result.state.contact.closed = std::move(closed);
+      result.state.contact.active = std::move(active);
     }
-    if (!pass_once(scene, state, foretold, dt, workspace, result)) return result;
+    if (!pass_once(scene, state, predictor, dt, workspace, result)) return result;
   }
   State& after = result.state;
-  if (scene.has_flow()) note_rates(state, dt, after);
+  if (scene.has_flow()) update_rates(state, dt, after);
   after.time += dt;
   after.stage_time += dt;
   ++after.totals.steps;
-  after.totals.table_holds = workspace.table_holds;
-  if (!workspace.standing) after.totals.deepest = std::max(after.totals.deepest, deepest_penetration(scene, after));
+  after.totals.clamped_lookups = workspace.clamped_lookups;
+  if (!workspace.static_stage)
+    after.totals.max_penetration = std::max(after.totals.max_penetration, max_penetration(scene, after));
   if (scene.has_flow()) {
-    const double drift = core::volume(after.bodies[0].mesh, scene.geometry) / after.first_volume - 1;
-    after.totals.largest_drift = std::max(after.totals.largest_drift, std::abs(drift));
+    const double drift = core::volume(after.bodies[0].mesh, scene.geometry) / after.initial_volume - 1;
+    after.totals.max_drift = std::max(after.totals.max_drift, std::abs(drift));
   }
   result.report.dt = dt;
   // Where everything stands still the heat integrator alone decides on its steps.
-  if (scene.has_heat() && !workspace.standing)
+  if (scene.has_heat() && !workspace.static_stage)
     result.report.temperature_change = surface_temperature_change(scene, state, after, result.report.interface);
   result.converged = true;
   return result;

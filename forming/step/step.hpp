@@ -12,12 +12,12 @@ struct StepResult {
   State state;
   bool converged = false;
   std::string reason;
-  bool hopeless = false;  ///< a shorter step fails as well
+  bool unrecoverable = false;  ///< a shorter step fails as well
   StepReport report;
   std::vector<double> dissipation;  ///< of the flow, W at each quadrature point: flow::Solution::dissipation
 };
 
-/// One staggered step of length dt, of second order: flow on the mid-step mesh at the temperature foretold for the
+/// One staggered step of length dt, of second order: flow on the mid-step mesh at the temperature predicted for the
 /// middle, half the motion, interface and heat in all bodies, the other half. The given state is left as it is; a step
 /// that failed is a dropped value.
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace);

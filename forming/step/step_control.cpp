@@ -10,17 +10,18 @@ namespace parison::forming {
 
 namespace {
 
-constexpr double most_growth = 1.5, most_idle_growth = 3.0;
-constexpr double idle = 0.1;          ///< of its allowance: a step that used less may grow faster
-constexpr double aim = 0.9;           ///< of what a step may do
-constexpr double repeat_above = 3.0;  ///< times what a step should do
-constexpr double same_time = 1e-9;    ///< s
+constexpr double max_growth = 1.5, max_slow_growth = 3.0;
+constexpr double slow_fraction = 0.1;  ///< of its allowance: a step that used less may grow faster
+constexpr double aim = 0.9;            ///< of what a step may do
+constexpr double repeat_above = 3.0;   ///< times what a step should do
+constexpr double same_time = 1e-9;     ///< s
 
 /// How much of its allowance a step used, and of which.
 std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) {
-  return std::max({std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
-                   std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
-                   std::pair(report.unsettled_motion / scene.accuracy.motion_tolerance, StepLimit::motion)});
+  return std::max(
+      {std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
+       std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
+       std::pair(report.predictor_corrector_difference / scene.accuracy.motion_tolerance, StepLimit::motion)});
 }
 
 double next_output(const Scene& scene, double time) {
@@ -34,24 +35,25 @@ double next_output(const Scene& scene, double time) {
 
 }  // namespace
 
-WishedStep wished_step(const Scene& scene, const StepReport& report, double allowed) {
+ProposedStep propose_step(const Scene& scene, const StepReport& report, double allowed) {
   const auto [used, by] = load(scene, report);
-  WishedStep wish{(used < idle ? most_idle_growth : most_growth) * std::max(report.dt, allowed), StepLimit::growth};
-  if (used > 0 && report.dt * aim / used < wish.dt) wish = {report.dt * aim / used, by};
-  if (wish.dt > scene.accuracy.largest_step) wish = {scene.accuracy.largest_step, StepLimit::largest};
-  wish.dt = std::max(wish.dt, scene.accuracy.smallest_step);
-  return wish;
+  ProposedStep proposed{(used < slow_fraction ? max_slow_growth : max_growth) * std::max(report.dt, allowed),
+                        StepLimit::growth};
+  if (used > 0 && report.dt * aim / used < proposed.dt) proposed = {report.dt * aim / used, by};
+  if (proposed.dt > scene.accuracy.max_step) proposed = {scene.accuracy.max_step, StepLimit::max_step};
+  proposed.dt = std::max(proposed.dt, scene.accuracy.min_step);
+  return proposed;
 }
 
-bool overshot(const Scene& scene, const StepReport& report) {
+bool rejected_by_error_control(const Scene& scene, const StepReport& report) {
   return load(scene, report).first > repeat_above;
 }
 
-double landing_step(const Scene& scene, const State& state, double wish) {
+double clip_step_to_event(const Scene& scene, const State& state, double proposed) {
   double left = scene.stages[state.stage].duration - state.stage_time;
   if (!scene.has_flow()) left = std::min(left, next_output(scene, state.time) - state.time);
-  if (left <= wish * (1 + same_time)) return left;
-  return left < 2 * wish ? 0.5 * left : wish;
+  if (left <= proposed * (1 + same_time)) return left;
+  return left < 2 * proposed ? 0.5 * left : proposed;
 }
 
 std::vector<double> outputs_due(const Scene& scene, double from, double to) {

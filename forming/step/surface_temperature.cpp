@@ -24,14 +24,14 @@ Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::Inte
                                 const Eigen::ArrayXd& temperature) {
   const auto& glass = *scene.glass.thermal;
   const thermal::Conductivity conductivity(glass);
-  long table_holds = 0;
+  long clamped_lookups = 0;
   Eigen::ArrayXd h(temperature.size()), times(temperature.size());
-  interface_law(scene, interface, table_holds)(interface, temperature, h, nullptr);
+  interface_law(scene, interface, clamped_lookups)(interface, temperature, h, nullptr);
   const thermal::Enthalpy enthalpy(glass.heat_capacity);
   for (Eigen::Index i = 0; i < times.size(); ++i) {
     const double stored = conductivity(temperature[i]) * glass.density * enthalpy(temperature[i]).c;
-    const double closed = interface[i].closure * h[i];
-    times[i] = stored / (closed * closed);
+    const double conductance = interface[i].contact_weight * h[i];
+    times[i] = stored / (conductance * conductance);
   }
   return times;
 }
@@ -44,7 +44,7 @@ bool relaxes_at_once(const Scene& scene, const Eigen::VectorXd& temperature,
     if (std::find(point.slave_nodes.begin(), point.slave_nodes.end(), node) != point.slave_nodes.end())
       of_node.push_back(point);
   const Eigen::ArrayXd times = relaxation_times(scene, of_node, glass_temperatures(temperature, of_node));
-  return (times < scene.accuracy.first_step).any();
+  return (times < scene.accuracy.initial_step).any();
 }
 
 }  // namespace
@@ -54,9 +54,9 @@ double surface_temperature_change(const Scene& scene, const State& before, const
   const core::Mesh& mesh = before.bodies[0].mesh;
   const Eigen::VectorXd& from = before.bodies[0].temperature;
   Eigen::VectorXd change = Eigen::VectorXd::Zero(mesh.node_count());
-  const auto symmetry = symmetry_pieces(scene.glass, mesh);
+  const auto symmetry = symmetry_boundaries(scene.glass, mesh);
   for (const auto& edge : mesh.boundary)
-    if (!symmetry[edge.piece])
+    if (!symmetry[edge.boundary_id])
       for (const Index node : edge.nodes) change[node] = std::abs(after.bodies[0].temperature[node] - from[node]);
   for (;;) {
     Eigen::Index largest = 0;

@@ -12,46 +12,46 @@ namespace parison::forming {
 
 std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state) {
   const core::Mesh& glass = state.bodies[0].mesh;
-  const auto slave = contact::make_surface(0, glass, contact_pieces(scene.glass, glass), core::Point::Zero());
+  const auto slave = contact::make_surface(0, glass, contact_boundaries(scene.glass, glass), core::Point::Zero());
   const auto nodes = contact_nodes(scene, glass);
-  const auto& in_place = scene.stages[state.stage].tools;
+  const auto& active_tools = scene.stages[state.stage].tools;
   std::vector<contact::Master> masters;
   for (std::size_t law = 0; law < scene.interfaces.size(); ++law) {
     const auto& interface = scene.interfaces[law];
-    if (std::none_of(in_place.begin(), in_place.end(), [&](const auto& t) { return t.tool == interface.tool; }))
+    if (std::none_of(active_tools.begin(), active_tools.end(), [&](const auto& t) { return t.tool == interface.tool; }))
       continue;
     const auto& tool = state.bodies[1 + interface.tool];
-    const auto touches = contact_pieces(scene.tools[interface.tool], tool.mesh);
+    const auto touches = contact_boundaries(scene.tools[interface.tool], tool.mesh);
     masters.push_back(
         {contact::make_surface(1 + interface.tool, tool.mesh, touches, tool.offset * core::axis_direction()),
-         tool_gaps(scene, state, nodes, interface.tool, 10 * interface.handover_width), interface.handover_width,
+         tool_gaps(scene, state, nodes, interface.tool, 10 * interface.transition_gap), interface.transition_gap,
          static_cast<Index>(law)});
   }
   return contact::build_interface(slave, state.contact.pressure, masters, scene.geometry);
 }
 
 core::Conductance point_conductance(const Scene& scene, const core::InterfacePoint& point, double temperature,
-                                    long& table_holds) {
-  double viscosity = 1, slope = 0;
+                                    long& clamped_lookups) {
+  double viscosity = 1, derivative = 0;
   if (scene.has_flow()) {
     viscosity = scene.glass.flow->viscosity(temperature);
-    slope = viscosity * scene.glass.flow->viscosity.log_derivative(temperature);
+    derivative = viscosity * scene.glass.flow->viscosity.log_derivative(temperature);
   }
   const auto value = contact::conductance(scene.interfaces[point.law].law, point.pressure, viscosity);
-  table_holds += value.outside;
-  return {value.h, value.dh_deta * slope};
+  clamped_lookups += value.outside;
+  return {value.h, value.dh_deta * derivative};
 }
 
 thermal::InterfaceLaw interface_law(const Scene& scene, const std::vector<core::InterfacePoint>& interface,
-                                    long& table_holds) {
+                                    long& clamped_lookups) {
   std::vector<contact::ConductanceLaw> laws;
   for (const auto& each : scene.interfaces) laws.push_back(each.law);
-  return [&scene, &table_holds, law = contact::InterfaceConductance(laws, interface)](
+  return [&scene, &clamped_lookups, law = contact::InterfaceConductance(laws, interface)](
              const std::vector<core::InterfacePoint>&, const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h,
              Eigen::ArrayXd* dh_dT) {
     const flow::Viscosity unknown{0, 0, 0, 1.0};
     const flow::Viscosity& viscosity = scene.has_flow() ? scene.glass.flow->viscosity : unknown;
-    table_holds += law(viscosity.logarithm(temperature), h, dh_dT);
+    clamped_lookups += law(viscosity.logarithm(temperature), h, dh_dT);
     if (dh_dT) *dh_dT *= viscosity.log_derivative(temperature);
   };
 }

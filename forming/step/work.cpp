@@ -25,7 +25,7 @@ double air_power(const Scene& scene, const Stage& stage, const core::Mesh& mesh,
   double power = 0;
   for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
     const auto& edge = mesh.boundary[e];
-    const auto pressure = stage.pressure.find(mesh.pieces[edge.piece]);
+    const auto pressure = stage.pressure.find(mesh.boundary_names[edge.boundary_id]);
     if (!flow.exposed[e] || pressure == stage.pressure.end()) continue;
     for (const auto& rule : core::edge_rule(4)) {
       const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
@@ -42,8 +42,8 @@ double open_area(const Scene& scene, const core::Mesh& mesh, const std::vector<b
   double area = 0;
   for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
     const auto& edge = mesh.boundary[e];
-    const PieceKind kind = piece_kind(scene.glass, mesh.pieces[edge.piece]);
-    if (!exposed[e] || kind == PieceKind::symmetry || kind == PieceKind::fixed) continue;
+    const BoundaryKind kind = boundary_kind(scene.glass, mesh.boundary_names[edge.boundary_id]);
+    if (!exposed[e] || kind == BoundaryKind::symmetry || kind == BoundaryKind::fixed) continue;
     for (const auto& rule : core::edge_rule(4))
       area += core::map_edge_point(mesh, edge.nodes, scene.geometry, rule).area;
   }
@@ -52,7 +52,7 @@ double open_area(const Scene& scene, const core::Mesh& mesh, const std::vector<b
 
 }  // namespace
 
-void book_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work) {
+void accumulate_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work) {
   const Stage& stage = scene.stages[start.stage];
   const core::Mesh& first = start.bodies[0].mesh;
   core::Mesh middle = first, last = first;
@@ -69,14 +69,14 @@ void book_work(const Scene& scene, const State& start, const flow::Solution& flo
                  air_power(scene, stage, last, flow));
   work.dissipation += dt * std::accumulate(flow.dissipation.begin(), flow.dissipation.end(), 0.0);
   work.friction += dt * flow.friction_power;
-  work.arrival += dt * flow.arrival_power;
-  work.corrections += dt * flow.correction_power;
+  work.impact_loss += dt * flow.impact_power;
+  work.correction += dt * flow.correction_power;
   work.surface += scene.glass.flow->surface_tension *
                   (open_area(scene, last, flow.exposed) - open_area(scene, first, flow.exposed));
 }
 
 double work_imbalance(const Work& work) {
-  const double done = work.tools + work.gravity + work.air, lost = work.dissipation + work.friction + work.arrival;
+  const double done = work.tools + work.gravity + work.air, lost = work.dissipation + work.friction + work.impact_loss;
   return (done - lost - work.surface) / lost;
 }
 

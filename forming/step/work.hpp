@@ -6,9 +6,9 @@
 
 namespace parison::forming {
 
-/// Books the work of a step of dt from `start` with the velocities and forces of `flow`. Gravity, air and surface are
-/// taken from where the step really carries the glass, not from the equations that the flow solved.
-void book_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work);
+/// Accumulates the work of a step of dt from `start` with the velocities and forces of `flow`. Gravity, air and surface
+/// are taken from where the step really carries the glass, not from the equations that the flow solved.
+void accumulate_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work);
 
 /// Work done on the glass that is neither lost nor stored in its surface, relative to what was lost; NaN where nothing
 /// was.

@@ -19,7 +19,8 @@ bool is_complete(const std::string& directory) {
   return std::filesystem::exists(path) && core::read_json(core::read_text(path), path).flag_of("completed");
 }
 
-/// What the dial's law expects, of scenes that it is of; the meshes and steps of others are often their own.
+/// What the error law of the presets expects, of scenes that it is of; the meshes and steps of others are often their
+/// own.
 ExpectedErrors expected_errors(const Scene& scene) {
   if (!scene.is_of_error_law()) return {};
   const double level = scene.accuracy_choice.effective_level();
@@ -28,17 +29,18 @@ ExpectedErrors expected_errors(const Scene& scene) {
 
 }  // namespace
 
-CompanionCase companion_case(const Scene& scene, const std::string& directory) {
-  return {scene.file, coarser_text(scene.accuracy_name, companion_factor), directory + "/companion", scene.overrides};
+CoarseCase coarse_case(const Scene& scene, const std::string& directory) {
+  return {scene.file, coarsened_text(scene.accuracy_name, coarsening_factor), directory + "/coarse_run",
+          scene.overrides};
 }
 
 std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& run, const std::string& directory,
                                          const StopRequest& stop) {
-  const CompanionCase companion = companion_case(scene, directory);
-  const std::string &folder = companion.directory, path = folder + "/summary.json";
+  const CoarseCase coarse_run = coarse_case(scene, directory);
+  const std::string &folder = coarse_run.directory, path = folder + "/summary.json";
   if (!is_complete(folder)) {
-    const Scene coarse = read_scene(companion.file, companion.accuracy, companion.overrides);
-    fmt::print("\nthe companion run for the error bars, in {}\n", folder);
+    const Scene coarse = read_scene(coarse_run.file, coarse_run.accuracy, coarse_run.overrides);
+    fmt::print("\nthe coarse run for the error bars, in {}\n", folder);
     if (!has_checkpoint(folder)) std::filesystem::remove_all(folder);  // what was killed before its first checkpoint
     const RunOutcome outcome =
         has_checkpoint(folder) ? resume(coarse, folder, stop) : forming::run(coarse, folder, stop);
@@ -47,7 +49,7 @@ std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& r
   }
   const core::JsonValue summary = core::read_json(core::read_text(path), path);
   ErrorBars bars = error_bars(run, read_quantities(summary), expected_errors(scene));
-  bars.companion_cpu_seconds = summary.number_of("cpu_seconds");
+  bars.coarse_run_cpu_seconds = summary.number_of("cpu_seconds");
   return bars;
 }
 

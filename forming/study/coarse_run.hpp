@@ -10,16 +10,16 @@
 
 namespace parison::forming {
 
-/// What a companion is run with, and where.
-struct CompanionCase {
+/// What a coarse run is run with, and where.
+struct CoarseCase {
   std::string file, accuracy, directory;
   std::vector<std::string> overrides;
 };
 
-/// The companion of a scene's run in a folder.
-CompanionCase companion_case(const Scene& scene, const std::string& directory);
+/// The coarse run of a scene's run in a folder.
+CoarseCase coarse_case(const Scene& scene, const std::string& directory);
 
-/// Runs the coarser companion of a scene in the folder `companion` of its results, goes on with one that was stopped,
+/// Runs the coarse run of a scene in the folder `coarse_run` of its results, goes on with one that was stopped,
 /// or reads one that is complete; none where it does not come to its end.
 std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& run, const std::string& directory,
                                          const StopRequest& stop);

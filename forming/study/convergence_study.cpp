@@ -23,7 +23,7 @@ const char* si_unit(const Setting& setting) {
 /// One setting `factor` times its value at the base; coarsening comes on top of what a case says.
 std::string scaled(const Scene& scene, const std::string& key, double factor) {
   const Setting& s = setting(key);
-  const double wanted = scene.accuracy.*s.value * factor / std::pow(scene.accuracy_choice.coarser, s.order);
+  const double wanted = scene.accuracy.*s.value * factor / std::pow(scene.accuracy_choice.coarsening_factor, s.order);
   const double value = std::clamp(wanted, s.least, s.most);
   return fmt::format("numerics.{}={:.10g}{}", key, value, si_unit(s));
 }
@@ -32,7 +32,9 @@ std::string scaled(const Scene& scene, const std::string& key, double factor) {
 void scale_mapped(const Scene& scene, const Body& body, const std::string& path, double factor,
                   std::vector<std::string>& overrides) {
   if (!body.mesh.mapped) return;
-  const auto divisions = [&](Index n) { return std::max(1L, std::lround(n * scene.accuracy_choice.coarser / factor)); };
+  const auto divisions = [&](Index n) {
+    return std::max(1L, std::lround(n * scene.accuracy_choice.coarsening_factor / factor));
+  };
   overrides.push_back(fmt::format("{}.mesh.mapped=[{}, {}]", path, divisions(body.mesh.mapped->along_first),
                                   divisions(body.mesh.mapped->along_second)));
 }
@@ -46,22 +48,22 @@ std::vector<std::string> scaled_mesh(const Scene& scene, double factor) {
   return overrides;
 }
 
-std::vector<Rung> dial_rungs(const std::string& reference) {
+std::vector<Variant> accuracy_variants(const std::string& reference) {
   const double finest = accuracy_preset(reference).surface_size;
-  std::vector<Rung> rungs;
+  std::vector<Variant> variants;
   for (const char* text : {"draft coarser 2.8", "draft coarser 2", "draft coarser 1.4", "draft", "draft coarser 0.7",
                            "standard", "standard coarser 0.7", "fine"}) {
     std::string name = text;
     std::replace(name.begin(), name.end(), ' ', '_');
-    if (accuracy_preset(text).surface_size > 1.001 * finest) rungs.push_back({name, "dial", text, {}, ""});
+    if (accuracy_preset(text).surface_size > 1.001 * finest) variants.push_back({name, "accuracy", text, {}, ""});
   }
-  return rungs;
+  return variants;
 }
 
-std::vector<Rung> numerical_rungs(const Scene& scene) {
-  std::vector<Rung> rungs;
+std::vector<Variant> numerical_variants(const Scene& scene) {
+  std::vector<Variant> variants;
   const auto add = [&](const std::string& name, const char* group, std::vector<std::string> overrides) {
-    rungs.push_back({name, group, scene.accuracy_name, std::move(overrides), ""});
+    variants.push_back({name, group, scene.accuracy_name, std::move(overrides), ""});
   };
   const auto add_key = [&](const char* group, const std::string& key, double factor) {
     add(fmt::format("{}_x{:g}", key, factor), group, {scaled(scene, key, factor)});
@@ -74,7 +76,7 @@ std::vector<Rung> numerical_rungs(const Scene& scene) {
     add_key("mesh", "elements_across", 0.7);
     for (const double factor : {2.0, 0.5}) add_key("time", "strain_per_step", factor);
     for (const double factor : {4.0, 0.25}) add_key("time", "motion_tolerance", factor);
-    add_key("time", "largest_step", 2);
+    add_key("time", "max_step", 2);
     for (const int passes : {1, 2, 3})
       if (passes != scene.accuracy.passes)
         add(fmt::format("passes_{}", passes), "coupling", {fmt::format("numerics.passes={}", passes)});
@@ -86,7 +88,7 @@ std::vector<Rung> numerical_rungs(const Scene& scene) {
     const int other = 3 - scene.accuracy.temperature_order;
     add(fmt::format("temperature_order_{}", other), "order", {fmt::format("numerics.temperature_order={}", other)});
   }
-  return rungs;
+  return variants;
 }
 
 }  // namespace
@@ -95,36 +97,37 @@ std::string usual_reference(const Scene& scene) {
   return scene.glass.mesh.mapped ? "fine coarser 0.5" : "fine";
 }
 
-std::vector<Rung> standard_ladder(const Scene& scene, const std::string& reference) {
-  std::vector<Rung> ladder = dial_rungs(reference);
-  for (auto rungs : {numerical_rungs(scene), model_rungs(scene)})
-    ladder.insert(ladder.end(), rungs.begin(), rungs.end());
-  return ladder;
+std::vector<Variant> standard_study(const Scene& scene, const std::string& reference) {
+  std::vector<Variant> study = accuracy_variants(reference);
+  for (auto variants : {numerical_variants(scene), model_variants(scene)})
+    study.insert(study.end(), variants.begin(), variants.end());
+  return study;
 }
 
-std::vector<Rung> read_ladder(const std::string& path, const std::string& base) {
+std::vector<Variant> read_study(const std::string& path, const std::string& base) {
   const auto file = core::read_case_file(path);
-  const core::CaseTable root(file.root, {"rung"});
-  std::vector<Rung> ladder;
-  for (const auto* node : root.tables("rung")) {
+  const core::CaseTable root(file.root, {"variant"});
+  std::vector<Variant> study;
+  for (const auto* node : root.tables("variant")) {
     const core::CaseTable table(*node, {"name", "group", "accuracy", "set", "what"});
-    Rung rung{core::identifier(table.get("name")), core::identifier(table.get("group")), base, {}, ""};
-    if (const auto* item = table.find("accuracy")) rung.accuracy = core::text(*item);
-    if (const auto* item = table.find("what")) rung.what = core::text(*item);
+    Variant variant{core::identifier(table.get("name")), core::identifier(table.get("group")), base, {}, ""};
+    if (const auto* item = table.find("accuracy")) variant.accuracy = core::text(*item);
+    if (const auto* item = table.find("what")) variant.what = core::text(*item);
     if (const auto* item = table.find("set"))
-      for (const auto& assignment : core::list(*item)) rung.overrides.push_back(core::text(assignment));
-    for (const Rung& other : ladder)
-      if (other.name == rung.name)
-        core::refuse(table.get("name"), fmt::format("\"{}\" was found twice, allowed are different names", rung.name));
-    ladder.push_back(std::move(rung));
+      for (const auto& assignment : core::list(*item)) variant.overrides.push_back(core::text(assignment));
+    for (const Variant& other : study)
+      if (other.name == variant.name)
+        core::refuse(table.get("name"),
+                     fmt::format("\"{}\" was found twice, allowed are different names", variant.name));
+    study.push_back(std::move(variant));
   }
-  return ladder;
+  return study;
 }
 
-std::string base_rung(std::vector<Rung>& ladder, const std::string& base) {
-  for (const Rung& rung : ladder)
-    if (rung.accuracy == base && rung.overrides.empty()) return rung.name;
-  ladder.insert(ladder.begin(), {"base", "dial", base, {}, ""});
+std::string base_variant(std::vector<Variant>& study, const std::string& base) {
+  for (const Variant& variant : study)
+    if (variant.accuracy == base && variant.overrides.empty()) return variant.name;
+  study.insert(study.begin(), {"base", "accuracy", base, {}, ""});
   return "base";
 }
 

@@ -20,19 +20,19 @@ using namespace law_constant;
 
 /// Half widths of the 95 % intervals in the fit's own unknowns; infinite where a direction that the data do not see has
 /// a part of the unknown.
-Eigen::VectorXd half_widths(const Eigen::MatrixXd& slopes, double scatter, int freedom) {
+Eigen::VectorXd half_widths(const Eigen::MatrixXd& jacobian, double scatter, int freedom) {
   constexpr double unseen = 1e-9, part = 1e-3;
-  const Eigen::VectorXd size = slopes.colwise().norm();
+  const Eigen::VectorXd size = jacobian.colwise().norm();
   const Eigen::VectorXd scale = (size.array() > 0).select(size.cwiseInverse(), Eigen::VectorXd::Ones(size.size()));
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes * scale.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian * scale.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
   const double t = quantile(boost::math::students_t(freedom), 0.975);
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(size.size());
   for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k)
     for (Eigen::Index i = 0; i < size.size(); ++i) {
-      const double share = svd.matrixV()(i, k), seen = svd.singularValues()[k];
-      if (seen > unseen * svd.singularValues()[0])
-        variance[i] += share * share / (seen * seen);
-      else if (std::abs(share) > part)
+      const double fraction = svd.matrixV()(i, k), nonsingular = svd.singularValues()[k];
+      if (nonsingular > unseen * svd.singularValues()[0])
+        variance[i] += fraction * fraction / (nonsingular * nonsingular);
+      else if (std::abs(fraction) > part)
         variance[i] = std::numeric_limits<double>::infinity();
     }
   return t * scatter * scale.cwiseProduct(variance.cwiseSqrt());
@@ -51,7 +51,7 @@ void add_intervals(LawFit& fit, const LawUnknowns& unknowns, const Eigen::Vector
       fit.warnings.push_back(
           fmt::format("{0} is not identifiable from these data (its 95 % interval spans more than a factor 10, or an "
                       "exponent's more "
-                      "than 2 either way); measure more, or hold it: --hold {0}=VALUE",
+                      "than 2 either way); measure more, or fix it: --fix {0}=VALUE",
                       law_constant_names[constant]));
     else if (is_exponent(constant) && found.low <= 0)
       fit.warnings.push_back(
@@ -61,18 +61,18 @@ void add_intervals(LawFit& fit, const LawUnknowns& unknowns, const Eigen::Vector
 
 /// Holds an exponent that came out below zero at zero; without b only p_ref is left to place x = 1. False when none
 /// did.
-bool hold_negative_exponent(const Law& found, LawFitOptions& options, std::vector<std::string>& warnings) {
+bool fix_negative_exponent(const Law& found, LawFitOptions& options, std::vector<std::string>& warnings) {
   for (const int constant : {a, b})
-    if (!options.is_held[constant] && constant_of(found, constant) < 0) {
-      options.is_held[constant] = true;
-      constant_of(options.held, constant) = 0;
-      warnings.push_back(fmt::format("{} came out below zero and is held at 0: these data do not show that h {}",
+    if (!options.is_fixed[constant] && constant_of(found, constant) < 0) {
+      options.is_fixed[constant] = true;
+      constant_of(options.fixed, constant) = 0;
+      warnings.push_back(fmt::format("{} came out below zero and is fixed at 0: these data do not show that h {}",
                                      law_constant_names[constant],
                                      constant == a ? "rises with the pressure" : "falls with the viscosity"));
-      if (constant == b && !options.is_held[eta_ref]) {
-        options.is_held[eta_ref] = true;
-        options.held.eta_ref = found.eta_ref;
-        options.is_held[p_ref] = options.is_held[a] && options.held.a == 0;
+      if (constant == b && !options.is_fixed[eta_ref]) {
+        options.is_fixed[eta_ref] = true;
+        options.fixed.eta_ref = found.eta_ref;
+        options.is_fixed[p_ref] = options.is_fixed[a] && options.fixed.a == 0;
       }
       return true;
     }
@@ -82,7 +82,7 @@ bool hold_negative_exponent(const Law& found, LawFitOptions& options, std::vecto
 void require_data(const std::vector<LawMeasurement>& data, const LawUnknowns& unknowns, bool relative) {
   if (data.size() <= unknowns.free.size())
     throw core::CaseError(fmt::format(
-        "fit-law: {} rows were found, allowed are at least {} for {} free constants (fewer with --hold NAME=VALUE)",
+        "fit-law: {} rows were found, allowed are at least {} for {} free constants (fewer with --fix NAME=VALUE)",
         data.size(), unknowns.free.size() + 1, unknowns.free.size()));
   if (relative && std::any_of(data.begin(), data.end(), [](const auto& row) { return row.value * row.drive == 0; }))
     throw core::CaseError(
@@ -102,14 +102,14 @@ double constant_of(const PressureViscosityConductance& law, int constant) {
   return constant_of(copy, constant);
 }
 
-std::array<double, law_constants> law_slopes(const PressureViscosityConductance& law, double pressure,
-                                             double viscosity) {
+std::array<double, law_constants> law_derivatives(const PressureViscosityConductance& law, double pressure,
+                                                  double viscosity) {
   if (pressure <= 0) return {law.h0, 0, 0, 0, 0, 0};
   const double by_p = std::log(pressure / law.p_ref), by_eta = std::log(law.eta_ref / viscosity);
-  const double share = 1 / (1 + std::exp(-law.a * by_p - law.b * by_eta));
-  const double by_log_x = (law.h1 - law.h0) * share * (1 - share);
-  return {law.h0 * (1 - share), law.h1 * share,  -law.a * by_log_x,
-          law.b * by_log_x,     by_p * by_log_x, by_eta * by_log_x};
+  const double fraction = 1 / (1 + std::exp(-law.a * by_p - law.b * by_eta));
+  const double by_log_x = (law.h1 - law.h0) * fraction * (1 - fraction);
+  return {law.h0 * (1 - fraction), law.h1 * fraction, -law.a * by_log_x,
+          law.b * by_log_x,        by_p * by_log_x,   by_eta * by_log_x};
 }
 
 LawFit fit_law(const std::vector<LawMeasurement>& data, const LawFitOptions& given) {
@@ -122,16 +122,16 @@ LawFit fit_law(const std::vector<LawMeasurement>& data, const LawFitOptions& giv
     if (!std::isfinite(optimum.squares))
       throw core::CaseError("fit-law: no constants of the law give finite values for these data");
     fit.law = unknowns.law(optimum.x);
-    if (hold_negative_exponent(fit.law, options, fit.warnings)) continue;
+    if (fix_negative_exponent(fit.law, options, fit.warnings)) continue;
     fit.freedom = static_cast<int>(data.size() - unknowns.free.size());
     fit.scatter = std::sqrt(optimum.squares / fit.freedom);
     fit.residual.assign(optimum.residual.data(), optimum.residual.data() + optimum.residual.size());
     for (int constant = 0; constant < law_constants; ++constant) {
       const double value = constant_of(fit.law, constant);
-      fit.constants[constant] = {value, value, value, options.is_held[constant], true};
+      fit.constants[constant] = {value, value, value, options.is_fixed[constant], true};
     }
     if (!unknowns.free.empty())
-      add_intervals(fit, unknowns, optimum.x, half_widths(optimum.slopes, fit.scatter, fit.freedom));
+      add_intervals(fit, unknowns, optimum.x, half_widths(optimum.jacobian, fit.scatter, fit.freedom));
     if (fit.law.h1 < fit.law.h0)
       fit.warnings.push_back("h1 came out below h0: these data say that h falls with the pressure");
     return fit;

@@ -19,8 +19,8 @@ double& constant_of(PressureViscosityConductance& law, int constant);
 double constant_of(const PressureViscosityConductance& law, int constant);
 
 /// Slopes of h with ln h0, ln h1, ln p_ref, ln eta_ref, a and b, W/m2/K, at a pressure above zero or not.
-std::array<double, law_constants> law_slopes(const PressureViscosityConductance& law, double pressure,
-                                             double viscosity);
+std::array<double, law_constants> law_derivatives(const PressureViscosityConductance& law, double pressure,
+                                                  double viscosity);
 
 /// One measurement: h itself (drive 1), or a heat flux with the difference of temperature that drives it.
 struct LawMeasurement {
@@ -30,14 +30,14 @@ struct LawMeasurement {
 };
 
 struct LawFitOptions {
-  PressureViscosityConductance held;  ///< values of the constants that are held; the others are not looked at
-  std::array<bool, law_constants> is_held{};
+  PressureViscosityConductance fixed;  ///< values of the constants that are held; the others are not looked at
+  std::array<bool, law_constants> is_fixed{};
   bool relative = false;  ///< residuals as a share of the fitted value: for scatter that grows with the value
 };
 
 struct FittedConstant {
   double value = 0, low = 0, high = 0;  ///< with its 95 % interval; SI
-  bool held = false;
+  bool fixed = false;
   bool known = true;  ///< whether the data say it; otherwise the interval means nothing
 };
 

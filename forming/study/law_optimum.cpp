@@ -28,12 +28,12 @@ struct Residuals : Eigen::DenseFunctor<double> {
           weight[i] * (data[i].value - data[i].drive * conductance(law, data[i].pressure, data[i].viscosity).h);
     return residual.allFinite() ? 0 : -1;
   }
-  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& slopes) const {
+  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) const {
     const Law law = unknowns.law(x);
     for (std::size_t i = 0; i < data.size(); ++i) {
-      const auto of_h = law_slopes(law, data[i].pressure, data[i].viscosity);
+      const auto of_h = law_derivatives(law, data[i].pressure, data[i].viscosity);
       for (std::size_t j = 0; j < unknowns.free.size(); ++j)
-        slopes(i, j) = -weight[i] * data[i].drive * of_h[unknowns.free[j]];
+        jacobian(i, j) = -weight[i] * data[i].drive * of_h[unknowns.free[j]];
     }
     return 0;
   }
@@ -42,14 +42,14 @@ struct Residuals : Eigen::DenseFunctor<double> {
 /// Laws to start from: h from below to above the data, x = 1 in their middle, all likely exponents.
 std::vector<Law> starts(const std::vector<LawMeasurement>& data) {
   double lowest = std::numeric_limits<double>::infinity(), highest = 0, log_p = 0, log_eta = 0;
-  int pressed = 0;
+  int positive_pressures = 0;
   for (const auto& row : data) {
     const double h = row.value / row.drive;
     if (row.drive != 0 && h > 0) lowest = std::min(lowest, h), highest = std::max(highest, h);
-    if (row.pressure > 0) log_p += std::log(row.pressure), ++pressed;
+    if (row.pressure > 0) log_p += std::log(row.pressure), ++positive_pressures;
     log_eta += std::log(row.viscosity) / static_cast<double>(data.size());
   }
-  const double p = pressed > 0 ? std::exp(log_p / pressed) : 1;
+  const double p = positive_pressures > 0 ? std::exp(log_p / positive_pressures) : 1;
   if (highest == 0) lowest = highest = 1;
   std::vector<Law> laws;
   for (const double beyond : {1.2, 5.0})
@@ -60,13 +60,13 @@ std::vector<Law> starts(const std::vector<LawMeasurement>& data) {
 }
 
 /// Moves the constant that p_ref and eta_ref make together to the one that is free, so that x = 1 stays where it was.
-Law shift_reference(Law start, const Law& held, const std::array<bool, law_constants>& is_held) {
+Law shift_reference(Law start, const Law& fixed, const std::array<bool, law_constants>& is_fixed) {
   const double log_c = start.b * std::log(start.eta_ref) - start.a * std::log(start.p_ref);
   for (int constant = 0; constant < law_constants; ++constant)
-    if (is_held[constant]) constant_of(start, constant) = constant_of(held, constant);
-  if (!is_held[eta_ref] && start.b > 0)
+    if (is_fixed[constant]) constant_of(start, constant) = constant_of(fixed, constant);
+  if (!is_fixed[eta_ref] && start.b > 0)
     start.eta_ref = std::exp((log_c + start.a * std::log(start.p_ref)) / start.b);
-  else if (!is_held[p_ref] && start.a > 0)
+  else if (!is_fixed[p_ref] && start.a > 0)
     start.p_ref = std::exp((start.b * std::log(start.eta_ref) - log_c) / start.a);
   return start;
 }
@@ -82,21 +82,21 @@ LawOptimum optimise(Residuals& residuals, Eigen::VectorXd x) {
   Eigen::VectorXd residual(residuals.values());
   if (!x.allFinite() || residuals(x, residual) < 0) return {};
   LawOptimum found{x, residual, Eigen::MatrixXd(residuals.values(), x.size()), residual.squaredNorm()};
-  residuals.df(x, found.slopes);
+  residuals.df(x, found.jacobian);
   return found;
 }
 
 LawOptimum optimise(Residuals& residuals, const LawFitOptions& options) {
   LawOptimum best;
   for (const Law& start : starts(residuals.data)) {
-    auto found = optimise(residuals, residuals.unknowns.of(shift_reference(start, options.held, options.is_held)));
+    auto found = optimise(residuals, residuals.unknowns.of(shift_reference(start, options.fixed, options.is_fixed)));
     if (found.squares < best.squares) best = std::move(found);
   }
   return best;
 }
 
 /// Least squares of shares of the fitted values: shares of the measured ones would favour those that came out low.
-LawOptimum optimise_shares(Residuals& residuals, const LawFitOptions& options) {
+LawOptimum optimise_relative(Residuals& residuals, const LawFitOptions& options) {
   constexpr int rounds = 5;
   for (int i = 0; i < residuals.values(); ++i) residuals.weight[i] = 1 / std::abs(residuals.data[i].value);
   LawOptimum best = optimise(residuals, options);
@@ -114,7 +114,7 @@ LawOptimum optimise_shares(Residuals& residuals, const LawFitOptions& options) {
 }  // namespace
 
 Law LawUnknowns::law(const Eigen::VectorXd& x) const {
-  Law result = held;
+  Law result = fixed;
   for (std::size_t i = 0; i < free.size(); ++i)
     constant_of(result, free[i]) = is_exponent(free[i]) ? x[i] : std::exp(x[i]);
   return result;
@@ -128,16 +128,16 @@ Eigen::VectorXd LawUnknowns::of(const Law& from) const {
 }
 
 LawUnknowns unknowns_of(const LawFitOptions& options) {
-  LawUnknowns unknowns{options.held, {}};
+  LawUnknowns unknowns{options.fixed, {}};
   for (int constant = 0; constant < law_constants; ++constant)
-    if (!options.is_held[constant]) unknowns.free.push_back(constant);
+    if (!options.is_fixed[constant]) unknowns.free.push_back(constant);
   return unknowns;
 }
 
 LawOptimum find_optimum(const std::vector<LawMeasurement>& data, const LawFitOptions& options,
                         const LawUnknowns& unknowns) {
   Residuals residuals(data, unknowns);
-  return options.relative ? optimise_shares(residuals, options) : optimise(residuals, options);
+  return options.relative ? optimise_relative(residuals, options) : optimise(residuals, options);
 }
 
 }  // namespace parison::contact

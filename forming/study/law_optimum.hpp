@@ -14,7 +14,7 @@ inline bool is_exponent(int constant) {
 
 /// The free constants as the fit sees them: logarithms, but the exponents themselves.
 struct LawUnknowns {
-  PressureViscosityConductance held;  ///< with the held constants
+  PressureViscosityConductance fixed;  ///< with the held constants
   std::vector<int> free;
 
   PressureViscosityConductance law(const Eigen::VectorXd& x) const;
@@ -25,7 +25,7 @@ LawUnknowns unknowns_of(const LawFitOptions& options);
 /// Where the sum of squares is smallest; infinite `squares` where no start led to finite values.
 struct LawOptimum {
   Eigen::VectorXd x, residual;
-  Eigen::MatrixXd slopes;  ///< of the residuals with the unknowns
+  Eigen::MatrixXd jacobian;  ///< of the residuals with the unknowns
   double squares = std::numeric_limits<double>::infinity();
 };
 LawOptimum find_optimum(const std::vector<LawMeasurement>& data, const LawFitOptions& options,

@@ -19,10 +19,10 @@ struct Parts {
   std::string glass;  ///< name of its material in the case
   std::set<std::string> tool_materials;
   std::vector<std::string> still_air;  ///< overrides that take the air's h
-  std::vector<Rung> rungs;
+  std::vector<Variant> variants;
 
   void add(const char* name, const std::string& what, std::vector<std::string> overrides) {
-    rungs.push_back({name, "model", scene.accuracy_name, std::move(overrides), what});
+    variants.push_back({name, "model", scene.accuracy_name, std::move(overrides), what});
   }
   std::string of_glass(const std::string& value) const { return fmt::format("material.{}.{}", glass, value); }
 };
@@ -72,12 +72,12 @@ void add_heat_parts(Parts& parts) {
   const bool blows =
       std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) { return stage.air.h > 0; });
   if (blows && !parts.still_air.empty()) parts.add("no_air_cooling", "cooling by moving air", parts.still_air);
-  std::vector<std::string> held;
+  std::vector<std::string> fixed;
   for (const std::string& material : parts.tool_materials)
-    if (material != parts.glass) held.push_back(fmt::format("material.{}.heat_capacity=1e9 J/kg/K", material));
+    if (material != parts.glass) fixed.push_back(fmt::format("material.{}.heat_capacity=1e9 J/kg/K", material));
   const bool hot_tools =
       std::any_of(scene.tools.begin(), scene.tools.end(), [](const Tool& t) { return bool(t.thermal); });
-  if (hot_tools && !held.empty()) parts.add("fixed_tools", "warming of the tools: they keep their temperature", held);
+  if (hot_tools && !fixed.empty()) parts.add("fixed_tools", "warming of the tools: they keep their temperature", fixed);
 }
 
 void add_friction(Parts& parts) {
@@ -114,12 +114,12 @@ void add_flow_parts(Parts& parts) {
 
 }  // namespace
 
-std::vector<Rung> model_rungs(const Scene& scene) {
+std::vector<Variant> model_variants(const Scene& scene) {
   Parts parts{scene, {}, {}, {}, {}};
   find_materials(parts);
   if (scene.has_heat()) add_heat_parts(parts);
   if (scene.has_flow()) add_flow_parts(parts);
-  return parts.rungs;
+  return parts.variants;
 }
 
 }  // namespace parison::forming

@@ -6,7 +6,7 @@
 
 namespace parison::forming {
 
-/// A rung for each part of the model that a scene has, which leaves that part out.
-std::vector<Rung> model_rungs(const Scene& scene);
+/// A variant for each part of the model that a scene has, which leaves that part out.
+std::vector<Variant> model_variants(const Scene& scene);
 
 }  // namespace parison::forming

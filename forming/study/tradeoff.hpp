@@ -9,16 +9,16 @@
 
 namespace parison::forming {
 
-/// A rung that has run, beside the rung that it is compared with.
-struct RungResult {
-  Rung rung;
+/// A variant that has run, beside the variant that it is compared with.
+struct VariantResult {
+  Variant variant;
   bool completed = false;
   std::string reason;
   double cpu = 0;  ///< s
   long steps = 0;
   double reynolds = 0;
   Quantities quantities;
-  ProfileDifference profile{};  ///< to the reference, of a model rung to the base
+  ProfileDifference profile{};  ///< to the reference, of a model variant to the base
   double heat = 0;              ///< likewise, a share
   bool on_front = false;
 
@@ -26,18 +26,18 @@ struct RungResult {
   double error() const;
 };
 
-/// Fills in the differences; the first result is the reference, `base` names the base rung.
-void compare_rungs(std::vector<RungResult>& results, const std::string& base);
+/// Fills in the differences; the first result is the reference, `base` names the base variant.
+void compare_variants(std::vector<VariantResult>& results, const std::string& base);
 
-/// Marks the rungs no other is both faster and closer than; reference and model rungs take no part.
-void mark_front(std::vector<RungResult>& results);
+/// Marks the variants no other is both faster and closer than; reference and model variants take no part.
+void mark_front(std::vector<VariantResult>& results);
 
-/// CPU time of a rung over that of the best line at the same error; the line runs straight in the logarithms between
-/// the rungs on the front. NaN off the line's ends.
-double over_front(const std::vector<RungResult>& results, const RungResult& rung);
+/// CPU time of a variant over that of the best line at the same error; the line runs straight in the logarithms between
+/// the variants on the front. NaN off the line's ends.
+double over_front(const std::vector<VariantResult>& results, const VariantResult& variant);
 
-/// The dial's measured errors E as a law A*(2^(-p level) - 2^(-p reference)), the reference's own error taken off;
-/// at_draft is NaN where fewer than two rungs of the dial tell.
-ErrorLaw fit_error_law(const std::vector<RungResult>& results, double (*error)(const RungResult&));
+/// The accuracy level's measured errors E as a law A*(2^(-p level) - 2^(-p reference)), the reference's own error taken
+/// off; at_draft is NaN where fewer than two variants of the accuracy level tell.
+ErrorLaw fit_error_law(const std::vector<VariantResult>& results, double (*error)(const VariantResult&));
 
 }  // namespace parison::forming

@@ -14,17 +14,17 @@ using core::Point;
 
 namespace {
 
-constexpr double largest_turn = 20 * M_PI / 180;  ///< of an arc within one edge
+constexpr double max_turn = 20 * M_PI / 180;  ///< of an arc within one edge
 
 std::vector<SizeSource> size_sources(const core::Profile& profile, const ProfileSizes& sizes) {
   std::vector<SizeSource> sources;
   for (const core::Segment& segment : profile.segments) {
-    double wish = sizes.fine_pieces.at(segment.piece) ? sizes.contact_size : sizes.size;
-    if (segment.is_arc) wish = std::min(wish, largest_turn * segment.radius);
-    if (wish >= sizes.size) continue;
-    const auto count = static_cast<Index>(std::ceil(core::length(segment) / wish));
+    double target_size = sizes.fine_boundaries.at(segment.boundary_id) ? sizes.contact_size : sizes.size;
+    if (segment.is_arc) target_size = std::min(target_size, max_turn * segment.radius);
+    if (target_size >= sizes.size) continue;
+    const auto count = static_cast<Index>(std::ceil(core::length(segment) / target_size));
     for (Index i = 0; i <= count; ++i)
-      sources.push_back({core::point_at(segment, static_cast<double>(i) / count), wish, wish});
+      sources.push_back({core::point_at(segment, static_cast<double>(i) / count), target_size, target_size});
   }
   return sources;
 }
@@ -41,11 +41,11 @@ core::Mesh mesh_profile(const core::Profile& profile, const ProfileSizes& sizes)
     for (std::size_t i = 0; i + 1 < at.size(); ++i) {
       outline.vertices.push_back(i == 0 ? segment.start : core::point_at(segment, at[i] / length));
       outline.mids.push_back(core::point_at(segment, 0.5 * (at[i] + at[i + 1]) / length));
-      outline.pieces.push_back(segment.piece);
+      outline.boundary_ids.push_back(segment.boundary_id);
     }
   }
   outline.loop_start.push_back(outline.edge_count());
-  MeshedOutline result = mesh_outline(outline, profile.pieces, field);
+  MeshedOutline result = mesh_outline(outline, profile.boundary_names, field);
   if (!result.reason.empty()) throw std::runtime_error("the profile cannot be meshed: " + result.reason);
   return std::move(result.mesh);
 }
@@ -56,7 +56,7 @@ using core::Point;
 
 namespace {
 
-/// One side of the body: the segments of a piece as one curve over [0, 1], uniform in arc length.
+/// One side of the body: the segments of a boundary as one curve over [0, 1], uniform in arc length.
 struct Side {
   std::vector<core::Segment> segments;
   double length = 0;
@@ -66,8 +66,10 @@ struct Side {
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const double own = core::length(segments[i]);
       if (s <= own || i + 1 == segments.size()) {
-        const double share = s / own;
-        return share <= 0 ? segments[i].start : share >= 1 ? segments[i].end : core::point_at(segments[i], share);
+        const double fraction = s / own;
+        return fraction <= 0   ? segments[i].start
+               : fraction >= 1 ? segments[i].end
+                               : core::point_at(segments[i], fraction);
       }
       s -= own;
     }
@@ -77,19 +79,19 @@ struct Side {
 
 std::array<Side, 4> sides(const core::Profile& profile) {
   const std::size_t count = profile.segments.size();
-  const auto piece = [&](std::size_t i) { return profile.segments[i % count].piece; };
+  const auto boundary_id = [&](std::size_t i) { return profile.segments[i % count].boundary_id; };
   std::size_t start = 0;
-  while (start < count && !(piece(start) == 0 && piece(start + count - 1) != 0)) ++start;
+  while (start < count && !(boundary_id(start) == 0 && boundary_id(start + count - 1) != 0)) ++start;
   std::array<Side, 4> result;
   int side = -1;
   for (std::size_t i = start; i < start + count; ++i) {
-    if (i == start || piece(i) != piece(i - 1)) ++side;
+    if (i == start || boundary_id(i) != boundary_id(i - 1)) ++side;
     if (side > 3 || start == count) break;
     result[side].segments.push_back(profile.segments[i % count]);
     result[side].length += core::length(result[side].segments.back());
   }
-  if (side != 3 || profile.pieces.size() != 4)
-    throw std::invalid_argument("a mapped mesh needs an outline of exactly four pieces");
+  if (side != 3 || profile.boundary_names.size() != 4)
+    throw std::invalid_argument("a mapped mesh needs an outline of exactly four boundaries");
   return result;
 }
 
@@ -152,13 +154,13 @@ Index owner(const Mesh& mesh, Index mid) {
   return -1;
 }
 
-void add_side(Mesh& mesh, const Lattice& at, Index side, Index piece) {
+void add_side(Mesh& mesh, const Lattice& at, Index side, Index boundary_id) {
   const Index right = 2 * at.columns, top = 2 * at.rows;
   const auto node = [&](Index k) {
     return side == 0 ? at(k, 0) : side == 1 ? at(right, k) : side == 2 ? at(right - k, top) : at(0, top - k);
   };
   for (Index k = 0; k < (side % 2 == 0 ? right : top); k += 2)
-    mesh.boundary.push_back({{node(k), node(k + 2), node(k + 1)}, owner(mesh, node(k + 1)), piece});
+    mesh.boundary.push_back({{node(k), node(k + 2), node(k + 1)}, owner(mesh, node(k + 1)), boundary_id});
 }
 
 }  // namespace
@@ -169,7 +171,7 @@ core::Mesh mesh_mapped(const core::Profile& profile, Index along_first, Index al
   const Lattice at{along_first, along_second};
   const std::vector<double> u = graded(along_first, ratio_first), v = graded(along_second, ratio_second);
   Mesh mesh;
-  mesh.pieces = profile.pieces;
+  mesh.boundary_names = profile.boundary_names;
   mesh.vertex_count = (at.columns + 1) * (at.rows + 1);
   mesh.nodes.resize(u.size() * v.size());
   for (std::size_t j = 0; j < v.size(); ++j)
@@ -177,7 +179,7 @@ core::Mesh mesh_mapped(const core::Profile& profile, Index along_first, Index al
       mesh.nodes[at(static_cast<Index>(i), static_cast<Index>(j))] = coons(side, u[i], v[j]);
   for (Index j = 0; j < 2 * at.rows; j += 2)
     for (Index i = 0; i < 2 * at.columns; i += 2) add_cells(mesh, at, i, j);
-  for (Index k = 0; k < 4; ++k) add_side(mesh, at, k, side[k].segments[0].piece);
+  for (Index k = 0; k < 4; ++k) add_side(mesh, at, k, side[k].segments[0].boundary_id);
   return mesh;
 }
 

@@ -15,9 +15,9 @@ using core::Index;
 namespace {
 
 /// Lowers the quality found so far to the least of a cell.
-void lower(const core::Mesh& mesh, Index cell, double& worst) {
-  const auto& [origin, u, v, bulge] = core::cell_map(mesh, cell);
-  const auto& [m, n, p] = bulge;
+void lower(const core::Mesh& mesh, Index cell, double& min_quality) {
+  const auto& [origin, u, v, mid_side_offset] = core::cell_map(mesh, cell);
+  const auto& [m, n, p] = mid_side_offset;
   // Both columns of the Jacobian are linear over the cell: at the vertices as given, at the mid-sides half way between.
   std::array<core::Point, 6> along_a{u + 4 * m, u - 4 * m, u + 4 * (n - p)},
       along_b{v + 4 * p, v + 4 * (n - m), v - 4 * p};
@@ -30,22 +30,23 @@ void lower(const core::Mesh& mesh, Index cell, double& worst) {
     const core::Point &da = along_a[k], &db = along_b[k];
     const double sides = da.squaredNorm() + db.squaredNorm() - da.dot(db),
                  area = root * (da[0] * db[1] - da[1] * db[0]);
-    if (!(area >= worst * sides) || sides <= 0) worst = std::min(worst, sides > 0 ? area / sides : 0.0);
+    if (!(area >= min_quality * sides) || sides <= 0)
+      min_quality = std::min(min_quality, sides > 0 ? area / sides : 0.0);
   }
 }
 
 }  // namespace
 
 double cell_quality(const core::Mesh& mesh, Index cell) {
-  double worst = 1;
-  lower(mesh, cell, worst);
-  return worst;
+  double min_quality = 1;
+  lower(mesh, cell, min_quality);
+  return min_quality;
 }
 
-double worst_quality(const core::Mesh& mesh) {
-  double worst = 1;
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell) lower(mesh, cell, worst);
-  return worst;
+double min_quality(const core::Mesh& mesh) {
+  double min_quality = 1;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) lower(mesh, cell, min_quality);
+  return min_quality;
 }
 
 Quality quality(const core::Mesh& mesh) {
@@ -54,9 +55,9 @@ Quality quality(const core::Mesh& mesh) {
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     all[cell] = cell_quality(mesh, cell);
     result.mean += all[cell] / mesh.cell_count();
-    if (result.worst_cell < 0 || all[cell] < result.worst) {
-      result.worst = all[cell];
-      result.worst_cell = cell;
+    if (result.min_quality_cell < 0 || all[cell] < result.min) {
+      result.min = all[cell];
+      result.min_quality_cell = cell;
     }
   }
   if (all.empty()) return result;
@@ -79,19 +80,19 @@ double straight_quality(const Triangulation& mesh, const std::array<Index, 3>& c
 
 }  // namespace
 
-void mend_poor(std::size_t fixed, double poor, Triangulation& mesh) {
+void smooth_poor_triangles(std::size_t fixed, double poor, Triangulation& mesh) {
   constexpr int sweeps = 2;
   std::vector<std::vector<std::size_t>> round(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const Index corner : mesh.triangles[t]) round[corner].push_back(t);
-  const auto worst = [&](std::size_t vertex) {
+  const auto min_quality = [&](std::size_t vertex) {
     double least = 1;
     for (const std::size_t t : round[vertex]) least = std::min(least, straight_quality(mesh, mesh.triangles[t]));
     return least;
   };
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (std::size_t vertex = fixed; vertex < mesh.vertices.size(); ++vertex) {
-      const double before = worst(vertex);
+      const double before = min_quality(vertex);
       if (before >= poor || round[vertex].empty()) continue;
       const Point kept = mesh.vertices[vertex];
       Point sum = Point::Zero();
@@ -99,7 +100,7 @@ void mend_poor(std::size_t fixed, double poor, Triangulation& mesh) {
         for (const Index corner : mesh.triangles[t]) sum += mesh.vertices[corner];
       const double triangles = static_cast<double>(round[vertex].size());
       mesh.vertices[vertex] = (sum - triangles * kept) / (2 * triangles);
-      if (worst(vertex) <= before) mesh.vertices[vertex] = kept;
+      if (min_quality(vertex) <= before) mesh.vertices[vertex] = kept;
     }
 }
 

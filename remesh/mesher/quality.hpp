@@ -6,12 +6,12 @@ namespace parison::remesh {
 
 /// Scaled inverse condition number of the cells: 1 equilateral, 0 degenerate, negative inverted.
 struct Quality {
-  double worst, median, mean;
-  core::Index worst_cell;
+  double min, median, mean;
+  core::Index min_quality_cell;
 };
 Quality quality(const core::Mesh& mesh);
 /// The worst cell's alone.
-double worst_quality(const core::Mesh& mesh);
+double min_quality(const core::Mesh& mesh);
 
 /// Smallest value at the six nodes of a cell, so that a curved edge that folds the cell shows.
 double cell_quality(const core::Mesh& mesh, core::Index cell);

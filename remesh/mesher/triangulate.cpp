@@ -27,7 +27,7 @@ void start_gmsh() {
       gmsh::option::setNumber(threads, 1);
     gmsh::option::setNumber("Mesh.MeshOnlyEmpty", 1);
     gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
-    gmsh::option::setNumber("Mesh.Smoothing", 0);  // mend_poor does that cheaper
+    gmsh::option::setNumber("Mesh.Smoothing", 0);  // smooth_poor_triangles does that cheaper
     return true;
   }();
   (void)started;
@@ -52,7 +52,7 @@ std::array<double, 3> scaled(const Point& x, double scale) {
 }
 
 /// Hands gmsh the loop from vertex `first` to `last` as one curve that is meshed already.
-int give_stretch(const Outline& outline, double scale, Index first, Index last) {
+int add_curve(const Outline& outline, double scale, Index first, Index last) {
   const int curve =
       gmsh::model::addDiscreteEntity(1, -1, {static_cast<int>(tag_of(first)), static_cast<int>(tag_of(last))});
   std::vector<std::size_t> nodes, edges, corners;
@@ -72,7 +72,7 @@ int give_stretch(const Outline& outline, double scale, Index first, Index last) 
 
 /// Each loop as a curve that is meshed already, which costs less than one for each edge, closed by its last edge: a
 /// straight line, from which gmsh knows which way is up. Node i + 1 is vertex i.
-void give_outline(const Outline& outline, double scale) {
+void add_outline(const Outline& outline, double scale) {
   for (std::size_t k = 0; k + 1 < outline.loop_start.size(); ++k)
     for (const Index end : {outline.loop_start[k], outline.loop_start[k + 1] - 1})
       gmsh::model::geo::addPoint(scale * outline.vertices[end][0], scale * outline.vertices[end][1], 0, 0,
@@ -85,11 +85,11 @@ void give_outline(const Outline& outline, double scale) {
       const auto x = scaled(outline.vertices[end], scale);
       gmsh::model::mesh::addNodes(0, static_cast<int>(tag_of(end)), {tag_of(end)}, {x.begin(), x.end()});
     }
-    const int stretch = give_stretch(outline, scale, first, last);
+    const int curve = add_curve(outline, scale, first, last);
     const int closing = gmsh::model::geo::addLine(static_cast<int>(tag_of(last)), static_cast<int>(tag_of(first)));
     gmsh::model::geo::synchronize();
     gmsh::model::mesh::addElementsByType(closing, linear_line, {tag_of(last)}, {tag_of(last), tag_of(first)});
-    loops.push_back(gmsh::model::geo::addCurveLoop({stretch, closing}));
+    loops.push_back(gmsh::model::geo::addCurveLoop({curve, closing}));
   }
   gmsh::model::geo::addPlaneSurface(loops, 1);
   gmsh::model::geo::synchronize();
@@ -101,14 +101,14 @@ void forget_last_body() {
   triangle.vertices = {Point(0, 0), Point(1, 0), Point(0, 1)};
   triangle.loop_start = {0, 3};
   gmsh::model::add("triangle");
-  give_outline(triangle, 1);
+  add_outline(triangle, 1);
   gmsh::model::mesh::generate(2);
   gmsh::clear();
   std::srand(1);  // it perturbs points by rand()
 }
 
 /// Reads the triangles back.
-Triangulation take_mesh(const Outline& outline, double scale) {
+Triangulation read_triangles(const Outline& outline, double scale) {
   Triangulation result;
   result.vertices = outline.vertices;
   std::vector<std::size_t> tags, elements, corners;
@@ -144,7 +144,7 @@ Triangulation triangulate(const Outline& outline, const SizeField& size) {
   forget_last_body();
   const double scale = unit_scale(outline);
   gmsh::model::add("body");
-  give_outline(outline, scale);
+  add_outline(outline, scale);
   gmsh::model::mesh::setSizeCallback(
       [&](int, int, double x, double y, double) { return scale * size(Point(x / scale, y / scale)); });
   gmsh::logger::start();
@@ -152,7 +152,7 @@ Triangulation triangulate(const Outline& outline, const SizeField& size) {
   std::vector<std::string> log;
   gmsh::logger::get(log);
   gmsh::logger::stop();
-  Triangulation result = take_mesh(outline, scale);
+  Triangulation result = read_triangles(outline, scale);
   for (const std::string& line : log)
     if (line.rfind("Error", 0) == 0 && result.reason.empty()) result.reason = "the mesher reports: " + line;
   if (result.triangles.empty() && result.reason.empty()) result.reason = "the mesher made no triangles";

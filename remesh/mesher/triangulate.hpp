@@ -14,6 +14,6 @@ Triangulation triangulate(const Outline& outline, const SizeField& size);
 
 /// Moves corners of triangles poorer than `poor`, but for the first `fixed`, to the middle of their neighbours where
 /// that betters the worst triangle round them.
-void mend_poor(std::size_t fixed, double poor, Triangulation& mesh);
+void smooth_poor_triangles(std::size_t fixed, double poor, Triangulation& mesh);
 
 }  // namespace parison::remesh

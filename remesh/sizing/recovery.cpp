@@ -168,12 +168,12 @@ DerivativeError rate_error(const Mesh& mesh, core::Geometry geometry, const Eige
   });
 }
 
-Eigen::VectorXd equidistributing_sizes(const Mesh& mesh, const DerivativeError& error, double wanted) {
+Eigen::VectorXd equidistributing_sizes(const Mesh& mesh, const DerivativeError& error, double target) {
   // An error e of a cell with edge h falls with h^(p + 1) in each cell of a finer mesh there, their number grows with
   // 1/h^2.
   constexpr double p = derivative_order;
   const double sum = error.cell.array().pow(2 / (p + 1)).sum();
-  const double whole = wanted * error.derivative;
+  const double whole = target * error.derivative;
   Eigen::VectorXd sizes = Eigen::VectorXd::Constant(mesh.cell_count(), std::numeric_limits<double>::infinity());
   if (!(sum > 0 && whole > 0)) return sizes;
   const double each = std::pow(whole * whole / sum, (p + 1) / (2 * p));

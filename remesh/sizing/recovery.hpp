@@ -23,6 +23,6 @@ DerivativeError rate_error(const core::Mesh& mesh, core::Geometry geometry, cons
 /// Edge lengths per cell with which a new mesh has the wanted relative error, the same in each of its cells, with the
 /// fewest cells; infinite where there is no error. L.-Y. Li, P. Bettess, Notes on mesh optimal criteria in adaptive
 /// finite element computations, Commun. Numer. Meth. Engng 11 (1995) 911-915.
-Eigen::VectorXd equidistributing_sizes(const core::Mesh& mesh, const DerivativeError& error, double wanted);
+Eigen::VectorXd equidistributing_sizes(const core::Mesh& mesh, const DerivativeError& error, double target);
 
 }  // namespace parison::remesh

@@ -43,16 +43,17 @@ SizeField::SizeField(std::vector<SizeSource> sources, double growth, double larg
   std::iota(all_.begin(), all_.end(), 0);
 }
 
-double SizeField::wish(const SizeSource& source, double distance) const {
+double SizeField::target_size(const SizeSource& source, double distance) const {
   return source.size + growth_ * std::max(0.0, distance - source.reach);
 }
 
 std::vector<int> SizeField::candidates(const std::vector<int>& among, const Point& centre, double radius) const {
   double bound = largest_;
-  for (const int i : among) bound = std::min(bound, wish(sources_[i], (sources_[i].at - centre).norm() + radius));
+  for (const int i : among)
+    bound = std::min(bound, target_size(sources_[i], (sources_[i].at - centre).norm() + radius));
   std::vector<int> result;
   for (const int i : among)
-    if (wish(sources_[i], (sources_[i].at - centre).norm() - radius) <= bound) result.push_back(i);
+    if (target_size(sources_[i], (sources_[i].at - centre).norm() - radius) <= bound) result.push_back(i);
   return result;
 }
 
@@ -73,7 +74,7 @@ double SizeField::finest(const Point& x) const {
   const Point centre = low_ + bin_ * Point(column + 0.5, row + 0.5);
   const double radius = 0.75 * bin_;
   const auto least = [&](const std::vector<int>& list) {
-    for (const int i : list) size = std::min(size, wish(sources_[i], (sources_[i].at - x).norm()));
+    for (const int i : list) size = std::min(size, target_size(sources_[i], (sources_[i].at - x).norm()));
     return size;
   };
   if ((x - centre).norm() > radius) return least(candidates(all_, x, 0));
@@ -103,8 +104,8 @@ std::vector<double> divide(double length, const std::function<double(double)>& s
   for (Index i = 1; i < count; ++i) {
     const double wanted = total * i / count;
     while (integral[k + 1] < wanted) ++k;
-    const double share = (wanted - integral[k]) / (integral[k + 1] - integral[k]);
-    result.push_back(at[k] + share * (at[k + 1] - at[k]));
+    const double fraction = (wanted - integral[k]) / (integral[k + 1] - integral[k]);
+    result.push_back(at[k] + fraction * (at[k + 1] - at[k]));
   }
   result.push_back(length);
   return result;
@@ -116,16 +117,16 @@ using core::Point;
 
 namespace {
 
-constexpr double largest_turn = 20 * M_PI / 180;  ///< of the surface within one edge
-constexpr Index most_samples = 64;                ///< of the wishes along one old edge
+constexpr double max_turn = 20 * M_PI / 180;  ///< of the surface within one edge
+constexpr Index max_samples = 64;             ///< of the wishes along one old edge
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Nodal value at s of an edge, linear between its three nodes; infinite where one of the two is.
 template <class Nodal>
 double along(const std::array<Index, 3>& edge, double s, const Nodal& value) {
   const double start = value(edge[s < 0.5 ? 0 : 2]), end = value(edge[s < 0.5 ? 2 : 1]),
-               share = s < 0.5 ? 2 * s : 2 * s - 1;
-  return share == 0 ? start : share == 1 ? end : (1 - share) * start + share * end;
+               fraction = s < 0.5 ? 2 * s : 2 * s - 1;
+  return fraction == 0 ? start : fraction == 1 ? end : (1 - fraction) * start + fraction * end;
 }
 
 /// Radius of curvature along each boundary edge: half of the kinks to its neighbours count as turning of the edge.
@@ -154,50 +155,53 @@ double cell_count(const Mesh& old, const SizeField& size) {
 }
 
 /// What the error of the solution asks for inside, where that is finer than the size there without anything else.
-void add_cell_wishes(const Mesh& old, const Criteria& criteria, std::vector<SizeSource>& sources) {
-  for (std::size_t cell = 0; cell < criteria.cell_wish.size(); ++cell) {
-    const double wish = std::max(criteria.cell_wish[cell], criteria.smallest);
-    if (wish >= 2 * criteria.surface_size) continue;
+void add_target_cell_sizes(const Mesh& old, const Criteria& criteria, std::vector<SizeSource>& sources) {
+  for (std::size_t cell = 0; cell < criteria.target_cell_size.size(); ++cell) {
+    const double target_size = std::max(criteria.target_cell_size[cell], criteria.smallest);
+    if (target_size >= 2 * criteria.surface_size) continue;
     const auto& nodes = old.cells[cell];
     const Point &a = old.nodes[nodes[0]], &b = old.nodes[nodes[1]], &c = old.nodes[nodes[2]], middle = (a + b + c) / 3;
-    sources.push_back({middle, wish, std::min({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()})});
+    sources.push_back({middle, target_size, std::min({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()})});
   }
 }
 
 }  // namespace
 
 SizeField size_field(const Mesh& old, const Criteria& criteria) {
-  const remesh::Wall behind = remesh::surface_wall(old, criteria.straight_pieces);
+  const remesh::Wall behind = remesh::surface_wall(old, criteria.straight_boundaries);
   Eigen::VectorXd wall = behind.thickness;
   remesh::spread_inward(old, wall);
-  const Eigen::VectorXd film = film_thickness(old, behind, criteria.straight_pieces, criteria.contact);
+  const Eigen::VectorXd film = film_thickness(old, behind, criteria.straight_boundaries, criteria.contact);
   const std::vector<double> radii = curvature_radii(old);
   std::vector<SizeSource> sources;
   for (std::size_t i = 0; i < old.boundary.size(); ++i) {
     const auto& edge = old.boundary[i].nodes;
-    if (criteria.straight_pieces.at(old.boundary[i].piece)) continue;
-    const double bend = std::max(largest_turn * radii[i], criteria.smallest);
-    const auto skin = [&](Index node) { return criteria.skin_wish.empty() ? infinity : criteria.skin_wish[node]; };
+    if (criteria.straight_boundaries.at(old.boundary[i].boundary_id)) continue;
+    const double bend = std::max(max_turn * radii[i], criteria.smallest);
+    const auto skin = [&](Index node) {
+      return criteria.target_skin_size.empty() ? infinity : criteria.target_skin_size[node];
+    };
     const auto least = [&](const auto& at) { return std::min({at(edge[0]), at(edge[1]), at(edge[2])}); };
     const double thinnest = least([&](Index node) { return wall[node]; });
-    const double film_edge = film_size(least([&](Index node) { return film[node]; }), criteria.thinnest_film);
+    const double film_edge = film_size(least([&](Index node) { return film[node]; }), criteria.min_film_thickness);
     const double finest =
         std::min(film_edge, std::max(std::min(thinnest / criteria.elements_across, least(skin)), criteria.smallest));
-    const Index steps = std::clamp(static_cast<Index>(std::ceil(arc_length(old, edge, 1) / finest)), 2, most_samples);
+    const Index steps = std::clamp(static_cast<Index>(std::ceil(arc_length(old, edge, 1) / finest)), 2, max_samples);
     for (Index k = 0; k <= steps; ++k) {
       const double s = static_cast<double>(k) / steps;
       const Point at = point_on(old, edge, s);
       const double thickness = along(edge, s, [&](Index node) { return wall[node]; });
-      const double in_film = film_size(along(edge, s, [&](Index node) { return film[node]; }), criteria.thinnest_film);
+      const double in_film =
+          film_size(along(edge, s, [&](Index node) { return film[node]; }), criteria.min_film_thickness);
       const double across = std::min(in_film, std::max(thickness / criteria.elements_across, criteria.smallest));
-      const double wish = std::max({along(edge, s, skin), criteria.skin_size, criteria.smallest});
-      sources.push_back({at, std::min({criteria.surface_size, across, bend, wish}), 0});
+      const double target_size = std::max({along(edge, s, skin), criteria.skin_size, criteria.smallest});
+      sources.push_back({at, std::min({criteria.surface_size, across, bend, target_size}), 0});
       if (across < 2 * criteria.surface_size) sources.push_back({at, across, 0.5 * thickness});
     }
   }
-  add_cell_wishes(old, criteria, sources);
+  add_target_cell_sizes(old, criteria, sources);
   SizeField size(std::move(sources), criteria.growth, 2 * criteria.surface_size);
-  size.coarsen(std::sqrt(std::max(1.0, cell_count(old, size) / criteria.most_cells)));
+  size.coarsen(std::sqrt(std::max(1.0, cell_count(old, size) / criteria.max_cells)));
   return size;
 }
 

@@ -18,20 +18,20 @@ struct SizeSource {
 class SizeField {
  public:
   SizeField(std::vector<SizeSource> sources, double growth, double largest);
-  double operator()(const core::Point& x) const { return coarser_ * finest(x); }
+  double operator()(const core::Point& x) const { return coarsening_factor_ * finest(x); }
 
   /// Makes every length so many times as long.
-  void coarsen(double factor) { coarser_ *= factor; }
-  double coarser() const { return coarser_; }
+  void coarsen(double factor) { coarsening_factor_ *= factor; }
+  double coarsening_factor() const { return coarsening_factor_; }
 
  private:
   double finest(const core::Point& x) const;
-  double wish(const SizeSource& source, double distance) const;
+  double target_size(const SizeSource& source, double distance) const;
   std::vector<int> candidates(const std::vector<int>& among, const core::Point& centre, double radius) const;
   const std::vector<int>& block_of(int column, int row) const;
 
   std::vector<SizeSource> sources_;
-  double growth_, largest_, coarser_ = 1;
+  double growth_, largest_, coarsening_factor_ = 1;
   core::Point low_;
   double bin_ = 1;
   int columns_ = 0, rows_ = 0;

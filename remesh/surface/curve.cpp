@@ -95,11 +95,11 @@ Mesh without_collapsed_edges(Mesh mesh) {
         chord(static_cast<Index>(i)) > collapsed * std::min(chord(previous), chord(next)))
       continue;
     const Edge& nodes = mesh.boundary[i].nodes;
-    const Index piece = mesh.boundary[i].piece;
+    const Index boundary_id = mesh.boundary[i].boundary_id;
     leaves[i] = true;
-    if (mesh.boundary[previous].piece == piece)
+    if (mesh.boundary[previous].boundary_id == boundary_id)
       mesh.boundary[previous].nodes[1] = nodes[1];
-    else if (mesh.boundary[next].piece == piece)
+    else if (mesh.boundary[next].boundary_id == boundary_id)
       mesh.boundary[next].nodes[0] = nodes[0];
     else
       leaves[i] = false;

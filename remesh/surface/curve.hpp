@@ -19,7 +19,7 @@ struct Link {
 std::vector<Link> boundary_links(const core::Mesh& mesh);
 
 /// The mesh without boundary edges whose ends have met, as two nodes do that a corner of the tools has caught; the
-/// boundary stays closed, ends of pieces stay. Cells and nodes are left as they are.
+/// boundary stays closed, ends of boundaries stay. Cells and nodes are left as they are.
 core::Mesh without_collapsed_edges(core::Mesh mesh);
 
 /// Point, unit tangent and arc length from s = 0 of a quadratic edge (first, last, mid) at s in [0, 1].

@@ -16,8 +16,8 @@ namespace {
 /// Largest cosine between the outward normals of a film's two sides: 18 degrees.
 constexpr double facing = -0.95;
 
-Point outward_normal(const core::Mesh& mesh, const std::array<Index, 3>& edge, const Point& beside) {
-  const Point along = tangent(mesh, edge, closest_on(mesh, edge, beside));
+Point outward_normal(const core::Mesh& mesh, const std::array<Index, 3>& edge, const Point& x) {
+  const Point along = tangent(mesh, edge, closest_on(mesh, edge, x));
   return {along[1], -along[0]};
 }
 
@@ -29,14 +29,15 @@ double film_size(double thickness, double thinnest) {
 }
 
 Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall,
-                               const std::vector<bool>& symmetry_pieces, const std::vector<bool>& contact) {
+                               const std::vector<bool>& symmetry_boundaries, const std::vector<bool>& contact) {
   Eigen::VectorXd thickness = Eigen::VectorXd::Constant(mesh.node_count(), std::numeric_limits<double>::infinity());
   if (contact.empty()) return thickness;
   for (Index node = 0; node < mesh.node_count(); ++node) {
     if (wall.far_edge[node] < 0 || !contact[node]) continue;
     const core::BoundaryEdge& other = mesh.boundary[wall.far_edge[node]];
     const auto touches = [&](Index n) { return contact[n]; };
-    if (!symmetry_pieces[other.piece] && std::none_of(other.nodes.begin(), other.nodes.end(), touches)) continue;
+    if (!symmetry_boundaries[other.boundary_id] && std::none_of(other.nodes.begin(), other.nodes.end(), touches))
+      continue;
     const Point opposite = mesh.nodes[node] - wall.thickness[node] * wall.normal[node];
     if (outward_normal(mesh, other.nodes, opposite).dot(wall.normal[node]) < facing)
       thickness[node] = wall.thickness[node];

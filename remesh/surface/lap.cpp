@@ -13,8 +13,8 @@ using core::Point;
 
 namespace {
 
-constexpr int most_laps = 16;
-constexpr int least_edges = 3;  ///< of a loop
+constexpr int max_laps = 16;
+constexpr int min_edges = 3;  ///< of a loop
 
 double cross(const Point& a, const Point& b) {
   return a[0] * b[1] - a[1] * b[0];
@@ -36,22 +36,22 @@ double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry
   return std::abs(volume);
 }
 
-/// Whether all edges from `begin` to before `end` may give way, in one loop with edges left over: of one piece, or of
-/// one and the next, which goes on behind them.
+/// Whether all edges from `begin` to before `end` may give way, in one loop with edges left over: of one boundary, or
+/// of one and the next, which goes on behind them.
 bool may_cut(const Surface& surface, Index begin, Index end) {
   const Outline& outline = surface.outline;
   const auto after = std::upper_bound(outline.loop_start.begin(), outline.loop_start.end(), begin);
-  if (after == outline.loop_start.end() || end >= *after || *after - *(after - 1) - (end - begin) + 1 < least_edges)
+  if (after == outline.loop_start.end() || end >= *after || *after - *(after - 1) - (end - begin) + 1 < min_edges)
     return false;
   int changes = 0;
   for (Index i = begin; i < end; ++i) {
     if (surface.fixed[outline.edge_count() + i]) return false;
-    changes += i > begin && outline.pieces[i] != outline.pieces[i - 1];
+    changes += i > begin && outline.boundary_ids[i] != outline.boundary_ids[i - 1];
   }
-  return changes == 0 || (changes == 1 && outline.pieces[end] == outline.pieces[end - 1]);
+  return changes == 0 || (changes == 1 && outline.boundary_ids[end] == outline.boundary_ids[end - 1]);
 }
 
-/// Puts one straight edge, of the first one's piece, in the place of those from vertex `begin` to vertex `end`.
+/// Puts one straight edge, of the first one's boundary, in the place of those from vertex `begin` to vertex `end`.
 void cut(Surface& surface, Index begin, Index end) {
   Outline& outline = surface.outline;
   const Index count = outline.edge_count(), gone = end - begin - 1;
@@ -65,7 +65,7 @@ void cut(Surface& surface, Index begin, Index end) {
   const auto erase = [&](auto& list) { list.erase(list.begin() + begin + 1, list.begin() + end); };
   erase(outline.vertices);
   outline.mids.erase(outline.mids.begin() + begin + 1, outline.mids.begin() + end);
-  outline.pieces.erase(outline.pieces.begin() + begin + 1, outline.pieces.begin() + end);
+  outline.boundary_ids.erase(outline.boundary_ids.begin() + begin + 1, outline.boundary_ids.begin() + end);
   for (Index& start : outline.loop_start)
     if (start > begin) start -= gone;
 }
@@ -81,7 +81,7 @@ Laps close_laps(core::Geometry geometry, double largest, Surface& surface) {
     const Index end = last + 1;
     const double volume =
         may_cut(surface, begin, end) ? volume_cut(surface.outline, begin, end, geometry) : 2 * largest;
-    if (laps.closed == most_laps || volume > largest) {
+    if (laps.closed == max_laps || volume > largest) {
       laps.first = first, laps.second = second;
       return laps;
     }

@@ -44,7 +44,7 @@ bool add_mid_nodes(const Outline& outline, const Triangulation& triangles, Mesh&
   for (Index i = 0; i < outline.edge_count(); ++i) {
     mid[key(i, ends[i])] = mesh.node_count();
     mesh.nodes.push_back(outline.mids[i]);
-    mesh.boundary.push_back({{i, ends[i], mesh.node_count() - 1}, -1, outline.pieces[i]});
+    mesh.boundary.push_back({{i, ends[i], mesh.node_count() - 1}, -1, outline.boundary_ids[i]});
   }
   for (const auto& corner : triangles.triangles) {
     std::array<Index, 6> cell{corner[0], corner[1], corner[2], -1, -1, -1};
@@ -63,12 +63,12 @@ bool add_mid_nodes(const Outline& outline, const Triangulation& triangles, Mesh&
 
 void straighten_folded(Mesh& mesh) {
   for (const core::BoundaryEdge& edge : mesh.boundary) {
-    const double bent = cell_quality(mesh, edge.cell);
-    if (bent >= folded) continue;
+    const double curved_quality = cell_quality(mesh, edge.cell);
+    if (curved_quality >= folded) continue;
     const auto [first, last, mid] = edge.nodes;
     const Point kept = mesh.nodes[mid];
     mesh.nodes[mid] = 0.5 * (mesh.nodes[first] + mesh.nodes[last]);
-    if (cell_quality(mesh, edge.cell) <= bent) mesh.nodes[mid] = kept;
+    if (cell_quality(mesh, edge.cell) <= curved_quality) mesh.nodes[mid] = kept;
   }
 }
 
@@ -87,15 +87,16 @@ std::pair<Index, Index> find_crossing(const Outline& outline) {
   return {first < 0 ? -1 : first / 2, second < 0 ? -1 : second / 2};
 }
 
-MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& pieces, const SizeField& size) {
+MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& boundary_names,
+                           const SizeField& size) {
   Triangulation triangles = triangulate(outline, size);
   if (!triangles.reason.empty()) return {{}, triangles.reason};
-  mend_poor(outline.vertices.size(), poor, triangles);
+  smooth_poor_triangles(outline.vertices.size(), poor, triangles);
   MeshedOutline result;
   Mesh& mesh = result.mesh;
   mesh.nodes = std::move(triangles.vertices);
   mesh.vertex_count = mesh.node_count();
-  mesh.pieces = pieces;
+  mesh.boundary_names = boundary_names;
   if (!add_mid_nodes(outline, triangles, mesh)) return {{}, "the mesher lost edges of the outline"};
   straighten_folded(mesh);
   return result;
@@ -106,52 +107,53 @@ using core::Point;
 
 namespace {
 
-constexpr double deep = 1e-5;  ///< m; less is lifted out of the finished mesh
-constexpr int looks = 8;       ///< along an edge for whether it dips
-constexpr int dip_parts = 32;  ///< of an edge that does
+constexpr double min_depth = 1e-5;     ///< m; less is lifted out of the finished mesh
+constexpr int samples = 8;             ///< along an edge for whether it dips
+constexpr int penetrating_parts = 32;  ///< of an edge that does
 
-bool dips_between(const Mesh& mesh, const Clear& clear, const Place& from, double to) {
-  for (int k = 0; clear && k <= looks; ++k)
-    if (dips(mesh, clear, {from.edge, from.s + (to - from.s) * k / looks})) return true;
+bool penetrates_between(const Mesh& mesh, const ExteriorProjection& project_out, const Place& from, double to) {
+  for (int k = 0; project_out && k <= samples; ++k)
+    if (penetrates(mesh, project_out, {from.edge, from.s + (to - from.s) * k / samples})) return true;
   return false;
 }
 
 }  // namespace
 
-Point clear_point(const Mesh& mesh, const Clear& clear, const Place& place) {
+Point exterior_point(const Mesh& mesh, const ExteriorProjection& project_out, const Place& place) {
   const auto& nodes = mesh.boundary[place.edge].nodes;
   const Point x = place.s == 0 ? mesh.nodes[nodes[0]] : point_on(mesh, nodes, place.s);
-  if (!clear) return x;
-  const Point out = clear(x);
-  return (out - x).norm() > deep ? out : x;
+  if (!project_out) return x;
+  const Point out = project_out(x);
+  return (out - x).norm() > min_depth ? out : x;
 }
 
-bool dips(const Mesh& mesh, const Clear& clear, const Place& place) {
-  return clear_point(mesh, clear, place) != clear_point(mesh, {}, place);
+bool penetrates(const Mesh& mesh, const ExteriorProjection& project_out, const Place& place) {
+  return exterior_point(mesh, project_out, place) != exterior_point(mesh, {}, place);
 }
 
-void extend(const Mesh& mesh, const Clear& clear, const Place& from, double to, Stretch& stretch) {
-  if (stretch.straight || !dips_between(mesh, clear, from, to)) {
+void extend(const Mesh& mesh, const ExteriorProjection& project_out, const Place& from, double to,
+            BoundaryCurve& curve) {
+  if (curve.straight || !penetrates_between(mesh, project_out, from, to)) {
     const auto& nodes = mesh.boundary[from.edge].nodes;
     const double before = from.s > 0 ? arc_length(mesh, nodes, from.s) : 0;
-    stretch.parts.push_back({from, before, stretch.length() + arc_length(mesh, nodes, to) - before, 0});
+    curve.parts.push_back({from, before, curve.length() + arc_length(mesh, nodes, to) - before, 0});
     return;
   }
-  const double span = (to - from.s) / dip_parts;
+  const double span = (to - from.s) / penetrating_parts;
   Place place = from;
-  Point start = clear_point(mesh, clear, place);
-  for (int k = 1; k <= dip_parts; ++k) {
+  Point start = exterior_point(mesh, project_out, place);
+  for (int k = 1; k <= penetrating_parts; ++k) {
     const Place next{from.edge, from.s + k * span};
-    const Point end = clear_point(mesh, clear, next);
-    stretch.parts.push_back({place, 0, stretch.length() + (end - start).norm(), span});
+    const Point end = exterior_point(mesh, project_out, next);
+    curve.parts.push_back({place, 0, curve.length() + (end - start).norm(), span});
     place = next, start = end;
   }
 }
 
-Place place_at(const Mesh& mesh, const Stretch& stretch, double length) {
-  const auto until = [](const StretchPart& part, double value) { return part.until < value; };
-  const auto found = std::lower_bound(stretch.parts.begin(), stretch.parts.end() - 1, length, until);
-  const double start = found == stretch.parts.begin() ? 0 : (found - 1)->until, ahead = length - start;
+Place place_at(const Mesh& mesh, const BoundaryCurve& curve, double length) {
+  const auto until = [](const CurvePart& part, double value) { return part.until < value; };
+  const auto found = std::lower_bound(curve.parts.begin(), curve.parts.end() - 1, length, until);
+  const double start = found == curve.parts.begin() ? 0 : (found - 1)->until, ahead = length - start;
   const auto [edge, s] = found->from;
   if (found->span > 0) return {edge, s + (ahead > 0 ? ahead / (found->until - start) * found->span : 0)};
   return {edge, at_arc_length(mesh, mesh.boundary[edge].nodes, ahead + found->before)};

@@ -13,7 +13,7 @@ namespace parison::remesh {
 /// its loop and bends through mid point i.
 struct Outline {
   std::vector<core::Point> vertices, mids;  ///< m
-  std::vector<core::Index> pieces;          ///< piece of each edge
+  std::vector<core::Index> boundary_ids;    ///< boundary of each edge
   std::vector<core::Index> loop_start{0};   ///< loop k holds vertices loop_start[k] ... loop_start[k+1]-1
 
   core::Index edge_count() const { return static_cast<core::Index>(vertices.size()); }
@@ -33,10 +33,11 @@ struct MeshedOutline {
 
 /// Frontal-Delaunay triangles (gmsh) inside the outline with exactly its edges. Node i is vertex i, boundary edge i is
 /// edge i; an edge that would fold its cell is straightened. Not for use from several threads at once.
-MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& pieces, const SizeField& size);
+MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& boundary_names,
+                           const SizeField& size);
 
 /// Takes a point that lies inside a tool out to its surface; others stay to the bit. Empty where there are no tools.
-using Clear = std::function<core::Point(const core::Point&)>;
+using ExteriorProjection = std::function<core::Point(const core::Point&)>;
 
 /// A place on the boundary of a mesh.
 struct Place {
@@ -44,31 +45,32 @@ struct Place {
   double s;
 };
 
-/// A piece of an edge, from a place on.
-struct StretchPart {
+/// A part of an edge, from a place on.
+struct CurvePart {
   Place from;
   double before;  ///< arc length of the edge before it, m; not used where it dips
   double until;   ///< arc length from the stretch's start to its end, m
   double span;    ///< of s over it where the edge dips into a tool and is measured on its way out, 0 elsewhere
 };
 
-/// Boundary from one kept point to the next, within one piece, as a curve over arc length.
-struct Stretch {
-  std::vector<StretchPart> parts;
+/// Boundary from one kept point to the next, within one boundary, as a curve over arc length.
+struct BoundaryCurve {
+  std::vector<CurvePart> parts;
   bool straight;
   double length() const { return parts.empty() ? 0 : parts.back().until; }
 };
 
 /// Appends an edge between two values of s: as it is, or, where it dips into a tool, on its way out of it.
-void extend(const core::Mesh& mesh, const Clear& clear, const Place& from, double to, Stretch& stretch);
+void extend(const core::Mesh& mesh, const ExteriorProjection& project_out, const Place& from, double to,
+            BoundaryCurve& curve);
 
 /// The place after so much arc length, m.
-Place place_at(const core::Mesh& mesh, const Stretch& stretch, double length);
+Place place_at(const core::Mesh& mesh, const BoundaryCurve& curve, double length);
 
 /// The point at a place, outside the tools.
-core::Point clear_point(const core::Mesh& mesh, const Clear& clear, const Place& place);
+core::Point exterior_point(const core::Mesh& mesh, const ExteriorProjection& project_out, const Place& place);
 
 /// Whether the boundary at a place lies so deep inside a tool that it is led out before it is meshed.
-bool dips(const core::Mesh& mesh, const Clear& clear, const Place& place);
+bool penetrates(const core::Mesh& mesh, const ExteriorProjection& project_out, const Place& place);
 
 }  // namespace parison::remesh

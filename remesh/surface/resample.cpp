@@ -16,9 +16,10 @@ using core::Point;
 
 namespace {
 
-/// Whether an old edge starts at the end of a piece or at a corner.
+/// Whether an old edge starts at the end of a boundary or at a corner.
 bool is_fixed(const Mesh& old, const std::vector<Link>& links, Index i) {
-  return old.boundary[i].piece != old.boundary[links[i].previous].piece || std::abs(links[i].kink) > corner_angle;
+  return old.boundary[i].boundary_id != old.boundary[links[i].previous].boundary_id ||
+         std::abs(links[i].kink) > corner_angle;
 }
 
 /// Where an old edge passes a kept point, and the vertex it gets there.
@@ -36,23 +37,25 @@ std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, con
     if (is_fixed(old, links, static_cast<Index>(i))) fixed.push_back(old.nodes[old.boundary[i].nodes[0]]);
   std::map<Index, Kept> kept;
   for (const Point& corner : criteria.keep) {
-    const double wished = std::min(criteria.surface_size, size(corner));
+    const double target_size = std::min(criteria.surface_size, size(corner));
     double best = 0.5 * criteria.surface_size;
     Place found{-1, 0};
     for (std::size_t i = 0; i < old.boundary.size(); ++i) {
       const auto& edge = old.boundary[i].nodes;
       const Point &a = old.nodes[edge[0]], &b = old.nodes[edge[1]];
-      if (criteria.straight_pieces[old.boundary[i].piece] || (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best)
+      if (criteria.straight_boundaries[old.boundary[i].boundary_id] ||
+          (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best)
         continue;
       const double s = closest_on(old, edge, corner);
       const double gap = (point_on(old, edge, s) - corner).norm();
       const Place here{static_cast<Index>(i), s};
-      if (gap < best && (gap < 0.5 * wished || dips(old, criteria.clear, here))) best = gap, found = here;
+      if (gap < best && (gap < 0.5 * target_size || penetrates(old, criteria.project_out, here)))
+        best = gap, found = here;
     }
     if (found.edge < 0) continue;
-    const Point at = dips(old, criteria.clear, found) ? corner : clear_point(old, {}, found);
+    const Point at = penetrates(old, criteria.project_out, found) ? corner : exterior_point(old, {}, found);
     const bool crowded =
-        std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) { return (x - at).norm() < 0.3 * wished; });
+        std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) { return (x - at).norm() < 0.3 * target_size; });
     if (crowded || kept.count(found.edge)) continue;
     kept[found.edge] = {found.s, at};
     fixed.push_back(at);
@@ -84,31 +87,32 @@ class Resampler {
   }
 
  private:
-  bool starts_stretch(Index i) const {
+  bool starts_curve(Index i) const {
     const auto kept = kept_.find(i);
     return is_fixed(old_, links_, i) || (kept != kept_.end() && kept->second.s == 0);
   }
 
   void loop(Index first, Index last) {
     Index start = first;
-    while (start <= last && !starts_stretch(start)) ++start;
+    while (start <= last && !starts_curve(start)) ++start;
     if (start > last) start = first;
-    std::vector<Stretch> stretches;
+    std::vector<BoundaryCurve> curves;
     Index i = start;
     do {
-      if (i == start || starts_stretch(i)) stretches.push_back({{}, criteria_.straight_pieces[old_.boundary[i].piece]});
+      if (i == start || starts_curve(i))
+        curves.push_back({{}, criteria_.straight_boundaries[old_.boundary[i].boundary_id]});
       const auto kept = kept_.find(i);
       if (kept != kept_.end() && kept->second.s > 0) {
-        extend(old_, criteria_.clear, {i, 0}, kept->second.s, stretches.back());
-        stretches.push_back({{}, stretches.back().straight});
-        extend(old_, criteria_.clear, {i, kept->second.s}, 1, stretches.back());
+        extend(old_, criteria_.project_out, {i, 0}, kept->second.s, curves.back());
+        curves.push_back({{}, curves.back().straight});
+        extend(old_, criteria_.project_out, {i, kept->second.s}, 1, curves.back());
       } else {
-        extend(old_, criteria_.clear, {i, 0}, 1, stretches.back());
+        extend(old_, criteria_.project_out, {i, 0}, 1, curves.back());
       }
       i = links_[i].next;
     } while (i != start);
-    for (std::size_t k = 0; k < stretches.size(); ++k)
-      add(stretches[k], stretches[(k + 1) % stretches.size()], stretches.size() > 2 ? 1 : 3);
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      add(curves[k], curves[(k + 1) % curves.size()], curves.size() > 2 ? 1 : 3);
   }
 
   /// Whether the old nodes on both sides of a place touch a tool.
@@ -118,37 +122,37 @@ class Resampler {
     return criteria_.contact[nodes[2]] && criteria_.contact[nodes[place.s < 0.5 ? 0 : 1]];
   }
 
-  Point start_of(const Stretch& stretch) const {
-    const Place& place = stretch.parts.front().from;
+  Point start_of(const BoundaryCurve& curve) const {
+    const Place& place = curve.parts.front().from;
     const auto kept = kept_.find(place.edge);
     if (kept != kept_.end() && kept->second.s == place.s) return kept->second.vertex;
-    return clear_point(old_, stretch.straight ? Clear() : criteria_.clear, place);
+    return exterior_point(old_, curve.straight ? ExteriorProjection() : criteria_.project_out, place);
   }
 
-  void add(const Stretch& stretch, const Stretch& next, Index at_least) {
-    const Point start = start_of(stretch), end = start_of(next);
+  void add(const BoundaryCurve& curve, const BoundaryCurve& next, Index at_least) {
+    const Point start = start_of(curve), end = start_of(next);
     const auto on_curve = [&](double s) -> Point {
-      return clear_point(old_, criteria_.clear, place_at(old_, stretch, s));
+      return exterior_point(old_, criteria_.project_out, place_at(old_, curve, s));
     };
     const auto point = [&](double s) -> Point {
-      return stretch.straight ? Point(start + s / stretch.length() * (end - start)) : on_curve(s);
+      return curve.straight ? Point(start + s / curve.length() * (end - start)) : on_curve(s);
     };
     const std::vector<double> at = divide(
-        stretch.length(),
+        curve.length(),
         [&](double s) {
-          return stretch.straight ? size_(point(s))
-                                  : std::min(size_.coarser() * criteria_.surface_size, size_(point(s)));
+          return curve.straight ? size_(point(s))
+                                : std::min(size_.coarsening_factor() * criteria_.surface_size, size_(point(s)));
         },
-        stretch.straight ? 1 : at_least);
+        curve.straight ? 1 : at_least);
     for (std::size_t i = 0; i + 1 < at.size(); ++i) {
       const double middle = 0.5 * (at[i] + at[i + 1]);
       surface_.outline.vertices.push_back(i == 0 ? start : point(at[i]));
       surface_.outline.mids.push_back(point(middle));
-      surface_.outline.pieces.push_back(old_.boundary[stretch.parts.front().from.edge].piece);
-      surface_.contact.push_back(touches(i == 0 ? stretch.parts.front().from : place_at(old_, stretch, at[i])));
-      surface_.fixed.push_back(stretch.straight || i == 0);
-      mid_contact_.push_back(touches(place_at(old_, stretch, middle)));
-      mid_fixed_.push_back(stretch.straight);
+      surface_.outline.boundary_ids.push_back(old_.boundary[curve.parts.front().from.edge].boundary_id);
+      surface_.contact.push_back(touches(i == 0 ? curve.parts.front().from : place_at(old_, curve, at[i])));
+      surface_.fixed.push_back(curve.straight || i == 0);
+      mid_contact_.push_back(touches(place_at(old_, curve, middle)));
+      mid_fixed_.push_back(curve.straight);
     }
   }
 

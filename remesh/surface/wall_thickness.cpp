@@ -106,8 +106,8 @@ class EdgeGrid {
     if (a > slack || b < -slack || b <= a) return;
     double s = a / (a - b);
     for (int pass = 0; pass < 4; ++pass) {
-      const double slope = left.dot(edge_derivative(mesh_, edge, s));
-      if (slope > 0) s = std::clamp(s - left.dot(edge_point(mesh_, edge, s) - start) / slope, 0.0, 1.0);
+      const double derivative = left.dot(edge_derivative(mesh_, edge, s));
+      if (derivative > 0) s = std::clamp(s - left.dot(edge_point(mesh_, edge, s) - start) / derivative, 0.0, 1.0);
     }
     const double distance = direction.dot(edge_point(mesh_, edge, s) - start);
     if (distance > 0 && distance < hit.distance) hit = {distance, i};
@@ -122,10 +122,10 @@ class EdgeGrid {
 };
 
 /// Sum of the outward unit normals of the edges that meet at each node; zero away from the free and contact surface.
-std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
+std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries) {
   std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
   for (const core::BoundaryEdge& edge : mesh.boundary) {
-    if (symmetry_pieces.at(edge.piece)) continue;
+    if (symmetry_boundaries.at(edge.boundary_id)) continue;
     constexpr std::array<double, 3> places{0, 1, 0.5};
     for (int k = 0; k < 3; ++k) {
       const Point along = edge_derivative(mesh, edge.nodes, places[k]).normalized();
@@ -205,25 +205,26 @@ void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
     if (!std::isfinite(value[i]) && source[i] >= 0) value[i] = value[source[i]];
 }
 
-Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_pieces, double reach) {
+Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries, double reach) {
   const EdgeGrid grid(mesh);
   Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
-            surface_normals(mesh, symmetry_pieces)};
+            surface_normals(mesh, symmetry_boundaries)};
   for (const core::BoundaryEdge& edge : mesh.boundary) {
     for (const Index node : edge.nodes) {
-      if (symmetry_pieces[edge.piece] || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6) continue;
+      if (symmetry_boundaries[edge.boundary_id] || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6)
+        continue;
       wall.normal[node].normalize();
       const EdgeGrid::Hit hit = grid.first_exit(node, -wall.normal[node], reach);
       if (hit.edge < 0) continue;
       wall.far_edge[node] = hit.edge;
-      wall.thickness[node] = symmetry_pieces[mesh.boundary[hit.edge].piece] ? 2 * hit.distance : hit.distance;
+      wall.thickness[node] = symmetry_boundaries[mesh.boundary[hit.edge].boundary_id] ? 2 * hit.distance : hit.distance;
     }
   }
   return wall;
 }
 
-Eigen::VectorXd wall_thickness(const Mesh& mesh, const std::vector<bool>& symmetry_pieces) {
-  Eigen::VectorXd thickness = surface_wall(mesh, symmetry_pieces, infinity).thickness;
+Eigen::VectorXd wall_thickness(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries) {
+  Eigen::VectorXd thickness = surface_wall(mesh, symmetry_boundaries, infinity).thickness;
   spread_inward(mesh, thickness);
   return thickness;
 }

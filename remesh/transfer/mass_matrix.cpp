@@ -43,20 +43,21 @@ Eigen::VectorXd MassMatrix::multiply(const Eigen::VectorXd& x) const {
 
 Eigen::VectorXd MassMatrix::solve(const Eigen::VectorXd& load, const Eigen::VectorXd& start) const {
   constexpr int most = 60;
-  constexpr double settled = 1e-28;  // square of the relative residual
+  constexpr double tolerance = 1e-28;  // square of the relative residual
   if (!(diagonal_.minCoeff() > 0)) return start;
-  Eigen::VectorXd x = start, residual = load - multiply(x), wish = residual.cwiseQuotient(diagonal_), direction = wish;
+  Eigen::VectorXd x = start, residual = load - multiply(x), preconditioned = residual.cwiseQuotient(diagonal_),
+                  direction = preconditioned;
   const double whole = load.dot(load.cwiseQuotient(diagonal_));
-  double square = residual.dot(wish);
-  for (int i = 0; i < most && square > settled * whole; ++i) {
+  double square = residual.dot(preconditioned);
+  for (int i = 0; i < most && square > tolerance * whole; ++i) {
     const Eigen::VectorXd image = multiply(direction);
     const double curvature = direction.dot(image);
     if (!(curvature > 0)) return start;
     x += square / curvature * direction;
     residual -= square / curvature * image;
-    wish = residual.cwiseQuotient(diagonal_);
-    const double next = residual.dot(wish);
-    direction = wish + next / square * direction;
+    preconditioned = residual.cwiseQuotient(diagonal_);
+    const double next = residual.dot(preconditioned);
+    direction = preconditioned + next / square * direction;
     square = next;
   }
   return x;

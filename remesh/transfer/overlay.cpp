@@ -18,9 +18,9 @@ constexpr double inside = 1e-10;  ///< slack of the reference coordinates
 
 /// Nearest point of the reference triangle, near enough for points that are hardly outside.
 std::array<double, 2> clamp_to_cell(const std::array<double, 2>& at) {
-  const std::array<double, 3> share{std::max(0.0, 1 - at[0] - at[1]), std::max(0.0, at[0]), std::max(0.0, at[1])};
-  const double sum = share[0] + share[1] + share[2];
-  return {share[1] / sum, share[2] / sum};
+  const std::array<double, 3> fraction{std::max(0.0, 1 - at[0] - at[1]), std::max(0.0, at[0]), std::max(0.0, at[1])};
+  const double sum = fraction[0] + fraction[1] + fraction[2];
+  return {fraction[1] / sum, fraction[2] / sum};
 }
 
 }  // namespace
@@ -135,8 +135,8 @@ Polygon clip(const Polygon& polygon, const Point& a, const Point& b) {
 }
 
 bool is_straight(const core::CellMap& map) {
-  return std::all_of(map.bulge.begin(), map.bulge.end(),
-                     [&](const Point& bulge) { return bulge.norm() <= straight * map.u.norm(); });
+  return std::all_of(map.mid_side_offset.begin(), map.mid_side_offset.end(),
+                     [&](const Point& offset) { return offset.norm() <= straight * map.u.norm(); });
 }
 
 /// Reference coordinates of x in the triangle of a cell's chords.
@@ -238,15 +238,15 @@ class Overlay {
     points_.clear();
     for (int i = 1; i + 1 < polygon.count; ++i) {
       const Point &o = polygon.corner[0], u = polygon.corner[i] - o, v = polygon.corner[i + 1] - o;
-      const double share = cross(u, v) / whole;
-      if (share < negligible) continue;
+      const double fraction = cross(u, v) / whole;
+      if (fraction < negligible) continue;
       for (const core::TriangleRulePoint& at : core::triangle_rule(straight_ ? 5 : 6)) {
         const Point x = o + at.a * u + at.b * v;
         const auto [a, b] = in_chords(map_, x);
         if (straight_) {
           points_.push_back({x, at.weight * cross(u, v) * core::depth(geometry_, x), core::triangle_shape(a, b)});
         } else {
-          const core::CellPoint point = core::map_cell_point(to_, cell, geometry_, {a, b, at.weight * share});
+          const core::CellPoint point = core::map_cell_point(to_, cell, geometry_, {a, b, at.weight * fraction});
           points_.push_back({point.position, point.volume, point.shape});
         }
       }
@@ -255,9 +255,9 @@ class Overlay {
   }
 
   void add_points(Index old, std::array<double, 6>& sum) const {
-    constexpr std::size_t width = core::Places::SizeAtCompileTime;
+    constexpr std::size_t width = core::BatchArray::SizeAtCompileTime;
     for (std::size_t first = 0; first < points_.size(); first += width) {
-      core::Places x, y;
+      core::BatchArray x, y;
       for (std::size_t i = 0; i < width; ++i) {  // the last again where there are no more
         const Point& position = points_[std::min(first + i, points_.size() - 1)].position;
         x[i] = position[0];

@@ -32,22 +32,22 @@ void set_ranges(const Mesh& from, const Transfer& transfer, const Eigen::VectorX
 }
 
 /// A field and by how much its content is more than the wanted one.
-struct Attempt {
+struct TrialField {
   Eigen::VectorXd field;
   double defect;
 };
 
 /// Finds t with content(path(t)) = wanted by the secant rule from t = 0, which gave `start`, and `first`; gives the
 /// best.
-Attempt settle(const std::function<Eigen::VectorXd(double)>& path, const Content& content, double wanted, Attempt start,
-               double first) {
+TrialField secant_search(const std::function<Eigen::VectorXd(double)>& path, const Content& content, double target,
+                         TrialField start, double first) {
   constexpr int rounds = 12;
   constexpr double exact = 4e-16;
-  Attempt best = std::move(start);
+  TrialField best = std::move(start);
   double before = 0, defect_before = best.defect, t = first;
-  for (int round = 0; round < rounds && std::abs(best.defect) > exact * std::abs(wanted); ++round) {
-    Attempt now{path(t), 0};
-    now.defect = content(now.field) - wanted;
+  for (int round = 0; round < rounds && std::abs(best.defect) > exact * std::abs(target); ++round) {
+    TrialField now{path(t), 0};
+    now.defect = content(now.field) - target;
     if (now.defect == defect_before) break;
     const double next = t - now.defect * (t - before) / (now.defect - defect_before);
     before = t, defect_before = now.defect, t = next;
@@ -108,28 +108,29 @@ Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const
   return carried;
 }
 
-Eigen::VectorXd restore_content(const Mesh& to, const Carried& carried, const Content& content, double wanted) {
+Eigen::VectorXd restore_content(const Mesh& to, const Carried& carried, const Content& content, double target) {
   constexpr double kept = 1e-13;
   const auto nodal = [&](const Eigen::VectorXd& value) -> Eigen::VectorXd {
     return value.size() == to.node_count() ? value : core::from_vertices(to, value);
   };
-  Attempt start{nodal(carried.value), 0};
-  const double held = content(start.field), slope = content((start.field.array() + 1).matrix()) - held;
-  start.defect = held - wanted;
+  TrialField start{nodal(carried.value), 0};
+  const double carried_content = content(start.field),
+               derivative = content((start.field.array() + 1).matrix()) - carried_content;
+  start.defect = carried_content - target;
   const auto shifted = [&](double t) {
     return nodal((carried.value.array() + t).matrix().cwiseMax(carried.low).cwiseMin(carried.high));
   };
-  Attempt near = settle(shifted, content, wanted, start, -start.defect / slope);
-  if (std::abs(near.defect) <= kept * std::abs(wanted)) return near.field;
+  TrialField near = secant_search(shifted, content, target, start, -start.defect / derivative);
+  if (std::abs(near.defect) <= kept * std::abs(target)) return near.field;
   // The ranges leave no room: every value goes a share of its way to an old extreme.
   const double limit = start.defect < 0 ? carried.highest : carried.lowest;
   const auto drawn = [&](double t) {
-    const double share = std::clamp(t, 0.0, 1.0);
+    const double fraction = std::clamp(t, 0.0, 1.0);
     return nodal(
-        ((1 - share) * carried.value.array() + share * limit).cwiseMax(carried.lowest).cwiseMin(carried.highest));
+        ((1 - fraction) * carried.value.array() + fraction * limit).cwiseMax(carried.lowest).cwiseMin(carried.highest));
   };
-  const double room = content(Eigen::VectorXd::Constant(start.field.size(), limit)) - held;
-  const Attempt far = settle(drawn, content, wanted, start, room != 0 ? -start.defect / room : 0.0);
+  const double room = content(Eigen::VectorXd::Constant(start.field.size(), limit)) - carried_content;
+  const TrialField far = secant_search(drawn, content, target, start, room != 0 ? -start.defect / room : 0.0);
   return std::abs(far.defect) < std::abs(near.defect) ? far.field : near.field;
 }
 

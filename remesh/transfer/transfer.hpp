@@ -35,7 +35,7 @@ using Content = std::function<double(const Eigen::VectorXd&)>;
 
 /// The nodal field next to the carried one that has the wanted content: all values move by the same amount, as far as
 /// their ranges let them.
-Eigen::VectorXd restore_content(const core::Mesh& to, const Carried& carried, const Content& content, double wanted);
+Eigen::VectorXd restore_content(const core::Mesh& to, const Carried& carried, const Content& content, double target);
 
 /// Both, with the volume mean kept.
 Eigen::VectorXd transfer_conserving(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry,

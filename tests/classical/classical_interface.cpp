@@ -30,7 +30,7 @@ std::map<Index, SlaveNode> lump_areas(const contact::Surface& slave, core::Geome
       node.edge = &edge;
       node.corner = i;
       for (const auto& at : core::edge_rule(5))
-        node.area += at.weight * core::edge_shape(at.s)[i] * contact::slope(edge, at.s).norm() *
+        node.area += at.weight * core::edge_shape(at.s)[i] * contact::derivative(edge, at.s).norm() *
                      core::depth(geometry, contact::position(edge, at.s));
     }
   return nodes;
@@ -41,7 +41,7 @@ double nearest_parameter(const SurfaceEdge& edge, const Point& x) {
   const Point chord = edge.x[1] - edge.x[0];
   double s = std::clamp((x - edge.x[0]).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
   for (int i = 0; i < 20; ++i) {
-    const Point along = contact::slope(edge, s);
+    const Point along = contact::derivative(edge, s);
     s = std::clamp(s + (x - contact::position(edge, s)).dot(along) / along.squaredNorm(), 0.0, 1.0);
   }
   return s;
@@ -61,7 +61,7 @@ std::vector<core::InterfacePoint> classical_interface(const contact::Surface& sl
     point.slave_shape[node.corner] = 1;
     point.position = node.edge->x[node.corner];
     point.area = node.area;
-    point.closure = 1;
+    point.contact_weight = 1;
     point.gap = std::numeric_limits<double>::infinity();
     for (const auto& edge : master.edges) {
       const double s = nearest_parameter(edge, point.position);

@@ -21,7 +21,7 @@ inline std::vector<double> divided(double from, double to, int count) {
   return x;
 }
 
-/// Rectangle of straight quadratic triangles over the given columns, y in [low, high]; piece 1 is the side at
+/// Rectangle of straight quadratic triangles over the given columns, y in [low, high]; boundary 1 is the side at
 /// `contact_y`.
 inline core::Mesh rectangle(const std::vector<double>& columns, double low, double high, double contact_y,
                             int rows = 1) {
@@ -37,9 +37,9 @@ inline core::Mesh rectangle(const std::vector<double>& columns, double low, doub
       triangles.push_back({a, d, c});
     }
   core::Mesh mesh = core::make_quadratic_mesh(vertices, triangles);
-  mesh.pieces.push_back("contact");
+  mesh.boundary_names.push_back("contact");
   for (auto& edge : mesh.boundary)
-    if (mesh.nodes[edge.nodes[0]][1] == contact_y && mesh.nodes[edge.nodes[1]][1] == contact_y) edge.piece = 1;
+    if (mesh.nodes[edge.nodes[0]][1] == contact_y && mesh.nodes[edge.nodes[1]][1] == contact_y) edge.boundary_id = 1;
   return mesh;
 }
 
@@ -73,19 +73,19 @@ inline SlaveState touching(
 
 struct OneMaster {
   core::Geometry geometry;
-  double handover_width;
+  double transition_gap;
   Index law;
 };
 /// The interface with a single master.
 inline std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Surface& master,
                                                          const SlaveState& state, const OneMaster& options) {
   return contact::build_interface(slave, state.pressure,
-                                  {Master{master, state.gap, options.handover_width, options.law}}, options.geometry);
+                                  {Master{master, state.gap, options.transition_gap, options.law}}, options.geometry);
 }
 
-inline double closed_area(const std::vector<core::InterfacePoint>& points) {
+inline double weighted_contact_area(const std::vector<core::InterfacePoint>& points) {
   return std::accumulate(points.begin(), points.end(), 0.0,
-                         [](double sum, const auto& p) { return sum + p.area * p.closure; });
+                         [](double sum, const auto& p) { return sum + p.area * p.contact_weight; });
 }
 
 inline double interpolate(const core::Mesh& mesh, const std::array<Index, 3>& nodes, const std::array<double, 3>& shape,
@@ -96,9 +96,8 @@ inline double interpolate(const core::Mesh& mesh, const std::array<Index, 3>& no
 }
 
 /// Largest difference between a function interpolated on the slave and on the master, over all interface points.
-inline double largest_jump(const core::Mesh& slave, const core::Mesh& master,
-                           const std::vector<core::InterfacePoint>& points,
-                           const std::function<double(const Point&)>& f) {
+inline double max_jump(const core::Mesh& slave, const core::Mesh& master,
+                       const std::vector<core::InterfacePoint>& points, const std::function<double(const Point&)>& f) {
   double jump = 0;
   for (const auto& p : points)
     jump = std::max(jump, std::abs(interpolate(slave, p.slave_nodes, p.slave_shape, f) -
@@ -113,7 +112,7 @@ inline Eigen::VectorXd interface_loads(const core::Mesh& mesh, const std::vector
   for (const auto& p : points)
     for (int i = 0; i < 3; ++i)
       loads[(master ? p.master_nodes : p.slave_nodes)[i]] +=
-          p.area * p.closure * (master ? p.master_shape : p.slave_shape)[i];
+          p.area * p.contact_weight * (master ? p.master_shape : p.slave_shape)[i];
   return loads;
 }
 
@@ -121,7 +120,7 @@ inline Eigen::VectorXd interface_loads(const core::Mesh& mesh, const std::vector
 inline Eigen::VectorXd own_loads(const core::Mesh& mesh, core::Geometry geometry) {
   Eigen::VectorXd loads = Eigen::VectorXd::Zero(mesh.node_count());
   for (const auto& edge : mesh.boundary)
-    if (edge.piece == 1)
+    if (edge.boundary_id == 1)
       for (const auto& rule : core::edge_rule(5)) {
         const auto at = core::map_edge_point(mesh, edge.nodes, geometry, rule);
         for (int i = 0; i < 3; ++i) loads[edge.nodes[i]] += at.area * at.shape[i];

@@ -113,14 +113,14 @@ TEST(Conductance, of_all_points_at_once_is_that_of_each) {
       }
   const auto count = static_cast<Eigen::Index>(points.size());
   const Eigen::ArrayXd log_viscosity = Eigen::Map<const Eigen::ArrayXd>(viscosity.data(), count).log();
-  Eigen::ArrayXd h(count), slope(count);
+  Eigen::ArrayXd h(count), derivative(count);
   core::Index outside = 0;
-  const core::Index held = InterfaceConductance(laws, points)(log_viscosity, h, &slope);
+  const core::Index held = InterfaceConductance(laws, points)(log_viscosity, h, &derivative);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto value = conductance(laws[points[i].law], points[i].pressure, viscosity[i]);
     EXPECT_NEAR(h[i], value.h, 1e-11 * value.h)
         << "law " << points[i].law << " p " << points[i].pressure << " eta " << viscosity[i];
-    EXPECT_NEAR(slope[i], viscosity[i] * value.dh_deta, 1e-10 * value.h);
+    EXPECT_NEAR(derivative[i], viscosity[i] * value.dh_deta, 1e-10 * value.h);
     outside += value.outside;
   }
   EXPECT_EQ(held, outside);

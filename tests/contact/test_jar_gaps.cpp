@@ -14,13 +14,13 @@ namespace {
 
 constexpr double reach = 2e-3;
 constexpr double spacing = 2e-6;
-constexpr double smallest_radius = 7e-3;
+constexpr double min_radius = 7e-3;
 
-/// Points along the contact pieces, `spacing` apart at most.
+/// Points along the contact boundaries, `spacing` apart at most.
 std::vector<Point> sampled(const Outline& outline) {
   std::vector<Point> points;
   for (const auto& segment : outline.profile.segments)
-    if (outline.contact[segment.piece]) {
+    if (outline.contact[segment.boundary_id]) {
       const int count = static_cast<int>(std::ceil(core::length(segment) / spacing));
       for (int i = 0; i <= count; ++i) points.push_back(core::point_at(segment, double(i) / count));
     }
@@ -29,7 +29,7 @@ std::vector<Point> sampled(const Outline& outline) {
 
 struct Nearest {
   double distance;
-  bool at_an_end;  ///< of the contact pieces
+  bool at_an_end;  ///< of the contact boundaries
 };
 
 Nearest brute_force(const std::vector<Point>& points, const Point& x) {
@@ -39,7 +39,7 @@ Nearest brute_force(const std::vector<Point>& points, const Point& x) {
   return {(points[best] - x).norm(), best < 2 || best + 2 >= points.size()};
 }
 
-/// Random points within `off` of the contact pieces.
+/// Random points within `off` of the contact boundaries.
 std::vector<Point> points_near(const std::vector<Point>& surface, int count, double off) {
   std::mt19937 random(11);
   std::uniform_int_distribution<std::size_t> place(0, surface.size() - 1);
@@ -69,7 +69,7 @@ void expect_brute_force_agrees(const Outline& outline) {
     const auto found = ToolConstraints(outline.profile, outline.contact)(x, reach);
     ASSERT_FALSE(found.empty()) << x.transpose();
     // A sample lies at most half a spacing h beside the foot: d^2 = gap^2 + (1 + gap/R) h^2/4 where an arc bends away.
-    const double d = nearest.distance, beside = (1 + reach / smallest_radius) * spacing * spacing / 4;
+    const double d = nearest.distance, beside = (1 + reach / min_radius) * spacing * spacing / 4;
     const double sampling = 1e-12 + d - std::sqrt(std::max(0.0, d * d - beside));
     const double expected = inside ? -nearest.distance : nearest.distance;
     const double measured = inside ? -shortest_move(found).norm() : found[0].gap;
@@ -77,9 +77,9 @@ void expect_brute_force_agrees(const Outline& outline) {
     EXPECT_NEAR(measured, expected, sampling) << x.transpose();
     const double gap = signed_gap(outline.profile, outline.contact, x);
     EXPECT_NEAR(gap, expected, sampling);
-    for (const double seen : {0.5 * reach, reach}) {
-      const double within = std::abs(gap) < seen ? gap : std::numeric_limits<double>::infinity();
-      EXPECT_EQ(ToolGap(outline.profile, outline.contact, seen)(x), within) << x.transpose();
+    for (const double visible : {0.5 * reach, reach}) {
+      const double within = std::abs(gap) < visible ? gap : std::numeric_limits<double>::infinity();
+      EXPECT_EQ(ToolGap(outline.profile, outline.contact, visible)(x), within) << x.transpose();
     }
     ++compared;
   }

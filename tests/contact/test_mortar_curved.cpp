@@ -32,7 +32,7 @@ TEST(FacetedInterface, coincident_facets_with_different_nodes_are_as_exact_as_fl
     const auto slave = lifted(glass(facet_columns(5, 3, 4))), master = lifted(tool(facet_columns(2, 7, 3)));
     const auto points =
         build_interface(contact_surface(0, slave), contact_surface(1, master), touching(slave), {geometry, width, 0});
-    EXPECT_LT(largest_jump(slave, master, points, [](const Point& x) { return 1 + 50 * x[0] - 80 * x[1]; }), 1e-12);
+    EXPECT_LT(max_jump(slave, master, points, [](const Point& x) { return 1 + 50 * x[0] - 80 * x[1]; }), 1e-12);
     for (const bool of_master : {false, true}) {
       const auto& mesh = of_master ? master : slave;
       const Eigen::VectorXd own = own_loads(mesh, geometry);
@@ -49,7 +49,7 @@ TEST(FacetedInterface, facets_apart_by_up_to_a_micrometre_keep_their_area) {
           build_interface(contact_surface(0, slave), contact_surface(1, master),
                           touching(slave, [&](const Point&) { return gap; }), {Geometry::planar, width, 0});
       const double exact = own_loads(slave, Geometry::planar).sum();
-      EXPECT_NEAR(closed_area(points), exact, 1e-3 * exact) << gap;
+      EXPECT_NEAR(weighted_contact_area(points), exact, 1e-3 * exact) << gap;
     }
 }
 
@@ -68,11 +68,11 @@ ArcResult arc_result(int slave_edges, int master_edges, Geometry geometry) {
   const auto points =
       build_interface(contact_surface(0, slave), contact_surface(1, master), touching(slave), {geometry, width, 0});
   const double exact = geometry == Geometry::planar ? 0.01 * M_PI / 2 : 2 * M_PI * 0.01 * 0.01;
-  ArcResult result{std::abs(closed_area(points) / exact - 1), 0};
+  ArcResult result{std::abs(weighted_contact_area(points) / exact - 1), 0};
   for (const auto& p : points) {
-    Point seen = Point::Zero();
-    for (int i = 0; i < 3; ++i) seen += p.master_shape[i] * master.nodes[p.master_nodes[i]];
-    result.distance = std::max(result.distance, (seen - p.position).norm());
+    Point visible = Point::Zero();
+    for (int i = 0; i < 3; ++i) visible += p.master_shape[i] * master.nodes[p.master_nodes[i]];
+    result.distance = std::max(result.distance, (visible - p.position).norm());
   }
   return result;
 }
@@ -100,7 +100,7 @@ TEST(CurvedInterface, unlike_arcs_apart_by_up_to_a_micrometre_keep_their_area) {
         const double own = own_loads(slave, Geometry::axisymmetric).sum();
         const auto points = build_interface(contact_surface(0, slave), contact_surface(1, master), state,
                                             {Geometry::axisymmetric, width, 0});
-        EXPECT_NEAR(closed_area(points), own, 1e-3 * own) << a << "/" << b << " " << gap;
+        EXPECT_NEAR(weighted_contact_area(points), own, 1e-3 * own) << a << "/" << b << " " << gap;
       }
 }
 
@@ -111,7 +111,7 @@ core::Mesh chorded(core::Mesh mesh) {
   return mesh;
 }
 
-TEST(CurvedInterface, chords_whose_sagitta_is_wider_than_the_handover_stay_in_contact) {
+TEST(CurvedInterface, chords_whose_sagitta_is_wider_than_the_transition_stay_in_contact) {
   for (const auto& [a, b] : {std::pair{6, 18}, {18, 6}, {7, 18}, {10, 10}})
     for (const bool straight_master : {false, true})
       for (const double lift : {0.0, 1e-6, -1e-6}) {
@@ -124,7 +124,7 @@ TEST(CurvedInterface, chords_whose_sagitta_is_wider_than_the_handover_stay_in_co
           const auto points = build_interface(contact_surface(0, slave), contact_surface(1, master), state,
                                               {Geometry::planar, handover, 0});
           const double own = own_loads(slave, Geometry::planar).sum();
-          EXPECT_NEAR(closed_area(points), own, 1e-3 * own)
+          EXPECT_NEAR(weighted_contact_area(points), own, 1e-3 * own)
               << a << "/" << b << " " << straight_master << " " << handover / sagitta << " " << lift;
         }
       }
@@ -135,12 +135,12 @@ TEST(CurvedInterface, the_bulge_of_a_chord_is_its_sagitta) {
   const auto rays = make_rays(contact_surface(0, mesh));
   const double sagitta = 0.01 * (1 - std::cos(M_PI / 4 / 12));
   for (std::size_t i = 1; i + 1 < rays.size(); ++i) {
-    EXPECT_NEAR(bulge(rays[i], 0.5) / sagitta, 1, 2e-3);
-    EXPECT_EQ(bulge(rays[i], 0), 0);
-    EXPECT_EQ(bulge(rays[i], 1), 0);
+    EXPECT_NEAR(chord_offset(rays[i], 0.5) / sagitta, 1, 2e-3);
+    EXPECT_EQ(chord_offset(rays[i], 0), 0);
+    EXPECT_EQ(chord_offset(rays[i], 1), 0);
   }
   for (const auto& edge : make_rays(contact_surface(0, quarter(glass(divided(0, M_PI / 2, 12))))))
-    EXPECT_LT(std::abs(bulge(edge, 0.5)), 0.01 * sagitta);
+    EXPECT_LT(std::abs(chord_offset(edge, 0.5)), 0.01 * sagitta);
 }
 
 /// Chain of straight edges through the given corners, each side in `parts` edges; body on the left.
@@ -171,7 +171,7 @@ SlaveState closed_state(const Surface& surface) {
 /// Largest deviation of a slave edge's closed share from one.
 double coverage_error(const Surface& slave, const std::vector<core::InterfacePoint>& points) {
   std::map<Index, double> covered;
-  for (const auto& p : points) covered[p.slave_nodes[2]] += p.area * p.closure;
+  for (const auto& p : points) covered[p.slave_nodes[2]] += p.area * p.contact_weight;
   double error = 0;
   for (const auto& edge : slave.edges)
     error = std::max(error, std::abs(covered[edge.nodes[2]] / (edge.x[1] - edge.x[0]).norm() - 1));
@@ -192,7 +192,7 @@ TEST(KinkedInterface, every_slave_edge_is_covered_once_round_corners_that_stick_
 TEST(KinkedInterface, glass_that_cuts_across_or_rounds_a_corner_is_covered_once) {
   for (const double angle : {-90.0, -60.0, -30.0, 30.0, 60.0, 90.0})
     for (const double cut : {1e-9, 1e-6, 2e-5, 5e-4}) {
-      if (cut > width && angle < 0) continue;  // glass that rounds a hollow corner so widely does not touch it
+      if (cut > width && angle < 0) continue;  // glass that rounds a re-entrant corner so widely does not touch it
       const double turn = angle * M_PI / 180;
       const Point corner(0, 0), before(-0.01, 0), along(std::cos(turn), std::sin(turn));
       const Surface master = chain(1, {before, corner, 0.01 * along}, 3);
@@ -202,7 +202,7 @@ TEST(KinkedInterface, glass_that_cuts_across_or_rounds_a_corner_is_covered_once)
       state.gap.setConstant(cut > width ? -cut : 0);
       const auto points = build_interface(slave, master, state, {Geometry::planar, width, 0});
       EXPECT_LT(coverage_error(slave, points), 1e-12) << angle << " " << cut;
-      EXPECT_NEAR(closed_area(points), length_of(across), 1e-14) << angle << " " << cut;
+      EXPECT_NEAR(weighted_contact_area(points), length_of(across), 1e-14) << angle << " " << cut;
     }
 }
 

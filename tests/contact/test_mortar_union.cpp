@@ -12,12 +12,12 @@ namespace {
 
 using core::Geometry;
 
-/// Contact pieces of an outline cut into edges of about `size`, mid-side nodes on the outline.
+/// Contact boundaries of an outline cut into edges of about `size`, mid-side nodes on the outline.
 Surface meshed(Index body, const Outline& outline, double size) {
   Surface surface{body, {}};
   Index node = 0;
   for (const auto& segment : outline.profile.segments) {
-    if (!outline.contact[segment.piece]) continue;
+    if (!outline.contact[segment.boundary_id]) continue;
     const int count = static_cast<int>(std::ceil(core::length(segment) / size));
     for (int i = 0; i < count; ++i) {
       const auto at = [&](double k) { return core::point_at(segment, k / count); };
@@ -43,7 +43,7 @@ struct Tool {
   Outline outline;
   double mesh_size;
 };
-/// The interface as a run builds it: gaps by the exact outlines, out of reach beyond ten times the hand-over.
+/// The interface as a run builds it: gaps by the exact outlines, out of reach beyond ten times the transition.
 std::vector<core::InterfacePoint> touch(const Surface& glass, const std::vector<Tool>& tools, Geometry geometry) {
   const Index count = glass.edges.back().nodes[1] + 1;
   std::vector<Master> masters;
@@ -63,7 +63,7 @@ std::vector<core::InterfacePoint> touch(const Surface& glass, const std::vector<
 double area_with(const std::vector<core::InterfacePoint>& points, Index body) {
   double sum = 0;
   for (const auto& p : points)
-    if (p.master_body == body) sum += p.area * p.closure;
+    if (p.master_body == body) sum += p.area * p.contact_weight;
   return sum;
 }
 
@@ -91,13 +91,13 @@ TEST(NodeRules, a_node_has_its_own_bodys_values_and_the_other_bodys_interpolated
     const EdgeView view{edge, masters, all, 0.01};
     find_interface_nodes(view, nodes);
     for (const auto& node : nodes) {
-      const double seen_at = see_master(view, node.slave_s)->hit.s;
+      const double master_s = find_visible_master(view, node.slave_s)->hit.s;
       const bool at_tool_end = std::abs(position(edge.edge, node.slave_s)[0] - 0.01) > 0.0099;
       (node.slave_node >= 0 ? from_slave : from_master) += 1;
       if (at_tool_end) continue;
       EXPECT_EQ(own(node.slave_s), node.slave_node >= 0);
       if (node.slave_node != 2) {
-        EXPECT_EQ(own(seen_at), node.slave_node < 0);
+        EXPECT_EQ(own(master_s), node.slave_node < 0);
       }
     }
   }
@@ -114,13 +114,13 @@ TEST(ContactEnd, a_tool_that_ends_anywhere_between_glass_nodes_keeps_its_whole_a
         std::reverse(x.begin(), x.end());
         const auto points = touch(glass_chain(x), {{block(0, end), 0.0013}}, geometry);
         const double exact = geometry == Geometry::planar ? end : M_PI * end * end;
-        EXPECT_NEAR(closed_area(points), exact, 1e-12 * exact) << n << " " << end;
+        EXPECT_NEAR(weighted_contact_area(points), exact, 1e-12 * exact) << n << " " << end;
       }
 }
 
 TEST(ContactEnd, a_narrow_tool_between_two_glass_nodes_that_are_out_of_reach_touches_with_all_its_area) {
   const auto points = touch(glass_chain({{0, 0}, {0.02, 0}}), {{block(0.0031, 0.0074), 0.002}}, Geometry::planar);
-  EXPECT_NEAR(closed_area(points), 0.0043, 1e-15);
+  EXPECT_NEAR(weighted_contact_area(points), 0.0043, 1e-15);
 }
 
 TEST(ContactEnd, a_corner_that_digs_into_the_glass_between_its_nodes_touches_as_far_as_it_is_near) {
@@ -129,7 +129,7 @@ TEST(ContactEnd, a_corner_that_digs_into_the_glass_between_its_nodes_touches_as_
       Pen({-0.01, -0.01}).free({0.01, -0.01}).contact({0.0012, 1e-6}).contact({0.0012 - 0.01 / slope, -0.01}).close();
   const auto points = touch(glass_chain({{-0.005, 0}, {0.005, 0}}), {{wedge, 0.05}}, Geometry::planar);
   const double left = (0.5 * width + 1e-6) / slope, right = (0.5 * width + 1e-6) / ((0.01 + 1e-6) / (0.01 - 0.0012));
-  EXPECT_NEAR(closed_area(points), left + right, 0.05 * left);
+  EXPECT_NEAR(weighted_contact_area(points), left + right, 0.05 * left);
 }
 
 TEST(ToolUnion, neighbouring_and_overlapping_tools_share_the_glass_once) {
@@ -142,8 +142,9 @@ TEST(ToolUnion, neighbouring_and_overlapping_tools_share_the_glass_once) {
             touch(glass_chain(x), {{block(0, seam), 0.0017}, {block(seam - overlap, 0.02, -sunk), 0.0011}},
                   Geometry::axisymmetric);
         const double whole = M_PI * 0.02 * 0.02, inner = M_PI * seam * seam;
-        const double far = 1 - closure(sunk, width);
-        EXPECT_NEAR(closed_area(points), whole - far * (whole - inner), 1e-9 * whole) << overlap << " " << sunk;
+        const double far = 1 - contact_weight(sunk, width);
+        EXPECT_NEAR(weighted_contact_area(points), whole - far * (whole - inner), 1e-9 * whole)
+            << overlap << " " << sunk;
         if (sunk > 0) {
           EXPECT_NEAR(area_with(points, 1), inner, 1e-12 * whole);
         }
@@ -165,14 +166,15 @@ std::vector<core::InterfacePoint> corner(double cut, double under, int parts, do
 TEST(ToolUnion, glass_in_the_corner_of_ring_and_plate_counts_once) {
   const double legs = 0.011 + 0.013;
   for (const double under : {0.0, 1e-4, 0.005}) {
-    EXPECT_NEAR(closed_area(corner(0, under, 1)), legs, 1e-13) << under;
+    EXPECT_NEAR(weighted_contact_area(corner(0, under, 1)), legs, 1e-13) << under;
     for (const int parts : {1, 2, 3})
       for (const double cut : {1e-8, 1e-6, 2e-6}) {
         const double exact = legs - 2 * cut + std::sqrt(2.0) * cut;
-        EXPECT_NEAR(closed_area(corner(cut, under, parts)), exact, 1e-3 * cut + 1e-12) << under << " " << cut;
+        EXPECT_NEAR(weighted_contact_area(corner(cut, under, parts)), exact, 1e-3 * cut + 1e-12) << under << " " << cut;
       }
-    // Glass that has sunk into both by less than the hand-over, its nodes inside the metal.
-    EXPECT_NEAR(closed_area(corner(1e-5, under, 2, 4e-6)), legs + 2 * 4e-6 - 2e-5 + std::sqrt(2.0) * 1e-5, 1e-5);
+    // Glass that has sunk into both by less than the transition, its nodes inside the metal.
+    EXPECT_NEAR(weighted_contact_area(corner(1e-5, under, 2, 4e-6)), legs + 2 * 4e-6 - 2e-5 + std::sqrt(2.0) * 1e-5,
+                1e-5);
   }
 }
 
@@ -181,8 +183,9 @@ TEST(ToolUnion, glass_that_bridges_the_corner_widely_touches_at_its_ends_only) {
     for (const int parts : {1, 2, 5}) {
       const double cut = 0.002, legs = 0.011 + 0.013 - 2 * cut;
       const double strips =
-          2 * 0.5 * width * std::sqrt(2.0);  // at 45 degrees, half the hand-over counts on either side
-      EXPECT_NEAR(closed_area(corner(cut, under, parts)), legs + strips, 0.5 * strips) << under << " " << parts;
+          2 * 0.5 * width * std::sqrt(2.0);  // at 45 degrees, half the transition counts on either side
+      EXPECT_NEAR(weighted_contact_area(corner(cut, under, parts)), legs + strips, 0.5 * strips)
+          << under << " " << parts;
     }
 }
 

@@ -35,7 +35,7 @@ TEST(ToolGap, a_line_measures_above_and_below_within_reach) {
   EXPECT_TRUE(gaps(block(), 0.013, -6e-4).empty());
 }
 
-TEST(ToolGap, the_ends_of_the_contact_pieces_hold_nothing_beyond_them) {
+TEST(ToolGap, the_ends_of_the_contact_boundaries_hold_nothing_beyond_them) {
   EXPECT_EQ(gaps(block(), 0, 1e-4).size(), 1u);
   EXPECT_EQ(gaps(block(), 0.02, 1e-4).size(), 1u);
   for (const double beyond : {1e-6, 1e-4}) {
@@ -45,7 +45,7 @@ TEST(ToolGap, the_ends_of_the_contact_pieces_hold_nothing_beyond_them) {
   }
 }
 
-TEST(ToolGap, arcs_measure_along_their_radius_hollow_or_round) {
+TEST(ToolGap, arcs_measure_along_their_radius_re_entrant_or_round) {
   const Outline round = Pen({0, 0}).free({0.01, 0}).contact_arc({0, 0}, 0.01, 0, M_PI / 2).close();
   const Outline hollow =
       Pen({0.02, 0.02}).free({0, 0.02}).free({0, 0.01}).contact_arc({0, 0}, 0.01, M_PI / 2, 0).free({0.02, 0}).close();
@@ -53,13 +53,13 @@ TEST(ToolGap, arcs_measure_along_their_radius_hollow_or_round) {
     for (const double gap : {2e-4, 0.0, -2e-4}) {
       const Point outward(std::cos(angle), std::sin(angle));
       const Point above = (0.01 + gap) * outward, inside = (0.01 - gap) * outward;
-      const auto on_round = gaps(round, above[0], above[1]), in_hollow = gaps(hollow, inside[0], inside[1]);
+      const auto on_round = gaps(round, above[0], above[1]), at_reentrant_corner = gaps(hollow, inside[0], inside[1]);
       ASSERT_EQ(on_round.size(), 1u);
-      ASSERT_EQ(in_hollow.size(), 1u);
+      ASSERT_EQ(at_reentrant_corner.size(), 1u);
       EXPECT_NEAR(on_round[0].gap, gap, 1e-16 + 1e-12 * std::abs(gap));
       EXPECT_NEAR((on_round[0].normal - outward).norm(), 0, 1e-12);
-      EXPECT_NEAR(in_hollow[0].gap, gap, 1e-16 + 1e-12 * std::abs(gap));
-      EXPECT_NEAR((in_hollow[0].normal + outward).norm(), 0, 1e-12);
+      EXPECT_NEAR(at_reentrant_corner[0].gap, gap, 1e-16 + 1e-12 * std::abs(gap));
+      EXPECT_NEAR((at_reentrant_corner[0].normal + outward).norm(), 0, 1e-12);
     }
 }
 
@@ -74,7 +74,7 @@ Outline hollow_corner() {
       .close();
 }
 
-TEST(ToolGap, both_sides_of_a_hollow_corner_constrain_even_behind_them) {
+TEST(ToolGap, both_sides_of_a_re_entrant_corner_constrain_even_behind_them) {
   for (const double x : {3e-4, 1e-7, 0.0, -1e-7, -2e-4})
     for (const double y : {2e-4, 1e-9, 0.0, -1e-9, -3e-4}) {
       const auto found = gaps(hollow_corner(), x, y);
@@ -130,7 +130,7 @@ TEST(ToolGap, a_thin_plate_is_left_on_the_near_side_and_not_felt_through) {
   expect_constraint(below[0], -5e-5, {0, -1});
 }
 
-TEST(ToolGap, a_contact_piece_is_not_felt_through_the_free_back_of_its_wall) {
+TEST(ToolGap, a_contact_boundary_is_not_felt_through_the_free_back_of_its_wall) {
   const Outline plate = Pen({0, -3e-4}).contact({0.02, -3e-4}).free({0.02, 0}).free({0, 0}).close();
   EXPECT_TRUE(gaps(plate, 0.01, 1e-4).empty());
   const auto inside = gaps(plate, 0.01, -1e-4);

@@ -42,7 +42,7 @@ TEST(ToolJoint, APointInTheWedgeOfAHollowJointIsSentOutByBothTools) {
   const auto placed = tools.placed();
   const auto joint = tool_joints(placed).front();
   const Point x(31.0192e-3, 14.0034e-3);  // projects on neither wall
-  for (const auto& tool : placed) EXPECT_TRUE(ToolConstraints(*tool.profile, tool.contact_pieces)(x, 1e-3).empty());
+  for (const auto& tool : placed) EXPECT_TRUE(ToolConstraints(*tool.profile, tool.contact_boundaries)(x, 1e-3).empty());
   const auto found = joint_constraints(joint, x, 1e-3);
   ASSERT_EQ(found.size(), 2u);
   for (const auto& [tool, constraint] : found) {
@@ -86,19 +86,19 @@ TEST(ToolJoint, GlassALittleInsideAPlateStaysInsideTheRingThatStandsOnIt) {
     return std::vector<PlacedTool>{{&ring.profile, ring.contact, lift}, {&plate.profile, plate.contact, 0}};
   };
   EXPECT_TRUE(tool_joints(placed(0)).empty());
-  EXPECT_TRUE(tool_feet(placed(0.1e-3)).empty());
-  const auto feet = tool_feet(placed(0));
-  ASSERT_EQ(feet.size(), 1u);
-  EXPECT_EQ(feet[0].tool, 0);
+  EXPECT_TRUE(tool_t_junctions(placed(0.1e-3)).empty());
+  const auto t_junctions = tool_t_junctions(placed(0));
+  ASSERT_EQ(t_junctions.size(), 1u);
+  EXPECT_EQ(t_junctions[0].tool, 0);
   const Point under(32.4e-3, -0.2e-6);
   EXPECT_TRUE(ToolConstraints(ring.profile, ring.contact)(under, 5e-3).empty());
-  const auto found = foot_constraint(feet[0], under, 5e-3);
+  const auto found = t_junction_constraint(t_junctions[0], under, 5e-3);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->tool, 0);
   EXPECT_NEAR(found->constraint.gap, -1.4e-3, 1e-12);
   EXPECT_NEAR(found->constraint.normal[0], -1, 1e-12);
-  EXPECT_FALSE(foot_constraint(feet[0], {32.4e-3, 0.2e-6}, 5e-3));  // the ring's own
-  EXPECT_FALSE(foot_constraint(feet[0], under, 1e-3));
+  EXPECT_FALSE(t_junction_constraint(t_junctions[0], {32.4e-3, 0.2e-6}, 5e-3));  // the ring's own
+  EXPECT_FALSE(t_junction_constraint(t_junctions[0], under, 1e-3));
 }
 
 }  // namespace

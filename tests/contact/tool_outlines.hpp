@@ -14,7 +14,7 @@ struct Outline {
   std::vector<bool> contact;
 };
 
-/// Draws an outline with the tool on the left; piece 0 is free, piece 1 in contact.
+/// Draws an outline with the tool on the left; boundary 0 is free, boundary 1 in contact.
 class Pen {
  public:
   explicit Pen(const Point& start) : at_(start), start_(start) {
@@ -31,7 +31,7 @@ class Pen {
     arc.radius = radius;
     arc.from = from;
     arc.to = to;
-    arc.piece = 1;
+    arc.boundary_id = 1;
     outline_.profile.segments.push_back(arc);
     at_ = arc.end;
     return *this;
@@ -42,11 +42,11 @@ class Pen {
   }
 
  private:
-  Pen& line(const Point& to, core::Index piece) {
+  Pen& line(const Point& to, core::Index boundary) {
     core::Segment segment;
     segment.start = at_;
     segment.end = to;
-    segment.piece = piece;
+    segment.boundary_id = boundary;
     outline_.profile.segments.push_back(segment);
     at_ = to;
     return *this;

@@ -208,9 +208,9 @@ TEST(Table, interpolates_holds_its_ends_and_integrates) {
 /// Half disc of radius 2 on the right of the last coordinate's axis.
 Profile half_disc() {
   Profile profile;
-  profile.pieces = {"round", "axis"};
+  profile.boundary_names = {"round", "axis"};
   profile.segments = {{{0, -2}, {0, 2}, true, {0, 0}, 2, -M_PI / 2, M_PI / 2, 0}, {{0, 2}, {0, -2}}};
-  profile.segments[1].piece = 1;
+  profile.segments[1].boundary_id = 1;
   return profile;
 }
 
@@ -230,7 +230,7 @@ TEST(Profile, knows_area_inside_and_distance_of_arcs) {
 
 TEST(Profile, contains_what_its_outline_turns_round_once) {
   Profile key;  // a bulge on the right, a bite out of the level top, a hollow foot
-  key.pieces = {"all"};
+  key.boundary_names = {"all"};
   key.segments = {{{0, 0}, {1, 0}}, {{1, 0}, {3, 0}, true, {2, 0}, 1, M_PI, 0},
                   {{3, 0}, {4, 0}}, {{4, 0}, {4, 4}, true, {4, 2}, 2, -M_PI / 2, M_PI / 2},
                   {{4, 4}, {3, 4}}, {{3, 4}, {1, 4}, true, {2, 4}, 1, 0, -M_PI},
@@ -252,14 +252,14 @@ TEST(Profile, contains_what_its_outline_turns_round_once) {
 
 TEST(Profile, finds_the_segments_that_cross) {
   Profile bow;
-  bow.pieces = {"all"};
+  bow.boundary_names = {"all"};
   bow.segments = {{{0, 0}, {2, 2}}, {{2, 2}, {2, 0}}, {{2, 0}, {0, 2}}, {{0, 2}, {0, 0}}};
   EXPECT_EQ(find_self_crossing(bow), (std::pair<Index, Index>{0, 2}));
 }
 
 TEST(Profile, finds_an_outline_that_only_touches_itself) {
   Profile pinched;
-  pinched.pieces = {"all"};
+  pinched.boundary_names = {"all"};
   pinched.segments = {{{0, 0}, {4, 0}}, {{4, 0}, {4, 2}}, {{4, 2}, {2, 0}}, {{2, 0}, {0, 2}}, {{0, 2}, {0, 0}}};
   EXPECT_EQ(find_self_crossing(pinched).first, 0);
 }

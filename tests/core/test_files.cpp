@@ -39,7 +39,7 @@ TEST(Vtu, AFileReadBackHasTheQuadraticCellsAndThePointsAndFieldsInSinglePrecisio
   fields.displacement = Point(0, 0.125);
   fields.nodal.push_back({"temperature_C", Eigen::VectorXd::LinSpaced(mesh.node_count(), 400, 1100 / 3.0)});
   fields.nodal.push_back({"velocity", Eigen::VectorXd::LinSpaced(dim * mesh.node_count(), -1 / 3.0, 1)});
-  fields.cell.push_back({"in_place", 1});
+  fields.cell.push_back({"active", 1});
   const std::string path = new_folder() + "/glass_0000.vtu";
   write_vtu(path, mesh, fields);
 
@@ -63,7 +63,7 @@ TEST(Vtu, AFileReadBackHasTheQuadraticCellsAndThePointsAndFieldsInSinglePrecisio
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     ASSERT_EQ(grid.GetCellType(c), VTK_QUADRATIC_TRIANGLE);
     for (int k = 0; k < 6; ++k) EXPECT_EQ(grid.GetCell(c)->GetPointId(k), mesh.cells[c][k]);
-    EXPECT_EQ(grid.GetCellData()->GetArray("in_place")->GetTuple1(c), 1);
+    EXPECT_EQ(grid.GetCellData()->GetArray("active")->GetTuple1(c), 1);
   }
   EXPECT_EQ(grid.GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.375);
 }

@@ -20,7 +20,7 @@ motion.plunger = { force = "-3 kN", speed_limit = "50 mm/s" }
                                "emissivity = 0.89\n" + iron + pressed_contact(R"("pot", "plunger")") + R"([glass]
 material = "glass"
 temperature = "1100 degC"
-piece = [
+boundary = [
   { name = "surface", condition = "contact", path = "(0, 0) (10, 0) (10, 10) (0, 10) mm" },
   { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
 [[tool]]
@@ -28,7 +28,7 @@ name = "pot"
 material = "iron"
 temperature = "480 degC"
 friction = "stick"
-piece = [
+boundary = [
   { name = "inner", condition = "contact", path = "(12, 20) (12, 0) (0, 0) mm" },
   { name = "axis", condition = "symmetry", path = "(0, -8) mm" },
   { name = "outer", condition = "insulated", path = "(20, -8) (20, 20) (12, 20) mm" } ]
@@ -37,7 +37,7 @@ name = "plunger"
 material = "iron"
 temperature = "480 degC"
 friction = { law = "navier", coefficient = "1e5 Pa.s/m" }
-piece = [
+boundary = [
   { name = "face", condition = "contact", path = "(0, 10) (12, 10) mm" },
   { name = "outer", condition = "insulated", path = "(12, 20) (0, 20) mm" },
   { name = "axis", condition = "symmetry", path = "(0, 10) mm" } ]

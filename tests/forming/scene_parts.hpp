@@ -44,20 +44,20 @@ b = 0.25
 /// further lines of their tables.
 inline std::string disc_between_plates(int height, const std::string& glass, const std::string& tool) {
   return fmt::format(R"([glass]
-{1}piece = [
+{1}boundary = [
   {{ name = "bottom", condition = "contact", path = "(0, 0) (20, 0) mm" }},
   {{ name = "rim", condition = "air", path = "(20, {0}) mm" }},
   {{ name = "top", condition = "contact", path = "(0, {0}) mm" }},
   {{ name = "axis", condition = "symmetry", path = "(0, 0) mm" }} ]
 [[tool]]
 name = "plate"
-{2}piece = [
+{2}boundary = [
   {{ name = "face", condition = "contact", path = "(60, 0) (0, 0) mm" }},
   {{ name = "axis", condition = "symmetry", path = "(0, -10) mm" }},
   {{ name = "rest", condition = "insulated", path = "(60, -10) mm" }} ]
 [[tool]]
 name = "plunger"
-{2}piece = [
+{2}boundary = [
   {{ name = "face", condition = "contact", path = "(0, {0}) (60, {0}) mm" }},
   {{ name = "rest", condition = "insulated", path = "(60, {3}) (0, {3}) mm" }},
   {{ name = "axis", condition = "symmetry", path = "(0, {0}) mm" }} ]

@@ -25,7 +25,7 @@ viscosity = { law = "constant", value = "1e4 Pa.s" }
 )" + iron + R"([glass]
 material = "soft"
 temperature = "1000 degC"
-piece = [
+boundary = [
   { name = "surface", path = "(0, 0) (20, 0) (20, 10) (0, 10) mm", condition = "contact" },
   { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
 ]
@@ -34,7 +34,7 @@ name = "plate"
 material = "iron"
 temperature = "400 degC"
 friction = "stick"
-piece = [
+boundary = [
   { name = "top", path = "(30, 0) (0, 0) mm", condition = "contact" },
   { name = "axis", path = "(0, -10) mm", condition = "symmetry" },
   { name = "rest", path = "(30, -10) mm", condition = "insulated" },
@@ -45,7 +45,7 @@ material = "iron"
 temperature = "400 degC"
 friction = "slip"
 position = "10 mm"
-piece = [
+boundary = [
   { name = "face", path = "(0, 0) (15, 0) mm", condition = "contact" },
   { name = "rest", path = "(15, 20) (0, 20) mm", condition = "insulated" },
   { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
@@ -71,7 +71,7 @@ body = "glass"
 point = "(0, 5) mm"
 )";
 
-/// The small scene with one piece of text replaced.
+/// The small scene with one part of text replaced.
 inline std::string replaced(const std::string& from, const std::string& to, const std::string& text = small_scene) {
   const auto at = text.find(from);
   EXPECT_NE(at, text.npos) << from;
@@ -103,9 +103,9 @@ inline std::string complaint_about(const std::string& text) {
   return "";
 }
 
-/// Line on which a piece of text starts.
-inline int line_of(const std::string& piece, const std::string& text = small_scene) {
-  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(text.find(piece)), '\n'));
+/// Line on which a part of text starts.
+inline int line_of(const std::string& part, const std::string& text = small_scene) {
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(text.find(part)), '\n'));
 }
 
 }  // namespace parison::forming

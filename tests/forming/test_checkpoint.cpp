@@ -22,38 +22,38 @@ State busy_state(const Scene& scene) {
   double next = 1 / 3.0;
   const auto fresh = [&](double& value) { value = next *= -1.0000001; };
   for (double* value : {&state.time, &state.stage_time, &state.stage_start, &state.next_step, &state.heat_substep,
-                        &state.last_step, &state.density, &state.first_volume, &state.first_heat})
+                        &state.last_step, &state.density, &state.initial_volume, &state.initial_heat})
     fresh(*value);
   Totals& totals = state.totals;
   for (double* value : {&totals.to_air,
                         &totals.to_tools,
                         &totals.dissipation,
                         &totals.remeshing.heat,
-                        &totals.remeshing.largest_heat,
+                        &totals.remeshing.max_heat,
                         &totals.remeshing.volume,
-                        &totals.remeshing.largest_volume,
-                        &totals.remeshing.worst_quality,
-                        &totals.remeshing.lowest_median,
-                        &totals.deepest,
-                        &totals.largest_drift,
-                        &totals.largest_reynolds,
-                        &totals.largest_flux_mismatch,
+                        &totals.remeshing.max_volume,
+                        &totals.remeshing.min_quality,
+                        &totals.remeshing.min_median,
+                        &totals.max_penetration,
+                        &totals.max_drift,
+                        &totals.max_reynolds,
+                        &totals.max_flux_mismatch,
                         &totals.overshoot,
-                        &totals.remeshing.new_extreme,
-                        &totals.remeshing.coarser,
+                        &totals.remeshing.transfer_overshoot,
+                        &totals.remeshing.coarsening_factor,
                         &totals.remeshing.lap_volume,
                         &totals.work.tools,
                         &totals.work.gravity,
                         &totals.work.air,
                         &totals.work.dissipation,
                         &totals.work.friction,
-                        &totals.work.arrival,
+                        &totals.work.impact_loss,
                         &totals.work.surface,
-                        &totals.work.corrections})
+                        &totals.work.correction})
     fresh(*value);
   for (BodyState& body : state.bodies) {
-    for (double* value :
-         {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.hottest_surface, &body.peak_force})
+    for (double* value : {&body.offset, &body.velocity, &body.force, &body.heat_received, &body.max_surface_temperature,
+                          &body.peak_force})
       fresh(*value);
     for (double& value : body.temperature) fresh(value);
     for (Point& x : body.mesh.nodes) fresh(x[0]), fresh(x[1]);
@@ -62,7 +62,7 @@ State busy_state(const Scene& scene) {
   for (Point& x : state.probes) fresh(x[0]), fresh(x[1]);
   for (double& value : state.velocity) fresh(value);
   for (double& value : state.contact.pressure) fresh(value);
-  for (Eigen::VectorXd* values : {&state.acceleration, &state.swelling, &state.temperature_rate}) {
+  for (Eigen::VectorXd* values : {&state.acceleration, &state.dilatation_mode, &state.temperature_rate}) {
     values->resize(5);
     for (double& value : *values) fresh(value);
   }
@@ -71,13 +71,13 @@ State busy_state(const Scene& scene) {
   state.contact.tool_before = {2, 1, 0};
   totals.remeshing.failed = 12, totals.remeshing.laps = 13;
   state.contact.tool[3] = 1;
-  state.contact.closed = {{3, 5}, {1, 0}, {Point(0.6, 0.8), Point(-1, 0)}};
+  state.contact.active = {{3, 5}, {1, 0}, {Point(0.6, 0.8), Point(-1, 0)}};
   state.stage = 1;
   state.next_limit = 5;
   state.has_moved = true;
-  totals.steps = 7, totals.rejected = 8, totals.remeshing.count = {9, 10, 11}, totals.table_holds = 1L << 40;
-  state.bodies[0].mesh.pieces.push_back("inner, by name");
-  state.bodies[0].mesh.boundary[0].piece = 2;
+  totals.steps = 7, totals.rejected = 8, totals.remeshing.count = {9, 10, 11}, totals.clamped_lookups = 1L << 40;
+  state.bodies[0].mesh.boundary_names.push_back("inner, by name");
+  state.bodies[0].mesh.boundary[0].boundary_id = 2;
   state.velocity[0] = std::numeric_limits<double>::infinity();
   return state;
 }
@@ -96,10 +96,10 @@ bool same(const std::vector<Point>& a, const std::vector<Point>& b) {
 }
 bool same(const core::Mesh& a, const core::Mesh& b) {
   const auto same_edge = [](const core::BoundaryEdge& x, const core::BoundaryEdge& y) {
-    return x.nodes == y.nodes && x.cell == y.cell && x.piece == y.piece;
+    return x.nodes == y.nodes && x.cell == y.cell && x.boundary_id == y.boundary_id;
   };
-  return same(a.nodes, b.nodes) && a.vertex_count == b.vertex_count && a.cells == b.cells && a.pieces == b.pieces &&
-         a.boundary.size() == b.boundary.size() &&
+  return same(a.nodes, b.nodes) && a.vertex_count == b.vertex_count && a.cells == b.cells &&
+         a.boundary_names == b.boundary_names && a.boundary.size() == b.boundary.size() &&
          std::equal(a.boundary.begin(), a.boundary.end(), b.boundary.begin(), same_edge);
 }
 
@@ -109,21 +109,21 @@ void expect_same_totals(const Totals& a, const Totals& b) {
   EXPECT_TRUE(same(a.dissipation, b.dissipation));
   EXPECT_EQ(a.remeshing.count, b.remeshing.count);
   EXPECT_TRUE(same(a.remeshing.heat, b.remeshing.heat));
-  EXPECT_TRUE(same(a.remeshing.largest_heat, b.remeshing.largest_heat));
+  EXPECT_TRUE(same(a.remeshing.max_heat, b.remeshing.max_heat));
   EXPECT_TRUE(same(a.remeshing.volume, b.remeshing.volume));
-  EXPECT_TRUE(same(a.remeshing.largest_volume, b.remeshing.largest_volume));
-  EXPECT_TRUE(same(a.remeshing.worst_quality, b.remeshing.worst_quality));
-  EXPECT_TRUE(same(a.remeshing.lowest_median, b.remeshing.lowest_median));
-  EXPECT_TRUE(same(a.deepest, b.deepest));
-  EXPECT_TRUE(same(a.largest_drift, b.largest_drift));
-  EXPECT_TRUE(same(a.largest_reynolds, b.largest_reynolds));
-  EXPECT_TRUE(same(a.largest_flux_mismatch, b.largest_flux_mismatch));
+  EXPECT_TRUE(same(a.remeshing.max_volume, b.remeshing.max_volume));
+  EXPECT_TRUE(same(a.remeshing.min_quality, b.remeshing.min_quality));
+  EXPECT_TRUE(same(a.remeshing.min_median, b.remeshing.min_median));
+  EXPECT_TRUE(same(a.max_penetration, b.max_penetration));
+  EXPECT_TRUE(same(a.max_drift, b.max_drift));
+  EXPECT_TRUE(same(a.max_reynolds, b.max_reynolds));
+  EXPECT_TRUE(same(a.max_flux_mismatch, b.max_flux_mismatch));
   for (double Work::*part : {&Work::tools, &Work::gravity, &Work::air, &Work::dissipation, &Work::friction,
                              &Work::arrival, &Work::surface, &Work::corrections})
     EXPECT_TRUE(same(a.work.*part, b.work.*part));
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.rejected, b.rejected);
-  EXPECT_EQ(a.table_holds, b.table_holds);
+  EXPECT_EQ(a.clamped_lookups, b.clamped_lookups);
 }
 
 void expect_same_body(const BodyState& a, const BodyState& b) {
@@ -133,7 +133,7 @@ void expect_same_body(const BodyState& a, const BodyState& b) {
   EXPECT_TRUE(same(a.velocity, b.velocity));
   EXPECT_TRUE(same(a.force, b.force));
   EXPECT_TRUE(same(a.heat_received, b.heat_received));
-  EXPECT_TRUE(same(a.hottest_surface, b.hottest_surface));
+  EXPECT_TRUE(same(a.max_surface_temperature, b.max_surface_temperature));
 }
 
 RunFacts some_facts() {
@@ -143,8 +143,8 @@ RunFacts some_facts() {
   facts.timing["heat"] = 0.75;
   facts.stages = {{"rest", 0, 1 / 3.0, "duration", {1, 2, 3, 4, 5, 6, 1 / 7.0, 8}}};
   facts.warnings = {"at 0.1 s something", "something else"};
-  facts.effort.flow_solves = 1L << 33;
-  facts.effort.limited_by.back() = 3;
+  facts.solver_statistics.flow_solves = 1L << 33;
+  facts.solver_statistics.limited_by.back() = 3;
   return facts;
 }
 
@@ -166,23 +166,23 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_TRUE(same(read.last_step, state.last_step));
   EXPECT_TRUE(same(read.mass_nodes, state.mass_nodes));
   EXPECT_TRUE(same(read.density, state.density));
-  EXPECT_TRUE(same(read.first_volume, state.first_volume));
-  EXPECT_TRUE(same(read.first_heat, state.first_heat));
+  EXPECT_TRUE(same(read.initial_volume, state.initial_volume));
+  EXPECT_TRUE(same(read.initial_heat, state.initial_heat));
   EXPECT_TRUE(same(read.velocity, state.velocity));
   EXPECT_EQ(read.contact.tool, state.contact.tool);
-  EXPECT_EQ(read.contact.closed.node, state.contact.closed.node);
-  EXPECT_EQ(read.contact.closed.tool, state.contact.closed.tool);
-  EXPECT_TRUE(same(read.contact.closed.normal, state.contact.closed.normal));
+  EXPECT_EQ(read.contact.active.node, state.contact.active.node);
+  EXPECT_EQ(read.contact.active.tool, state.contact.active.tool);
+  EXPECT_TRUE(same(read.contact.active.normal, state.contact.active.normal));
   EXPECT_TRUE(same(read.contact.pressure, state.contact.pressure));
   EXPECT_EQ(read.contact.tool_before, state.contact.tool_before);
   EXPECT_TRUE(same(read.acceleration, state.acceleration));
-  EXPECT_TRUE(same(read.swelling, state.swelling));
+  EXPECT_TRUE(same(read.dilatation_mode, state.dilatation_mode));
   EXPECT_TRUE(same(read.temperature_rate, state.temperature_rate));
   EXPECT_EQ(read.heat_couplings, state.heat_couplings);
   EXPECT_EQ(read.moves_smoothly, state.moves_smoothly);
   EXPECT_TRUE(same(read.totals.overshoot, state.totals.overshoot));
-  EXPECT_TRUE(same(read.totals.remeshing.new_extreme, state.totals.remeshing.new_extreme));
-  EXPECT_TRUE(same(read.totals.remeshing.coarser, state.totals.remeshing.coarser));
+  EXPECT_TRUE(same(read.totals.remeshing.transfer_overshoot, state.totals.remeshing.transfer_overshoot));
+  EXPECT_TRUE(same(read.totals.remeshing.coarsening_factor, state.totals.remeshing.coarsening_factor));
   EXPECT_EQ(read.totals.remeshing.failed, state.totals.remeshing.failed);
   EXPECT_TRUE(same(read.totals.remeshing.lap_volume, state.totals.remeshing.lap_volume));
   EXPECT_EQ(read.totals.remeshing.laps, state.totals.remeshing.laps);
@@ -206,8 +206,8 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_EQ(facts.stages[0].end_reason, "duration");
   EXPECT_EQ(facts.stages[0].work.surface, 1 / 7.0);
   EXPECT_EQ(facts.warnings, (std::vector<std::string>{"at 0.1 s something", "something else"}));
-  EXPECT_EQ(facts.effort.flow_solves, 1L << 33);
-  EXPECT_EQ(facts.effort.limited_by.back(), 3);
+  EXPECT_EQ(facts.solver_statistics.flow_solves, 1L << 33);
+  EXPECT_EQ(facts.solver_statistics.limited_by.back(), 3);
 }
 
 TEST(Checkpoint, AFingerprintTellsStatesApartThatDifferInOneBit) {

@@ -19,29 +19,29 @@ std::string line_with(const std::string& text, const std::string& word) {
   return text.substr(begin, text.find('\n', at) - begin);
 }
 
-TEST(Checkup, AShellsNumbersAreThoseOfItsThicknessAndPressure) {
-  const SceneNumbers numbers = scene_numbers(case_of("shell_inflation"));
+TEST(DimensionlessNumbers, AShellsNumbersAreThoseOfItsThicknessAndPressure) {
+  const DimensionlessNumbers numbers = dimensionless_numbers(case_of("shell_inflation"));
   EXPECT_NEAR(numbers.length, 5e-3, 1e-12);
   EXPECT_NEAR(*numbers.speed, 1e5 * 5e-3 / 1e4, 1e-12);
   EXPECT_NEAR(*numbers.reynolds, 2400 * 0.05 * 5e-3 / 1e4, 1e-15);
   EXPECT_FALSE(numbers.capillary || numbers.peclet || numbers.biot || numbers.brinkman);
 }
 
-TEST(Checkup, HeatAloneHasOnlyABiotNumber) {
-  const SceneNumbers numbers = scene_numbers(case_of("contact_cylinders"));
+TEST(DimensionlessNumbers, HeatAloneHasOnlyABiotNumber) {
+  const DimensionlessNumbers numbers = dimensionless_numbers(case_of("contact_cylinders"));
   EXPECT_NEAR(*numbers.biot, 5000 * (2 * 400e-6 / 60e-3) / 2.77, 1e-9);
   EXPECT_FALSE(numbers.speed || numbers.reynolds || numbers.capillary || numbers.peclet || numbers.brinkman);
 }
 
-TEST(Checkup, AToolsSpeedLimitSetsTheSpeed) {
-  const SceneNumbers numbers = scene_numbers(scene_of(small_scene));
+TEST(DimensionlessNumbers, AToolsSpeedLimitSetsTheSpeed) {
+  const DimensionlessNumbers numbers = dimensionless_numbers(scene_of(small_scene));
   EXPECT_EQ(*numbers.speed, 0.01);
   const double length = 2 * 200e-6 / 50e-3;
   EXPECT_NEAR(*numbers.peclet, 0.01 * length * 2400 * 1300 / 1.3, 1e-9);
   EXPECT_NEAR(*numbers.brinkman, 1e4 * 0.01 * 0.01 / (1.3 * 600), 1e-12);
 }
 
-TEST(Checkup, PhysicsThatIsOffSaysWhy) {
+TEST(DimensionlessNumbers, PhysicsThatIsOffSaysWhy) {
   const std::string heat = describe_scene(case_of("contact_cylinders"));
   EXPECT_EQ(line_with(heat, "  flow "), "  flow                off  the glass's material has no viscosity");
   EXPECT_EQ(line_with(heat, "  Reynolds"), "  Reynolds            n/a         inertia over viscous stress");
@@ -52,7 +52,7 @@ TEST(Checkup, PhysicsThatIsOffSaysWhy) {
   EXPECT_EQ(line_with(flow, "air pressure"), "  air pressure        on   in inflation");
 }
 
-TEST(Checkup, GlassThatDoesNotFlowHasNoInertiaAndNoEmissivityIsNotNamed) {
+TEST(DimensionlessNumbers, GlassThatDoesNotFlowHasNoInertiaAndNoEmissivityIsNotNamed) {
   const std::string heat = describe_scene(case_of("contact_cylinders"));
   EXPECT_EQ(line_with(heat, "  inertia"), "  inertia             off  the glass does not flow");
   const std::string flow = describe_scene(case_of("shell_inflation"));
@@ -65,7 +65,7 @@ TEST(Checkup, GlassThatDoesNotFlowHasNoInertiaAndNoEmissivityIsNotNamed) {
             "  air and radiation   on   air in rest, press, emissivity 0.9");
 }
 
-TEST(Checkup, StagesToolsAndAccuracyAreListed) {
+TEST(DimensionlessNumbers, StagesToolsAndAccuracyAreListed) {
   const std::string text = describe_scene(scene_of(small_scene));
   EXPECT_EQ(line_with(text, "  press "), "  press               2 s; plate, plunger (-5 N, at most 10 mm/s)");
   const std::string overridden = describe_scene(case_of("contact_cylinders"));

@@ -31,13 +31,13 @@ density = "2400 kg/m3"
 viscosity = { law = "constant", value = "1e3 Pa.s" }
 [glass]
 material = "glass"
-piece = [
+boundary = [
   { name = "surface", condition = "contact", path = "(0, 0) (4, 0) (4, 0.8) (0, 0.8) mm" },
   { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
 [[tool]]
 name = "plate"
 friction = "stick"
-piece = [
+boundary = [
   { name = "top", path = "(20, 0) (0, 0) mm", condition = "contact" },
   { name = "axis", path = "(0, -5) mm", condition = "symmetry" },
   { name = "rest", path = "(20, -5) (20, 0) mm", condition = "insulated" } ]
@@ -45,7 +45,7 @@ piece = [
 name = "plunger"
 friction = "stick"
 position = "0.8 mm"
-piece = [
+boundary = [
   { name = "face", path = "(0, 0) (20, 0) mm", condition = "contact" },
   { name = "rest", path = "(20, 5) (0, 5) mm", condition = "insulated" },
   { name = "axis", path = "(0, 0) mm", condition = "symmetry" } ]
@@ -126,7 +126,7 @@ TEST(Film, a_disc_squeezed_to_300_micrometres_pushes_back_as_theory_says_and_end
   EXPECT_LT(height, 0.3e-3);
   EXPECT_GT(height, 0.28e-3);
   for (double at = 0.05; at < 0.95; at += 0.043) EXPECT_GE(cells_across(state.bodies[0].mesh, at * radius), 7) << at;
-  EXPECT_GE(state.totals.remeshing.worst_quality, 0.3);
+  EXPECT_GE(state.totals.remeshing.min_quality, 0.3);
   const auto [ratio, slenderness] = thin_film_ratio(scene, 0.4e-3);
   std::printf(
       "film from 0.4 to %.4f mm: force %.4f times that of thin film theory, height over radius %.4f, %d cells\n",
@@ -151,7 +151,7 @@ TEST(Film, a_frozen_film_stops_the_tool_that_presses_on_it_and_is_not_crushed_by
   EXPECT_GT(plunger.offset, 0.42e-3);
   EXPECT_LT(std::abs(plunger.velocity), 1e-6);
   EXPECT_NEAR(plunger.force, -100, 0.1);
-  EXPECT_EQ(film_obstacle(scene, driven.state), "");
+  EXPECT_EQ(film_failure(scene, driven.state), "");
 }
 
 TEST(Film, an_unknown_end_of_a_film_is_refused) {

@@ -35,14 +35,16 @@ struct FlowCase {
     problem.geometry = geometry;
     problem.material = &material;
     problem.temperature = &temperature;
-    problem.pieces.resize(mesh.pieces.size());
+    problem.boundary_conditions.resize(mesh.boundary_names.size());
   }
-  PieceCondition& piece(const std::string& name) { return problem.pieces[core::find_piece(mesh, name)]; }
+  BoundaryCondition& boundary(const std::string& name) {
+    return problem.boundary_conditions[core::find_boundary(mesh, name)];
+  }
   Solution solve(const std::vector<bool>& warm = {}) { return Solver(mesh).solve(problem, warm); }
   std::set<Index> nodes_of(const std::string& name) const {
     std::set<Index> nodes;
     for (const auto& edge : mesh.boundary)
-      if (mesh.pieces[edge.piece] == name) nodes.insert(edge.nodes.begin(), edge.nodes.end());
+      if (mesh.boundary_names[edge.boundary_id] == name) nodes.insert(edge.nodes.begin(), edge.nodes.end());
     return nodes;
   }
 };
@@ -54,7 +56,7 @@ FlowCase shell_case(Index along, Index across, double viscosity) {
     return Point(radius * std::cos(angle), radius * std::sin(angle));
   });
   FlowCase flow(mesh, newtonian(viscosity), Geometry::axisymmetric);
-  flow.piece("bottom").kind = flow.piece("top").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("bottom").kind = flow.boundary("top").kind = BoundaryCondition::Kind::symmetry;
   return flow;
 }
 
@@ -63,7 +65,7 @@ TEST(Flow, a_pressurised_spherical_shell_grows_at_the_exact_rate_to_third_order)
   for (const Index n : {4, 8}) {
     FlowCase flow = shell_case(2 * n, n, 1e4);
     flow.material.surface_tension = 3.0;
-    flow.piece("left").pressure = 1e5;
+    flow.boundary("left").pressure = 1e5;
     const auto solution = flow.solve();
     ASSERT_TRUE(solution.converged) << solution.reason;
     const double a = 0.01, b = 0.015, cube = 1 / (a * a * a) - 1 / (b * b * b);
@@ -82,7 +84,7 @@ TEST(Flow, a_pressurised_spherical_shell_grows_at_the_exact_rate_to_third_order)
 FlowCase disc_case(Friction::Law law, Index n) {
   FlowCase flow(tests::structured(2 * n, n, [](double s, double t) { return Point(0.02 * s, 0.01 * t); }),
                 newtonian(1e3), Geometry::axisymmetric);
-  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.tools.resize(2);
   for (auto& tool : flow.problem.tools) tool.friction.law = law;
   for (const Index node : flow.nodes_of("bottom")) flow.problem.candidates.push_back({node, 0, Point(0, 1), 0.0});
@@ -121,9 +123,9 @@ TEST(Flow, friction_stops_at_coulombs_share_of_the_pressure) {
   const auto friction_over_pressure = [](double coulomb) {
     FlowCase flow(tests::structured(8, 8, [](double s, double t) { return Point(0.01 * s, 0.01 * t); }), newtonian(1e3),
                   Geometry::planar);
-    flow.piece("bottom").kind = PieceCondition::Kind::symmetry;
-    flow.piece("top").pressure = 1e5;
-    flow.piece("left").pressure = 5e4;
+    flow.boundary("bottom").kind = BoundaryCondition::Kind::symmetry;
+    flow.boundary("top").pressure = 1e5;
+    flow.boundary("left").pressure = 5e4;
     flow.problem.tools.resize(1);
     flow.problem.tools[0].friction = {Friction::Law::navier, 1e8, coulomb};
     for (const Index node : flow.nodes_of("right"))
@@ -131,14 +133,14 @@ TEST(Flow, friction_stops_at_coulombs_share_of_the_pressure) {
     const auto solution = flow.solve();
     EXPECT_TRUE(solution.converged) << solution.reason;
     std::printf("Coulomb %.2f: %d solves, %d factorisations\n", coulomb, solution.iterations, solution.factorisations);
-    double pressed = 0;
+    double contact_force = 0;
     for (const auto& edge : flow.mesh.boundary)
-      if (flow.mesh.pieces[edge.piece] == "right")
+      if (flow.mesh.boundary_names[edge.boundary_id] == "right")
         for (const auto& rule : core::edge_rule(3)) {
           const auto at = core::map_edge_point(flow.mesh, edge.nodes, Geometry::planar, rule);
-          for (int i = 0; i < 3; ++i) pressed += at.area * at.shape[i] * solution.contact_pressure[edge.nodes[i]];
+          for (int i = 0; i < 3; ++i) contact_force += at.area * at.shape[i] * solution.contact_pressure[edge.nodes[i]];
         }
-    return solution.tool_force[0] / pressed;
+    return solution.tool_force[0] / contact_force;
   };
   EXPECT_NEAR(friction_over_pressure(0.02), 0.02, 0.002);
   EXPECT_NEAR(friction_over_pressure(0.05), 0.05, 0.005);
@@ -238,8 +240,8 @@ TEST(Flow, a_tool_that_moves_away_pulls_nothing) {
 TEST(Flow, contact_closes_where_the_glass_would_pass_through_within_the_step) {
   FlowCase flow(tests::structured(8, 8, [](double s, double t) { return Point(0.01 * s, 0.01 * t); }), newtonian(100),
                 Geometry::planar);
-  flow.piece("bottom").kind = PieceCondition::Kind::fixed;
-  flow.piece("top").pressure = 1e4;
+  flow.boundary("bottom").kind = BoundaryCondition::Kind::fixed;
+  flow.boundary("top").pressure = 1e4;
   flow.problem.tools.resize(1);
   flow.problem.tools[0].friction.law = Friction::Law::slip;
   for (const Index node : flow.nodes_of("right")) flow.problem.candidates.push_back({node, 0, Point(-1, 0), -0.02});
@@ -260,7 +262,7 @@ TEST(Flow, navier_friction_gives_the_exact_fall_of_a_column_in_a_tube) {
   const double radius = 0.005, viscosity = 100, beta = 2e4, weight = 2400 * 9.81;
   FlowCase flow(tests::structured(4, 40, [=](double s, double t) { return Point(radius * s, 8 * radius * t); }),
                 newtonian(viscosity), Geometry::axisymmetric);
-  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.gravity = -9.81;
   flow.problem.tools.resize(1);
   flow.problem.tools[0].friction = {Friction::Law::navier, beta, {}};
@@ -276,7 +278,7 @@ TEST(Flow, navier_friction_gives_the_exact_fall_of_a_column_in_a_tube) {
     if (x[0] == radius) wall = -node_velocity(solution.velocity, n)[1];
   }
   for (const auto& edge : flow.mesh.boundary)
-    if (flow.mesh.pieces[edge.piece] == "right")
+    if (flow.mesh.boundary_names[edge.boundary_id] == "right")
       for (const auto& rule : core::edge_rule(3)) {
         const auto at = core::map_edge_point(flow.mesh, edge.nodes, Geometry::axisymmetric, rule);
         area += at.area;

@@ -70,7 +70,7 @@ TEST(Interfaces, a_table_of_wrong_order_or_size_is_refused) {
   EXPECT_EQ(table("[]", eta, "[]"), "interface.pressure: an empty list was found, allowed is at least one entry");
 }
 
-TEST(Interfaces, a_named_stretch_is_open_to_contact_and_needs_an_interface_too) {
+TEST(Interfaces, a_named_boundary_is_open_to_contact_and_needs_an_interface_too) {
   const std::string contact = "(20, 10) (0, 10) mm\", condition = \"contact\"";
   const std::string whole = "name = \"surface\", path = \"(0, 0) (20, 0) " + contact;
   auto closed = replaced(whole,
@@ -83,7 +83,7 @@ TEST(Interfaces, a_named_stretch_is_open_to_contact_and_needs_an_interface_too) 
   EXPECT_EQ(complaint_about(closed), "");
   const auto open =
       replaced("gravity = ",
-               "name_piece = [{ name = \"top\", from = \"(20, 10) mm\", to = \"(0, 10) mm\" }]\ngravity = ", closed);
+               "name_boundary = [{ name = \"top\", from = \"(20, 10) mm\", to = \"(0, 10) mm\" }]\ngravity = ", closed);
   EXPECT_NE(complaint_about(open).find(
                 "stage.tools: the glass and \"plunger\" can touch in stage \"press\" but have no interface"),
             std::string::npos)
@@ -91,27 +91,27 @@ TEST(Interfaces, a_named_stretch_is_open_to_contact_and_needs_an_interface_too) 
 }
 
 /// Heat alone: the disc on its plate, the plunger's face at a height above it, mm.
-std::string standing_scene(const std::string& height) {
+std::string static_scene(const std::string& height) {
   auto text = replaced("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }\n", "");
   text = text.substr(0, text.find("[[stage]]\nname = \"press\"")) + text.substr(text.find("[[probe]]"));
   text = replaced("tools = [\"plate\"]\n[[probe]]", "tools = [\"plate\", \"plunger\"]\n[[probe]]", text);
   return replaced("duration = \"1 s\"", "duration = \"0.05 s\"",
-                  replaced("10 mm\"\npiece", height + " mm\"\npiece", text));
+                  replaced("10 mm\"\nboundary", height + " mm\"\nboundary", text));
 }
 
 TEST(Interfaces, a_skin_that_the_mesh_does_not_resolve_is_warned_of) {
   const auto overshoot = [](const std::string& h) {
-    const Scene scene = scene_of(replaced("h = \"2000 W/m2/K\"", "h = \"" + h + "\"", standing_scene("10")));
+    const Scene scene = scene_of(replaced("h = \"2000 W/m2/K\"", "h = \"" + h + "\"", static_scene("10")));
     const auto outcome = run(scene, tests::absent_folder());
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
     const auto& warnings = outcome.facts.warnings;
     const bool warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
       return text.find("skins too thin for the mesh") != text.npos;
     });
-    const double share = outcome.state.totals.overshoot / temperature_range(scene).span();
-    std::printf("h = %s: a temperature %.2g %% of the span above the hottest\n", h.c_str(), 100 * share);
-    EXPECT_EQ(warned, share > 0.1);
-    return share;
+    const double fraction = outcome.state.totals.overshoot / temperature_range(scene).span();
+    std::printf("h = %s: a temperature %.2g %% of the span above the hottest\n", h.c_str(), 100 * fraction);
+    EXPECT_EQ(warned, fraction > 0.1);
+    return fraction;
   };
   const double real = overshoot("2000 W/m2/K"), perfect = overshoot("1e9 W/m2/K");
   EXPECT_LT(real, 0.03);
@@ -119,14 +119,14 @@ TEST(Interfaces, a_skin_that_the_mesh_does_not_resolve_is_warned_of) {
 }
 
 TEST(Interfaces, one_on_bodies_that_never_meet_is_warned_of) {
-  const auto apart = run(scene_of(standing_scene("30")), tests::absent_folder());
+  const auto apart = run(scene_of(static_scene("30")), tests::absent_folder());
   EXPECT_TRUE(apart.facts.completed) << apart.facts.reason;
   ASSERT_EQ(apart.facts.warnings.size(), 1u);
   EXPECT_EQ(
       apart.facts.warnings[0],
       "the interface of the glass with plunger was never used: in the whole run they did not come within 0.1 mm of "
       "each other");
-  const auto together = run(scene_of(standing_scene("10")), tests::absent_folder());
+  const auto together = run(scene_of(static_scene("10")), tests::absent_folder());
   EXPECT_TRUE(together.facts.warnings.empty());
 }
 

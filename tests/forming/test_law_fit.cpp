@@ -29,17 +29,17 @@ std::vector<LawMeasurement> measured(const PressureViscosityConductance& law, in
   return data;
 }
 
-std::vector<LawMeasurement> with_scatter(std::vector<LawMeasurement> data, double share, std::mt19937& random) {
+std::vector<LawMeasurement> with_scatter(std::vector<LawMeasurement> data, double fraction, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  for (auto& row : data) row.value *= 1 + share * normal(random);
+  for (auto& row : data) row.value *= 1 + fraction * normal(random);
   return data;
 }
 
 /// p_ref held at the true value, as the command does unless told otherwise.
-LawFitOptions p_ref_held() {
+LawFitOptions p_ref_fixed() {
   LawFitOptions options;
   options.held.p_ref = truth.p_ref;
-  options.is_held[p_ref] = true;
+  options.is_fixed[p_ref] = true;
   return options;
 }
 
@@ -49,8 +49,8 @@ bool mentions(const LawFit& fit, const std::string& words) {
   return false;
 }
 
-TEST(FitLaw, the_slopes_agree_with_finite_differences_and_are_not_zero) {
-  const auto slopes = law_slopes(truth, 9e4, 4e3);
+TEST(FitLaw, the_derivatives_agree_with_finite_differences_and_are_not_zero) {
+  const auto derivatives = law_derivatives(truth, 9e4, 4e3);
   for (int constant = 0; constant < law_constants; ++constant) {
     const double step = 1e-6;
     auto more = truth, less = truth;
@@ -60,13 +60,13 @@ TEST(FitLaw, the_slopes_agree_with_finite_differences_and_are_not_zero) {
       value = exponent ? value + d : value * std::exp(d);
     }
     const double by_difference = (conductance(more, 9e4, 4e3).h - conductance(less, 9e4, 4e3).h) / (2 * step);
-    EXPECT_NEAR(slopes[constant], by_difference, 1e-6 * std::abs(by_difference)) << law_constant_names[constant];
-    EXPECT_NE(slopes[constant], 0);
+    EXPECT_NEAR(derivatives[constant], by_difference, 1e-6 * std::abs(by_difference)) << law_constant_names[constant];
+    EXPECT_NE(derivatives[constant], 0);
   }
 }
 
 TEST(FitLaw, exact_measurements_give_the_constants_back) {
-  const auto fit = fit_law(measured(truth), p_ref_held());
+  const auto fit = fit_law(measured(truth), p_ref_fixed());
   for (int constant = 0; constant < law_constants; ++constant)
     EXPECT_NEAR(fit.constants[constant].value / constant_of(truth, constant), 1, 1e-6) << law_constant_names[constant];
   EXPECT_TRUE(fit.warnings.empty());
@@ -79,7 +79,7 @@ TEST(FitLaw, a_heat_flux_history_gives_the_same_constants_as_the_conductance) {
     data[i].drive = 700 - 9.0 * static_cast<double>(i);
     data[i].value *= data[i].drive;
   }
-  const auto fit = fit_law(data, p_ref_held());
+  const auto fit = fit_law(data, p_ref_fixed());
   for (int constant = 0; constant < law_constants; ++constant)
     EXPECT_NEAR(fit.constants[constant].value / constant_of(truth, constant), 1, 1e-6) << law_constant_names[constant];
 }
@@ -88,7 +88,7 @@ TEST(FitLaw, the_intervals_hold_the_true_constants_in_95_of_100_repeated_measure
   constexpr int draws = 500;
   std::mt19937 random(7);
   const auto exact = measured(truth);
-  auto options = p_ref_held();
+  auto options = p_ref_fixed();
   options.relative = true;
   std::array<int, law_constants> inside{};
   for (int draw = 0; draw < draws; ++draw) {
@@ -106,9 +106,9 @@ TEST(FitLaw, the_intervals_hold_the_true_constants_in_95_of_100_repeated_measure
 
 TEST(FitLaw, few_measurements_widen_the_intervals_by_students_t) {
   // With h0 alone free the law is linear in it: s/sqrt(n) times t of 3 degrees of freedom, on the logarithmic scale.
-  auto options = p_ref_held();
+  auto options = p_ref_fixed();
   options.held = truth;
-  options.is_held = {false, true, true, true, true, true};
+  options.is_fixed = {false, true, true, true, true, true};
   std::vector<LawMeasurement> data;
   for (const double value : {630.0, 650.0, 660.0, 620.0}) data.push_back({0, 1e3, value, 1});
   const auto fit = fit_law(data, options);
@@ -129,9 +129,9 @@ TEST(FitLaw, p_ref_and_eta_ref_are_one_constant_and_cannot_both_be_free) {
   EXPECT_TRUE(mentions(both, "p_ref is not identifiable"));
 
   // Held at any value, the other one moves along and the law stays the same.
-  auto other = p_ref_held();
+  auto other = p_ref_fixed();
   other.held.p_ref = 5e4;
-  const auto here = fit_law(data, p_ref_held()), there = fit_law(data, other);
+  const auto here = fit_law(data, p_ref_fixed()), there = fit_law(data, other);
   EXPECT_GT(std::abs(there.law.eta_ref / here.law.eta_ref - 1), 0.5);
   for (const auto& row : data)
     EXPECT_NEAR(
@@ -146,7 +146,7 @@ TEST(FitLaw, constants_that_the_data_do_not_reach_are_named) {
     row.value = conductance(truth, row.pressure, row.viscosity).h;
   }
   std::mt19937 random(5);
-  const auto fit = fit_law(with_scatter(data, 0.01, random), p_ref_held());
+  const auto fit = fit_law(with_scatter(data, 0.01, random), p_ref_fixed());
   EXPECT_TRUE(fit.constants[h0].known);
   EXPECT_FALSE(fit.constants[h1].known);
   EXPECT_TRUE(mentions(fit, "h1 is not identifiable"));
@@ -154,7 +154,7 @@ TEST(FitLaw, constants_that_the_data_do_not_reach_are_named) {
 
 TEST(FitLaw, an_exponent_that_comes_out_negative_is_held_at_zero_with_a_warning) {
   const PressureViscosityConductance thickens{640, 15000, 0.2e6, 2.5e3, 0.8, -0.1};
-  auto options = p_ref_held();
+  auto options = p_ref_fixed();
   const auto fit = fit_law(measured(thickens), options);
   EXPECT_EQ(fit.law.b, 0);
   EXPECT_TRUE(fit.constants[b].held);
@@ -167,12 +167,12 @@ TEST(FitLaw, too_few_rows_are_refused_with_their_number) {
   auto data = measured(truth);
   data.resize(5);
   try {
-    fit_law(data, p_ref_held());
+    fit_law(data, p_ref_fixed());
     FAIL();
   } catch (const core::CaseError& error) {
     EXPECT_STREQ(
         error.what(),
-        "fit-law: 5 rows were found, allowed are at least 6 for 5 free constants (fewer with --hold NAME=VALUE)");
+        "fit-law: 5 rows were found, allowed are at least 6 for 5 free constants (fewer with --fix NAME=VALUE)");
   }
 }
 

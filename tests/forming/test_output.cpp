@@ -41,11 +41,11 @@ std::vector<std::string> fields_of(const std::string& line) {
 }
 
 TEST(History, TheColumnsAreThoseOfTheReadme) {
-  EXPECT_EQ(
-      history_header(scene_of(small_scene)),
-      "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
-      "contact_area_m2,plate_force_N,plunger_force_N,plate_position_m,plunger_position_m,centre_C,sweeps,flow_solves,"
-      "contact_changes,heat_substeps,limited_by\n");
+  EXPECT_EQ(history_header(scene_of(small_scene)),
+            "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
+            "contact_area_m2,plate_force_N,plunger_force_N,plate_position_m,plunger_position_m,centre_C,coupling_"
+            "iterations,flow_solves,"
+            "contact_changes,heat_substeps,limited_by\n");
 }
 
 TEST(History, ARowSaysWhatTheStateHolds) {
@@ -56,7 +56,7 @@ TEST(History, ARowSaysWhatTheStateHolds) {
   StepReport report;
   report.dt = 0.125;
   report.flow_solves = 7;
-  report.limit = StepLimit::landing;
+  report.limit = StepLimit::event;
   const auto fields = fields_of(lines_of(history_line(history_row(scene, state, report)))[0]);
   ASSERT_EQ(fields.size(), fields_of(history_header(scene)).size());
   EXPECT_EQ(fields[0], "0.25");
@@ -68,7 +68,7 @@ TEST(History, ARowSaysWhatTheStateHolds) {
   EXPECT_EQ(fields[13], "0.01");
   EXPECT_NEAR(std::stod(fields[14]), 1000, 1e-6);
   EXPECT_EQ(fields[16], "7");
-  EXPECT_EQ(fields[19], "landing");
+  EXPECT_EQ(fields[19], "event");
 }
 
 TEST(History, TheContactAreaIsThatOfTheEdgesPressedAtAllTheirNodes) {
@@ -110,7 +110,7 @@ TEST(ResultFiles, AnEarlierResultFolderIsRefusedAndLeftAsItIs) {
   EXPECT_THROW(ResultFiles(scene, folder + "/history.csv"), core::CaseError);
 }
 
-TEST(ResultFiles, EveryOutputHasAPieceForEachBodyAndRepeatsAreLeftOut) {
+TEST(ResultFiles, EveryOutputHasAFileForEachBodyAndRepeatsAreLeftOut) {
   const Scene scene = scene_of(small_scene);
   State state = initial_state(scene);
   const std::string folder = absent_folder();
@@ -147,7 +147,7 @@ TEST(InterfaceRows, TheyRunAlongTheContactWithBothTemperaturesAndTheFlux) {
     const auto fields = fields_of(line);
     ASSERT_EQ(fields.size(), fields_of(interface_header()).size());
     EXPECT_EQ(fields[1], "plate");
-    const double arc = std::stod(fields[2]), closure = std::stod(fields[12]);
+    const double arc = std::stod(fields[2]), contact_weight = std::stod(fields[12]);
     EXPECT_GT(arc, last);
     last = arc;
     // The glass surface starts on the axis and first runs along the plate.
@@ -156,7 +156,7 @@ TEST(InterfaceRows, TheyRunAlongTheContactWithBothTemperaturesAndTheFlux) {
     EXPECT_NEAR(std::stod(fields[6]), 400, 1e-5);
     EXPECT_NEAR(std::stod(fields[8]), 1e4, 1e-3);
     EXPECT_NEAR(std::stod(fields[9]), 2000, 1e-3);
-    EXPECT_NEAR(closure, 1, 1e-6);
+    EXPECT_NEAR(contact_weight, 1, 1e-6);
     EXPECT_NEAR(std::stod(fields[10]), 2000 * 600, 2);
   }
   EXPECT_GT(last, 19);
@@ -204,7 +204,7 @@ TEST(ThicknessProfile, BothTemperaturesOfALinearFieldAreFound) {
   EXPECT_GT(bottom, 20);
 }
 
-TEST(ThicknessProfile, OnlyTheWallInFrontOfALoadedPieceCounts) {
+TEST(ThicknessProfile, OnlyTheWallInFrontOfALoadedBoundaryCounts) {
   std::vector<ThicknessRow> rows(3);
   rows[0] = {0, {0, 0}, 2e-3, 0, 0, 1e-4, true};
   rows[1] = {1, {0, 0}, 4e-3, 0, 0, 3e-4, true};
@@ -277,10 +277,10 @@ TEST(Summary, TheFileIsValidJsonWithTheNamesOfTheReadme) {
                           "for_quality",
                           "for_failed_step",
                           "heat_drift",
-                          "largest_heat_change",
-                          "largest_volume_change",
-                          "worst_quality",
-                          "lowest_median_quality",
+                          "max_heat_change",
+                          "max_volume_change",
+                          "min_quality",
+                          "min_median_quality",
                           "seconds",
                           "volume_drift",
                           "energy_imbalance",

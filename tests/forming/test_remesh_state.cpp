@@ -18,7 +18,7 @@
 namespace parison::forming {
 namespace {
 
-class Renew : public ::testing::Test {
+class RemeshState : public ::testing::Test {
  protected:
   Scene scene;
 
@@ -50,43 +50,43 @@ class Renew : public ::testing::Test {
     EXPECT_GT(cold.maxCoeff() - cold.minCoeff(), 100) << "no skin to overshoot at";
     EXPECT_LE(now.maxCoeff(), cold.maxCoeff() + 1e-9);
     EXPECT_GE(now.minCoeff(), cold.minCoeff() - 1e-9);
-    EXPECT_LE(deepest_penetration(scene, after), deepest_penetration(scene, before) + 5e-6);
+    EXPECT_LE(max_penetration(scene, after), max_penetration(scene, before) + 5e-6);
   }
 
-  static void expect_clean_ledger(const State& state) {
-    const RemeshLedger& ledger = state.totals.remeshing;
+  static void expect_clean_statistics(const State& state) {
+    const RemeshStatistics& statistics = state.totals.remeshing;
     EXPECT_GE(remeshes(state), 3);
-    EXPECT_LE(ledger.largest_volume / state.first_volume, 1e-12);
-    EXPECT_LE(std::abs(ledger.volume) / state.first_volume, 1e-9);
-    EXPECT_LE(std::abs(ledger.heat) / state.first_heat, 1e-9);
-    EXPECT_LE(ledger.new_extreme, 1e-9);
+    EXPECT_LE(statistics.max_volume / state.initial_volume, 1e-12);
+    EXPECT_LE(std::abs(statistics.volume) / state.initial_volume, 1e-9);
+    EXPECT_LE(std::abs(statistics.heat) / state.initial_heat, 1e-9);
+    EXPECT_LE(statistics.transfer_overshoot, 1e-9);
   }
 };
 
-TEST_F(Renew, a_full_cavity_keeps_volume_heat_and_temperature_range_and_is_not_pressed_into_the_tools) {
+TEST_F(RemeshState, a_full_cavity_keeps_volume_heat_and_temperature_range_and_is_not_pressed_into_the_tools) {
   for (const char* order : {"", "temperature_order = 1\n"}) {
     const State state = pressed(order);
     EXPECT_GT(share_on_tools(state), 0.95);
-    const Renewed renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
-    ASSERT_TRUE(renewed.ok) << renewed.reason;
-    expect_kept(state, renewed.state);
-    expect_clean_ledger(renewed.state);
+    const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
+    ASSERT_TRUE(remeshed.ok) << remeshed.reason;
+    expect_kept(state, remeshed.state);
+    expect_clean_statistics(remeshed.state);
   }
 }
 
-TEST_F(Renew, a_surface_found_inside_a_tool_is_lifted_out_and_its_volume_given_back) {
+TEST_F(RemeshState, a_surface_found_inside_a_tool_is_lifted_out_and_its_volume_given_back) {
   State state = pressed("");
   state.bodies[2].offset += 1e-3;   // frees the upper face
   state.bodies[1].offset += 20e-6;  // the bottom now lies 20 micrometres inside the pot
-  const double depth = deepest_penetration(scene, state);
+  const double depth = max_penetration(scene, state);
   EXPECT_GT(depth, 15e-6);
-  const Renewed renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
-  ASSERT_TRUE(renewed.ok) << renewed.reason;
-  expect_kept(state, renewed.state);
-  EXPECT_LT(deepest_penetration(scene, renewed.state), 1e-6);
+  const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
+  ASSERT_TRUE(remeshed.ok) << remeshed.reason;
+  expect_kept(state, remeshed.state);
+  EXPECT_LT(max_penetration(scene, remeshed.state), 1e-6);
 }
 
-TEST_F(Renew, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_corner) {
+TEST_F(RemeshState, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_corner) {
   const std::string square = "(0, 0) (10, 0) (10, 10) (0, 10) mm";
   for (const std::string edge : {"(11.7, 0) (12, 1.4)", "(10.6, 0) (12, 0.3)", "(11.5, 0) (12, 0.5)"}) {
     const std::string chamfered = "(0, 0) " + edge + " (12, 10) (0, 10) mm";
@@ -97,16 +97,16 @@ TEST_F(Renew, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_corner
       const Point along = glass.mesh.nodes[side.nodes[1]] - glass.mesh.nodes[side.nodes[0]];
       if (along[0] > 1e-4 && along[1] > 1e-4) glass.mesh.nodes[side.nodes[2]] = Point(12e-3, 0);
     }
-    EXPECT_LT(deepest_penetration(scene, state), 1e-12) << "a node shows what the edge does";
+    EXPECT_LT(max_penetration(scene, state), 1e-12) << "a node shows what the edge does";
     for (Index n = 0; n < glass.mesh.node_count(); ++n) glass.temperature[n] += 2e4 * glass.mesh.nodes[n][1];
-    const Renewed renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
-    ASSERT_TRUE(renewed.ok) << edge << ": " << renewed.reason;
-    expect_kept(state, renewed.state);
-    EXPECT_GE(remesh::quality(renewed.state.bodies[0].mesh).worst, 0.3) << edge;
+    const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
+    ASSERT_TRUE(remeshed.ok) << edge << ": " << remeshed.reason;
+    expect_kept(state, remeshed.state);
+    EXPECT_GE(remesh::quality(remeshed.state.bodies[0].mesh).min, 0.3) << edge;
   }
 }
 
-TEST_F(Renew, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vertex) {
+TEST_F(RemeshState, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vertex) {
   scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/tumbler", "draft");
   State state = initial_state(scene);
   for (const double down : {0.0, 20e-3, 60e-3}) {
@@ -118,20 +118,21 @@ TEST_F(Renew, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vertex) {
       for (const Point& corner : corners) {
         const Body& tool = scene.tools[place.tool];
         const Point local = corner - state.bodies[1 + place.tool].offset * core::axis_direction();
-        EXPECT_GE(contact::signed_gap(tool.profile, contact_pieces(tool), local), -1e-5) << tool.name << " at " << down;
+        EXPECT_GE(contact::signed_gap(tool.profile, contact_boundaries(tool), local), -1e-5)
+            << tool.name << " at " << down;
       }
   }
 }
 
-TEST_F(Renew, a_wanted_solution_error_halves_that_of_the_temperature_gradient_within_the_budget_of_cells) {
+TEST_F(RemeshState, a_wanted_solution_error_halves_that_of_the_temperature_gradient_within_the_budget_of_cells) {
   const auto error_of = [&](const State& state) {
     return remesh::gradient_error(state.bodies[0].mesh, scene.geometry, state.bodies[0].temperature).relative();
   };
   const State plain = pressed(""), wanted = pressed("solution_error = 0.1\n");
   EXPECT_LT(error_of(wanted), 0.5 * error_of(plain));
-  EXPECT_EQ(plain.totals.remeshing.coarser, 1);
-  const State held = pressed("solution_error = 0.1\nmost_cells = 400\n");
-  EXPECT_GT(held.totals.remeshing.coarser, 1.1);
+  EXPECT_EQ(plain.totals.remeshing.coarsening_factor, 1);
+  const State held = pressed("solution_error = 0.1\nmax_cells = 400\n");
+  EXPECT_GT(held.totals.remeshing.coarsening_factor, 1.1);
   EXPECT_LT(held.bodies[0].mesh.cell_count(), 1.25 * 400);
   EXPECT_LT(error_of(held), 0.75 * error_of(plain));
 }

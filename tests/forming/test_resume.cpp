@@ -54,9 +54,9 @@ class Resume : public ::testing::Test {
 };
 
 /// Two cylinders in which nothing moves, over two seconds.
-Scene standing() {
+Scene static_stage() {
   Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/contact_cylinders", "draft");
-  scene.accuracy.largest_step = 0.1;
+  scene.accuracy.max_step = 0.1;
   scene.stages[0].duration = 2;
   scene.output.interval = 0.5;
   return scene;
@@ -108,7 +108,7 @@ TEST_F(Resume, a_run_stopped_again_and_again_is_the_uninterrupted_one_to_the_las
   int parts = 0;
   for (int steps = 5; !outcome.facts.completed; ++steps, ++parts) {
     ASSERT_TRUE(outcome.facts.stopped) << outcome.facts.reason;
-    EXPECT_NE(outcome.facts.reason.find("the run was told to stop"), std::string::npos);
+    EXPECT_NE(outcome.facts.reason.find("the run was stopped on request"), std::string::npos);
     EXPECT_EQ(outcome.facts.stages.back().end_reason, "stop");
     remeshes_before.insert(remeshes(outcome.state));
     outcome = resume(scene, in("parts"), stop_after(steps));
@@ -237,8 +237,8 @@ TEST_F(Resume, a_step_does_not_depend_on_what_the_solvers_keep) {
             fingerprint(coupled_step(scene, state, 2e-3, fresh).state));
 }
 
-TEST_F(Resume, a_standing_stage_goes_on_from_its_last_checkpoint_to_the_same_bits) {
-  scene = standing();
+TEST_F(Resume, a_static_stage_goes_on_from_its_last_checkpoint_to_the_same_bits) {
+  scene = static_stage();
   scene.output.checkpoint_steps = 4;
   write_summary_of(scene, in("whole"), run(scene, in("whole")));
   auto outcome = run(scene, in("parts"), stop_after(10));
@@ -251,10 +251,10 @@ TEST_F(Resume, a_standing_stage_goes_on_from_its_last_checkpoint_to_the_same_bit
   expect_same_results(in("parts"), in("whole"));
 }
 
-TEST_F(Resume, a_checkpoint_by_the_clock_in_a_standing_stage_changes_no_bit) {
-  scene = standing();
+TEST_F(Resume, a_checkpoint_by_the_clock_in_a_static_stage_changes_no_bit) {
+  scene = static_stage();
   scene.accuracy.temperature_tolerance = 1e-6;  // many steps of the integrator
-  scene.accuracy.largest_step = 0.05;
+  scene.accuracy.max_step = 0.05;
   write_summary_of(scene, in("whole"), run(scene, in("whole")));
   scene.output.checkpoint_interval = 1e-9;
   ASSERT_TRUE(run(scene, in("parts"), stop_after(36)).facts.stopped);

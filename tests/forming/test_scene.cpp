@@ -53,20 +53,20 @@ TEST(Scene, TheJarIsAGobOf220GramsAmongFiveTools) {
   ASSERT_EQ(scene.stages.size(), 7u);
   const auto& press = scene.stages[1];
   EXPECT_DOUBLE_EQ(std::get<ForceMotion>(press.tools.back().motion).force, 8000);
-  EXPECT_DOUBLE_EQ(scene.stages[3].name_pieces.at(0).from[1], 92e-3);
+  EXPECT_DOUBLE_EQ(scene.stages[3].named_boundaries.at(0).from[1], 92e-3);
   EXPECT_DOUBLE_EQ(scene.stages[6].pressure.at("inner"), 0.35e5);
   for (const auto& tool : scene.tools) EXPECT_GT(core::signed_area(tool.profile), 0) << tool.name;
-  EXPECT_DOUBLE_EQ(temperature_range(scene).coldest, 50 + 273.15);
-  EXPECT_DOUBLE_EQ(temperature_range(scene).hottest, 1150 + 273.15);
+  EXPECT_DOUBLE_EQ(temperature_range(scene).min_temperature, 50 + 273.15);
+  EXPECT_DOUBLE_EQ(temperature_range(scene).max_temperature, 1150 + 273.15);
 }
 
 TEST(Scene, TheJarsCavityIsFullWhenThePlungerStandsAt92Millimetres) {
   const auto scene = read_scene(cases + "jar", "draft");
   std::vector<core::Point> cavity;
-  const auto volume_below = [](const Body& body, const std::string& piece, double offset) {
+  const auto volume_below = [](const Body& body, const std::string& boundary, double offset) {
     double volume = 0;
     for (const auto& segment : body.profile.segments)
-      for (int i = 0; i < 400 && body.profile.pieces[segment.piece] == piece; ++i) {
+      for (int i = 0; i < 400 && body.profile.boundary_names[segment.boundary_id] == boundary; ++i) {
         const auto a = core::point_at(segment, i / 400.0), b = core::point_at(segment, (i + 1) / 400.0);
         if (a[1] + offset < -1e-9 && b[1] + offset < -1e-9) continue;
         // The one line that crosses z = 0 is a cylinder: cut it there.
@@ -93,7 +93,7 @@ TEST(Scene, TheBundledExpectationsAreReadable) {
   }
 }
 
-TEST(Scene, AClockwiseOutlineIsTurnedAndItsPiecesStayWithTheirLines) {
+TEST(Scene, AClockwiseOutlineIsTurnedAndItsBoundariesStayWithTheirLines) {
   const std::string axis = "(0, 0) mm\", condition = \"symmetry\"";
   const std::string surface = "(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\"";
   const auto scene = scene_of(replaced(surface, "(0, 0) (0, 10) mm\", condition = \"symmetry\"",
@@ -103,7 +103,7 @@ TEST(Scene, AClockwiseOutlineIsTurnedAndItsPiecesStayWithTheirLines) {
   EXPECT_NEAR(core::signed_area(profile), 2e-4, 1e-15);
   for (const auto& segment : profile.segments) {
     const bool on_axis = segment.start[0] == 0 && segment.end[0] == 0;
-    EXPECT_EQ(profile.pieces[segment.piece], on_axis ? "surface" : "axis");
+    EXPECT_EQ(profile.boundary_names[segment.boundary_id], on_axis ? "surface" : "axis");
   }
 }
 
@@ -112,7 +112,7 @@ TEST(Scene, AnOutlineMayComeFromACsvFile) {
   std::ofstream(write_scene(text) + "/outline.csv") << "r_mm,z_cm\n0,0\n20,0\n20,1\n0,1\n";
   EXPECT_NEAR(core::signed_area(scene_of(text).glass.profile), 2e-4, 1e-15);
   std::ofstream(write_scene(text) + "/outline.csv") << "r_mm,z_cm\n0,0\n20,x\n";
-  EXPECT_NE(complaint_about(text).find("outline.csv:3: glass.piece.csv: "), std::string::npos);
+  EXPECT_NE(complaint_about(text).find("outline.csv:3: glass.boundary.csv: "), std::string::npos);
 }
 
 TEST(Scene, ArcsMeetLinesAndTheAxisExactly) {
@@ -137,7 +137,7 @@ TEST(Scene, AStagesAirReplacesTheAirOfTheCase) {
   EXPECT_DOUBLE_EQ(scene.stages[1].air.air_temperature, 363.15);
 }
 
-TEST(Scene, NumericsOverrideTheAccuracyDial) {
+TEST(Scene, NumericsOverrideTheAccuracyLevel) {
   const auto scene =
       scene_of(small_scene + "[numerics]\nsurface_size = \"0.7 mm\"\npasses = 3\ntemperature_order = 1\n");
   const auto preset = accuracy_preset("draft");
@@ -148,10 +148,10 @@ TEST(Scene, NumericsOverrideTheAccuracyDial) {
   EXPECT_DOUBLE_EQ(scene.accuracy.skin_size, preset.skin_size);
 }
 
-TEST(Scene, EachTurnOfTheAccuracyDialIsFinerInEverything) {
+TEST(Scene, EachTurnOfTheAccuracyLevelIsFinerInEverything) {
   const auto draft = accuracy_preset("draft"), standard = accuracy_preset("standard"), fine = accuracy_preset("fine");
   for (auto member : {&Accuracy::surface_size, &Accuracy::skin_size, &Accuracy::tool_contact_size,
-                      &Accuracy::strain_per_step, &Accuracy::temperature_tolerance, &Accuracy::largest_step}) {
+                      &Accuracy::strain_per_step, &Accuracy::temperature_tolerance, &Accuracy::max_step}) {
     EXPECT_LT(standard.*member, draft.*member);
     EXPECT_LT(fine.*member, standard.*member);
   }
@@ -163,11 +163,11 @@ TEST(Scene, EveryConductanceLawIsRead) {
   const auto full = scene_of(replaced(constant,
                                       "law = \"pressure-viscosity\"\nh0 = \"500 W/m2/K\"\nh1 = \"20 kW/m2/K\"\n"
                                       "p_ref = \"0.2 MPa\"\neta_ref = \"1e3 Pa.s\"\na = 1\nb = 0.25\n"
-                                      "handover_width = \"50 um\""));
+                                      "transition_gap = \"50 um\""));
   const auto& law = std::get<contact::PressureViscosityConductance>(full.interfaces.at(1).law);
   EXPECT_DOUBLE_EQ(law.h1, 20000);
   EXPECT_DOUBLE_EQ(law.p_ref, 2e5);
-  EXPECT_DOUBLE_EQ(full.interfaces[1].handover_width, 50e-6);
+  EXPECT_DOUBLE_EQ(full.interfaces[1].transition_gap, 50e-6);
   const std::string table =
       "law = \"table\"\npressure = [\"1 kPa\", \"1 MPa\"]\nviscosity = [\"1e3 Pa.s\", \"1e6 Pa.s\"]\n";
   const auto tabled = scene_of(replaced(constant, table + "h = [[\"500 W/m2/K\", \"400 W/m2/K\"], "
@@ -180,16 +180,16 @@ TEST(Scene, EveryConductanceLawIsRead) {
                 ": interface.h: 1 members were found, allowed is one for each of the 2 pressures");
 }
 
-TEST(Scene, EveryConditionOfAPieceIsRead) {
+TEST(Scene, EveryConditionOfABoundaryIsRead) {
   const std::string rest = "path = \"(15, 20) (0, 20) mm\", condition = \"insulated\"";
   const auto cooled = scene_of(replaced(rest,
                                         "path = \"(15, 20) (0, 20) mm\", condition.cooled = { h = \"200 W/m2/K\", "
                                         "temperature = \"50 degC\" }"));
-  EXPECT_EQ(cooled.tools[1].pieces[1].kind, PieceKind::cooled);
-  EXPECT_DOUBLE_EQ(cooled.tools[1].pieces[1].cooling.h, 200);
+  EXPECT_EQ(cooled.tools[1].boundaries[1].kind, BoundaryKind::cooled);
+  EXPECT_DOUBLE_EQ(cooled.tools[1].boundaries[1].cooling.h, 200);
   const auto given = scene_of(replaced(rest, "path = \"(15, 20) (0, 20) mm\", condition.temperature = \"50 degC\""));
-  EXPECT_EQ(given.tools[1].pieces[1].kind, PieceKind::temperature);
-  EXPECT_DOUBLE_EQ(given.tools[1].pieces[1].temperature, 323.15);
+  EXPECT_EQ(given.tools[1].boundaries[1].kind, BoundaryKind::temperature);
+  EXPECT_DOUBLE_EQ(given.tools[1].boundaries[1].temperature, 323.15);
 }
 
 }  // namespace

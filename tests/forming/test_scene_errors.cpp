@@ -6,7 +6,7 @@
 namespace parison::forming {
 namespace {
 
-/// Replaces a piece of the small scene and expects the complaint to start at the changed line.
+/// Replaces a part of the small scene and expects the complaint to start at the changed line.
 void expect_complaint(const std::string& from, const std::string& to, const std::string& rest) {
   EXPECT_EQ(complaint_about(replaced(from, to)), std::to_string(line_of(from)) + ": " + rest);
 }
@@ -18,7 +18,7 @@ TEST(SceneErrors, TheSmallSceneItselfIsFine) {
 TEST(SceneErrors, UnknownKey) {
   expect_complaint("duration = \"2 s\"", "duraton = \"2 s\"",
                    "stage.duraton: unknown key (did you mean \"duration\"?), allowed are name, duration, end_speed, "
-                   "gravity, tools, motion, pressure, air, name_piece");
+                   "gravity, tools, motion, pressure, air, name_boundary");
 }
 
 TEST(SceneErrors, NavierFrictionWithoutItsCoefficient) {
@@ -35,7 +35,7 @@ TEST(SceneErrors, WrongUnit) {
 
 TEST(SceneErrors, MissingCsvFile) {
   const auto message = complaint_about(replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"none.csv\""));
-  EXPECT_EQ(message.rfind(std::to_string(line_of("(0, 0) (20, 0)")) + ": glass.piece.csv: no file \"", 0), 0u)
+  EXPECT_EQ(message.rfind(std::to_string(line_of("(0, 0) (20, 0)")) + ": glass.boundary.csv: no file \"", 0), 0u)
       << message;
   EXPECT_NE(message.find("none.csv\", allowed is a CSV file beside the case file"), std::string::npos) << message;
 }
@@ -48,14 +48,14 @@ TEST(SceneErrors, SelfCrossingProfile) {
   expect_complaint(
       "{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"",
       "{ name = \"surface\", path = \"(0, 0) (20, 10) (20, 0) (0, 10) mm\"",
-      "glass.piece: the outline crosses itself (piece \"surface\" meets piece \"surface\" beside (0, 0) mm), "
+      "glass.boundary: the outline crosses itself (boundary \"surface\" meets boundary \"surface\" beside (0, 0) mm), "
       "allowed is an outline that meets itself nowhere");
 }
 
 TEST(SceneErrors, ProfileBeyondTheAxis) {
   expect_complaint("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"",
                    "{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (-1, 10) mm\"",
-                   "glass.piece: (-1, 10) mm lies beyond the axis, allowed are radii from zero");
+                   "glass.boundary: (-1, 10) mm lies beyond the axis, allowed are radii from zero");
 }
 
 TEST(SceneErrors, ToolOverlappingTheGlassAtTheStart) {
@@ -87,21 +87,21 @@ TEST(SceneErrors, MotionOfAToolNotInPlace) {
                                        "allowed are the stage's tools: plate");
 }
 
-TEST(SceneErrors, PressureOnAnUnknownPiece) {
+TEST(SceneErrors, PressureOnAnUnknownBoundary) {
   expect_complaint("pressure.surface", "pressure.surfaces",
                    "stage.pressure.surfaces: \"surfaces\" was found (did you mean \"surface\"?), allowed are surface");
   expect_complaint("pressure.surface", "pressure.axis", "stage.pressure.axis: \"axis\" was found, allowed are surface");
 }
 
 TEST(SceneErrors, ANamedStretchCountsFromItsStageOn) {
-  const std::string stretch = "name_piece = [{ name = \"inner\", from = \"(0, 10) mm\", to = \"(20, 10) mm\" }]\n";
+  const std::string named = "name_boundary = [{ name = \"inner\", from = \"(0, 10) mm\", to = \"(20, 10) mm\" }]\n";
   const auto late = replaced("duration = \"1 s\"\n", "duration = \"1 s\"\npressure.inner = \"1 bar\"\n",
-                             replaced("gravity", stretch + "gravity"));
+                             replaced("gravity", named + "gravity"));
   EXPECT_EQ(complaint_about(late).rfind(
                 std::to_string(line_of("pressure.inner", late)) + ": stage.pressure.inner: \"inner\" was found", 0),
             0u);
   EXPECT_EQ(complaint_about(replaced("pressure.surface", "pressure.inner",
-                                     replaced("duration = \"1 s\"\n", "duration = \"1 s\"\n" + stretch))),
+                                     replaced("duration = \"1 s\"\n", "duration = \"1 s\"\n" + named))),
             "");
 }
 
@@ -157,9 +157,9 @@ TEST(SceneErrors, LoadsOnGlassThatDoesNotFlow) {
 
 TEST(SceneErrors, TextThatIsNoPath) {
   expect_complaint("(0, 0) (20, 0) (20, 10) (0, 10) mm", "(0, 0) (20) mm",
-                   "glass.piece.path: \"(20)\" has 1 coordinates, allowed are 2");
+                   "glass.boundary.path: \"(20)\" has 1 coordinates, allowed are 2");
   const auto message = complaint_about(replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm", "0, 0 to 20, 0"));
-  EXPECT_NE(message.find("glass.piece.path: \"0, 0 to 20, 0\" was found, allowed are points such as"),
+  EXPECT_NE(message.find("glass.boundary.path: \"0, 0 to 20, 0\" was found, allowed are points such as"),
             std::string::npos);
 }
 
@@ -215,23 +215,26 @@ TEST(SceneErrors, NumericsThatContradictEachOther) {
     const auto message = complaint_about(small_scene + "[numerics]\n" + entry + "\n");
     return message.substr(message.find(' ') + 1);
   };
-  EXPECT_EQ(numerics("first_step = \"0.3 s\""),
-            "numerics.first_step: first_step = 0.3 and largest_step = 0.2 (SI) were found, allowed is first_step up to "
-            "largest_step");
-  EXPECT_EQ(numerics("largest_step = \"0.1 ms\"").rfind("numerics.largest_step: first_step = 0.001 and", 0), 0u);
-  EXPECT_EQ(numerics("smallest_step = \"2 ms\"").rfind("numerics.smallest_step: smallest_step = 0.002 and", 0), 0u);
+  EXPECT_EQ(
+      numerics("initial_step = \"0.3 s\""),
+      "numerics.initial_step: initial_step = 0.3 and max_step = 0.2 (SI) were found, allowed is initial_step up to "
+      "max_step");
+  EXPECT_EQ(numerics("max_step = \"0.1 ms\"").rfind("numerics.max_step: initial_step = 0.001 and", 0), 0u);
+  EXPECT_EQ(numerics("min_step = \"2 ms\"").rfind("numerics.min_step: min_step = 0.002 and", 0), 0u);
   EXPECT_EQ(numerics("surface_size = \"0.3 mm\"").rfind("numerics.surface_size: skin_size = 0.0007 and", 0), 0u);
   EXPECT_EQ(numerics("temperature_order = 3"), "numerics.temperature_order: 3 was found, allowed are 1 and 2");
-  EXPECT_EQ(numerics("first_step = \"10 us\"\nlargest_step = \"0.1 ms\""), "");
+  EXPECT_EQ(numerics("initial_step = \"10 us\"\nmax_step = \"0.1 ms\""), "");
 }
 
-TEST(SceneErrors, APieceAlongTheAxisIsASymmetry) {
-  expect_complaint("{ name = \"axis\", path = \"(0, 0) mm\", condition = \"symmetry\" }",
-                   "{ name = \"axis\", path = \"(0, 0) mm\", condition = \"insulated\" }",
-                   "glass.piece: \"axis\" runs along the axis, allowed there is a piece with the condition symmetry");
+TEST(SceneErrors, ABoundaryAlongTheAxisIsASymmetry) {
+  expect_complaint(
+      "{ name = \"axis\", path = \"(0, 0) mm\", condition = \"symmetry\" }",
+      "{ name = \"axis\", path = \"(0, 0) mm\", condition = \"insulated\" }",
+      "glass.boundary: \"axis\" runs along the axis, allowed there is a boundary with the condition symmetry");
   const std::string tool_axis = "{ name = \"axis\", path = \"(0, -10) mm\", condition = \"symmetry\" }";
-  expect_complaint(tool_axis, replaced("symmetry", "contact", tool_axis),
-                   "tool.piece: \"axis\" runs along the axis, allowed there is a piece with the condition symmetry");
+  expect_complaint(
+      tool_axis, replaced("symmetry", "contact", tool_axis),
+      "tool.boundary: \"axis\" runs along the axis, allowed there is a boundary with the condition symmetry");
   EXPECT_EQ(complaint_about(replaced("symmetry", "insulated", replaced("axisymmetric", "planar"))), "");
 }
 
@@ -254,12 +257,12 @@ TEST(SceneErrors, NamesThatCouldBeNoFileNames) {
 }
 
 TEST(SceneErrors, AStretchIsNamedOnce) {
-  const std::string stretch = "{ name = \"inner\", from = \"(0, 10) mm\", to = \"(20, 10) mm\" }";
+  const std::string named = "{ name = \"inner\", from = \"(0, 10) mm\", to = \"(20, 10) mm\" }";
   const std::string one = "duration = \"1 s\"\n", two = "duration = \"2 s\"\n";
-  const auto twice = replaced(one, one + "name_piece = [" + stretch + ",\n" + stretch + "]\n");
+  const auto twice = replaced(one, one + "name_boundary = [" + named + ",\n" + named + "]\n");
   EXPECT_NE(complaint_about(twice).find("\"inner\" was found twice"), std::string::npos);
-  const auto later =
-      replaced(one, one + "name_piece = [" + stretch + "]\n", replaced(two, two + "name_piece = [" + stretch + "]\n"));
+  const auto later = replaced(one, one + "name_boundary = [" + named + "]\n",
+                              replaced(two, two + "name_boundary = [" + named + "]\n"));
   EXPECT_NE(complaint_about(later).find("stage \"rest\" names \"inner\" already"), std::string::npos);
 }
 
@@ -278,11 +281,11 @@ TEST(SceneErrors, CsvFilesWithoutHeadingOrRows) {
   EXPECT_EQ(complaint("r_mm,z_mm\n0,0\n20,0\n20,10\n0,10\n"), "");
   EXPECT_EQ(complaint("0,0\n20,0\n"),
             file +
-                ":1: glass.piece.csv: the heading is missing (\"0,0\" was found), allowed is a "
+                ":1: glass.boundary.csv: the heading is missing (\"0,0\" was found), allowed is a "
                 "heading such as r_mm,z_mm");
   for (const char* empty : {"", "\n\n", "r_mm,z_mm\n"})
     EXPECT_EQ(complaint(empty), std::to_string(line_of("(0, 0) (20, 0)")) +
-                                    ": glass.piece.csv: no points were found in \"" + file +
+                                    ": glass.boundary.csv: no points were found in \"" + file +
                                     "\", allowed is a heading such as r_mm,z_mm and rows of numbers");
 }
 
@@ -339,7 +342,7 @@ TEST(SceneErrors, MoreToolsDrivenByForcesThanAStageBears) {
     const std::string name = "p" + std::to_string(i), low = std::to_string(40 + 10 * i),
                       high = std::to_string(45 + 10 * i);
     tools += "[[tool]]\nname = \"" + name +
-             "\"\nmaterial = \"iron\"\ntemperature = \"400 degC\"\nfriction = \"slip\"\npiece = [\n" +
+             "\"\nmaterial = \"iron\"\ntemperature = \"400 degC\"\nfriction = \"slip\"\nboundary = [\n" +
              "{ name = \"face\", path = \"(0, " + low + ") (15, " + low + ") mm\", condition = \"contact\" },\n" +
              "{ name = \"rest\", path = \"(15, " + high + ") (0, " + high + ") mm\", condition = \"insulated\" },\n" +
              "{ name = \"axis\", path = \"(0, " + low + ") mm\", condition = \"symmetry\" },\n]\n";

@@ -20,7 +20,7 @@ const std::string blank_points =
 std::string with_blank(const std::string& path) {
   return replaced("[[interface]]\n",
                   "[[tool]]\nname = \"blank\"\nmaterial = \"iron\"\ntemperature = \"400 degC\"\nfriction = \"slip\"\n"
-                  "position = \"200 mm\"\npiece = [\n"
+                  "position = \"200 mm\"\nboundary = [\n"
                   "{ name = \"inner\", condition = \"contact\", path = " +
                       path +
                       " },\n"
@@ -67,7 +67,7 @@ void expect_same_outline(const core::Profile& found, const core::Profile& wanted
   for (std::size_t i = 0; i < wanted.segments.size(); ++i) {
     const core::Segment &a = found.segments[i], &b = wanted.segments[i];
     EXPECT_EQ(a.is_arc, b.is_arc) << i;
-    EXPECT_EQ(a.piece, b.piece) << i;
+    EXPECT_EQ(a.boundary_id, b.boundary_id) << i;
     EXPECT_LT((a.centre - b.centre).norm(), 1e-9) << i;
     EXPECT_NEAR(a.radius, b.radius, 1e-9) << i;
     for (const double t : {0.0, 0.3, 0.5, 1.0})
@@ -226,8 +226,9 @@ TEST(Section, WhatIsNoSectionIsRefusedWithASentence) {
             "several outlines were found in the drawing, one with 1 curves and 2 curves beside it"},
            {dxf("branch.dxf", branch), "more than two curves of the drawing meet at (0, 98) mm"},
            {dxf("spline.dxf", spline),
-            "spline.dxf:16: tool.piece.path.file: a SPLINE was found, allowed are LINE, ARC"},
-           {dxf("word.dxf", word), "word.dxf:10: tool.piece.path.file: \"ninety\" was found, allowed is a number"}}) {
+            "spline.dxf:16: tool.boundary.path.file: a SPLINE was found, allowed are LINE, ARC"},
+           {dxf("word.dxf", word),
+            "word.dxf:10: tool.boundary.path.file: \"ninety\" was found, allowed is a number"}}) {
     const std::string said = complaint_about(with_blank(wrong.path));
     EXPECT_NE(said.find(wrong.sentence), said.npos) << wrong.path << "\n" << said;
     EXPECT_EQ(said.find('\n'), said.npos) << said;

@@ -39,14 +39,14 @@ TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
   const auto facts = glass_facts(scene, state);
   std::printf(
       "pot: plunger at %.3f mm (full at %.3f), drift %.1e (largest %.1e), imbalance %.1e, %d steps, %d remeshes\n",
-      height, full, facts.volume_drift, state.totals.largest_drift, facts.energy_imbalance, state.totals.steps,
+      height, full, facts.volume_drift, state.totals.max_drift, facts.energy_imbalance, state.totals.steps,
       remeshes(state));
   EXPECT_NEAR(height, full, 0.05);
   EXPECT_NEAR(state.bodies[2].force, -3000, 1);
   EXPECT_LT(std::abs(state.bodies[2].velocity), 1e-3);
-  EXPECT_LT(state.totals.largest_drift, 1e-3);
+  EXPECT_LT(state.totals.max_drift, 1e-3);
   EXPECT_LT(std::abs(facts.energy_imbalance), 1e-4);
-  EXPECT_LT(state.totals.deepest, 5e-5);
+  EXPECT_LT(state.totals.max_penetration, 5e-5);
   EXPECT_GT(state.totals.to_tools, 100);
   EXPECT_NEAR(state.bodies[1].heat_received + state.bodies[2].heat_received, state.totals.to_tools,
               1e-9 * state.totals.to_tools);
@@ -119,7 +119,7 @@ TEST_F(Pot, a_state_within_a_step_lies_on_its_straight_motion) {
   const auto result = coupled_step(scene, before, 4e-3, workspace);
   ASSERT_TRUE(result.converged) << result.reason;
   const State& after = result.state;
-  const State state = between(before, after, 1e-3);
+  const State state = interpolate(before, after, 1e-3);
   for (Index n = 0; n < state.bodies[0].mesh.node_count(); ++n)
     EXPECT_NEAR(
         (before.bodies[0].mesh.nodes[n] + 1e-3 * flow::node_velocity(after.velocity, n) - state.bodies[0].mesh.nodes[n])
@@ -140,30 +140,30 @@ TEST_F(Pot, a_new_mesh_keeps_volume_mass_and_heat) {
     ASSERT_TRUE(result.converged) << result.reason;
     state = std::move(result.state);
   }
-  const auto renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
-  ASSERT_TRUE(renewed.ok) << renewed.reason;
-  const auto before = glass_facts(scene, state), after = glass_facts(scene, renewed.state);
+  const auto remeshed = remesh_state(scene, state, RemeshReason::quality);
+  ASSERT_TRUE(remeshed.ok) << remeshed.reason;
+  const auto before = glass_facts(scene, state), after = glass_facts(scene, remeshed.state);
   EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
-  EXPECT_NEAR(glass_heat(scene, renewed.state), glass_heat(scene, state), 1e-11 * state.first_heat);
+  EXPECT_NEAR(glass_heat(scene, remeshed.state), glass_heat(scene, state), 1e-11 * state.initial_heat);
   EXPECT_NEAR(after.volume, before.volume, 1e-6 * before.volume);
-  EXPECT_GT(remesh::quality(renewed.state.bodies[0].mesh).worst, 0.3);
+  EXPECT_GT(remesh::quality(remeshed.state.bodies[0].mesh).min, 0.3);
   int touching_before = 0, touching_after = 0;
   for (const Index tool : state.contact.tool) touching_before += tool >= 0;
-  for (const Index tool : renewed.state.contact.tool) touching_after += tool >= 0;
-  const RemeshLedger& ledger = renewed.state.totals.remeshing;
-  EXPECT_EQ(ledger.count, (std::array<Index, 3>{0, 1, 0}));
-  EXPECT_EQ(ledger.heat, glass_heat(scene, renewed.state) - glass_heat(scene, state));
-  EXPECT_EQ(ledger.largest_heat, std::abs(ledger.heat));
-  EXPECT_EQ(ledger.volume, after.volume - before.volume);
-  EXPECT_EQ(ledger.largest_volume, std::abs(ledger.volume));
-  EXPECT_EQ(ledger.worst_quality, remesh::quality(renewed.state.bodies[0].mesh).worst);
-  EXPECT_EQ(ledger.lowest_median, remesh::quality(renewed.state.bodies[0].mesh).median);
+  for (const Index tool : remeshed.state.contact.tool) touching_after += tool >= 0;
+  const RemeshStatistics& statistics = remeshed.state.totals.remeshing;
+  EXPECT_EQ(statistics.count, (std::array<Index, 3>{0, 1, 0}));
+  EXPECT_EQ(statistics.heat, glass_heat(scene, remeshed.state) - glass_heat(scene, state));
+  EXPECT_EQ(statistics.max_heat, std::abs(statistics.heat));
+  EXPECT_EQ(statistics.volume, after.volume - before.volume);
+  EXPECT_EQ(statistics.max_volume, std::abs(statistics.volume));
+  EXPECT_EQ(statistics.min_quality, remesh::quality(remeshed.state.bodies[0].mesh).min);
+  EXPECT_EQ(statistics.min_median, remesh::quality(remeshed.state.bodies[0].mesh).median);
   EXPECT_GT(touching_before, 10);
   EXPECT_GT(touching_after, 10);
 }
 
 TEST_F(Pot, a_failed_step_is_a_value_and_leaves_the_state_alone) {
-  // Without any tool in place the gob falls: a flow without inertia has no answer.
+  // Without any active tool the gob falls: a flow without inertia has no answer.
   scene.stages[0].tools.clear();
   const State state = initial_state(scene);
   Workspace workspace;
@@ -197,24 +197,24 @@ TEST_F(Pot, a_tool_that_closes_inside_the_glass_stops_the_run) {
   EXPECT_NE(outcome.facts.reason.find("overlaps the glass by 2 mm"), std::string::npos) << outcome.facts.reason;
 }
 
-TEST_F(Pot, naming_a_stretch_leaves_symmetry_and_fixed_pieces_alone) {
-  scene.stages[0].name_pieces.push_back({"inner", {0, 0.01}, {0.01, 0}});
+TEST_F(Pot, naming_a_boundary_leaves_symmetry_and_fixed_boundaries_alone) {
+  scene.stages[0].named_boundaries.push_back({"inner", {0, 0.01}, {0.01, 0}});
   const State state = start_stage(scene, initial_state(scene), 0);
   const auto& mesh = state.bodies[0].mesh;
-  const Index inner = core::find_piece(mesh, "inner"), axis = core::find_piece(mesh, "axis");
+  const Index inner = core::find_boundary(mesh, "inner"), axis = core::find_boundary(mesh, "axis");
   int named = 0, on_axis = 0;
   for (const auto& edge : mesh.boundary) {
-    named += edge.piece == inner;
-    on_axis += edge.piece == axis;
-    if (edge.piece == axis) EXPECT_LT(std::abs(mesh.nodes[edge.nodes[2]][0]), 1e-12);
+    named += edge.boundary_id == inner;
+    on_axis += edge.boundary_id == axis;
+    if (edge.boundary_id == axis) EXPECT_LT(std::abs(mesh.nodes[edge.nodes[2]][0]), 1e-12);
   }
   EXPECT_GT(named, 0);
   EXPECT_GE(on_axis, 5);
 }
 
-TEST(Standing, heat_that_changes_fast_does_not_make_a_standing_stage_step_back) {
+TEST(StaticStage, heat_that_changes_fast_does_not_make_a_static_stage_step_back) {
   Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/contact_cylinders", "draft");
-  scene.accuracy.first_step = scene.accuracy.largest_step = 0.5;
+  scene.accuracy.initial_step = scene.accuracy.max_step = 0.5;
   scene.stages[0].duration = 1;
   const auto outcome = run(scene, tests::absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;

@@ -33,34 +33,35 @@ TEST(Work, done_on_the_glass_is_lost_or_in_its_surface_at_the_end_of_every_stage
   for (const StageRecord& stage : outcome.facts.stages) {
     const Work& work = stage.work;
     std::printf(
-        "%s: tools %.4g J, gravity %.2g, air %.2g, dissipated %.4g, friction %.2g, arrival %.4g, surface %.2g, "
+        "%s: tools %.4g J, gravity %.2g, air %.2g, dissipated %.4g, friction %.2g, impact %.4g, surface %.2g, "
         "corrections %.2g; off by %.1e\n",
-        stage.name.c_str(), work.tools, work.gravity, work.air, work.dissipation, work.friction, work.arrival,
-        work.surface, work.corrections, work_imbalance(work));
-    const double lost = work.dissipation + work.friction + work.arrival;
+        stage.name.c_str(), work.tools, work.gravity, work.air, work.dissipation, work.friction, work.impact_loss,
+        work.surface, work.correction, work_imbalance(work));
+    const double lost = work.dissipation + work.friction + work.impact_loss;
     EXPECT_LT(std::abs(work_imbalance(work)), 2e-2);
-    EXPECT_LT(std::abs(work_imbalance(work) - work.corrections / lost),
+    EXPECT_LT(std::abs(work_imbalance(work) - work.correction / lost),
               1e-3);  // 3 kN on a full pot: correcting its volume costs work
   }
   const Work& all = outcome.state.totals.work;
-  for (const double part : {all.tools, all.gravity, all.air, all.dissipation, all.friction, all.arrival, all.surface})
+  for (const double part :
+       {all.tools, all.gravity, all.air, all.dissipation, all.friction, all.impact_loss, all.surface})
     EXPECT_NE(part, 0);
 }
 
-TEST(Effort, of_the_steps_is_summed_and_every_step_has_its_limit) {
+TEST(SolverStatistics, of_the_steps_is_summed_and_every_step_has_its_limit) {
   const std::string results = tests::absent_folder();
   const auto outcome = run(pot_and_air(), results, {});
-  const Effort& effort = outcome.facts.effort;
-  const auto& by = effort.limited_by;
+  const SolverStatistics& statistics = outcome.facts.solver_statistics;
+  const auto& by = statistics.limited_by;
   EXPECT_EQ(std::accumulate(by.begin(), by.end(), 0), outcome.state.totals.steps);
-  EXPECT_EQ(by[static_cast<std::size_t>(StepLimit::first)], 2);
-  EXPECT_GE(effort.flow_solves, effort.flow_factorisations);
-  EXPECT_GE(effort.sweeps, outcome.state.totals.steps + outcome.state.totals.rejected);
-  EXPECT_GT(effort.contact_changes, 0);
+  EXPECT_EQ(by[static_cast<std::size_t>(StepLimit::initial)], 2);
+  EXPECT_GE(statistics.flow_solves, statistics.flow_factorisations);
+  EXPECT_GE(statistics.coupling_iterations, outcome.state.totals.steps + outcome.state.totals.rejected);
+  EXPECT_GT(statistics.contact_changes, 0);
   const auto& warnings = outcome.facts.warnings;
   const bool warned = std::any_of(warnings.begin(), warnings.end(),
                                   [](const std::string& text) { return text.find("stayed closed") != text.npos; });
-  EXPECT_EQ(warned, effort.latched_contacts > 0);
+  EXPECT_EQ(warned, statistics.locked_contacts > 0);
   std::istringstream rows(core::read_text(results + "/history.csv"));
   std::string row;
   std::getline(rows, row);
@@ -71,10 +72,10 @@ TEST(Effort, of_the_steps_is_summed_and_every_step_has_its_limit) {
     std::istringstream in(row);
     for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
     solves += std::stol(fields[fields.size() - 4]);
-    landings += fields.back() == "landing";
+    landings += fields.back() == "event";
   }
-  EXPECT_EQ(landings, by[static_cast<std::size_t>(StepLimit::landing)]);
-  EXPECT_LE(solves, effort.flow_solves);  // rejected steps write no row
+  EXPECT_EQ(landings, by[static_cast<std::size_t>(StepLimit::event)]);
+  EXPECT_LE(solves, statistics.flow_solves);  // rejected steps write no row
   EXPECT_GT(solves, outcome.state.totals.steps);
 }
 

@@ -11,14 +11,14 @@ class Pen {
  public:
   Pen(double r, double z) : at_(1e-3 * r, 1e-3 * z) {}
 
-  Pen& line(double r, double z, const std::string& piece) {
+  Pen& line(double r, double z, const std::string& boundary) {
     core::Segment segment;
     segment.start = at_;
     segment.end = at_ = 1e-3 * core::Point(r, z);
-    return add(segment, piece);
+    return add(segment, boundary);
   }
 
-  Pen& arc(double r, double z, double from, double to, const std::string& piece) {
+  Pen& arc(double r, double z, double from, double to, const std::string& boundary) {
     core::Segment segment;
     segment.start = at_;
     segment.is_arc = true;
@@ -28,19 +28,19 @@ class Pen {
     segment.radius = (at_ - segment.centre).norm();
     at_ = segment.end = segment.centre + segment.radius * core::Point(std::cos(segment.to), std::sin(segment.to));
     if (std::abs(at_[0]) < 1e-15) segment.end[0] = at_[0] = 0;
-    return add(segment, piece);
+    return add(segment, boundary);
   }
 
   /// The closed outline with the body on its left.
   core::Profile closed() const { return core::signed_area(profile_) > 0 ? profile_ : core::reversed(profile_); }
 
  private:
-  Pen& add(core::Segment segment, const std::string& piece) {
-    auto& names = profile_.pieces;
+  Pen& add(core::Segment segment, const std::string& boundary) {
+    auto& names = profile_.boundary_names;
     std::size_t i = 0;
-    while (i < names.size() && names[i] != piece) ++i;
-    if (i == names.size()) names.push_back(piece);
-    segment.piece = static_cast<core::Index>(i);
+    while (i < names.size() && names[i] != boundary) ++i;
+    if (i == names.size()) names.push_back(boundary);
+    segment.boundary_id = static_cast<core::Index>(i);
     profile_.segments.push_back(segment);
     return *this;
   }

@@ -158,7 +158,7 @@ TEST(Recovery, a_rotation_has_no_rate_of_deformation_and_a_squeeze_its_own) {
 
 Criteria wide_criteria(const Mesh& mesh) {
   Criteria criteria{Geometry::planar, 0.1, 0.1, 0.5, 0.5, 1e-3, {}, {}, {}, {}};
-  criteria.straight_pieces.assign(mesh.pieces.size(), false);
+  criteria.straight_boundaries.assign(mesh.boundary_names.size(), false);
   criteria.contact.assign(mesh.nodes.size(), false);
   return criteria;
 }
@@ -187,14 +187,14 @@ Adapted judged(Mesh mesh, const Field& field) {
 }
 
 /// From a uniform mesh, by so many remeshes.
-Adapted adapted(const Field& field, double wanted, int times, double most_cells = 1e6) {
+Adapted adapted(const Field& field, double wanted, int times, double max_cells = 1e6) {
   Mesh mesh = quarter_ring(0.1);
   for (int i = 0; i < times; ++i) {
     Criteria criteria = wide_criteria(mesh);
-    criteria.most_cells = most_cells;
+    criteria.max_cells = max_cells;
     const auto error = gradient_error(mesh, Geometry::planar, galerkin(mesh, Geometry::planar, field));
     const Eigen::VectorXd sizes = equidistributing_sizes(mesh, error, wanted);
-    criteria.cell_wish.assign(sizes.begin(), sizes.end());
+    criteria.target_cell_size.assign(sizes.begin(), sizes.end());
     const Remeshed made = remesh_glass(mesh, criteria);
     EXPECT_TRUE(made.ok) << made.reason;
     mesh = made.mesh;

@@ -25,7 +25,7 @@ using core::Point;
 constexpr double none = std::numeric_limits<double>::infinity();
 
 Mesh meshed(const core::Profile& profile, double size) {
-  return mesh_profile(profile, {size, size, 0.3, std::vector<bool>(profile.pieces.size(), false)});
+  return mesh_profile(profile, {size, size, 0.3, std::vector<bool>(profile.boundary_names.size(), false)});
 }
 
 Mesh deformed(Mesh mesh, const std::function<Point(const Point&)>& map) {
@@ -35,9 +35,9 @@ Mesh deformed(Mesh mesh, const std::function<Point(const Point&)>& map) {
 
 Criteria criteria_for(const Mesh& mesh, double surface_size) {
   Criteria criteria{core::Geometry::axisymmetric, surface_size, 0.1e-3, 4, 0.3, 0.05e-3, {}, {}, {}, {}};
-  for (const std::string& name : mesh.pieces) criteria.straight_pieces.push_back(name == "axis");
+  for (const std::string& name : mesh.boundary_names) criteria.straight_boundaries.push_back(name == "axis");
   criteria.contact.assign(mesh.nodes.size(), false);
-  criteria.skin_wish.assign(mesh.nodes.size(), none);
+  criteria.target_skin_size.assign(mesh.nodes.size(), none);
   return criteria;
 }
 
@@ -64,22 +64,23 @@ void expect_sound(const Mesh& old, const Remeshed& made, const char* name) {
   ASSERT_TRUE(made.ok) << made.reason;
   const Quality before = quality(old), after = quality(made.mesh);
   std::printf("%-12s %5d -> %5d cells, quality worst %.3f -> %.3f, median %.3f -> %.3f, volume change %.1e\n", name,
-              old.cell_count(), made.mesh.cell_count(), before.worst, after.worst, before.median, after.median,
+              old.cell_count(), made.mesh.cell_count(), before.min, after.min, before.median, after.median,
               made.volume_after / made.volume_before - 1);
   show(old, std::string(name) + "_old");
   show(made.mesh, std::string(name) + "_new");
-  EXPECT_GE(after.worst, 0.3) << name;
+  EXPECT_GE(after.min, 0.3) << name;
   EXPECT_GE(after.median, 0.9) << name;
   EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13) << name;
   EXPECT_EQ(core::volume(made.mesh, core::Geometry::axisymmetric), made.volume_after);
-  EXPECT_EQ(made.mesh.pieces, old.pieces);
+  EXPECT_EQ(made.mesh.boundary_names, old.boundary_names);
 }
 
-/// Points where the boundary changes its piece, in order.
-std::vector<Point> piece_ends(const Mesh& mesh) {
+/// Points where the boundary changes its boundary, in order.
+std::vector<Point> boundary_ends(const Mesh& mesh) {
   std::vector<Point> ends;
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-    if (mesh.boundary[i].piece != mesh.boundary[(i + mesh.boundary.size() - 1) % mesh.boundary.size()].piece)
+    if (mesh.boundary[i].boundary_id !=
+        mesh.boundary[(i + mesh.boundary.size() - 1) % mesh.boundary.size()].boundary_id)
       ends.push_back(mesh.nodes[mesh.boundary[i].nodes[0]]);
   std::sort(ends.begin(), ends.end(), [](const Point& a, const Point& b) { return a[0] + 2 * a[1] < b[0] + 2 * b[1]; });
   return ends;
@@ -91,22 +92,22 @@ TEST(RemeshGlass, deformed_bodies_come_back_well_shaped_with_their_volume) {
   expect_sound(cup_mesh, remesh_glass(cup_mesh, criteria_for(cup_mesh, 1.5e-3)), "cup_1mm");
 }
 
-TEST(RemeshGlass, corners_and_ends_of_pieces_stay_to_the_bit) {
+TEST(RemeshGlass, corners_and_ends_of_boundaries_stay_to_the_bit) {
   const Mesh old = pressed_cup(2);
   const Remeshed made = remesh_glass(old, criteria_for(old, 1e-3));
   ASSERT_TRUE(made.ok) << made.reason;
-  EXPECT_EQ(piece_ends(old).size(), 4u);
-  EXPECT_EQ(piece_ends(old), piece_ends(made.mesh));
+  EXPECT_EQ(boundary_ends(old).size(), 4u);
+  EXPECT_EQ(boundary_ends(old), boundary_ends(made.mesh));
 }
 
 TEST(RemeshGlass, the_axis_stays_the_axis) {
   const Mesh old = sheared_gob();
   const Remeshed made = remesh_glass(old, criteria_for(old, 1.5e-3));
   ASSERT_TRUE(made.ok) << made.reason;
-  const Index axis = core::find_piece(made.mesh, "axis");
+  const Index axis = core::find_boundary(made.mesh, "axis");
   int count = 0;
   for (const auto& edge : made.mesh.boundary)
-    if (edge.piece == axis)
+    if (edge.boundary_id == axis)
       for (const Index node : edge.nodes) {
         EXPECT_EQ(made.mesh.nodes[node][0], 0.0);
         ++count;
@@ -141,21 +142,21 @@ TEST(RemeshGlass, sizes_that_would_take_too_many_cells_grow_until_they_do_not) {
   Criteria criteria = criteria_for(old, 1.5e-3);
   criteria.contact.assign(old.nodes.size(), true);
   const Remeshed free = remesh_glass(old, criteria);
-  EXPECT_EQ(free.coarser, 1);
-  criteria.most_cells = 0.5 * free.mesh.cell_count();
+  EXPECT_EQ(free.coarsening_factor, 1);
+  criteria.max_cells = 0.5 * free.mesh.cell_count();
   const Remeshed held = remesh_glass(old, criteria);
   expect_sound(old, held, "cup_budget");
-  EXPECT_GT(held.coarser, 1.2);
-  EXPECT_LT(held.mesh.cell_count(), 1.25 * criteria.most_cells);
-  EXPECT_GT(held.mesh.cell_count(), 0.75 * criteria.most_cells);
+  EXPECT_GT(held.coarsening_factor, 1.2);
+  EXPECT_LT(held.mesh.cell_count(), 1.25 * criteria.max_cells);
+  EXPECT_GT(held.mesh.cell_count(), 0.75 * criteria.max_cells);
 }
 
 TEST(RemeshGlass, contact_nodes_do_not_give_way) {
   const Mesh old = pressed_cup(2);
   Criteria criteria = criteria_for(old, 1.5e-3);
-  const Index inner = core::find_piece(old, "inner"), outer = core::find_piece(old, "outer");
+  const Index inner = core::find_boundary(old, "inner"), outer = core::find_boundary(old, "outer");
   for (const auto& edge : old.boundary)
-    if (edge.piece == inner)
+    if (edge.boundary_id == inner)
       for (const Index node : edge.nodes) criteria.contact[node] = true;
   const Surface surface = resample(old, criteria, size_field(old, criteria));
   const Remeshed made = remesh_glass(old, criteria);
@@ -163,8 +164,9 @@ TEST(RemeshGlass, contact_nodes_do_not_give_way) {
   double moved = 0;
   for (std::size_t i = 0; i < made.mesh.boundary.size(); ++i) {
     const auto& edge = made.mesh.boundary[i];
-    if (edge.piece == inner) EXPECT_EQ(made.mesh.nodes[edge.nodes[2]], surface.outline.mids[i]);
-    if (edge.piece == outer) moved = std::max(moved, (made.mesh.nodes[edge.nodes[2]] - surface.outline.mids[i]).norm());
+    if (edge.boundary_id == inner) EXPECT_EQ(made.mesh.nodes[edge.nodes[2]], surface.outline.mids[i]);
+    if (edge.boundary_id == outer)
+      moved = std::max(moved, (made.mesh.nodes[edge.nodes[2]] - surface.outline.mids[i]).norm());
   }
   EXPECT_GT(moved, 0);
   EXPECT_LT(moved, 5e-6);
@@ -174,14 +176,14 @@ TEST(RemeshGlass, thermal_skin_is_refined_and_no_finer_than_allowed) {
   const Mesh old = meshed(gob(), 2e-3);
   Criteria criteria = criteria_for(old, 2e-3);
   for (Index i = 0; i < old.node_count(); ++i)
-    if (old.nodes[i][1] > 60e-3) criteria.skin_wish[i] = 1e-5;
+    if (old.nodes[i][1] > 60e-3) criteria.target_skin_size[i] = 1e-5;
   criteria.skin_size = 0.3e-3;
   const Remeshed made = remesh_glass(old, criteria);
   expect_sound(old, made, "gob_skin");
   double cold = 1, warm = 1;
   for (const auto& edge : made.mesh.boundary) {
     const Point &a = made.mesh.nodes[edge.nodes[0]], &b = made.mesh.nodes[edge.nodes[1]];
-    if (made.mesh.pieces[edge.piece] == "axis") continue;
+    if (made.mesh.boundary_names[edge.boundary_id] == "axis") continue;
     if (std::min(a[1], b[1]) > 62e-3) cold = std::min(cold, (a - b).norm());
     if (std::max(a[1], b[1]) < 50e-3) warm = std::min(warm, (a - b).norm());
   }
@@ -206,7 +208,7 @@ TEST(RemeshGlass, a_tool_corner_on_the_surface_gets_a_vertex) {
 /// A block whose edge from `start` to `end` bends through `mid`, into a tool with a corner.
 struct Bulge {
   Point start, mid, end, corner;
-  Clear clear;
+  ExteriorProjection project_out;
 };
 
 void expect_led_out(const Bulge& bulge) {
@@ -228,16 +230,16 @@ void expect_led_out(const Bulge& bulge) {
   criteria.keep = {bulge.corner};
   const auto deepest = [&](const Mesh& mesh) {
     double depth = 0;
-    for (const Point& x : mesh.nodes) depth = std::max(depth, (bulge.clear(x) - x).norm());
+    for (const Point& x : mesh.nodes) depth = std::max(depth, (bulge.project_out(x) - x).norm());
     return depth;
   };
   EXPECT_EQ(deepest(old), 0) << "a node shows what the edge does";
   EXPECT_GT(deepest(remesh_glass(old, criteria).mesh), 0.05e-3) << "no bulge";
-  criteria.clear = bulge.clear;
+  criteria.project_out = bulge.project_out;
   const Remeshed made = remesh_glass(old, criteria);
   ASSERT_TRUE(made.ok) << made.reason;
   EXPECT_LT(deepest(made.mesh), 15e-6);
-  EXPECT_GE(quality(made.mesh).worst, 0.3);
+  EXPECT_GE(quality(made.mesh).min, 0.3);
   EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13);
   double nearest = 1;
   for (Index i = 0; i < made.mesh.vertex_count; ++i)
@@ -260,20 +262,20 @@ TEST(RemeshGlass, a_bulge_into_a_tool_is_led_out_before_the_inside_is_meshed) {
 TEST(RemeshGlass, an_edge_whose_ends_met_in_a_corner_is_left_out) {
   const Mesh whole = meshed(gob(), 2e-3);
   const Criteria criteria = criteria_for(whole, 2e-3);
-  const Index axis = core::find_piece(whole, "axis");
+  const Index axis = core::find_boundary(whole, "axis");
   const auto count = static_cast<Index>(whole.boundary.size());
-  const auto on_axis = [&](Index i) { return whole.boundary[(i + count) % count].piece == axis; };
+  const auto on_axis = [&](Index i) { return whole.boundary[(i + count) % count].boundary_id == axis; };
   for (Index i = 0; i < count; ++i) {
     if (on_axis(i)) continue;
     Mesh old = whole;
     const auto& nodes = old.boundary[i].nodes;
-    const int kept = on_axis(i + 1) ? 1 : 0;  // beside the axis the end of the piece stays
+    const int kept = on_axis(i + 1) ? 1 : 0;  // beside the axis the end of the boundary stays
     old.nodes[nodes[1 - kept]] = old.nodes[nodes[kept]];
     const Remeshed made = remesh_glass(old, criteria);
     ASSERT_TRUE(made.ok) << i << ": " << made.reason;
-    EXPECT_GE(quality(made.mesh).worst, 0.3) << i;
+    EXPECT_GE(quality(made.mesh).min, 0.3) << i;
     EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13) << i;
-    EXPECT_EQ(piece_ends(made.mesh), piece_ends(whole)) << i;
+    EXPECT_EQ(boundary_ends(made.mesh), boundary_ends(whole)) << i;
   }
 }
 
@@ -299,9 +301,9 @@ TEST(RemeshGlass, a_little_lap_is_closed_and_a_great_one_reported) {
   EXPECT_EQ(closed.laps, 1);
   EXPECT_GT(closed.lap_volume, 0);
   EXPECT_LT(closed.lap_volume, 1e-3 * closed.volume_before);
-  EXPECT_GE(quality(closed.mesh).worst, 0.3);
+  EXPECT_GE(quality(closed.mesh).min, 0.3);
   EXPECT_NEAR(closed.volume_after / closed.volume_before, 1, 1e-13);
-  EXPECT_EQ(piece_ends(closed.mesh), piece_ends(little));
+  EXPECT_EQ(boundary_ends(closed.mesh), boundary_ends(little));
   const Remeshed left = remesh_glass(great, criteria_for(great, 2e-3));
   EXPECT_FALSE(left.ok);
   EXPECT_NE(left.reason.find("in a lap of more than"), std::string::npos) << left.reason;
@@ -339,7 +341,7 @@ TEST(RemeshGlass, a_planar_disc_without_corners_keeps_its_area) {
     criteria.contact.assign(old.nodes.size(), touching);
     const Remeshed made = remesh_glass(old, criteria);
     ASSERT_TRUE(made.ok) << made.reason;
-    EXPECT_GE(quality(made.mesh).worst, 0.3);
+    EXPECT_GE(quality(made.mesh).min, 0.3);
     EXPECT_NEAR(core::volume(made.mesh, core::Geometry::planar) / core::volume(old, core::Geometry::planar), 1, 1e-13);
   }
 }

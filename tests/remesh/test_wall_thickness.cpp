@@ -13,7 +13,8 @@ namespace parison::remesh {
 using namespace core;
 namespace {
 
-/// Structured mesh of the image of the unit square, mid-side nodes mapped too; pieces "bottom", "right", "top", "left".
+/// Structured mesh of the image of the unit square, mid-side nodes mapped too; boundaries "bottom", "right", "top",
+/// "left".
 Mesh mapped_square(Index columns, Index rows, const std::function<Point(double, double)>& map) {
   std::vector<Point> vertices;
   std::vector<std::array<Index, 3>> triangles;
@@ -26,19 +27,19 @@ Mesh mapped_square(Index columns, Index rows, const std::function<Point(double, 
       triangles.push_back({a, c, d});
     }
   Mesh mesh = make_quadratic_mesh(vertices, triangles);
-  mesh.pieces = {"bottom", "right", "top", "left"};
+  mesh.boundary_names = {"bottom", "right", "top", "left"};
   for (BoundaryEdge& edge : mesh.boundary) {
     const Point& x = mesh.nodes[edge.nodes[2]];
-    edge.piece = x[1] == 0 ? 0 : x[0] == 1 ? 1 : x[1] == 1 ? 2 : 3;
+    edge.boundary_id = x[1] == 0 ? 0 : x[0] == 1 ? 1 : x[1] == 1 ? 2 : 3;
   }
   for (Point& x : mesh.nodes) x = map(x[0], x[1]);
   return mesh;
 }
 
-std::vector<Index> nodes_of(const Mesh& mesh, Index piece) {
+std::vector<Index> nodes_of(const Mesh& mesh, Index boundary) {
   std::vector<Index> nodes;
   for (const BoundaryEdge& edge : mesh.boundary)
-    if (edge.piece == piece) nodes.insert(nodes.end(), edge.nodes.begin(), edge.nodes.end());
+    if (edge.boundary_id == boundary) nodes.insert(nodes.end(), edge.nodes.begin(), edge.nodes.end());
   return nodes;
 }
 

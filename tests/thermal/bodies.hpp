@@ -28,7 +28,7 @@ inline std::vector<double> divide(double from, double to, int count, double rati
   return x;
 }
 
-/// Rectangle on a grid, its sides the pieces bottom, right, top, left.
+/// Rectangle on a grid, its sides the boundaries bottom, right, top, left.
 inline core::Mesh rectangle(const std::vector<double>& x, const std::vector<double>& y) {
   std::vector<Point> vertices;
   std::vector<std::array<Index, 3>> triangles;
@@ -47,11 +47,11 @@ inline core::Mesh rectangle(const std::vector<double>& x, const std::vector<doub
       }
     }
   core::Mesh mesh = core::make_quadratic_mesh(vertices, triangles);
-  mesh.pieces = {"bottom", "right", "top", "left"};
+  mesh.boundary_names = {"bottom", "right", "top", "left"};
   for (core::BoundaryEdge& edge : mesh.boundary) {
     const Point along = mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]];
     const bool level = std::abs(along[0]) > std::abs(along[1]);
-    edge.piece = level ? (along[0] > 0 ? bottom : top) : (along[1] > 0 ? right : left);
+    edge.boundary_id = level ? (along[0] > 0 ? bottom : top) : (along[1] > 0 ? right : left);
   }
   return mesh;
 }
@@ -61,8 +61,8 @@ inline BodyView body(const core::Mesh& mesh, const Material& material) {
           &mesh,
           material.density,
           &material,
-          std::vector<std::optional<SurfaceExchange>>(mesh.pieces.size()),
-          std::vector<std::optional<double>>(mesh.pieces.size())};
+          std::vector<std::optional<SurfaceExchange>>(mesh.boundary_names.size()),
+          std::vector<std::optional<double>>(mesh.boundary_names.size())};
 }
 
 /// Nodal values of a function of position.
@@ -92,9 +92,10 @@ inline std::vector<core::InterfacePoint> stack(const core::Mesh& slave, const co
                                                core::Geometry geometry) {
   std::vector<core::InterfacePoint> points;
   for (const core::BoundaryEdge& edge : slave.boundary) {
-    if (edge.piece != bottom) continue;
+    if (edge.boundary_id != bottom) continue;
     const auto faces = [&](const core::BoundaryEdge& other) {
-      return other.piece == top && std::abs(master.nodes[other.nodes[2]][0] - slave.nodes[edge.nodes[2]][0]) < 1e-9;
+      return other.boundary_id == top &&
+             std::abs(master.nodes[other.nodes[2]][0] - slave.nodes[edge.nodes[2]][0]) < 1e-9;
     };
     const auto facing = std::find_if(master.boundary.begin(), master.boundary.end(), faces);
     for (const auto& at : core::edge_rule(3)) {

@@ -55,7 +55,7 @@ TEST(Conduction, a_slab_cooled_on_one_face_follows_the_series_solution) {
   for (const double until : {0.5, 5.0, 30.0}) {
     const StepOutcome outcome = run(problem, temperature, until - time, options);
     temperature = outcome.temperature[0];
-    lost += outcome.ledger.bodies[0].to_air;
+    lost += outcome.balance.bodies[0].to_air;
     time = until;
     for (Index i = 0; i < mesh.node_count(); ++i)
       ASSERT_NEAR(temperature[i], exact(mesh.nodes[i][0], time), 0.03) << mesh.nodes[i].transpose();
@@ -130,7 +130,7 @@ TEST(Conduction, the_error_falls_with_the_second_power_of_the_substep) {
   for (const int substeps : {8, 16, 32}) {
     StepOptions options;
     options.tolerance = 1e9;
-    options.first_substep = options.largest_substep = time / substeps;
+    options.initial_substep = options.max_substep = time / substeps;
     const StepOutcome outcome = run(problem, start, time, options);
     EXPECT_EQ(outcome.substeps, substeps);
     errors.push_back((outcome.temperature[0] - exact.temperature[0]).lpNorm<Eigen::Infinity>());
@@ -174,8 +174,8 @@ TEST(Conduction, the_heat_through_a_given_temperature_is_the_steady_flux) {
   const double surface = 300 + 700 / (1 + 50 * 0.01 / 1.3), flux = 50 * (surface - 300);
   const auto start = sample(mesh, [&](const Point& x) { return 1000 + (surface - 1000) * x[0] / 0.01; });
   const StepOutcome outcome = run(problem, start, 2.0, {});
-  EXPECT_NEAR(outcome.ledger.bodies[0].from_prescribed / (flux * 0.002 * 2), 1, 1e-10);
-  EXPECT_NEAR(outcome.ledger.bodies[0].to_air / (flux * 0.002 * 2), 1, 1e-10);
+  EXPECT_NEAR(outcome.balance.bodies[0].from_prescribed / (flux * 0.002 * 2), 1, 1e-10);
+  EXPECT_NEAR(outcome.balance.bodies[0].to_air / (flux * 0.002 * 2), 1, 1e-10);
   EXPECT_NEAR((outcome.temperature[0] - start).lpNorm<Eigen::Infinity>(), 0, 1e-9);
 }
 
@@ -212,7 +212,7 @@ TEST(Conduction, a_source_raises_an_insulated_body_by_its_heat) {
   const StepOutcome outcome = run(problem, Eigen::VectorXd::Constant(mesh.node_count(), 1000), 0.5, {});
   for (const double T : outcome.temperature[0]) EXPECT_NEAR(T, 1000 + 2e7 * 0.5 / (2400 * 1300.0), 1e-8);
   const double heat = 0.5 * std::accumulate(source.begin(), source.end(), 0.0);
-  EXPECT_NEAR(outcome.ledger.bodies[0].from_source / heat, 1, 1e-13);
+  EXPECT_NEAR(outcome.balance.bodies[0].from_source / heat, 1, 1e-13);
 }
 
 }  // namespace

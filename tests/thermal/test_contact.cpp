@@ -64,29 +64,29 @@ TEST(Contact, glass_on_steel_follows_the_exact_solution_by_TR_BDF2) {
   StepOptions options;
   options.tolerance = 0.02;
   StepMatrix matrix;
-  Ledger ledger;
+  HeatBalance balance;
   auto temperature = c.start;
   double time = 0;
   for (const Row& row : exact) {
     const StepOutcome outcome = advance(c.problem, temperature, row.time - time, options, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     temperature = outcome.temperature;
-    options.first_substep = outcome.next_substep;
-    add(ledger, outcome.ledger);
+    options.initial_substep = outcome.next_substep;
+    add(balance, outcome.balance);
     time = row.time;
-    c.compare(row, temperature, ledger.pairs[0].heat);
+    c.compare(row, temperature, balance.pairs[0].heat);
   }
 }
 
 TEST(Contact, glass_on_steel_follows_the_exact_solution_by_IDA) {
   const Cylinders c(4, 40, 1.15);
   IdaIntegrator integrator(c.problem, c.start, {0.01});
-  Ledger ledger;
+  HeatBalance balance;
   for (const Row& row : exact) {
     const IdaOutcome outcome = integrator.advance_to(row.time);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
-    add(ledger, outcome.ledger);
-    c.compare(row, outcome.temperature, ledger.pairs[0].heat);
+    add(balance, outcome.balance);
+    c.compare(row, outcome.temperature, balance.pairs[0].heat);
   }
 }
 
@@ -98,7 +98,7 @@ std::vector<core::InterfacePoint> slid(const std::vector<core::InterfacePoint>& 
     for (std::size_t e = 0; e < lower.boundary.size(); ++e)
       if (lower.boundary[e].nodes[2] == point.master_nodes[2]) {
         const auto& to = lower.boundary[e + edges];
-        if (to.piece == lower.boundary[e].piece) point.master_nodes = to.nodes;
+        if (to.boundary_id == lower.boundary[e].boundary_id) point.master_nodes = to.nodes;
         break;
       }
   return moved;
@@ -143,18 +143,18 @@ TEST(Contact, coupling_steps_of_50_ms_need_about_one_substep_each) {
   StepOptions options;
   StepMatrix matrix;
   auto temperature = c.start;
-  Ledger ledger;
+  HeatBalance balance;
   Index substeps = 0, factorisations = 0;
   for (int step = 0; step < 200; ++step) {
     const StepOutcome outcome = advance(c.problem, temperature, 0.05, options, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     temperature = outcome.temperature;
-    options.first_substep = outcome.next_substep;
-    add(ledger, outcome.ledger);
+    options.initial_substep = outcome.next_substep;
+    add(balance, outcome.balance);
     substeps += outcome.substeps;
     factorisations += outcome.factorisations;
   }
-  c.compare(exact.back(), temperature, ledger.pairs[0].heat);
+  c.compare(exact.back(), temperature, balance.pairs[0].heat);
   EXPECT_LT(substeps, 260);
   EXPECT_LT(factorisations, 60);  // the factor is kept while the step stays
 }

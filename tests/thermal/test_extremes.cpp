@@ -40,10 +40,10 @@ TEST(Extremes, any_conductance_and_any_step_gives_bounded_balanced_temperatures)
         EXPECT_LT(outcome.temperature[b].maxCoeff(), 1423 + 100);
         EXPECT_GT(outcome.temperature[b].minCoeff(), 423 - 100);
         content += std::abs(heat_content(blocks.problem.bodies[b], blocks.problem.geometry, outcome.temperature[b]));
-        change = std::max(change, std::abs(outcome.ledger.bodies[b].content_change));
+        change = std::max(change, std::abs(outcome.balance.bodies[b].content_change));
       }
-      for (const Index b : {0, 1}) EXPECT_LT(std::abs(imbalance(outcome.ledger, b)), 1e-8 * change + 1e-14 * content);
-      EXPECT_EQ(outcome.ledger.pairs[0].heat > 0, h > 0);
+      for (const Index b : {0, 1}) EXPECT_LT(std::abs(imbalance(outcome.balance, b)), 1e-8 * change + 1e-14 * content);
+      EXPECT_EQ(outcome.balance.pairs[0].heat > 0, h > 0);
     }
 }
 
@@ -75,7 +75,7 @@ TEST(Extremes, a_temperature_that_is_not_a_number_is_refused_with_a_reason) {
 TEST(Extremes, a_step_that_needs_too_small_substeps_fails_with_a_reason) {
   Blocks blocks(5000);
   StepOptions options;
-  options.smallest_substep = 0.5;
+  options.min_substep = 0.5;
   StepMatrix matrix;
   const StepOutcome outcome = advance(blocks.problem, blocks.start, 1.0, options, matrix);
   EXPECT_FALSE(outcome.converged);
@@ -104,7 +104,7 @@ TEST(Extremes, a_new_contact_and_a_lost_contact_are_taken_in_the_next_step) {
     blocks.problem.interface = touching ? closed : std::vector<core::InterfacePoint>{};
     const StepOutcome outcome = advance(blocks.problem, temperature, 0.1, {}, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
-    EXPECT_EQ(outcome.ledger.pairs.size(), touching ? 1u : 0u);
+    EXPECT_EQ(outcome.balance.pairs.size(), touching ? 1u : 0u);
     temperature = outcome.temperature;
   }
 }

@@ -42,7 +42,7 @@ struct Everything {
   Everything(const Everything&) = delete;
 };
 
-TEST(Ledger, every_step_closes_to_1e_10_with_all_kinds_of_exchange) {
+TEST(HeatBalance, every_step_closes_to_1e_10_with_all_kinds_of_exchange) {
   Everything e;
   StepOptions options;
   StepMatrix matrix;
@@ -51,23 +51,23 @@ TEST(Ledger, every_step_closes_to_1e_10_with_all_kinds_of_exchange) {
     const StepOutcome outcome = advance(e.problem, temperature, 0.1, options, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     for (const Index b : {0, 1}) {
-      const BodyLedger& body = outcome.ledger.bodies[b];
+      const BodyBalance& body = outcome.balance.bodies[b];
       const double content = heat_content(e.problem.bodies[b], e.problem.geometry, outcome.temperature[b]) -
                              heat_content(e.problem.bodies[b], e.problem.geometry, temperature[b]);
       EXPECT_NEAR(body.content_change / content, 1, 1e-9);
-      EXPECT_LT(std::abs(imbalance(outcome.ledger, b)), 1e-10 * std::abs(body.content_change)) << step;
+      EXPECT_LT(std::abs(imbalance(outcome.balance, b)), 1e-10 * std::abs(body.content_change)) << step;
       EXPECT_GT(body.to_air, 0);
     }
-    EXPECT_GT(outcome.ledger.bodies[0].from_source, 0);
-    EXPECT_LT(outcome.ledger.bodies[1].from_prescribed, 0);
-    EXPECT_GT(outcome.ledger.pairs[0].heat, 0);
+    EXPECT_GT(outcome.balance.bodies[0].from_source, 0);
+    EXPECT_LT(outcome.balance.bodies[1].from_prescribed, 0);
+    EXPECT_GT(outcome.balance.pairs[0].heat, 0);
     temperature = outcome.temperature;
-    options.first_substep = outcome.next_substep;
+    options.initial_substep = outcome.next_substep;
   }
   EXPECT_LT(temperature[0].minCoeff(), 1150);  // through the peak of the heat capacity
 }
 
-TEST(Ledger, flux_out_of_one_body_equals_flux_into_the_other) {
+TEST(HeatBalance, flux_out_of_one_body_equals_flux_into_the_other) {
   Everything e;
   for (BodyView& body : e.problem.bodies) {
     body.exchange.clear();
@@ -84,7 +84,7 @@ TEST(Ledger, flux_out_of_one_body_equals_flux_into_the_other) {
   EXPECT_NEAR(in / response.flows.across[0], 1, 1e-13);
 }
 
-TEST(Ledger, contact_replaces_the_air_as_far_as_it_is_closed) {
+TEST(HeatBalance, contact_replaces_the_air_as_far_as_it_is_closed) {
   Everything e;
   const SurfaceExchange air{20, 320, 0.89, 320};
   for (BodyView& body : e.problem.bodies) {
@@ -93,8 +93,8 @@ TEST(Ledger, contact_replaces_the_air_as_far_as_it_is_closed) {
   }
   e.problem.bodies[0].exchange[bottom] = air;
   e.problem.bodies[1].exchange[top] = air;
-  const auto flows = [&](double closure) {
-    for (core::InterfacePoint& point : e.problem.interface) point.closure = closure;
+  const auto flows = [&](double contact_weight) {
+    for (core::InterfacePoint& point : e.problem.interface) point.contact_weight = contact_weight;
     const HeatSystem system = make_heat_system(e.problem);
     return evaluate_flows(system, join(system, e.start));
   };
@@ -108,7 +108,7 @@ TEST(Ledger, contact_replaces_the_air_as_far_as_it_is_closed) {
   EXPECT_NEAR(half.across[0] / closed.across[0], 0.5, 1e-12);
 }
 
-TEST(Ledger, IDA_closes_to_its_tolerance_and_agrees_with_TR_BDF2) {
+TEST(HeatBalance, IDA_closes_to_its_tolerance_and_agrees_with_TR_BDF2) {
   Everything e;
   IdaIntegrator integrator(e.problem, e.start, {1e-4});
   StepOptions options;
@@ -121,14 +121,14 @@ TEST(Ledger, IDA_closes_to_its_tolerance_and_agrees_with_TR_BDF2) {
     const StepOutcome tr = advance(e.problem, temperature, until == 3 ? 2 : 0.5, options, matrix);
     ASSERT_TRUE(tr.converged) << tr.reason;
     temperature = tr.temperature;
-    options.first_substep = tr.next_substep;
+    options.initial_substep = tr.next_substep;
     for (const Index b : {0, 1}) {
       EXPECT_LT((ida.temperature[b] - tr.temperature[b]).lpNorm<Eigen::Infinity>(), 0.05);
-      EXPECT_LT(std::abs(imbalance(ida.ledger, b) / ida.ledger.pairs[0].heat), 1e-5);
-      EXPECT_NEAR(ida.ledger.bodies[b].to_air / tr.ledger.bodies[b].to_air, 1, 1e-4);
+      EXPECT_LT(std::abs(imbalance(ida.balance, b) / ida.balance.pairs[0].heat), 1e-5);
+      EXPECT_NEAR(ida.balance.bodies[b].to_air / tr.balance.bodies[b].to_air, 1, 1e-4);
     }
-    EXPECT_NEAR(ida.ledger.pairs[0].heat / tr.ledger.pairs[0].heat, 1, 1e-4);
-    EXPECT_NEAR(ida.ledger.bodies[1].from_prescribed / tr.ledger.bodies[1].from_prescribed, 1, 1e-3);
+    EXPECT_NEAR(ida.balance.pairs[0].heat / tr.balance.pairs[0].heat, 1, 1e-4);
+    EXPECT_NEAR(ida.balance.bodies[1].from_prescribed / tr.balance.bodies[1].from_prescribed, 1, 1e-3);
   }
 }
 

@@ -37,7 +37,7 @@ struct HotPair {
     for (BodyView& each : problem.bodies)
       for (auto& exchange : each.exchange) exchange = SurfaceExchange{40, 320, 0.8, 320};
     problem.interface = stack(upper, lower, geometry);
-    for (auto& point : problem.interface) point.closure = 0.7;
+    for (auto& point : problem.interface) point.contact_weight = 0.7;
     problem.law = pointwise([=](const core::InterfacePoint&, double T) { return softening(T, scale, power); });
     start = {Eigen::VectorXd::Constant(upper.node_count(), 1400), Eigen::VectorXd::Constant(lower.node_count(), 740)};
   }
@@ -59,14 +59,14 @@ TEST(Newton, the_derivative_of_the_whole_residual_is_that_of_finite_differences)
         return response.content - step * response.power;
       };
       const Eigen::VectorXd difference = (residual(small) - residual(-small)) / (2 * small);
-      Linearisation slopes = linearise(system, T);
-      const Eigen::VectorXd product = apply(system, slopes, step, direction);
+      Linearisation derivatives = linearise(system, T);
+      const Eigen::VectorXd product = apply(system, derivatives, step, direction);
       const double size = difference.lpNorm<Eigen::Infinity>();
       EXPECT_LT((product - difference).lpNorm<Eigen::Infinity>(), 1e-7 * size);
-      slopes.contacts.conductance.setZero();
-      EXPECT_GT((apply(system, slopes, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-3 * size);
-      for (GroupSlopes& group : slopes.groups) group.flow_a = group.flow_b = {};
-      EXPECT_GT((apply(system, slopes, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-3 * size);
+      derivatives.contacts.conductance.setZero();
+      EXPECT_GT((apply(system, derivatives, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-3 * size);
+      for (BatchDerivatives& batch : derivatives.batches) batch.flow_a = batch.flow_b = {};
+      EXPECT_GT((apply(system, derivatives, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-3 * size);
     }
 }
 

@@ -42,12 +42,12 @@ TEST(LinearTemperature, the_error_falls_with_the_second_power_of_the_element_siz
   EXPECT_GT(std::log2(errors[1] / errors[2]), 1.9);
 }
 
-/// Slave above master on a level line, each with its own division of it: points on the common pieces.
+/// Slave above master on a level line, each with its own division of it: points on the common boundaries.
 std::vector<core::InterfacePoint> facing(const core::Mesh& slave, const core::Mesh& master, Geometry geometry) {
-  const auto edges = [](const core::Mesh& mesh, Index piece) {
+  const auto edges = [](const core::Mesh& mesh, Index boundary) {
     std::vector<core::BoundaryEdge> found;
     for (const auto& edge : mesh.boundary)
-      if (edge.piece == piece) found.push_back(edge);
+      if (edge.boundary_id == boundary) found.push_back(edge);
     return found;
   };
   std::vector<core::InterfacePoint> points;
@@ -93,11 +93,11 @@ TEST(LinearTemperature, a_steady_linear_temperature_crosses_a_non_matching_conta
     const StepOutcome steady = advance(problem, outcome.temperature, 1e9, options, matrix);
     for (int b = 0; b < 2; ++b) EXPECT_LT((steady.temperature[b] - exact[b]).lpNorm<Eigen::Infinity>(), 1e-8);
     const double area = geometry == Geometry::planar ? 0.02 : M_PI * 0.02 * 0.02;
-    EXPECT_NEAR(steady.ledger.pairs[0].heat / (flux * area * 1e9), 1, 1e-10);
+    EXPECT_NEAR(steady.balance.pairs[0].heat / (flux * area * 1e9), 1, 1e-10);
   }
 }
 
-TEST(LinearTemperature, the_ledger_closes_and_both_integrators_agree) {
+TEST(LinearTemperature, the_balance_closes_and_both_integrators_agree) {
   const Varying v;
   const core::Mesh mesh = rectangle(divide(0, v.side, 8), divide(0, v.side, 8));
   Problem problem = v.problem(mesh);
@@ -117,8 +117,8 @@ TEST(LinearTemperature, the_ledger_closes_and_both_integrators_agree) {
   ASSERT_TRUE(outcome.converged) << outcome.reason;
   const double held = heat_content(problem.bodies[0], problem.geometry, start);
   const double kept = heat_content(problem.bodies[0], problem.geometry, outcome.temperature[0]);
-  EXPECT_NEAR(outcome.ledger.bodies[0].content_change / (kept - held), 1, 1e-10);
-  EXPECT_LT(std::abs(imbalance(outcome.ledger, 0)), 1e-9 * std::abs(held));
+  EXPECT_NEAR(outcome.balance.bodies[0].content_change / (kept - held), 1, 1e-10);
+  EXPECT_LT(std::abs(imbalance(outcome.balance, 0)), 1e-9 * std::abs(held));
   IdaIntegrator integrator(problem, {start}, {1e-4});
   const IdaOutcome other = integrator.advance_to(1.0);
   ASSERT_TRUE(other.converged) << other.reason;

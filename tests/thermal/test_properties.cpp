@@ -56,14 +56,14 @@ TEST(Properties, enthalpy_is_the_integral_of_the_heat_capacity) {
   EXPECT_TRUE(std::isnan(enthalpy(std::nan("")).h));
 }
 
-TEST(Properties, surface_flux_has_its_slope_and_vanishes_at_equilibrium) {
+TEST(Properties, surface_flux_has_its_derivative_and_vanishes_at_equilibrium) {
   const SurfaceExchange exchange{20, 320, 0.89, 320};
   EXPECT_NEAR(surface_flux(exchange, 320).q, 0, 1e-9);
   for (const double T : {300.0, 900.0, 1423.0}) {
     const double eps = 1e-2;
-    const double slope = (surface_flux(exchange, T + eps).q - surface_flux(exchange, T - eps).q) / (2 * eps);
-    EXPECT_NEAR(surface_flux(exchange, T).dq_dT / slope, 1, 1e-8);
-    EXPECT_GT(slope, 20);
+    const double derivative = (surface_flux(exchange, T + eps).q - surface_flux(exchange, T - eps).q) / (2 * eps);
+    EXPECT_NEAR(surface_flux(exchange, T).dq_dT / derivative, 1, 1e-8);
+    EXPECT_GT(derivative, 20);
   }
   EXPECT_NEAR(surface_flux({0, 0, 1, 0}, 1000).q, 56703.74419, 1e-4);
 }

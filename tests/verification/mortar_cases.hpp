@@ -77,11 +77,11 @@ struct Pair {
       }
     problem.bodies[body].source = &source[body];
   }
-  /// Flux into a body, W/m2 at a point with the outward normal there, over the edges of chosen pieces.
-  void add_flux(Index body, const std::vector<Index>& pieces,
+  /// Flux into a body, W/m2 at a point with the outward normal there, over the edges of chosen boundaries.
+  void add_flux(Index body, const std::vector<Index>& boundaries,
                 const std::function<double(const Point&, const Point&)>& flux) {
     for (const auto& edge : mesh[body].boundary)
-      if (std::find(pieces.begin(), pieces.end(), edge.piece) != pieces.end())
+      if (std::find(boundaries.begin(), boundaries.end(), edge.boundary_id) != boundaries.end())
         for (const auto& rule : core::edge_rule(5)) {
           const auto at = core::map_edge_point(mesh[body], edge.nodes, geometry, rule);
           const double heat = at.area * flux(at.position, at.normal), mid = problem.order == 1 ? 0.5 * at.shape[2] : 0;

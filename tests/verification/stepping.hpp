@@ -17,18 +17,18 @@ using Look = std::function<void(const State& before, const State& after)>;
 
 /// Steps as `run` does, without its files and new meshes, to a time of the first stage.
 inline State steps_to(const Scene& scene, State state, double time, Workspace& workspace, const Look& look = {}) {
-  if (state.next_step == 0) state.next_step = scene.accuracy.first_step;
+  if (state.next_step == 0) state.next_step = scene.accuracy.initial_step;
   while (state.time < time - 1e-12) {
-    const double dt = std::min(landing_step(scene, state, state.next_step), time - state.time);
+    const double dt = std::min(clip_step_to_event(scene, state, state.next_step), time - state.time);
     auto result = coupled_step(scene, state, dt, workspace);
     EXPECT_TRUE(result.converged) << result.reason;
     if (!result.converged) break;
-    const double wish = wished_step(scene, result.report, state.next_step).dt;
-    if (!overshot(scene, result.report)) {
+    const double proposed = propose_step(scene, result.report, state.next_step).dt;
+    if (!rejected_by_error_control(scene, result.report)) {
       if (look) look(state, result.state);
       state = std::move(result.state);
     }
-    state.next_step = wish;
+    state.next_step = proposed;
   }
   return state;
 }

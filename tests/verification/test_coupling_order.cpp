@@ -57,7 +57,7 @@ End after_equal_steps(Scene& scene, int steps) {
   return {state.bodies[0].temperature.mean(), radius, 1.5 * state.bodies[2].force - 0.5 * last_force};
 }
 
-TEST(Coupling, of_flow_and_heat_is_of_second_order_in_one_sweep) {
+TEST(Coupling, of_flow_and_heat_is_of_second_order_in_one_coupling_iteration) {
   Scene scene = scene_of(pressed_disc, "standard");
   scene.accuracy.passes = 1;
   std::array<End, 5> end;

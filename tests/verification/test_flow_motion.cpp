@@ -52,7 +52,7 @@ SqueezeErrors squeeze_errors(double strain_per_step) {
   double radius = 0;
   for (const auto& x : mesh.nodes) radius = std::max(radius, x[0]);
   errors.radius = radius / (0.02 * std::sqrt(10 / 1.5)) - 1;
-  errors.drift = core::volume(mesh, scene.geometry) / start.first_volume - 1;
+  errors.drift = core::volume(mesh, scene.geometry) / start.initial_volume - 1;
   std::printf(
       "slipping squeeze to 1.5 mm, strain %.4f a step: force off by %.1e at the worst of %d heights, radius by %.1e, "
       "volume by %.1e\n",
@@ -97,11 +97,11 @@ TEST(Punch, whose_corner_sinks_into_smooth_glass_keeps_the_glass_out_and_its_vol
   std::printf(
       "punch: %d steps, force %.2f N, glass in the tools at most %.2f um, volume off by %.1e, glass beside it rises "
       "%.2f mm\n",
-      end.totals.steps, end.bodies[1].force, 1e6 * end.totals.deepest, end.totals.largest_drift, 1e3 * rise);
+      end.totals.steps, end.bodies[1].force, 1e6 * end.totals.max_penetration, end.totals.max_drift, 1e3 * rise);
   EXPECT_NEAR(end.time, 0.1, 1e-9);
   EXPECT_GT(weakest, 0);
-  EXPECT_LT(end.totals.deepest, 5e-6);
-  EXPECT_LT(end.totals.largest_drift, 1e-4);
+  EXPECT_LT(end.totals.max_penetration, 5e-6);
+  EXPECT_LT(end.totals.max_drift, 1e-4);
 }
 
 /// A quarter of a drop, 10 mm radius, under its surface tension alone.
@@ -113,7 +113,7 @@ viscosity = { law = "constant", value = "100 Pa.s" }
 surface_tension = "0.3 N/m"
 [glass]
 material = "liquid"
-piece = [
+boundary = [
   { name = "equator", condition = "symmetry", path = "(0, 0) (10, 0) mm" },
   { name = "surface", condition = "air", path = "arc centre (0, 0) mm radius 10 mm from 0 deg to 90 deg" },
   { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
@@ -129,10 +129,10 @@ double second_mode(const Point& x) {
 
 /// Amplitude of the second mode of the surface, relative to the radius.
 double amplitude(const Scene& scene, const core::Mesh& mesh) {
-  const Index surface = core::find_piece(mesh, "surface");
+  const Index surface = core::find_boundary(mesh, "surface");
   double projected = 0, square = 0;
   for (const auto& edge : mesh.boundary)
-    if (edge.piece == surface)
+    if (edge.boundary_id == surface)
       for (const auto& rule : core::edge_rule(4)) {
         const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
         const double mode = second_mode(at.position);
@@ -147,7 +147,7 @@ std::pair<double, double> relax(const Scene& scene, double first, double time) {
   State state = initial_state(scene);
   auto& mesh = state.bodies[0].mesh;
   for (auto& x : mesh.nodes) x *= 1 + first * second_mode(x);
-  state.first_volume = core::volume(mesh, scene.geometry);
+  state.initial_volume = core::volume(mesh, scene.geometry);
   const double before = amplitude(scene, mesh);
   return {before, amplitude(scene, steps_to(scene, state, time).bodies[0].mesh)};
 }

@@ -50,16 +50,16 @@ Scene shell() {
 
 /// How far the inner surface is off a radius at its worst node, relative to it.
 double radius_error(const core::Mesh& mesh, double radius) {
-  const Index inner = core::find_piece(mesh, "inner");
+  const Index inner = core::find_boundary(mesh, "inner");
   double worst = 0;
   for (const auto& edge : mesh.boundary)
-    if (edge.piece == inner)
+    if (edge.boundary_id == inner)
       for (const Index node : edge.nodes) worst = std::max(worst, std::abs(mesh.nodes[node].norm() / radius - 1));
   return worst;
 }
 
 double volume_drift(const Scene& scene, const State& state) {
-  return core::volume(state.bodies[0].mesh, scene.geometry) / state.first_volume - 1;
+  return core::volume(state.bodies[0].mesh, scene.geometry) / state.initial_volume - 1;
 }
 
 TEST(ShellInflation, doubles_its_inner_radius_in_the_exact_time_with_and_without_surface_tension) {
@@ -72,7 +72,7 @@ TEST(ShellInflation, doubles_its_inner_radius_in_the_exact_time_with_and_without
     const State state = steps_to(scene, initial_state(scene), time);
     const double worst = radius_error(state.bodies[0].mesh, 2 * inner_radius), drift = volume_drift(scene, state);
     std::printf("shell, tension %5.1f N/m: inner radius doubled off by %.2e, volume by %.2e (largest %.2e), %d steps\n",
-                tension, worst, drift, state.totals.largest_drift, state.totals.steps);
+                tension, worst, drift, state.totals.max_drift, state.totals.steps);
     EXPECT_LT(worst, 5e-4);
     EXPECT_LT(std::abs(drift), 1e-5);
   }
@@ -83,8 +83,8 @@ TEST(ShellInflation, is_of_second_order_in_time) {
   for (const double strain : {0.16, 0.08, 0.04}) {
     Scene scene = shell();
     scene.accuracy.strain_per_step = strain;
-    scene.accuracy.largest_step = strain / 20;
-    scene.accuracy.first_step = strain / 200;
+    scene.accuracy.max_step = strain / 20;
+    scene.accuracy.initial_step = strain / 200;
     scene.output.interval = 1;
     const State state = steps_to(scene, initial_state(scene), 0.12);
     const double error = radius_error(state.bodies[0].mesh, radius_at(0.12));

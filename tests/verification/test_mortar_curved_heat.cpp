@@ -82,8 +82,8 @@ TEST(MortarCurved, gaps_and_overlaps_to_a_micrometre_change_the_heat_by_less_tha
       }
 }
 
-/// Chords part and overlap by their sagitta, 0.02 to 0.6 mm here against a hand-over of 10 um: were contact lost there,
-/// most of the heat would be. The same chords with a hand-over of 10 mm, which never opens, are the measure.
+/// Chords part and overlap by their sagitta, 0.02 to 0.6 mm here against a transition of 10 um: were contact lost
+/// there, most of the heat would be. The same chords with a transition of 10 mm, which never opens, are the measure.
 TEST(MortarCurved, chords_that_part_or_overlap_by_their_sagitta_keep_the_heat) {
   for (const auto geometry : {Geometry::axisymmetric, Geometry::planar})
     for (const auto& [first, second] : {std::pair{10, 10}, {9, 13}, {8, 24}, {24, 8}})

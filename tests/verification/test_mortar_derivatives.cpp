@@ -22,13 +22,14 @@ TEST(MortarDerivatives, h_follows_the_glass_temperature_through_the_viscosity_by
       for (const double T : {973.0, 1123.0, 1273.0, 1423.0}) {
         point.pressure = pressure;
         const auto h = [&](double at) { return point_conductance(scene, point, at, outside).h; };
-        const double slope = point_conductance(scene, point, T, outside).dh_dT;
+        const double derivative = point_conductance(scene, point, T, outside).dh_dT;
         const double measured = (h(T + 0.01) - h(T - 0.01)) / 0.02;
-        EXPECT_NEAR(slope, measured, 1e-6 * std::abs(measured) + 1e-12) << point.law << " " << pressure << " " << T;
+        EXPECT_NEAR(derivative, measured, 1e-6 * std::abs(measured) + 1e-12)
+            << point.law << " " << pressure << " " << T;
         if (point.law < 3) {
-          EXPECT_GT(slope, 0);  // hotter glass is softer and touches better
+          EXPECT_GT(derivative, 0);  // hotter glass is softer and touches better
         } else {
-          EXPECT_EQ(slope, 0);
+          EXPECT_EQ(derivative, 0);
         }
       }
   EXPECT_EQ(outside, 0);

@@ -23,7 +23,7 @@ struct Press {
   std::array<core::Mesh, 2> tool;
   std::vector<Eigen::VectorXd> temperature;
   thermal::StepMatrix matrix;
-  double first_substep = 0;
+  double initial_substep = 0;
 
   static double height(double r) { return -dome * r * r / (radius * radius); }
   Press(int glass_edges, int tool_edges) {
@@ -69,10 +69,10 @@ struct Press {
     touching.clear();
     for (const auto& point : problem.interface) touching.insert(point.slave_nodes.begin(), point.slave_nodes.end());
     thermal::StepOptions options;
-    options.first_substep = first_substep;
+    options.initial_substep = initial_substep;
     auto outcome = thermal::advance(problem, temperature, dt, options, matrix);
     temperature = outcome.temperature;
-    first_substep = outcome.next_substep;
+    initial_substep = outcome.next_substep;
     return outcome;
   }
   double heat() const {
@@ -90,7 +90,7 @@ void expect_conserved(int glass_edges, int tool_edges) {
   Press press(glass_edges, tool_edges);
   const double whole = press.heat();
   double exchanged = 0, lost = 0, mismatch = 0;
-  Index substeps = 0, rejected = 0, solves = 0, factorisations = 0, most_substeps = 0, joined = 0, left = 0, closed = 0;
+  Index substeps = 0, rejected = 0, solves = 0, factorisations = 0, max_substeps = 0, joined = 0, left = 0, closed = 0;
   std::set<Index> before, now;
   for (int i = 0; i < 40; ++i) {
     const double t = i / 20.0;  // twice closed and open
@@ -101,32 +101,32 @@ void expect_conserved(int glass_edges, int tool_edges) {
     for (const Index node : before) left += now.count(node) == 0;
     before = now;
     closed += !now.empty();
-    if (!now.empty()) mismatch = std::max(mismatch, flux_mismatch(outcome.ledger));
-    for (const auto& pair : outcome.ledger.pairs) exchanged += std::abs(pair.heat);
+    if (!now.empty()) mismatch = std::max(mismatch, flux_mismatch(outcome.balance));
+    for (const auto& pair : outcome.balance.pairs) exchanged += std::abs(pair.heat);
     lost = std::max(lost, std::abs(press.heat() - whole));
     substeps += outcome.substeps;
     rejected += outcome.rejected;
     solves += outcome.solves;
     factorisations += outcome.factorisations;
-    most_substeps = std::max(most_substeps, outcome.substeps);
+    max_substeps = std::max(max_substeps, outcome.substeps);
   }
   std::printf(
       "%d/2x%d edges: %d nodes joined, %d left, in contact in %d of 40 steps; heat exchanged %.0f J, total "
       "changed by %.1e J of %.0f J; flux out against in %.1e\n",
       glass_edges, tool_edges, joined, left, closed, exchanged, lost, whole, mismatch);
   std::printf("  %d substeps (%d at most in a step), %d rejected, %.1f solves a substep, %d factorisations\n", substeps,
-              most_substeps, rejected, double(solves) / (substeps + rejected), factorisations);
+              max_substeps, rejected, double(solves) / (substeps + rejected), factorisations);
   EXPECT_GT(exchanged, 1000);
   EXPECT_GT(std::min(joined, left), 2 * glass_edges);
   EXPECT_LT(closed, 40);
   EXPECT_LT(lost, 1e-12 * whole);
   EXPECT_GT(mismatch, 0);
   EXPECT_LT(mismatch, 1e-13);
-  EXPECT_LT(most_substeps, 40);
+  EXPECT_LT(max_substeps, 40);
   EXPECT_LT(solves, 16 * (substeps + rejected));
 }
 
-TEST(MortarHandover, contact_that_opens_and_closes_neither_makes_nor_destroys_heat) {
+TEST(MortarTransition, contact_that_opens_and_closes_neither_makes_nor_destroys_heat) {
   expect_conserved(14, 5);
   expect_conserved(5, 14);
 }

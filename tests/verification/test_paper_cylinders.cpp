@@ -24,9 +24,9 @@ struct Range {
 
 Range contact_temperature(const BodyState& body) {
   Range range;
-  const Index piece = core::find_piece(body.mesh, "contact");
+  const Index boundary = core::find_boundary(body.mesh, "contact");
   for (const auto& edge : body.mesh.boundary)
-    if (edge.piece == piece)
+    if (edge.boundary_id == boundary)
       for (const Index node : edge.nodes) {
         range.lowest = std::min(range.lowest, body.temperature[node] - celsius);
         range.highest = std::max(range.highest, body.temperature[node] - celsius);
@@ -49,8 +49,8 @@ Scene cylinders(const Meshes& meshes) {
     steel.mesh.mapped->along_first = meshes.steel;
   } else {
     const auto& a = scene.accuracy;
-    glass.mesh = {4 * standing_share * a.surface_size, standing_share * a.skin_size, a.glass_growth, {}};
-    steel.mesh = {8e-3, standing_share * a.tool_contact_size, a.tool_growth, {}};
+    glass.mesh = {4 * static_edge_factor * a.surface_size, static_edge_factor * a.skin_size, a.glass_growth, {}};
+    steel.mesh = {8e-3, static_edge_factor * a.tool_contact_size, a.tool_growth, {}};
   }
   scene.probes.clear();
   if (meshes.steel_is_slave) std::swap(glass, steel);
@@ -90,7 +90,7 @@ Outcome run_classical(const Meshes& meshes) {
   Outcome run;
   const auto surface = [&](Index body) {
     const auto& mesh = state.bodies[body].mesh;
-    return contact::make_surface(body, mesh, contact_pieces(body_of(scene, body), mesh), core::Point::Zero());
+    return contact::make_surface(body, mesh, contact_boundaries(body_of(scene, body), mesh), core::Point::Zero());
   };
   const auto points = classical::classical_interface(surface(0), surface(1), scene.geometry);
   for (const double time : output_times) {

@@ -45,7 +45,7 @@ double deviation(Index across, Index along) {
       const double side = 273.15 + (b ? steel_side : glass_side);
       for (const auto& edge : mesh.boundary)
         for (const Index node : edge.nodes)
-          if (mesh.pieces[edge.piece] == "contact")
+          if (mesh.boundary_names[edge.boundary_id] == "contact")
             worst = std::max(worst, std::abs(state.bodies[b].temperature[node] - side));
     }
   }
@@ -67,11 +67,11 @@ TEST(TemperatureOrder, a_new_glass_mesh_keeps_linear_temperatures_and_their_heat
   const core::Mesh& mesh = state.bodies[0].mesh;
   for (Index n = 0; n < mesh.node_count(); ++n) state.bodies[0].temperature[n] += 3e4 * mesh.nodes[n][0];
   state.bodies[0].temperature = core::from_vertices(mesh, state.bodies[0].temperature.head(mesh.vertex_count));
-  const Renewed renewed = renew_glass_mesh(scene, state, RemeshReason::quality);
-  ASSERT_TRUE(renewed.ok) << renewed.reason;
-  const auto& glass = renewed.state.bodies[0];
+  const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
+  ASSERT_TRUE(remeshed.ok) << remeshed.reason;
+  const auto& glass = remeshed.state.bodies[0];
   ASSERT_NE(glass.mesh.node_count(), mesh.node_count());
-  EXPECT_NEAR(glass_heat(scene, renewed.state) / glass_heat(scene, state), 1, 1e-12);
+  EXPECT_NEAR(glass_heat(scene, remeshed.state) / glass_heat(scene, state), 1, 1e-12);
   const auto linear = core::from_vertices(glass.mesh, glass.temperature.head(glass.mesh.vertex_count));
   EXPECT_LT((glass.temperature - linear).lpNorm<Eigen::Infinity>(), 1e-9);
 }

@@ -10,20 +10,20 @@
 namespace parison::thermal {
 
 /// Four numbers; arithmetic is lane by lane.
-typedef double Pack __attribute__((vector_size(32), aligned(32)));
+typedef double VectorizedArray __attribute__((vector_size(32), aligned(32)));
 /// Packs in a row. Not a std::array, which would lose the alignment.
 template <int N>
-struct alignas(32) Packs {
-  Pack own[N];
+struct alignas(32) VectorizedArrays {
+  VectorizedArray own[N];
 
-  Pack& operator[](int i) { return own[i]; }
-  const Pack& operator[](int i) const { return own[i]; }
+  VectorizedArray& operator[](int i) { return own[i]; }
+  const VectorizedArray& operator[](int i) const { return own[i]; }
 };
 
 /// Shape functions and their derivatives in reference coordinates, a row for each point of triangle_rule(4).
 template <int N>
 struct CellShapes {
-  Eigen::Matrix<double, 6, N> value, slope_a, slope_b;
+  Eigen::Matrix<double, 6, N> value, derivative_a, derivative_b;
 };
 /// Quadratic on a cell's 6 nodes, or linear on its 3 vertices.
 template <int N>
@@ -53,42 +53,44 @@ inline double interpolate(const Eigen::VectorXd& values, const core::Index* unkn
 }
 
 /// Cells that are worked on together, a number of each in every Pack.
-inline constexpr int group_size = 4;
+inline constexpr int batch_size = 4;
 
 /// Numbers at the six points of triangle_rule(4) in the cells of a group.
-using PointPacks = Packs<6>;
+using PointValues = VectorizedArrays<6>;
 
 /// What depends on neither temperature nor unknowns in a group of cells, at their quadrature points; nothing for cells
 /// that a body's last group lacks.
-struct CellGroup {
-  PointPacks aa, ab, bb;  ///< present volume times the products of the gradients of the reference coordinates a, b, m
-  PointPacks mass;        ///< kg
-  PointPacks thin_wall;   ///< factor on the Rosseland conductivity
+struct CellBatch {
+  PointValues aa, ab, bb;  ///< present volume times the products of the gradients of the reference coordinates a, b, m
+  PointValues mass;        ///< kg
+  PointValues thin_wall;   ///< factor on the Rosseland conductivity
 };
 struct BodyView;
-std::vector<CellGroup> make_groups(const BodyView& body, core::Geometry geometry);
+std::vector<CellBatch> make_batches(const BodyView& body, core::Geometry geometry);
 
 /// Unknowns of a group, those of its cells together; a cell that the group lacks has the last one's.
-using GroupUnknowns = std::array<std::array<core::Index, group_size>, 6>;
+using BatchUnknowns = std::array<std::array<core::Index, batch_size>, 6>;
 
 /// Values of the unknowns of a group, and their way back into a sum.
 template <int N>
-[[gnu::always_inline]] inline void gather(const Eigen::VectorXd& values, const GroupUnknowns& unknowns, Packs<N>& own) {
+[[gnu::always_inline]] inline void gather(const Eigen::VectorXd& values, const BatchUnknowns& unknowns,
+                                          VectorizedArrays<N>& own) {
   for (int i = 0; i < N; ++i) {
     const auto& at = unknowns[i];
-    own[i] = Pack{values[at[0]], values[at[1]], values[at[2]], values[at[3]]};
+    own[i] = VectorizedArray{values[at[0]], values[at[1]], values[at[2]], values[at[3]]};
   }
 }
 template <int N>
-[[gnu::always_inline]] inline void scatter(const Packs<N>& own, const GroupUnknowns& unknowns, Eigen::VectorXd& sum) {
-  for (int c = 0; c < group_size; ++c)
+[[gnu::always_inline]] inline void scatter(const VectorizedArrays<N>& own, const BatchUnknowns& unknowns,
+                                           Eigen::VectorXd& sum) {
+  for (int c = 0; c < batch_size; ++c)
     for (int i = 0; i < N; ++i) sum[unknowns[i][c]] += own[i][c];
 }
 
 /// Values at the points from those of the unknowns, by shape functions or their derivatives.
 template <int N>
-[[gnu::always_inline]] inline void interpolate(const Eigen::Matrix<double, 6, N>& shape, const Packs<N>& own,
-                                               PointPacks& at) {
+[[gnu::always_inline]] inline void interpolate(const Eigen::Matrix<double, 6, N>& shape, const VectorizedArrays<N>& own,
+                                               PointValues& at) {
   for (int q = 0; q < 6; ++q) {
     at[q] = shape(q, 0) * own[0];
     for (int i = 1; i < N; ++i) at[q] += shape(q, i) * own[i];
@@ -96,8 +98,8 @@ template <int N>
 }
 /// Adds the transposed: points into unknowns.
 template <int N>
-[[gnu::always_inline]] inline void collect(const Eigen::Matrix<double, 6, N>& shape, const PointPacks& at,
-                                           Packs<N>& own) {
+[[gnu::always_inline]] inline void collect(const Eigen::Matrix<double, 6, N>& shape, const PointValues& at,
+                                           VectorizedArrays<N>& own) {
   for (int i = 0; i < N; ++i)
     for (int q = 0; q < 6; ++q) own[i] += shape(q, i) * at[q];
 }

@@ -7,18 +7,18 @@ namespace parison::thermal {
 namespace {
 
 struct Gradient {
-  PointPacks along_a, along_b;
+  PointValues along_a, along_b;
 };
 
 /// Calls work(laws, groups of that body, first of them) for each body.
 template <typename Work>
-[[gnu::always_inline]] inline void for_each_group(const HeatSystem& system, const Work& work) {
+[[gnu::always_inline]] inline void for_each_batch(const HeatSystem& system, const Work& work) {
   for (const BodyLaws& laws : system.bodies)
-    for (Index g = 0; g < laws.group_count(); ++g) work(laws, (*laws.cells)[g], laws.first_group + g);
+    for (Index g = 0; g < laws.batch_count(); ++g) work(laws, (*laws.cells)[g], laws.first_batch + g);
 }
 
 /// Metric times gradient.
-[[gnu::always_inline]] inline void set_flow(const CellGroup& cells, const Gradient& T, Gradient& flow) {
+[[gnu::always_inline]] inline void set_flow(const CellBatch& cells, const Gradient& T, Gradient& flow) {
   for (int q = 0; q < 6; ++q) {
     flow.along_a[q] = cells.aa[q] * T.along_a[q] + cells.ab[q] * T.along_b[q];
     flow.along_b[q] = cells.ab[q] * T.along_a[q] + cells.bb[q] * T.along_b[q];
@@ -26,28 +26,28 @@ template <typename Work>
 }
 
 template <int N>
-[[gnu::always_inline]] inline void set_at_points(const Packs<N>& own, PointPacks& at, Gradient& gradient) {
+[[gnu::always_inline]] inline void set_at_points(const VectorizedArrays<N>& own, PointValues& at, Gradient& gradient) {
   const CellShapes<N>& shapes = cell_shapes<N>();
   interpolate<N>(shapes.value, own, at);
-  interpolate<N>(shapes.slope_a, own, gradient.along_a);
-  interpolate<N>(shapes.slope_b, own, gradient.along_b);
+  interpolate<N>(shapes.derivative_a, own, gradient.along_a);
+  interpolate<N>(shapes.derivative_b, own, gradient.along_b);
 }
 
 template <int N>
 [[gnu::always_inline]] inline void add_of_order(const HeatSystem& system, const Eigen::VectorXd& temperature,
                                                 const Eigen::VectorXd* rate, Response& response) {
   const CellShapes<N>& shapes = cell_shapes<N>();
-  const auto work = [&](const BodyLaws& laws, const CellGroup& cells, Index g) __attribute__((always_inline)) {
-    const GroupUnknowns& unknowns = system.groups[g];
-    Packs<N> own{}, content{}, power{};
-    PointPacks at, stored, k;
+  const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
+    const BatchUnknowns& unknowns = system.batches[g];
+    VectorizedArrays<N> own{}, content{}, power{};
+    PointValues at, stored, k;
     Gradient gradient, flow;
     gather<N>(temperature, unknowns, own);
     set_at_points<N>(own, at, gradient);
     laws.conductivity.set_values(at, cells.thin_wall, k);
     set_flow(cells, gradient, flow);
     if (rate) {
-      PointPacks change;
+      PointValues change;
       gather<N>(*rate, unknowns, own);
       interpolate<N>(shapes.value, own, change);
       laws.enthalpy.set_capacities(at, stored);
@@ -61,93 +61,95 @@ template <int N>
       flow.along_b[q] *= -k[q];
     }
     collect<N>(shapes.value, stored, content);
-    collect<N>(shapes.slope_a, flow.along_a, power);
-    collect<N>(shapes.slope_b, flow.along_b, power);
+    collect<N>(shapes.derivative_a, flow.along_a, power);
+    collect<N>(shapes.derivative_b, flow.along_b, power);
     scatter<N>(content, unknowns, response.content);
     scatter<N>(power, unknowns, response.power);
   };
-  for_each_group(system, work);
+  for_each_batch(system, work);
 }
 
 template <int N>
 [[gnu::always_inline]] inline void linearise_of_order(const HeatSystem& system, const Eigen::VectorXd& temperature,
-                                                      std::vector<GroupSlopes>& groups) {
-  const auto work = [&](const BodyLaws& laws, const CellGroup& cells, Index g) __attribute__((always_inline)) {
-    Packs<N> own{};
-    PointPacks at, dk_dT;
+                                                      std::vector<BatchDerivatives>& batches) {
+  const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
+    VectorizedArrays<N> own{};
+    PointValues at, dk_dT;
     Gradient gradient, flow;
-    gather<N>(temperature, system.groups[g], own);
+    gather<N>(temperature, system.batches[g], own);
     set_at_points<N>(own, at, gradient);
     set_flow(cells, gradient, flow);
-    GroupSlopes& slopes = groups[g];
-    laws.enthalpy.set_capacities(at, slopes.capacity);
-    laws.conductivity.set_values(at, cells.thin_wall, slopes.conductivity);
-    laws.conductivity.set_slopes(at, cells.thin_wall, dk_dT);
+    BatchDerivatives& derivatives = batches[g];
+    laws.enthalpy.set_capacities(at, derivatives.capacity);
+    laws.conductivity.set_values(at, cells.thin_wall, derivatives.conductivity);
+    laws.conductivity.set_derivatives(at, cells.thin_wall, dk_dT);
     for (int q = 0; q < 6; ++q) {
-      slopes.capacity[q] *= cells.mass[q];
-      slopes.flow_a[q] = dk_dT[q] * flow.along_a[q];
-      slopes.flow_b[q] = dk_dT[q] * flow.along_b[q];
+      derivatives.capacity[q] *= cells.mass[q];
+      derivatives.flow_a[q] = dk_dT[q] * flow.along_a[q];
+      derivatives.flow_b[q] = dk_dT[q] * flow.along_b[q];
     }
   };
-  for_each_group(system, work);
+  for_each_batch(system, work);
 }
 
 template <int N>
-[[gnu::always_inline]] inline void apply_of_order(const HeatSystem& system, const std::vector<GroupSlopes>& groups,
-                                                  double step, const Eigen::VectorXd& change, Eigen::VectorXd& result) {
+[[gnu::always_inline]] inline void apply_of_order(const HeatSystem& system,
+                                                  const std::vector<BatchDerivatives>& batches, double step,
+                                                  const Eigen::VectorXd& change, Eigen::VectorXd& result) {
   const CellShapes<N>& shapes = cell_shapes<N>();
-  const auto work = [&](const BodyLaws&, const CellGroup& cells, Index g) __attribute__((always_inline)) {
-    Packs<N> own{}, sum{};
-    PointPacks at;
+  const auto work = [&](const BodyLaws&, const CellBatch& cells, Index g) __attribute__((always_inline)) {
+    VectorizedArrays<N> own{}, sum{};
+    PointValues at;
     Gradient gradient, flow;
-    gather<N>(change, system.groups[g], own);
+    gather<N>(change, system.batches[g], own);
     set_at_points<N>(own, at, gradient);
     set_flow(cells, gradient, flow);
-    const GroupSlopes& slopes = groups[g];
+    const BatchDerivatives& derivatives = batches[g];
     for (int q = 0; q < 6; ++q) {
-      flow.along_a[q] = step * (slopes.conductivity[q] * flow.along_a[q] + slopes.flow_a[q] * at[q]);
-      flow.along_b[q] = step * (slopes.conductivity[q] * flow.along_b[q] + slopes.flow_b[q] * at[q]);
-      at[q] *= slopes.capacity[q];
+      flow.along_a[q] = step * (derivatives.conductivity[q] * flow.along_a[q] + derivatives.flow_a[q] * at[q]);
+      flow.along_b[q] = step * (derivatives.conductivity[q] * flow.along_b[q] + derivatives.flow_b[q] * at[q]);
+      at[q] *= derivatives.capacity[q];
     }
     collect<N>(shapes.value, at, sum);
-    collect<N>(shapes.slope_a, flow.along_a, sum);
-    collect<N>(shapes.slope_b, flow.along_b, sum);
-    scatter<N>(sum, system.groups[g], result);
+    collect<N>(shapes.derivative_a, flow.along_a, sum);
+    collect<N>(shapes.derivative_b, flow.along_b, sum);
+    scatter<N>(sum, system.batches[g], result);
   };
-  for_each_group(system, work);
+  for_each_batch(system, work);
 }
 
 template <int N>
 [[gnu::always_inline]] inline void assemble_of_order(StepMatrix& matrix, const HeatSystem& system,
                                                      const Eigen::VectorXd& temperature, double step) {
-  const auto& [value, slope_a, slope_b] = cell_shapes<N>();
-  const auto work = [&](const BodyLaws& laws, const CellGroup& cells, Index g) __attribute__((always_inline)) {
-    Packs<N> own{};
-    PointPacks at, heat_capacity, conductivity;
-    gather<N>(temperature, system.groups[g], own);
+  const auto& [value, derivative_a, derivative_b] = cell_shapes<N>();
+  const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
+    VectorizedArrays<N> own{};
+    PointValues at, heat_capacity, conductivity;
+    gather<N>(temperature, system.batches[g], own);
     interpolate<N>(value, own, at);
     laws.enthalpy.set_capacities(at, heat_capacity);
     laws.conductivity.set_values(at, cells.thin_wall, conductivity);
-    std::array<Packs<N>, N> local{};  // lower triangle
+    std::array<VectorizedArrays<N>, N> local{};  // lower triangle
     for (int q = 0; q < 6; ++q) {
-      const Pack capacity = heat_capacity[q] * cells.mass[q], k = step * conductivity[q];
-      const Pack aa = k * cells.aa[q], ab = k * cells.ab[q], bb = k * cells.bb[q];
+      const VectorizedArray capacity = heat_capacity[q] * cells.mass[q], k = step * conductivity[q];
+      const VectorizedArray aa = k * cells.aa[q], ab = k * cells.ab[q], bb = k * cells.bb[q];
       for (int j = 0; j < N; ++j) {
-        const Pack stored = capacity * value(q, j);
-        const Pack flow_a = aa * slope_a(q, j) + ab * slope_b(q, j), flow_b = ab * slope_a(q, j) + bb * slope_b(q, j);
+        const VectorizedArray stored = capacity * value(q, j);
+        const VectorizedArray flow_a = aa * derivative_a(q, j) + ab * derivative_b(q, j),
+                              flow_b = ab * derivative_a(q, j) + bb * derivative_b(q, j);
         for (int i = j; i < N; ++i)
-          local[i][j] += value(q, i) * stored + (slope_a(q, i) * flow_a + slope_b(q, i) * flow_b);
+          local[i][j] += value(q, i) * stored + (derivative_a(q, i) * flow_a + derivative_b(q, i) * flow_b);
       }
     }
-    const Index first = laws.first_cell + group_size * (g - laws.first_group);
-    for (int c = 0; c < std::min(group_size, laws.last_cell - first); ++c) {
+    const Index first = laws.first_cell + batch_size * (g - laws.first_batch);
+    for (int c = 0; c < std::min(batch_size, laws.last_cell - first); ++c) {
       std::array<double, N * N> of_cell;
       for (int i = 0; i < N; ++i)
         for (int j = 0; j <= i; ++j) of_cell[i * N + j] = local[i][j][c];
       add_clique(matrix, system, first + c, N, system.cells[first + c].data(), of_cell.data());
     }
   };
-  for_each_group(system, work);
+  for_each_batch(system, work);
 }
 
 }  // namespace
@@ -162,21 +164,21 @@ template <int N>
 
 [[gnu::target_clones("avx2", "default")]] void linearise_cells(const HeatSystem& system,
                                                                const Eigen::VectorXd& temperature,
-                                                               std::vector<GroupSlopes>& groups) {
-  groups.resize(system.groups.size());
+                                                               std::vector<BatchDerivatives>& batches) {
+  batches.resize(system.batches.size());
   if (system.problem->order == 2)
-    linearise_of_order<6>(system, temperature, groups);
+    linearise_of_order<6>(system, temperature, batches);
   else
-    linearise_of_order<3>(system, temperature, groups);
+    linearise_of_order<3>(system, temperature, batches);
 }
 
 [[gnu::target_clones("avx2", "default")]] void apply_cells(const HeatSystem& system,
-                                                           const std::vector<GroupSlopes>& groups, double step,
+                                                           const std::vector<BatchDerivatives>& batches, double step,
                                                            const Eigen::VectorXd& change, Eigen::VectorXd& result) {
   if (system.problem->order == 2)
-    apply_of_order<6>(system, groups, step, change, result);
+    apply_of_order<6>(system, batches, step, change, result);
   else
-    apply_of_order<3>(system, groups, step, change, result);
+    apply_of_order<3>(system, batches, step, change, result);
 }
 
 [[gnu::target_clones("avx2", "default")]] void assemble_cells(StepMatrix& matrix, const HeatSystem& system,

@@ -9,10 +9,11 @@ void add_cells(const HeatSystem& system, const Eigen::VectorXd& temperature, con
                Response& response);
 
 /// Slopes of the cells at a temperature.
-void linearise_cells(const HeatSystem& system, const Eigen::VectorXd& temperature, std::vector<GroupSlopes>& groups);
+void linearise_cells(const HeatSystem& system, const Eigen::VectorXd& temperature,
+                     std::vector<BatchDerivatives>& batches);
 
 /// Adds what a change of the temperatures, K, does to the cells' content - step power, J.
-void apply_cells(const HeatSystem& system, const std::vector<GroupSlopes>& groups, double step,
+void apply_cells(const HeatSystem& system, const std::vector<BatchDerivatives>& batches, double step,
                  const Eigen::VectorXd& change, Eigen::VectorXd& result);
 
 /// Adds the cells' capacity and step times conduction at a temperature to the matrix.

@@ -8,8 +8,8 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr int furthest = 1;    ///< edges further along a chain
-constexpr int most_slide = 1;  ///< of these, by which one body may have moved along the other
+constexpr int furthest = 1;   ///< edges further along a chain
+constexpr int max_slide = 1;  ///< of these, by which one body may have moved along the other
 
 void make_ascending(std::vector<Coupling>& couplings) {
   std::sort(couplings.begin(), couplings.end());
@@ -26,15 +26,15 @@ std::vector<Coupling> present_couplings(const HeatSystem& system) {
 }
 
 EdgeChain::EdgeChain(const HeatSystem& system) : starting_at_(system.size(), -1) {
-  Index first_piece = 0;
+  Index first_boundary = 0;
   for (std::size_t b = 0; b < system.problem->bodies.size(); ++b) {
     const core::Mesh& mesh = *system.problem->bodies[b].mesh;
     for (const core::BoundaryEdge& edge : mesh.boundary) {
       edges_.push_back(edge_unknowns(system, static_cast<Index>(b), edge.nodes));
-      piece_.push_back(first_piece + edge.piece);
+      boundary_id_.push_back(first_boundary + edge.boundary_id);
       starting_at_[edges_.back()[0]] = static_cast<Index>(edges_.size()) - 1;
     }
-    first_piece += static_cast<Index>(mesh.pieces.size());
+    first_boundary += static_cast<Index>(mesh.boundary_names.size());
   }
 }
 
@@ -59,11 +59,11 @@ std::array<Index, 6> EdgeChain::unknowns(const Coupling& coupling) const {
   return {coupling[0], coupling[1], mid(slave, coupling[0]), coupling[2], coupling[3], mid(master, coupling[2])};
 }
 
-/// The edge some steps further along the chain, of the same piece; -1 where there is none.
+/// The edge some steps further along the chain, of the same boundary; -1 where there is none.
 Index EdgeChain::along(Index edge, int steps) const {
   for (int step = 0; step != steps; step += steps > 0 ? 1 : -1) {
     const Index next = steps > 0 ? edge + 1 : edge - 1;
-    if (next < 0 || next >= static_cast<Index>(edges_.size()) || piece_[next] != piece_[edge]) return -1;
+    if (next < 0 || next >= static_cast<Index>(edges_.size()) || boundary_id_[next] != boundary_id_[edge]) return -1;
     if (steps > 0 ? edges_[next][0] != edges_[edge][1] : edges_[next][1] != edges_[edge][0]) return -1;
     edge = next;
   }
@@ -75,7 +75,7 @@ std::vector<Coupling> EdgeChain::widen(const std::vector<Coupling>& couplings) c
   for (const Coupling& coupling : couplings) {
     const Index slave = edge_between(coupling[0], coupling[1]), master = edge_between(coupling[2], coupling[3]);
     for (int i = -furthest; i <= furthest; ++i)
-      for (int j = std::max(-furthest, -most_slide - i); j <= std::min(furthest, most_slide - i); ++j) {
+      for (int j = std::max(-furthest, -max_slide - i); j <= std::min(furthest, max_slide - i); ++j) {
         const Index s = along(slave, i), m = along(master, j);
         if (s >= 0 && m >= 0) wide.push_back({edges_[s][0], edges_[s][1], edges_[m][0], edges_[m][1]});
       }

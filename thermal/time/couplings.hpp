@@ -34,7 +34,7 @@ class EdgeChain {
   Index along(Index edge, int steps) const;
 
   std::vector<std::array<Index, 3>> edges_;
-  std::vector<Index> piece_;        ///< counted through all bodies
+  std::vector<Index> boundary_id_;  ///< counted through all bodies
   std::vector<Index> starting_at_;  ///< edge by its first unknown, -1 for none
 };
 

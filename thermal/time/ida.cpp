@@ -32,10 +32,10 @@ struct Integration {
   SUNMatrix jacobian = nullptr;
   SUNLinearSolver solver = nullptr;
   void* ida = nullptr;
-  Ledger ledger;            ///< since the last report
-  Eigen::VectorXd content;  ///< at the last report, J
-  double booked_until = 0;  ///< s
-  std::string message;      ///< IDA's last complaint
+  HeatBalance balance;           ///< since the last report
+  Eigen::VectorXd content;       ///< at the last report, J
+  double accumulated_until = 0;  ///< s
+  std::string message;           ///< IDA's last complaint
 
   Integration(Problem given, const std::vector<Eigen::VectorXd>& start, const IdaOptions& options);
   Integration(const Integration&) = delete;
@@ -84,13 +84,13 @@ void attach_solver(Integration& run) {
   IDASetJacFn(run.ida, set_matrix);
 }
 
-/// Sets prescribed temperatures, books the heat that takes, and finds the rate that goes with the temperatures.
+/// Sets prescribed temperatures, accumulates the heat that takes, and finds the rate that goes with the temperatures.
 void make_consistent(Integration& run, Eigen::VectorXd start) {
   const Eigen::VectorXd before = evaluate(run.system, start).content;
   for (const auto& [unknown, value] : run.system.prescribed) start[unknown] = value;
   const Response response = evaluate(run.system, start);
-  book_content(run.ledger, run.system, before, response.content);
-  for (BodyLedger& body : run.ledger.bodies) body.from_prescribed = body.content_change;
+  accumulate_content(run.balance, run.system, before, response.content);
+  for (BodyBalance& body : run.balance.bodies) body.from_prescribed = body.content_change;
   run.content = response.content;
   Eigen::VectorXd power = response.power;
   for (const auto& [unknown, value] : run.system.prescribed) power[unknown] = 0;
@@ -99,7 +99,7 @@ void make_consistent(Integration& run, Eigen::VectorXd start) {
 }
 
 Integration::Integration(Problem given, const std::vector<Eigen::VectorXd>& start, const IdaOptions& options)
-    : problem(std::move(given)), system(make_heat_system(problem)), ledger(empty_ledger(system)) {
+    : problem(std::move(given)), system(make_heat_system(problem)), balance(zero_balance(system)) {
   prepare(matrix, system);
   SUNContext_Create(nullptr, &context);
   temperature = N_VNew_Serial(system.size(), context);
@@ -111,7 +111,7 @@ Integration::Integration(Problem given, const std::vector<Eigen::VectorXd>& star
   IDASetUserData(ida, this);
   IDAInit(ida, residual, 0, temperature, rate);
   IDASStolerances(ida, 0, options.tolerance);
-  IDASetNonlinConvCoef(ida, 0.01);  // what Newton leaves in the equations shows in the ledger
+  IDASetNonlinConvCoef(ida, 0.01);  // what Newton leaves in the equations shows in the balance
   attach_solver(*this);
 }
 
@@ -124,31 +124,32 @@ Integration::~Integration() {
   SUNContext_Free(&context);
 }
 
-/// Books the flows from `booked_until` to `end`, inside IDA's last step, by Gauss's rule on its dense output.
-void book_until(Integration& run, double end) {
-  const double duration = end - run.booked_until;
+/// Accumulates the flows from `accumulated_until` to `end`, inside IDA's last step, by Gauss's rule on its dense
+/// output.
+void accumulate_until(Integration& run, double end) {
+  const double duration = end - run.accumulated_until;
   for (const auto& at : core::edge_rule(3)) {
-    IDAGetDky(run.ida, run.booked_until + at.s * duration, 0, run.temperature);
+    IDAGetDky(run.ida, run.accumulated_until + at.s * duration, 0, run.temperature);
     const double part = at.weight * duration;
     if (run.system.prescribed.empty()) {
-      book(run.ledger, evaluate_flows(run.system, view(run.temperature)), part);
+      accumulate(run.balance, evaluate_flows(run.system, view(run.temperature)), part);
       continue;
     }
     const Response response = evaluate(run.system, view(run.temperature));
-    book(run.ledger, response.flows, part);
+    accumulate(run.balance, response.flows, part);
     for (const auto& [unknown, value] : run.system.prescribed)
-      run.ledger.bodies[body_of(run.system, unknown)].from_prescribed -= part * response.power[unknown];
+      run.balance.bodies[body_of(run.system, unknown)].from_prescribed -= part * response.power[unknown];
   }
-  run.booked_until = end;
+  run.accumulated_until = end;
 }
 
-/// Books the content change since the last report and hands the ledger over.
-Ledger close_ledger(Integration& run, const Eigen::VectorXd& content) {
-  book_content(run.ledger, run.system, run.content, content);
+/// Accumulates the content change since the last report and hands the balance over.
+HeatBalance finish_balance(Integration& run, const Eigen::VectorXd& content) {
+  accumulate_content(run.balance, run.system, run.content, content);
   for (const auto& [unknown, value] : run.system.prescribed)
-    run.ledger.bodies[body_of(run.system, unknown)].from_prescribed += content[unknown] - run.content[unknown];
+    run.balance.bodies[body_of(run.system, unknown)].from_prescribed += content[unknown] - run.content[unknown];
   run.content = content;
-  return std::exchange(run.ledger, empty_ledger(run.system));
+  return std::exchange(run.balance, zero_balance(run.system));
 }
 
 }  // namespace
@@ -166,27 +167,28 @@ IdaIntegrator& IdaIntegrator::operator=(IdaIntegrator&&) noexcept = default;
 
 IdaOutcome IdaIntegrator::advance_to(double time) {
   Data& run = *data_;
-  assert(time > run.booked_until);
+  assert(time > run.accumulated_until);
   IdaOutcome outcome;
   long steps_before = 0, steps_after = 0;
   IDAGetNumSteps(run.ida, &steps_before);
   const Index factorisations_before = run.matrix.factorisations;
   double reached = 0;
   IDAGetCurrentTime(run.ida, &reached);
-  if (reached > run.booked_until) book_until(run, std::min(reached, time));
+  if (reached > run.accumulated_until) accumulate_until(run, std::min(reached, time));
   while (reached < time) {
     const int flag = IDASolve(run.ida, time, &reached, run.temperature, run.rate, IDA_ONE_STEP);
     if (flag < 0) {
-      outcome.reason = fmt::format("IDA stopped the heat integration at {:.6g} s: {}", run.booked_until, run.message);
+      outcome.reason =
+          fmt::format("IDA stopped the heat integration at {:.6g} s: {}", run.accumulated_until, run.message);
       return outcome;
     }
-    book_until(run, std::min(reached, time));
+    accumulate_until(run, std::min(reached, time));
   }
   IDAGetDky(run.ida, time, 0, run.temperature);
   IDAGetNumSteps(run.ida, &steps_after);
   outcome.converged = true;
   outcome.temperature = split(run.system, view(run.temperature));
-  outcome.ledger = close_ledger(run, evaluate(run.system, view(run.temperature)).content);
+  outcome.balance = finish_balance(run, evaluate(run.system, view(run.temperature)).content);
   outcome.steps = steps_after - steps_before;
   outcome.factorisations = run.matrix.factorisations - factorisations_before;
   return outcome;

@@ -17,7 +17,7 @@ struct IdaOutcome {
   bool converged = false;
   std::string reason;
   std::vector<Eigen::VectorXd> temperature;  ///< per body and node, K
-  Ledger ledger;                             ///< since the last call; closes to the tolerance
+  HeatBalance balance;                       ///< since the last call; closes to the tolerance
   long steps = 0, factorisations = 0;        ///< since the last call
 };
 

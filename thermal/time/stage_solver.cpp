@@ -16,10 +16,11 @@ namespace parison::thermal {
 namespace {
 
 constexpr int anderson_depth = 4;
-constexpr int most_updates = 20;
-constexpr int first_judged = 3;        ///< a later update larger than one before it is a stall
-constexpr double inner_share = 1e-2;   ///< of its right hand side that the inner solution of the full Newton may leave
-constexpr int most_products = 12;      ///< of the full derivative in an inner solution
+constexpr int max_updates = 20;
+constexpr int first_judged = 3;  ///< a later update larger than one before it is a stall
+constexpr double inner_fraction =
+    1e-2;                              ///< of its right hand side that the inner solution of the full Newton may leave
+constexpr int max_products = 12;       ///< of the full derivative in an inner solution
 constexpr double shortest = 1.0 / 64;  ///< part of an update of the full Newton that must lower the residual
 
 /// The last few differences of iterates and of their updates.
@@ -46,13 +47,13 @@ struct History {
 /// preconditioner and its update `plain` as the right hand side.
 Eigen::VectorXd full_update(const HeatSystem& system, const StepMatrix& matrix, double step,
                             const Eigen::VectorXd& temperature, const Eigen::VectorXd& plain, Index& solves) {
-  const Linearisation slopes = linearise(system, temperature);
+  const Linearisation jacobian = linearise(system, temperature);
   const auto product = [&](const Eigen::VectorXd& change) -> Eigen::VectorXd {
-    Eigen::VectorXd moved = apply(system, slopes, step, change);
+    Eigen::VectorXd moved = apply(system, jacobian, step, change);
     for (const auto& [unknown, value] : system.prescribed) moved[unknown] = change[unknown];
     return matrix.cholesky.solve(moved);
   };
-  KrylovSolution solution = solve_by_gmres(product, plain, inner_share, most_products);
+  KrylovSolution solution = solve_by_gmres(product, plain, inner_fraction, max_products);
   solves += solution.products;
   return std::move(solution.x);
 }
@@ -91,7 +92,7 @@ bool solve_by_factor(const HeatSystem& system, const StepMatrix& matrix, const S
   History history(system.size());
   Eigen::VectorXd last_update, last_move;
   double smallest = std::numeric_limits<double>::infinity();
-  for (int updates = 0; updates < most_updates; ++updates) {
+  for (int updates = 0; updates < max_updates; ++updates) {
     const Eigen::VectorXd update = -matrix.cholesky.solve(at.residual);
     ++at.stage.solves;
     const double size = update.lpNorm<Eigen::Infinity>(), last_scaled = at.scaled;
@@ -113,7 +114,7 @@ bool solve_by_factor(const HeatSystem& system, const StepMatrix& matrix, const S
 /// Newton's method with the full derivative, shortened where the residual would not fall.
 void solve_by_full_derivative(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
                               double tolerance, Iterate& at) {
-  for (int updates = 0; updates < most_updates; ++updates) {
+  for (int updates = 0; updates < max_updates; ++updates) {
     const Eigen::VectorXd plain = -matrix.cholesky.solve(at.residual), before = at.stage.temperature;
     ++at.stage.solves;
     const Eigen::VectorXd update = full_update(system, matrix, equation.step, before, plain, at.stage.solves);
@@ -147,7 +148,7 @@ StageSolution solve_stage(const HeatSystem& system, const StepMatrix& matrix, co
 }
 
 KrylovSolution solve_by_gmres(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& product,
-                              const Eigen::VectorXd& rhs, double share, int most) {
+                              const Eigen::VectorXd& rhs, double fraction, int most) {
   const double size = rhs.norm();
   if (!(size > 0)) return {rhs, 0};
   Eigen::MatrixXd basis(rhs.size(), most + 1), triangle = Eigen::MatrixXd::Zero(most + 1, most);
@@ -155,7 +156,7 @@ KrylovSolution solve_by_gmres(const std::function<Eigen::VectorXd(const Eigen::V
   std::vector<Eigen::JacobiRotation<double>> rotations;
   basis.col(0) = rhs / size;
   int n = 0;
-  while (n < most && std::abs(left[n]) > share * size) {
+  while (n < most && std::abs(left[n]) > fraction * size) {
     Eigen::VectorXd next = product(basis.col(n));
     for (int i = 0; i <= n; ++i) {
       triangle(i, n) = basis.col(i).dot(next);

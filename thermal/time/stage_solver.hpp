@@ -36,9 +36,9 @@ struct KrylovSolution {
   int products = 0;
 };
 
-/// GMRES (Saad and Schultz 1986) for product(x) = rhs from x = 0, until the residual is `share` of rhs or after `most`
-/// products.
+/// GMRES (Saad and Schultz 1986) for product(x) = rhs from x = 0, until the residual is `fraction` of rhs or after
+/// `most` products.
 KrylovSolution solve_by_gmres(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& product,
-                              const Eigen::VectorXd& rhs, double share, int most);
+                              const Eigen::VectorXd& rhs, double fraction, int most);
 
 }  // namespace parison::thermal

@@ -11,7 +11,7 @@ namespace parison::thermal {
 
 Linearisation linearise(const HeatSystem& system, const Eigen::VectorXd& temperature) {
   Linearisation result;
-  linearise_cells(system, temperature, result.groups);
+  linearise_cells(system, temperature, result.batches);
   linearise_exchange(system, temperature, result);
   return result;
 }
@@ -19,7 +19,7 @@ Linearisation linearise(const HeatSystem& system, const Eigen::VectorXd& tempera
 Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisation, double step,
                       const Eigen::VectorXd& change) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(system.size());
-  apply_cells(system, linearisation.groups, step, change, result);
+  apply_cells(system, linearisation.batches, step, change, result);
   apply_exchange(system, linearisation, step, change, result);
   return result;
 }
@@ -71,7 +71,7 @@ void analyse(StepMatrix& matrix, const HeatSystem& system, const EdgeChain& chai
 }
 
 /// Which clique each segment of the interface has; false where one has none.
-bool note_cliques(StepMatrix& matrix, const HeatSystem& system) {
+bool update_cliques(StepMatrix& matrix, const HeatSystem& system) {
   const std::vector<Coupling>& couplings = matrix.couplings;
   matrix.segment_clique.clear();
   for (const HeatSegment& segment : system.interface.segments) {
@@ -100,12 +100,12 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
   std::vector<Index> topology = list_topology(system);
   std::vector<Coupling>& couplings = matrix.couplings;
   const auto is_analysed = [&] { return topology == matrix.topology && couplings == matrix.analysed_couplings; };
-  const bool lacks = !note_cliques(matrix, system);
+  const bool lacks = !update_cliques(matrix, system);
   if (!lacks && is_analysed()) return;
   const EdgeChain chain(system);
   if (lacks || !chain.holds(couplings)) couplings = chain.widen(present_couplings(system));
   if (!is_analysed()) analyse(matrix, system, chain, std::move(topology));
-  note_cliques(matrix, system);
+  update_cliques(matrix, system);
 }
 
 bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {

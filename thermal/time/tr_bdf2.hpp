@@ -13,17 +13,17 @@ namespace parison::thermal {
 struct StepOptions {
   double tolerance = 0.1;           ///< largest estimated local error of a substep at any node, K
   double newton_tolerance = 1e-10;  ///< largest error left in the equations of a stage at any node, K
-  double first_substep = 0;         ///< s; 0: the whole step
-  double largest_substep = std::numeric_limits<double>::infinity();  ///< s
-  double smallest_substep = 1e-12;                                   ///< s; needing less is a failure
+  double initial_substep = 0;       ///< s; 0: the whole step
+  double max_substep = std::numeric_limits<double>::infinity();  ///< s
+  double min_substep = 1e-12;                                    ///< s; needing less is a failure
 };
 
-/// Result of a step; when it did not converge, temperature and ledger stand where the last good substep ended.
+/// Result of a step; when it did not converge, temperature and balance stand where the last good substep ended.
 struct StepOutcome {
   bool converged = false;
   std::string reason;
   std::vector<Eigen::VectorXd> temperature;  ///< per body and node, K
-  Ledger ledger;                             ///< over the step
+  HeatBalance balance;                       ///< over the step
   double next_substep = 0;                   ///< what the next call should start with, s
   Index substeps = 0, rejected = 0, factorisations = 0, solves = 0;
 };

@@ -18,10 +18,10 @@ namespace {
 
 /// Stiffness that holds a velocity, in diagonal entries of its node.
 constexpr double hold = 1e6;
-constexpr double most_residual = 1e-6;
+constexpr double max_residual = 1e-6;
 
 /// Holds velocities of a node in the directions that `directions` spans (its columns).
-void hold_node(core::SymmetricMatrix& matrix, Index node, const core::Tensor& directions) {
+void constrain_node(core::SymmetricMatrix& matrix, Index node, const core::Tensor& directions) {
   const Index first = matrix.column_start[dim * node], second = matrix.column_start[dim * node + 1];
   const double size = hold * std::max(matrix.value[first], matrix.value[second]);
   const core::Tensor added = size * directions * directions.transpose();
@@ -30,24 +30,25 @@ void hold_node(core::SymmetricMatrix& matrix, Index node, const core::Tensor& di
   matrix.value[second] += added(1, 1);
 }
 
-/// Holds the normal velocity on symmetry and contact, the whole velocity where the tool sticks or the piece is fixed.
-void hold_boundary(const forming::Scene& scene, const forming::State& state, core::SymmetricMatrix& matrix) {
+/// Holds the normal velocity on symmetry and contact, the whole velocity where the tool sticks or the boundary is
+/// fixed.
+void constrain_boundary(const forming::Scene& scene, const forming::State& state, core::SymmetricMatrix& matrix) {
   const core::Mesh& mesh = state.bodies[0].mesh;
   std::vector<bool> done(mesh.nodes.size(), false);
   for (const auto& edge : mesh.boundary) {
-    const auto kind = forming::piece_kind(scene.glass, mesh.pieces[edge.piece]);
+    const auto kind = forming::boundary_kind(scene.glass, mesh.boundary_names[edge.boundary_id]);
     const core::Point along = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).normalized();
     core::Tensor normal = core::Tensor::Zero();
     normal.col(0) = core::Point(along[1], -along[0]);
     for (const Index node : edge.nodes) {
       const Index tool = state.contact.tool[node];
-      if (done[node] || (tool < 0 && kind != forming::PieceKind::symmetry && kind != forming::PieceKind::fixed))
+      if (done[node] || (tool < 0 && kind != forming::BoundaryKind::symmetry && kind != forming::BoundaryKind::fixed))
         continue;
       done[node] = true;
       using Law = flow::Friction::Law;
       const Law law = tool >= 0 ? scene.tools[tool].friction.law : Law::slip;
-      const bool sticks = kind == forming::PieceKind::fixed || law == Law::stick || law == Law::grip;
-      hold_node(matrix, node, sticks ? core::Tensor(core::Tensor::Identity()) : normal);
+      const bool sticks = kind == forming::BoundaryKind::fixed || law == Law::stick || law == Law::grip;
+      constrain_node(matrix, node, sticks ? core::Tensor(core::Tensor::Identity()) : normal);
     }
   }
 }
@@ -85,14 +86,14 @@ void BareFlow::Data::assemble(const forming::Scene& scene, const forming::State&
   problem.geometry = scene.geometry;
   problem.material = &*scene.glass.flow;
   problem.temperature = &state.bodies[0].temperature;
-  problem.pieces.resize(mesh.pieces.size());
+  problem.boundary_conditions.resize(mesh.boundary_names.size());
   const auto geometry = flow::cell_geometry(mesh, scene.geometry);
   const auto local = flow::cell_matrices(problem, geometry, flow::viscosity_field(problem, geometry, {}));
   auto& matrix = assembly.matrix;
   std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
   for (Index c = 0; c < mesh.cell_count(); ++c)
     core::add_clique(matrix, assembly.scatter, c, flow::cell_unknowns, local.of(c).data());
-  hold_boundary(scene, state, matrix);
+  constrain_boundary(scene, state, matrix);
   if (known) return;
   solver = std::make_unique<core::IndefiniteSolver>();
   solver->analyse(matrix);
@@ -114,7 +115,7 @@ double BareFlow::seconds(const forming::Scene& scene, const forming::State& stat
     seconds = cpu_seconds() - start;
   }
   const double residual = (core::multiply(matrix, solution) - rhs).norm() / rhs.norm();
-  if (!(residual < most_residual)) throw std::runtime_error("the bare flow matrix was not solved");
+  if (!(residual < max_residual)) throw std::runtime_error("the bare flow matrix was not solved");
   std::sort(taken.begin(), taken.end());
   return taken[1];
 }

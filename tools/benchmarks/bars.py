@@ -53,7 +53,7 @@ def compare(run, reference):
     whole, walls, heat = run["error_bars"], profile_errors(run, reference), heat_error(run, reference)
     if walls:
         rows.append(("profile, mean", whole["thickness_profile_mean"], walls[0], RESOLUTION))
-        rows.append(("profile, largest", whole["thickness_profile_largest"], walls[1], RESOLUTION))
+        rows.append(("profile, largest", whole["thickness_profile_max"], walls[1], RESOLUTION))
     if heat is not None:
         rows.append(("heat, all tools", whole["heat_into_tools"], heat, RESOLUTION))
     return rows

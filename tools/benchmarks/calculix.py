@@ -52,7 +52,7 @@ def calculix(control, duration):
     return done.cpu, worst(contact)
 
 
-def largest_step():
+def max_step():
     """The largest fixed step that is within 0.1 K at 1 s, where the deviation is largest."""
     for step in STEPS:
         _, deviation = calculix(step, 1.0)
@@ -65,7 +65,7 @@ def largest_step():
 def case_with(tolerance):
     """The bundled case with another tolerance of the heat, steps only where something is asked."""
     text = (ROOT / "cases/contact_cylinders/case.toml").read_text()
-    numerics = f'[numerics]\ntemperature_tolerance = "{tolerance}"\nlargest_step = "1 s"\n'
+    numerics = f'[numerics]\ntemperature_tolerance = "{tolerance}"\nmax_step = "1 s"\n'
     text = re.sub(r"\[numerics\].*", numerics, text, flags=re.S)
     path = new_path("case.toml")
     path.write_text(text)
@@ -99,7 +99,7 @@ def section(options):
     if not fitting:
         raise RuntimeError(f"Parison does not get within {WITHIN} K with any tolerance tried")
     case = min(fitting)[1]
-    step = largest_step()
+    step = max_step()
     ours = [parison_contact(case) for _ in range(REPEATS)]
     theirs, deviation = calculix(step, 10.0)
     own, own_deviation = calculix(OWN_CONTROL, 10.0)

@@ -31,7 +31,7 @@ using Handle = Delaunay::Vertex_handle;
 
 /// Longest edge over the size there, at which the refinement makes about as many triangles as gmsh's frontal one.
 constexpr double longest = 1.33;
-constexpr double smallest_sine_squared = 0.125;  ///< 20.7 degrees, up to which the refinement is sure to end
+constexpr double min_sine_squared = 0.125;  ///< 20.7 degrees, up to which the refinement is sure to end
 
 /// When a triangle is to be refined: an edge too long for the size field, or an angle too small.
 struct FieldCriteria {
@@ -51,7 +51,7 @@ struct FieldCriteria {
 
     CGAL::Mesh_2::Face_badness operator()(const Quality& quality) const {
       if (quality.length > 1) return CGAL::Mesh_2::IMPERATIVELY_BAD;
-      return quality.sine < smallest_sine_squared ? CGAL::Mesh_2::BAD : CGAL::Mesh_2::NOT_BAD;
+      return quality.sine < min_sine_squared ? CGAL::Mesh_2::BAD : CGAL::Mesh_2::NOT_BAD;
     }
     CGAL::Mesh_2::Face_badness operator()(const Delaunay::Face_handle& face, Quality& quality) const {
       std::array<Point, 3> x;
@@ -112,24 +112,24 @@ void refine(const remesh::SizeField& size, bool keep_edges, Delaunay& triangles)
 }
 
 /// Puts the points that stand on an edge of the outline, shares of its chord, on the edge itself.
-void add_edge(const remesh::Outline& from, Index edge, Index end, const std::vector<double>& shares,
+void add_edge(const remesh::Outline& from, Index edge, Index end, const std::vector<double>& fractions,
               remesh::Outline& to) {
   const Point &a = from.vertices[edge], &b = from.vertices[end], &mid = from.mids[edge];
   const auto on_edge = [&](double s) -> Point {
     return (1 - s) * (1 - 2 * s) * a + s * (2 * s - 1) * b + 4 * s * (1 - s) * mid;
   };
   double before = 0;
-  for (std::size_t k = 0; k <= shares.size(); ++k) {
-    const double after = k < shares.size() ? shares[k] : 1;
+  for (std::size_t k = 0; k <= fractions.size(); ++k) {
+    const double after = k < fractions.size() ? fractions[k] : 1;
     to.vertices.push_back(k == 0 ? a : on_edge(before));
-    to.mids.push_back(shares.empty() ? mid : on_edge(0.5 * (before + after)));
-    to.pieces.push_back(from.pieces[edge]);
+    to.mids.push_back(fractions.empty() ? mid : on_edge(0.5 * (before + after)));
+    to.boundary_ids.push_back(from.boundary_ids[edge]);
     before = after;
   }
 }
 
 /// Walks along the meshed outline and numbers its vertices.
-CgalMesh take_outline(const remesh::Outline& outline, const std::vector<Handle>& corners, Delaunay& triangles) {
+CgalMesh read_back_outline(const remesh::Outline& outline, const std::vector<Handle>& corners, Delaunay& triangles) {
   std::map<Handle, Handle> next;
   for (const auto face : triangles.finite_face_handles())
     for (int i = 0; i < 3; ++i)
@@ -139,13 +139,13 @@ CgalMesh take_outline(const remesh::Outline& outline, const std::vector<Handle>&
   for (Index i = 0; i < outline.edge_count(); ++i) {
     const Index end = (i + 1) % outline.edge_count();
     const Point a = outline.vertices[i], chord = outline.vertices[end] - a;
-    std::vector<double> shares;
+    std::vector<double> fractions;
     corners[i]->info().value = static_cast<Index>(result.outline.vertices.size());
     for (Handle at = next.at(corners[i]); at != corners[end]; at = next.at(at)) {
-      shares.push_back((Point(at->point().x(), at->point().y()) - a).dot(chord) / chord.squaredNorm());
-      at->info().value = static_cast<Index>(result.outline.vertices.size() + shares.size());
+      fractions.push_back((Point(at->point().x(), at->point().y()) - a).dot(chord) / chord.squaredNorm());
+      at->info().value = static_cast<Index>(result.outline.vertices.size() + fractions.size());
     }
-    add_edge(outline, i, end, shares, result.outline);
+    add_edge(outline, i, end, fractions, result.outline);
   }
   result.outline.loop_start.push_back(result.outline.edge_count());
   result.added = result.outline.edge_count() - outline.edge_count();
@@ -161,7 +161,7 @@ CgalMesh cgal_mesh(const remesh::Outline& outline, const remesh::SizeField& size
   refine(size, options.keep_edges, triangles);
   if (options.lloyd_passes > 0)
     CGAL::lloyd_optimize_mesh_2(triangles, CGAL::parameters::max_iteration_number = options.lloyd_passes);
-  CgalMesh result = take_outline(outline, corners, triangles);
+  CgalMesh result = read_back_outline(outline, corners, triangles);
   result.triangles.vertices = result.outline.vertices;
   for (const auto face : triangles.finite_face_handles()) {
     if (!face->is_in_domain()) continue;
@@ -176,7 +176,8 @@ CgalMesh cgal_mesh(const remesh::Outline& outline, const remesh::SizeField& size
     }
     result.triangles.triangles.push_back(cell);
   }
-  if (options.mend > 0) remesh::mend_poor(result.outline.vertices.size(), options.mend, result.triangles);
+  if (options.smooth_below > 0)
+    remesh::smooth_poor_triangles(result.outline.vertices.size(), options.smooth_below, result.triangles);
   return result;
 }
 

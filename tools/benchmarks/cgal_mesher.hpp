@@ -6,9 +6,9 @@ namespace parison::bench {
 
 /// Delaunay refinement of CGAL.
 struct CgalOptions {
-  bool keep_edges;   ///< of the outline: a circumcentre that would split one is left out
-  int lloyd_passes;  ///< 0: none
-  double mend;       ///< quality below which the corners of triangles are moved; 0: as gmsh's
+  bool keep_edges;      ///< of the outline: a circumcentre that would split one is left out
+  int lloyd_passes;     ///< 0: none
+  double smooth_below;  ///< quality below which the corners of triangles are moved; 0: as gmsh's
 };
 
 /// Triangles in an outline of one loop, whose edges hold the points that the mesher put on them.

@@ -30,7 +30,7 @@ class Figure:
     least: bool = False
     unit: str = ""
 
-    def held(self):
+    def met(self):
         if self.target is None:
             return None
         return self.value >= self.target if self.least else self.value <= self.target

@@ -27,7 +27,7 @@ conductivity = "46 W/m/K"
 material = "glass"
 temperature = "1000 degC"
 mesh = {{ mapped = [{across}, {along}] }}
-piece = [
+boundary = [
   {{ name = "bottom", path = "(30, 0) (35, 0) mm", condition = "contact" }},
   {{ name = "outer", path = "(35, 80) mm", condition = "contact" }},
   {{ name = "top", path = "(30, 80) mm", condition = "contact" }},
@@ -47,7 +47,7 @@ tools = ["plate", "mould", "ring"]
 motion.ring = {{ offset = [["0 s", "0 mm"], ["1 s", "-100 mm"]] }}
 
 [numerics]
-largest_step = "1 ms"
+max_step = "1 ms"
 """
 TOOL = """
 [[tool]]
@@ -55,7 +55,7 @@ name = "{name}"
 material = "iron"
 temperature = "450 degC"
 friction = "{friction}"
-piece = [
+boundary = [
   {{ name = "contact", path = "{contact}", condition = "contact" }},
   {{ name = "rest", path = "{rest}", condition = "insulated" }},
 ]

@@ -13,7 +13,7 @@ from benchmarks.common import (BUILD, ROOT, Figure, Skipped, build, new_path, pa
 CASE = ROOT / "cases/jar"
 EVERY = 4  # steps from one bare factorisation to the next
 ERRORS = {"draft": (3, 8, 2), "standard": (1, 2.5, 0.5)}  # wanted: wall in the mean, wall at the most, heat; %
-LADDER = ROOT / "results/tradeoff/tradeoff.json"
+STUDY = ROOT / "results/tradeoff/tradeoff.json"
 
 
 @lru_cache
@@ -101,14 +101,14 @@ def errors(options):
             yield Figure(f"errors.{accuracy}.{key}", f"jar at {accuracy} against fine: {what}", 100 * value, target, unit="%")
 
 
-def ladder(options):
-    if not LADDER.exists():
-        raise Skipped("no ladder has run; `build/parison tradeoff cases/jar --output results/tradeoff` runs it in some minutes.")
-    rungs = [rung for rung in json.loads(LADDER.read_text())["rungs"] if rung["preset"] and rung["completed"]]
-    for rung in rungs:
-        if rung["cpu_over_best_line"] is not None:
-            yield Figure(f"ladder.{rung['name']}", f"{rung['name']}: CPU time over the best line of the last ladder",
-                         rung["cpu_over_best_line"], 1.2)
+def study(options):
+    if not STUDY.exists():
+        raise Skipped("no study has run; `build/parison tradeoff cases/jar --output results/tradeoff` runs it in some minutes.")
+    variants = [variant for variant in json.loads(STUDY.read_text())["variants"] if variant["preset"] and variant["completed"]]
+    for variant in variants:
+        if variant["cpu_over_best_line"] is not None:
+            yield Figure(f"study.{variant['name']}", f"{variant['name']}: CPU time over the best line of the last study",
+                         variant["cpu_over_best_line"], 1.2)
 
 
 @lru_cache

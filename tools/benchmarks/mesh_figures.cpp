@@ -22,7 +22,7 @@ double chord_area(const core::Mesh& mesh, Index cell) {
 }
 
 /// Smallest angle of a cell's chords, degrees.
-double smallest_angle(const core::Mesh& mesh, Index cell) {
+double min_angle(const core::Mesh& mesh, Index cell) {
   double least = 180;
   for (int k = 0; k < 3; ++k) {
     const Point& x = mesh.nodes[mesh.cells[cell][k]];
@@ -43,13 +43,13 @@ std::uint64_t bits_of(const core::Mesh& mesh) {
 MeshFigures mesh_figures(const core::Mesh& mesh, const remesh::SizeField& size) {
   const remesh::Quality quality = remesh::quality(mesh);
   MeshFigures result;
-  result.worst = quality.worst;
+  result.min = quality.min;
   result.median = quality.median;
   result.bits = bits_of(mesh);
   std::vector<Index> first(mesh.nodes.size(), -1);  // of the two cells at a mid-side node
   int inner = 0;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-    result.smallest_angle = std::min(result.smallest_angle, smallest_angle(mesh, cell));
+    result.min_angle = std::min(result.min_angle, min_angle(mesh, cell));
     for (int k = 0; k < 3; ++k) {
       const Index mid = mesh.cells[cell][3 + k];
       if (first[mid] < 0) {
@@ -57,11 +57,11 @@ MeshFigures mesh_figures(const core::Mesh& mesh, const remesh::SizeField& size) 
         continue;
       }
       const double ratio = chord_area(mesh, cell) / chord_area(mesh, first[mid]);
-      result.largest_jump = std::max({result.largest_jump, ratio, 1 / ratio});
+      result.max_jump = std::max({result.max_jump, ratio, 1 / ratio});
       const Point &a = mesh.nodes[mesh.cells[cell][k]], &b = mesh.nodes[mesh.cells[cell][(k + 1) % 3]];
       const double off = std::abs(std::log2((b - a).norm() / size(0.5 * (a + b))));
       result.size_mean += off;
-      result.size_largest = std::max(result.size_largest, off);
+      result.size_max = std::max(result.size_max, off);
       ++inner;
     }
   }

@@ -9,11 +9,11 @@ namespace parison::bench {
 
 /// How good a mesh is and how well it keeps the size field.
 struct MeshFigures {
-  double worst, median;                    ///< quality, see remesh::Quality
-  double smallest_angle = 180;             ///< between chords, degrees
-  double size_mean = 0, size_largest = 0;  ///< |log2(edge over size at its middle)| of the inner edges
-  double largest_jump = 1;                 ///< ratio of the areas of two neighbours
-  std::uint64_t bits;                      ///< of nodes and cells
+  double min, median;                  ///< quality, see remesh::Quality
+  double min_angle = 180;              ///< between chords, degrees
+  double size_mean = 0, size_max = 0;  ///< |log2(edge over size at its middle)| of the inner edges
+  double max_jump = 1;                 ///< ratio of the areas of two neighbours
+  std::uint64_t bits;                  ///< of nodes and cells
 };
 MeshFigures mesh_figures(const core::Mesh& mesh, const remesh::SizeField& size);
 

@@ -45,15 +45,15 @@ constexpr std::array<Mesher, 8> meshers{{{"gmsh", frontal_delaunay, {}},
                                          {"CGAL Lloyd", 0, {false, 5, 0}},
                                          {"CGAL kept", 0, {true, 0, 0}},
                                          {"CGAL kept Lloyd", 0, {true, 5, 0}},
-                                         {"CGAL kept mended", 0, {true, 0, 0.7}},
-                                         {"CGAL kept mended more", 0, {true, 0, 0.9}}}};
+                                         {"CGAL kept smoothed", 0, {true, 0, 0.7}},
+                                         {"CGAL kept smoothed more", 0, {true, 0, 0.9}}}};
 
 struct Bench {
   std::ofstream table;
   int repeats = 0, seen = 0;
   const Mesher *in_run = nullptr, *now = &meshers[0];
   std::optional<remesh::Triangulation> ready;  ///< what the mesher of the comparison has made
-} ledger;
+} record;
 
 struct Made {
   remesh::MeshedOutline meshed;
@@ -62,18 +62,18 @@ struct Made {
 };
 
 /// One mesh, with the program's own finish.
-Made make(const Mesher& mesher, const remesh::Outline& outline, const std::vector<std::string>& pieces,
+Made make(const Mesher& mesher, const remesh::Outline& outline, const std::vector<std::string>& boundary_names,
           const remesh::SizeField& size) {
   Made result;
-  ledger.now = &mesher;
+  record.now = &mesher;
   const double start = bench::cpu_seconds();
   if (mesher.gmsh_algorithm) {
-    result.meshed = remesh::mesh_outline(outline, pieces, size);
+    result.meshed = remesh::mesh_outline(outline, boundary_names, size);
   } else {
     bench::CgalMesh made = bench::cgal_mesh(outline, size, mesher.cgal);
-    ledger.ready = std::move(made.triangles);
+    record.ready = std::move(made.triangles);
     result.added = made.added;
-    result.meshed = remesh::mesh_outline(made.outline, pieces, size);
+    result.meshed = remesh::mesh_outline(made.outline, boundary_names, size);
   }
   result.seconds = bench::cpu_seconds() - start;
   return result;
@@ -86,49 +86,49 @@ void compare(const core::Mesh& old, const remesh::Criteria& criteria) {
     std::vector<double> seconds;
     std::uint64_t bits = 0;
     bool same = true;
-    for (int i = 0; i < ledger.repeats; ++i) {
+    for (int i = 0; i < record.repeats; ++i) {
       const remesh::SizeField own = size;  // it remembers what was asked
-      const Made made = make(mesher, outline, old.pieces, own);
+      const Made made = make(mesher, outline, old.boundary_names, own);
       seconds.push_back(made.seconds);
       if (!made.meshed.reason.empty()) {
-        ledger.table << ledger.seen << ',' << mesher.name << ",nan,nan,nan,nan,nan,nan,nan,nan,nan,1,0\n";
+        record.table << record.seen << ',' << mesher.name << ",nan,nan,nan,nan,nan,nan,nan,nan,nan,1,0\n";
         break;
       }
       const auto figures = bench::mesh_figures(made.meshed.mesh, size);
       if (i == 0) bits = figures.bits;
       same = same && figures.bits == bits;
-      if (i + 1 < ledger.repeats) continue;
+      if (i + 1 < record.repeats) continue;
       std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
-      ledger.table << ledger.seen << ',' << mesher.name << ',' << made.meshed.mesh.cell_count() << ','
-                   << seconds[seconds.size() / 2] << ',' << figures.worst << ',' << figures.median << ','
-                   << figures.smallest_angle << ',' << figures.size_mean << ',' << figures.size_largest << ','
-                   << figures.largest_jump << ',' << made.added << ',' << same << ',' << bits << std::endl;
+      record.table << record.seen << ',' << mesher.name << ',' << made.meshed.mesh.cell_count() << ','
+                   << seconds[seconds.size() / 2] << ',' << figures.min << ',' << figures.median << ','
+                   << figures.min_angle << ',' << figures.size_mean << ',' << figures.size_max << ','
+                   << figures.max_jump << ',' << made.added << ',' << same << ',' << bits << std::endl;
     }
   }
-  ++ledger.seen;
+  ++record.seen;
 }
 
 }  // namespace
 
 remesh::Triangulation remesh::chosen_triangulate(const Outline& outline, const SizeField& size) {
-  if (ledger.ready) {
-    Triangulation made = std::move(*ledger.ready);
-    ledger.ready.reset();
+  if (record.ready) {
+    Triangulation made = std::move(*record.ready);
+    record.ready.reset();
     return made;
   }
-  if (!ledger.now->gmsh_algorithm) return bench::cgal_mesh(outline, size, ledger.now->cgal).triangles;
-  const bool other = ledger.now->gmsh_algorithm != frontal_delaunay;
-  if (other) gmsh::option::setNumber("Mesh.Algorithm", ledger.now->gmsh_algorithm);
+  if (!record.now->gmsh_algorithm) return bench::cgal_mesh(outline, size, record.now->cgal).triangles;
+  const bool other = record.now->gmsh_algorithm != frontal_delaunay;
+  if (other) gmsh::option::setNumber("Mesh.Algorithm", record.now->gmsh_algorithm);
   Triangulation made = real_triangulate(outline, size);
   if (other) gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
   return made;
 }
 
 remesh::Remeshed remesh::watched_remesh_glass(const core::Mesh& old, const Criteria& criteria) {
-  if (ledger.repeats > 0) compare(old, criteria);
-  ledger.now = ledger.in_run;
+  if (record.repeats > 0) compare(old, criteria);
+  record.now = record.in_run;
   Remeshed result = real_remesh_glass(old, criteria);
-  ledger.now = &meshers[0];
+  record.now = &meshers[0];
   return result;
 }
 
@@ -138,13 +138,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   core::use_one_blas_thread();
-  ledger.repeats = std::atoi(argv[4]);
-  ledger.in_run =
+  record.repeats = std::atoi(argv[4]);
+  record.in_run =
       std::find_if(meshers.begin(), meshers.end(), [&](const Mesher& m) { return std::string(argv[5]) == m.name; });
-  if (ledger.in_run == meshers.end() || !(ledger.in_run->gmsh_algorithm || ledger.in_run->cgal.keep_edges))
+  if (record.in_run == meshers.end() || !(record.in_run->gmsh_algorithm || record.in_run->cgal.keep_edges))
     return std::fprintf(stderr, "mesher_bench: no mesher \"%s\" that keeps the outline\n", argv[5]), 2;
-  ledger.table.open(std::string(argv[3]) + ".meshes.csv");
-  ledger.table << "remesh,mesher,triangles,seconds,worst,median,angle,size_mean,size_largest,jump,added,same,bits\n";
+  record.table.open(std::string(argv[3]) + ".meshes.csv");
+  record.table << "remesh,mesher,triangles,seconds,min_quality,median,angle,size_mean,size_max,jump,added,same,bits\n";
   const auto scene = forming::read_scene(argv[1], argv[2], {argv + 6, argv + argc});
   const auto outcome = forming::run(scene, argv[3]);
   forming::write_summary(argv[3], scene, outcome.state, outcome.facts);

@@ -21,7 +21,7 @@ MESHERS = {
     "CGAL kept mended more": "CGAL, outline kept, mended below 0.9",
 }
 IN_RUNS = ("gmsh", "CGAL kept mended", "CGAL kept mended more")
-SETTINGS = ("largest_step=0.1 s", "surface_size=1.5 mm", "surface_size=1.7 mm", "strain_per_step=0.29", "strain_per_step=0.27",
+SETTINGS = ("max_step=0.1 s", "surface_size=1.5 mm", "surface_size=1.7 mm", "strain_per_step=0.29", "strain_per_step=0.27",
             "skin_size=0.66 mm", "skin_size=0.74 mm", "glass_growth=0.48", "elements_across=2.2", "temperature_per_step=36 K")
 # A disc of 5 mm sticks to a plate and a ram that presses it to a film of 0.8 mm.
 FILM = """
@@ -43,7 +43,7 @@ conductivity = "46 W/m/K"
 [glass]
 material = "glass"
 temperature = "1100 degC"
-piece = [
+boundary = [
   { name = "surface", path = "(0, 0) (20, 0) (20, 5) (0, 5) mm", condition = "contact" },
   { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
 ]
@@ -53,7 +53,7 @@ name = "plate"
 material = "iron"
 temperature = "600 degC"
 friction = "stick"
-piece = [
+boundary = [
   { name = "top", path = "(80, 0) (0, 0) mm", condition = "contact" },
   { name = "axis", path = "(0, -20) mm", condition = "symmetry" },
   { name = "rest", path = "(80, -20) (80, 0) mm", condition = "insulated" },
@@ -64,7 +64,7 @@ name = "ram"
 material = "iron"
 temperature = "600 degC"
 friction = "stick"
-piece = [
+boundary = [
   { name = "face", path = "(0, 5) (80, 5) mm", condition = "contact" },
   { name = "rest", path = "(80, 25) (0, 25) mm", condition = "insulated" },
   { name = "axis", path = "(0, 5) mm", condition = "symmetry" },
@@ -117,12 +117,12 @@ def section(options):
         if failed:
             print(f"    {failed} meshes could not be made")
         key = f"mesher.{case}.{accuracy}"
-        print(f"    {case} at {accuracy}, {len(rows[NOW])} meshes: triangles, ms, worst and lowest median quality, smallest angle, "
+        print(f"    {case} at {accuracy}, {len(rows[NOW])} meshes: triangles, ms, minimum and lowest median quality, smallest angle, "
               "|log2(edge/size)| mean and largest,\n    ratio of neighbours' areas, points added, same bits")
         for name, what in MESHERS.items():
             print("    " + describe(what, rows[name], again[name]), flush=True)
         now = seconds(rows[NOW])
-        for quality, what, least in (("worst", "worst quality", WORST), ("median", "lowest median quality", MEDIAN)):
+        for quality, what, least in (("min_quality", "worst quality", WORST), ("median", "lowest median quality", MEDIAN)):
             yield Figure(f"{key}.{quality}", f"{case}: {what} of a new mesh", min(row[quality] for row in rows[NOW]), least, True)
         for name in MESHERS:
             if name != NOW:
@@ -139,8 +139,8 @@ def describe(what, rows, again):
     least, most = (lambda key: min(row[key] for row in rows)), (lambda key: max(row[key] for row in rows))
     total = sum(row["triangles"] for row in rows)
     fit = statistics.fmean(row["size_mean"] for row in rows)
-    return (f"{what:<38} {total:7.0f} {1e3 * seconds(rows):6.0f}  {least('worst'):.2f} {least('median'):.3f}  {least('angle'):4.1f}  "
-            f"{fit:.2f} {most('size_largest'):.2f}  {most('jump'):.1f}  {sum(row['added'] for row in rows):3.0f}  {'yes' if same else 'no'}")
+    return (f"{what:<38} {total:7.0f} {1e3 * seconds(rows):6.0f}  {least('min_quality'):.2f} {least('median'):.3f}  {least('angle'):4.1f}  "
+            f"{fit:.2f} {most('size_max'):.2f}  {most('jump'):.1f}  {sum(row['added'] for row in rows):3.0f}  {'yes' if same else 'no'}")
 
 
 def runs(options):

@@ -5,7 +5,7 @@ import math
 
 from benchmarks.common import BUILD, ROOT, Figure, build, new_path, run
 
-CASES = ("tumbler", "bottle", "contact_cylinders")  # the estimates of the jar are its own ladder
+CASES = ("tumbler", "bottle", "contact_cylinders")  # the estimates of the jar are its own study
 PARTS = {"no_radiation": "internal radiation", "with_radiation": "internal radiation", "no_thin_wall": "thin-wall limit",
          "no_emission": "emission to around", "no_air_cooling": "cooling by air", "fixed_tools": "warming of tools",
          "no_tension": "surface tension", "with_tension": "surface tension", "no_gravity": "gravity", "all_slip": "friction on tools"}
@@ -14,7 +14,7 @@ LEAST = MATTERS / 100  # for the ratio
 FACTOR = 5
 
 
-def ladder(case):
+def study(case):
     out = new_path(f"parts_{case}")
     log = f"{out}.log"
     done = run([BUILD / "parison", "tradeoff", ROOT / "cases" / case, "--only", "model", "--base", "draft",
@@ -28,13 +28,13 @@ def section(_):
     build("parison")
     ratios = []
     for case in CASES:
-        told = ladder(case)
-        estimates = {part["part"]: part for part in told["estimates"]}
-        for rung in told["rungs"]:
-            part = PARTS.get(rung["name"])
-            if not part or not rung["completed"] or part not in estimates:
+        report = study(case)
+        estimates = {part["part"]: part for part in report["estimates"]}
+        for variant in report["variants"]:
+            part = PARTS.get(variant["name"])
+            if not part or not variant["completed"] or part not in estimates:
                 continue
-            for key, measured in (("thickness", rung["thickness_mean"]), ("heat", rung["heat"])):
+            for key, measured in (("thickness", variant["thickness_mean"]), ("heat", variant["heat"])):
                 estimated = estimates[part][key]
                 if measured is None or max(estimated, measured) < MATTERS:
                     continue

@@ -29,7 +29,7 @@ def of_case(case):
         return kept(read_summary(parison(ROOT / "cases" / case, SECONDS[case])[1]))
     stored = json.loads(STORED.read_text()) if STORED.exists() else {}
     if stored.get(case, {}).get("case_file") != fingerprint(case):
-        raise Skipped(f"no fine reference is stored for this state of cases/{case}; `tools/bench --renew-references` makes it in some minutes.")
+        raise Skipped(f"no fine reference is stored for this state of cases/{case}; `tools/bench --update-references` makes it in some minutes.")
     return stored[case]
 
 
@@ -54,10 +54,10 @@ def tell_age(case, draft_state):
     """Says so when the draft run ends otherwise than beside the reference."""
     if case in MINUTES and of_case(case).get("draft_state") != draft_state:
         print(f"    note: the reference of {case} was made by another state of the program or on another machine; "
-              "`tools/bench --renew-references` makes it anew", flush=True)
+              "`tools/bench --update-references` makes it anew", flush=True)
 
 
-def renew():
+def update():
     """Runs every case whose reference is stored once more at fine accuracy."""
     build("parison")
     for case, accuracy in MINUTES.items():

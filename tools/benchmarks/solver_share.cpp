@@ -19,11 +19,11 @@ namespace {
 
 using parison::bench::cpu_seconds;
 
-struct Spent {
+struct SolverTimes {
   double factorising = 0, solving = 0;
-} spent;
+} solver_times;
 
-/// Runs a call and books its CPU time.
+/// Runs a call and accumulates its CPU time.
 template <typename Call>
 auto timed(double& seconds, Call call) {
   struct Clock {
@@ -40,7 +40,7 @@ extern "C" {
 
 int __real_cholmod_factorize(cholmod_sparse*, cholmod_factor*, cholmod_common*);
 int __wrap_cholmod_factorize(cholmod_sparse* matrix, cholmod_factor* factor, cholmod_common* common) {
-  return timed(spent.factorising, [&] { return __real_cholmod_factorize(matrix, factor, common); });
+  return timed(solver_times.factorising, [&] { return __real_cholmod_factorize(matrix, factor, common); });
 }
 
 int __real_cholmod_solve2(int, cholmod_factor*, cholmod_dense*, cholmod_sparse*, cholmod_dense**, cholmod_sparse**,
@@ -48,14 +48,17 @@ int __real_cholmod_solve2(int, cholmod_factor*, cholmod_dense*, cholmod_sparse*,
 int __wrap_cholmod_solve2(int system, cholmod_factor* factor, cholmod_dense* b, cholmod_sparse* b_set,
                           cholmod_dense** x, cholmod_sparse** x_set, cholmod_dense** y, cholmod_dense** e,
                           cholmod_common* common) {
-  return timed(spent.solving, [&] { return __real_cholmod_solve2(system, factor, b, b_set, x, x_set, y, e, common); });
+  return timed(solver_times.solving,
+               [&] { return __real_cholmod_solve2(system, factor, b, b_set, x, x_set, y, e, common); });
 }
 
 void __real_dmumps_c(DMUMPS_STRUC_C*);
 void __wrap_dmumps_c(DMUMPS_STRUC_C* instance) {
   constexpr int factorise = 2, solve = 3;
-  double aside = 0;  // analysis, set-up
-  double& seconds = instance->job == factorise ? spent.factorising : instance->job == solve ? spent.solving : aside;
+  double other_seconds = 0;  // analysis, set-up
+  double& seconds = instance->job == factorise ? solver_times.factorising
+                    : instance->job == solve   ? solver_times.solving
+                                               : other_seconds;
   timed(seconds, [&] { __real_dmumps_c(instance); });
 }
 
@@ -78,7 +81,7 @@ int main(int argc, char** argv) {
   }
   timespec first{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &first);
-  std::printf("\nwhole %.4f factorising %.4f solving %.4f first %.4f\n", cpu_seconds(), spent.factorising,
-              spent.solving, double(first.tv_sec) + 1e-9 * double(first.tv_nsec));
+  std::printf("\nwhole %.4f factorising %.4f solving %.4f first %.4f\n", cpu_seconds(), solver_times.factorising,
+              solver_times.solving, double(first.tv_sec) + 1e-9 * double(first.tv_nsec));
   return 0;
 }

@@ -40,7 +40,7 @@ struct Bench {
   int every = 1, seen = 0;
   bench::BareFlow bare;
   std::array<forming::Workspace, repeats> once, split;
-} ledger;
+} record;
 
 std::vector<core::InterfacePoint> copied(std::vector<core::InterfacePoint> points) {
   for (core::InterfacePoint& point : points) point.area /= copies;
@@ -65,20 +65,20 @@ double heat_seconds(const forming::Scene& scene, const forming::State& before, c
 void measure(const forming::Scene& scene, const forming::State& before, const forming::StepResult& result) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   double bare = none, once = none, split = none;
-  if (scene.has_flow()) bare = ledger.bare.seconds(scene, result.state);
+  if (scene.has_flow()) bare = record.bare.seconds(scene, result.state);
   if (scene.has_flow() && scene.has_heat()) {
     const auto& interface = result.report.interface;
     const auto split_interface = copied(interface);
     once = split = std::numeric_limits<double>::infinity();
     for (int i = 0; i < repeats; ++i) {
-      once = std::min(once, heat_seconds(scene, before, result, interface, ledger.once[i]));
-      split = std::min(split, heat_seconds(scene, before, result, split_interface, ledger.split[i]));
+      once = std::min(once, heat_seconds(scene, before, result, interface, record.once[i]));
+      split = std::min(split, heat_seconds(scene, before, result, split_interface, record.split[i]));
     }
   }
   const double start = bench::cpu_seconds();
   if (scene.has_heat()) forming::surface_temperature_change(scene, before, result.state, result.report.interface);
   const double watched = bench::cpu_seconds() - start;
-  ledger.table << ',' << bare << ',' << once << ',' << (split - once) / (copies - 1) << ',' << watched;
+  record.table << ',' << bare << ',' << once << ',' << (split - once) / (copies - 1) << ',' << watched;
 }
 
 }  // namespace
@@ -90,15 +90,15 @@ forming::StepResult forming::timed_step(const Scene& scene, const State& state, 
   StepResult result = real_step(scene, state, dt, workspace);
   const double cpu = bench::cpu_seconds() - start;
   const double wall = std::chrono::duration<double>(Clock::now() - wall_start).count();
-  ledger.table << state.time << ',' << result.converged << ',' << state.bodies[0].mesh.cell_count() << ','
+  record.table << state.time << ',' << result.converged << ',' << state.bodies[0].mesh.cell_count() << ','
                << result.report.flow_solves << ',' << cpu;
   // The report's seconds are those of the wall clock: each part has its share of the CPU time.
-  for (const char* part : {"flow", "heat", "contact"}) ledger.table << ',' << result.report.seconds[part] * cpu / wall;
-  if (result.converged && ledger.seen++ % ledger.every == 0)
+  for (const char* part : {"flow", "heat", "contact"}) record.table << ',' << result.report.seconds[part] * cpu / wall;
+  if (result.converged && record.seen++ % record.every == 0)
     measure(scene, state, result);
   else
-    ledger.table << ",nan,nan,nan,nan";
-  ledger.table << std::endl;
+    record.table << ",nan,nan,nan,nan";
+  record.table << std::endl;
   return result;
 }
 
@@ -108,9 +108,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   core::use_one_blas_thread();
-  ledger.every = std::atoi(argv[4]);
-  ledger.table.open(std::string(argv[3]) + ".steps.csv");
-  ledger.table
+  record.every = std::atoi(argv[4]);
+  record.table.open(std::string(argv[3]) + ".steps.csv");
+  record.table
       << "time,converged,triangles,iterations,step,flow,heat,contact,bare,heat_again,interface_in_heat,watched\n";
   const auto scene = forming::read_scene(argv[1], argv[2]);
   const auto outcome = forming::run(scene, argv[3]);

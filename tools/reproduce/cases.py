@@ -16,7 +16,7 @@ MATERIALS = {
 START = {"glass": "1150 degC", "steel": "485 degC"}
 # Viscosity of container glass: the paper's crystal glass is not known.
 VISCOSITY = 'viscosity = { law = "vft", A = -2.309, B = "3922 K", T0 = "291 degC" }'
-PIECES = {
+BOUNDARIES = {
     "glass": (("contact", "(0, 0) (20, 0) mm", "contact"), ("side", "(20, 20) mm", "insulated"),
               ("top", "(0, 20) mm", "insulated"), ("axis", "(0, 0) mm", "symmetry")),
     "steel": (("contact", "({r}, 0) (0, 0) mm", "contact"), ("axis", "(0, -30) mm", "symmetry"),
@@ -26,10 +26,10 @@ WIDE_STEEL = 2  # with self-weight, in radii of the glass: the glass spreads
 
 
 def body(name, mesh, header, rows, radius="20", side="insulated"):
-    lines = [header, f'material = "{name}"', f'temperature = "{START[name]}"', "piece = ["]
-    for piece, path, condition in PIECES[name]:
-        condition = side if name == "glass" and piece == "side" else condition
-        lines.append(f'  {{ name = "{piece}", path = "{path.format(r=radius)}", condition = "{condition}" }},')
+    lines = [header, f'material = "{name}"', f'temperature = "{START[name]}"', "boundary = ["]
+    for boundary, path, condition in BOUNDARIES[name]:
+        condition = side if name == "glass" and boundary == "side" else condition
+        lines.append(f'  {{ name = "{boundary}", path = "{path.format(r=radius)}", condition = "{condition}" }},')
     sizes = TRIANGLE_MESH[name] if mesh == TRIANGLES else f"mapped = [{mesh}, {rows}], ratio = [1, 40]"
     return [*lines, "]", f"mesh = {{ {sizes} }}"]
 

@@ -22,7 +22,7 @@ using namespace parison::forming;
 std::vector<core::InterfacePoint> couple(const Scene& scene, const State& state) {
   const auto surface = [&](Index body) {
     const auto& mesh = state.bodies[body].mesh;
-    return contact::make_surface(body, mesh, contact_pieces(body_of(scene, body), mesh), core::Point::Zero());
+    return contact::make_surface(body, mesh, contact_boundaries(body_of(scene, body), mesh), core::Point::Zero());
   };
   return classical::classical_interface(surface(0), surface(1), scene.geometry);
 }
@@ -34,16 +34,16 @@ bool run_stage(const Scene& scene, const std::string& directory) {
   Workspace workspace;
   StepReport report;
   report.interface = couple(scene, state);
-  state.next_step = scene.accuracy.first_step;
+  state.next_step = scene.accuracy.initial_step;
   files.fields(state, report.interface);
   while (!stage_over(scene, state, false)) {
-    report.dt = landing_step(scene, state, state.next_step);
+    report.dt = clip_step_to_event(scene, state, state.next_step);
     const auto heat = advance_heat(scene, state, report.interface, {}, report.dt, workspace);
     if (!heat.converged) return false;
     const double before = state.time;
     state.time += report.dt;
     state.stage_time += report.dt;
-    state.next_step = wished_step(scene, report, state.next_step).dt;
+    state.next_step = propose_step(scene, report, state.next_step).dt;
     files.row(history_row(scene, state, report));
     if (!outputs_due(scene, before, state.time).empty()) files.fields(state, report.interface);
   }

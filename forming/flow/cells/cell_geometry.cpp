@@ -13,25 +13,25 @@ namespace {
 
 /// The nodes of the cells of a batch.
 struct BatchNodes {
-  const std::array<Index, 6>* of[lanes];
+  const std::array<Index, 6>* of[batch_size];
 
   BatchNodes(const core::Mesh& mesh, Index batch) {
-    for (Index lane = 0; lane < lanes; ++lane)
-      of[lane] = &mesh.cells[std::min(batch * lanes + lane, mesh.cell_count() - 1)];
+    for (Index lane = 0; lane < batch_size; ++lane)
+      of[lane] = &mesh.cells[std::min(batch * batch_size + lane, mesh.cell_count() - 1)];
   }
 };
 
 struct NodeVectors {
-  Pack at[6][dim];
+  VectorizedArray at[6][dim];
 };
 
 /// Vectors at the nodes, from coordinates in a row; put together where they are used: vectors stored in parts are slow
 /// to load.
 [[gnu::always_inline]] inline void gather(const BatchNodes& nodes, const double* values, NodeVectors& x) {
   for (int i = 0; i < 6; ++i) {
-    const double* from[lanes];
-    for (Index lane = 0; lane < lanes; ++lane) from[lane] = values + dim * (*nodes.of[lane])[i];
-    for (int a = 0; a < dim; ++a) x.at[i][a] = Pack{from[0][a], from[1][a], from[2][a], from[3][a]};
+    const double* from[batch_size];
+    for (Index lane = 0; lane < batch_size; ++lane) from[lane] = values + dim * (*nodes.of[lane])[i];
+    for (int a = 0; a < dim; ++a) x.at[i][a] = VectorizedArray{from[0][a], from[1][a], from[2][a], from[3][a]};
   }
 }
 
@@ -42,14 +42,14 @@ const double* coordinates(const core::Mesh& mesh) {
 /// Shape functions and their derivatives at the quadrature points.
 struct Shapes {
   std::array<double, 6> value[cell_points];
-  std::array<std::array<double, 2>, 6> slope[cell_points];
+  std::array<std::array<double, 2>, 6> derivative[cell_points];
   double weight[cell_points];
 
   Shapes() {
     const auto& rule = core::triangle_rule(4);
     for (int q = 0; q < cell_points; ++q) {
       value[q] = core::triangle_shape(rule[q].a, rule[q].b);
-      slope[q] = core::triangle_shape_derivative(rule[q].a, rule[q].b);
+      derivative[q] = core::triangle_shape_derivative(rule[q].a, rule[q].b);
       weight[q] = rule[q].weight;
     }
   }
@@ -62,16 +62,16 @@ const Shapes& shapes() {
 
 /// Position at a quadrature point and its derivatives on the reference cell.
 struct Mapped {
-  Pack position[dim], jacobian[dim][2], determinant;
+  VectorizedArray position[dim], jacobian[dim][2], determinant;
 };
 
 [[gnu::always_inline]] inline void map_point(const Shapes& shapes, int q, const NodeVectors& x, Mapped& at) {
   for (int a = 0; a < dim; ++a) {
     at.position[a] = shapes.value[q][0] * x.at[0][a];
-    for (int d = 0; d < 2; ++d) at.jacobian[a][d] = shapes.slope[q][0][d] * x.at[0][a];
+    for (int d = 0; d < 2; ++d) at.jacobian[a][d] = shapes.derivative[q][0][d] * x.at[0][a];
     for (int i = 1; i < 6; ++i) {
       at.position[a] += shapes.value[q][i] * x.at[i][a];
-      for (int d = 0; d < 2; ++d) at.jacobian[a][d] += shapes.slope[q][i][d] * x.at[i][a];
+      for (int d = 0; d < 2; ++d) at.jacobian[a][d] += shapes.derivative[q][i][d] * x.at[i][a];
     }
   }
   at.determinant = at.jacobian[0][0] * at.jacobian[1][1] - at.jacobian[0][1] * at.jacobian[1][0];
@@ -88,7 +88,7 @@ struct Measure {
 };
 
 [[gnu::always_inline]] inline void set_volume(const Mapped& mapped, double weight, const Measure& measure,
-                                              Pack& volume) {
+                                              VectorizedArray& volume) {
   volume = weight * mapped.determinant * (measure.at_axis + measure.growth * mapped.position[0]);
 }
 
@@ -101,16 +101,16 @@ struct Measure {
     Mapped mapped;
     map_point(shapes, q, x, mapped);
     const auto& jacobian = mapped.jacobian;
-    const Pack s = 1 / mapped.determinant;
-    const Pack da_dr = s * jacobian[1][1], da_dz = -s * jacobian[0][1];
-    const Pack db_dr = -s * jacobian[1][0], db_dz = s * jacobian[0][0];
+    const VectorizedArray s = 1 / mapped.determinant;
+    const VectorizedArray da_dr = s * jacobian[1][1], da_dz = -s * jacobian[0][1];
+    const VectorizedArray db_dr = -s * jacobian[1][0], db_dz = s * jacobian[0][0];
     for (int i = 0; i < 6; ++i) {
-      packed_lanes(at[q].gradient[i][0]) = shapes.slope[q][i][0] * da_dr + shapes.slope[q][i][1] * db_dr;
-      packed_lanes(at[q].gradient[i][1]) = shapes.slope[q][i][0] * da_dz + shapes.slope[q][i][1] * db_dz;
+      vectorized(at[q].gradient[i][0]) = shapes.derivative[q][i][0] * da_dr + shapes.derivative[q][i][1] * db_dr;
+      vectorized(at[q].gradient[i][1]) = shapes.derivative[q][i][0] * da_dz + shapes.derivative[q][i][1] * db_dz;
     }
-    for (int a = 0; a < dim; ++a) packed_lanes(at[q].position[a]) = mapped.position[a];
-    set_volume(mapped, shapes.weight[q], measure, packed_lanes(at[q].volume));
-    packed_lanes(at[q].hoop) = measure.rings / (1 - measure.rings + measure.rings * mapped.position[0]);
+    for (int a = 0; a < dim; ++a) vectorized(at[q].position[a]) = mapped.position[a];
+    set_volume(mapped, shapes.weight[q], measure, vectorized(at[q].volume));
+    vectorized(at[q].hoop) = measure.rings / (1 - measure.rings + measure.rings * mapped.position[0]);
   }
 }
 
@@ -118,23 +118,23 @@ struct Measure {
 [[gnu::target_clones("avx2", "default")]] void integrate_batch(const Shapes& shapes, const BatchNodes& nodes,
                                                                const double* values, const double* velocity,
                                                                const Measure& measure,
-                                                               std::array<Lanes, dim>& integral) {
+                                                               std::array<BatchArray, dim>& integral) {
   NodeVectors x, v;
   gather(nodes, values, x);
   gather(nodes, velocity, v);
-  Pack sum[dim]{};
+  VectorizedArray sum[dim]{};
   for (int q = 0; q < cell_points; ++q) {
     Mapped mapped;
     map_point(shapes, q, x, mapped);
-    Pack volume;
+    VectorizedArray volume;
     set_volume(mapped, shapes.weight[q], measure, volume);
     for (int a = 0; a < dim; ++a) {
-      Pack at_point = shapes.value[q][0] * v.at[0][a];
+      VectorizedArray at_point = shapes.value[q][0] * v.at[0][a];
       for (int i = 1; i < 6; ++i) at_point += shapes.value[q][i] * v.at[i][a];
       sum[a] += volume * at_point;
     }
   }
-  for (int a = 0; a < dim; ++a) packed_lanes(integral[a]) = sum[a];
+  for (int a = 0; a < dim; ++a) vectorized(integral[a]) = sum[a];
 }
 
 }  // namespace
@@ -151,11 +151,11 @@ CellGeometry cell_geometry(const core::Mesh& mesh, core::Geometry geometry) {
 
 Point integral(const core::Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& velocity) {
   Point sum = Point::Zero();
-  std::array<Lanes, dim> part;
+  std::array<BatchArray, dim> part;
   const Measure measure(geometry);
-  for (Index first = 0; first < mesh.cell_count(); first += lanes) {
-    integrate_batch(shapes(), {mesh, first / lanes}, coordinates(mesh), velocity.data(), measure, part);
-    for (int a = 0; a < dim; ++a) sum[a] += part[a].head(std::min(lanes, mesh.cell_count() - first)).sum();
+  for (Index first = 0; first < mesh.cell_count(); first += batch_size) {
+    integrate_batch(shapes(), {mesh, first / batch_size}, coordinates(mesh), velocity.data(), measure, part);
+    for (int a = 0; a < dim; ++a) sum[a] += part[a].head(std::min(batch_size, mesh.cell_count() - first)).sum();
   }
   return sum;
 }
@@ -176,26 +176,26 @@ BatchVelocity batch_velocity(const core::Mesh& mesh, const CellGeometry& geometr
   const auto &first = at(0), &second = at(1), &third = at(2), &fourth = at(3);
   for (int i = 0; i < 6; ++i)
     for (int a = 0; a < dim; ++a)
-      packed_lanes(result[i][a]) = Pack{velocity[dim * first[i] + a], velocity[dim * second[i] + a],
-                                        velocity[dim * third[i] + a], velocity[dim * fourth[i] + a]};
+      vectorized(result[i][a]) = VectorizedArray{velocity[dim * first[i] + a], velocity[dim * second[i] + a],
+                                                 velocity[dim * third[i] + a], velocity[dim * fourth[i] + a]};
   return result;
 }
 
-[[gnu::target_clones("avx2", "default")]] Lanes squared_rate(const CellGeometry::AtPoint& at, int q,
-                                                             const BatchVelocity& velocity) {
+[[gnu::target_clones("avx2", "default")]] BatchArray squared_rate(const CellGeometry::AtPoint& at, int q,
+                                                                  const BatchVelocity& velocity) {
   const auto& shape = shapes_at_points()[q];
-  Pack rr{}, zz{}, shear{}, radial{};
+  VectorizedArray rr{}, zz{}, shear{}, radial{};
   for (int i = 0; i < 6; ++i) {
-    const Pack &r = packed_lanes(velocity[i][0]), &z = packed_lanes(velocity[i][1]);
-    const Pack &along_r = packed_lanes(at.gradient[i][0]), &along_z = packed_lanes(at.gradient[i][1]);
+    const VectorizedArray &r = vectorized(velocity[i][0]), &z = vectorized(velocity[i][1]);
+    const VectorizedArray &along_r = vectorized(at.gradient[i][0]), &along_z = vectorized(at.gradient[i][1]);
     rr += r * along_r;
     zz += z * along_z;
     shear += r * along_z + z * along_r;
     radial += shape[i] * r;
   }
-  const Pack ring = packed_lanes(at.hoop) * radial;
-  Lanes result;
-  packed_lanes(result) = rr * rr + zz * zz + 0.5 * shear * shear + ring * ring;
+  const VectorizedArray ring = vectorized(at.hoop) * radial;
+  BatchArray result;
+  vectorized(result) = rr * rr + zz * zz + 0.5 * shear * shear + ring * ring;
   return result;
 }
 

@@ -9,63 +9,64 @@ using core::dim;
 
 namespace {
 
-using BatchVector = std::array<Lanes, cell_unknowns>;
+using BatchVector = std::array<BatchArray, cell_unknowns>;
 
 /// The unknowns of the cells of a batch; those that stand in for missing cells are left out when forces are added.
 struct BatchUnknowns {
-  std::array<std::array<Index, cell_unknowns>, lanes> of;
+  std::array<std::array<Index, cell_unknowns>, batch_size> of;
   Index count;
 
-  BatchUnknowns(const core::Mesh& mesh, Index batch) : count(std::min(lanes, mesh.cell_count() - batch * lanes)) {
-    for (Index lane = 0; lane < lanes; ++lane)
-      of[lane] = unknowns_of(mesh, std::min(batch * lanes + lane, mesh.cell_count() - 1));
+  BatchUnknowns(const core::Mesh& mesh, Index batch)
+      : count(std::min(batch_size, mesh.cell_count() - batch * batch_size)) {
+    for (Index lane = 0; lane < batch_size; ++lane)
+      of[lane] = unknowns_of(mesh, std::min(batch * batch_size + lane, mesh.cell_count() - 1));
   }
 };
 
 /// The unknowns' numbers, put together where they are used: vectors that were stored in parts are slow to load.
-[[gnu::always_inline]] inline void gather(const BatchUnknowns& unknowns, const double* x, Pack* in) {
+[[gnu::always_inline]] inline void gather(const BatchUnknowns& unknowns, const double* x, VectorizedArray* in) {
   for (int k = 0; k < cell_unknowns; ++k)
-    in[k] = Pack{x[unknowns.of[0][k]], x[unknowns.of[1][k]], x[unknowns.of[2][k]], x[unknowns.of[3][k]]};
+    in[k] = VectorizedArray{x[unknowns.of[0][k]], x[unknowns.of[1][k]], x[unknowns.of[2][k]], x[unknowns.of[3][k]]};
 }
 
-[[gnu::target_clones("avx2", "default")]] void multiply_batch(const Lanes* matrix, const BatchUnknowns& unknowns,
+[[gnu::target_clones("avx2", "default")]] void multiply_batch(const BatchArray* matrix, const BatchUnknowns& unknowns,
                                                               const double* x, BatchVector& out) {
-  Pack in[cell_unknowns];
+  VectorizedArray in[cell_unknowns];
   gather(unknowns, x, in);
   for (int i = 0; i < cell_unknowns; ++i) {
-    Pack row{};
+    VectorizedArray row{};
     for (int j = 0; j < i; ++j, ++matrix) {
-      row += packed_lanes(*matrix) * in[j];
-      packed_lanes(out[j]) += packed_lanes(*matrix) * in[i];
+      row += vectorized(*matrix) * in[j];
+      vectorized(out[j]) += vectorized(*matrix) * in[i];
     }
-    packed_lanes(out[i]) = row + packed_lanes(*matrix++) * in[i];
+    vectorized(out[i]) = row + vectorized(*matrix++) * in[i];
   }
 }
 
-[[gnu::always_inline]] inline void take_size(const Pack& x, Pack& size) {
+[[gnu::always_inline]] inline void absolute_value(const VectorizedArray& x, VectorizedArray& size) {
   size = x < 0 ? -x : x;
 }
 
 /// The product of numbers without sign.
-[[gnu::target_clones("avx2", "default")]] void multiply_sizes(const Lanes* matrix, const BatchUnknowns& unknowns,
+[[gnu::target_clones("avx2", "default")]] void multiply_sizes(const BatchArray* matrix, const BatchUnknowns& unknowns,
                                                               const double* x, BatchVector& out) {
-  Pack in[cell_unknowns], size[cell_unknowns], entry;
+  VectorizedArray in[cell_unknowns], size[cell_unknowns], entry;
   gather(unknowns, x, in);
   for (int i = 0; i < cell_unknowns; ++i) {
-    take_size(in[i], size[i]);
-    Pack row{};
+    absolute_value(in[i], size[i]);
+    VectorizedArray row{};
     for (int j = 0; j < i; ++j, ++matrix) {
-      take_size(packed_lanes(*matrix), entry);
+      absolute_value(vectorized(*matrix), entry);
       row += entry * size[j];
-      packed_lanes(out[j]) += entry * size[i];
+      vectorized(out[j]) += entry * size[i];
     }
-    take_size(packed_lanes(*matrix++), entry);
-    packed_lanes(out[i]) = row + entry * size[i];
+    absolute_value(vectorized(*matrix++), entry);
+    vectorized(out[i]) = row + entry * size[i];
   }
 }
 
 Index batch_count(const core::Mesh& mesh) {
-  return (mesh.cell_count() + lanes - 1) / lanes;
+  return (mesh.cell_count() + batch_size - 1) / batch_size;
 }
 
 }  // namespace

@@ -21,9 +21,9 @@ constexpr double bulk_ratio = 1e10;
 
 /// Viscosity, weights and body force at one quadrature point of a batch.
 struct PointWeights {
-  Lanes viscous, squeezed;       ///< viscosity and compliance, each times the volume
-  Lanes ring;                    ///< twice the viscous weight over r squared
-  std::array<Lanes, dim> force;  ///< N
+  BatchArray viscous, compliance;     ///< viscosity and compliance, each times the volume
+  BatchArray ring;                    ///< twice the viscous weight over r squared
+  std::array<BatchArray, dim> force;  ///< N
 };
 using BatchWeights = std::array<PointWeights, cell_points>;
 
@@ -33,14 +33,14 @@ BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry,
   BatchWeights weights;
   for (int q = 0; q < cell_points; ++q) {
     const auto& at = geometry.at(batch, q);
-    Lanes eta;
-    for (Index lane = 0; lane < lanes; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
+    BatchArray eta;
+    for (Index lane = 0; lane < batch_size; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
     weights[q].viscous = eta * at.volume;
     weights[q].ring = 2 * weights[q].viscous * at.hoop * at.hoop;
-    weights[q].squeezed = at.volume / (bulk_ratio * eta);
+    weights[q].compliance = at.volume / (bulk_ratio * eta);
     for (int a = 0; a < dim; ++a) weights[q].force[a] = weight[a] * at.volume;
     if (!problem.force) continue;
-    for (Index lane = 0; lane < lanes; ++lane) {
+    for (Index lane = 0; lane < batch_size; ++lane) {
       const Point more = problem.force(geometry.position(geometry.cell(batch, lane), q));
       for (int a = 0; a < dim; ++a) weights[q].force[a][lane] += more[a] * at.volume[lane];
     }
@@ -69,77 +69,78 @@ struct Shapes {
 
 /// The viscous weight times the gradient of a node's shape function, at each quadrature point.
 struct WeightedGradient {
-  Pack at[cell_points][dim];
+  VectorizedArray at[cell_points][dim];
 };
 
 /// Viscous forces between the velocities of nodes i, whose weighted gradient is given, and j <= i.
 [[gnu::always_inline]] inline void set_pair(const CellGeometry::AtPoint* at, const WeightedGradient& weighted, int i,
-                                            int j, Lanes* matrix) {
-  Pack along_r{}, along_z{}, rz{}, zr{};
+                                            int j, BatchArray* matrix) {
+  VectorizedArray along_r{}, along_z{}, rz{}, zr{};
   for (int q = 0; q < cell_points; ++q) {
-    const Pack &r = packed_lanes(at[q].gradient[j][0]), &z = packed_lanes(at[q].gradient[j][1]);
+    const VectorizedArray &r = vectorized(at[q].gradient[j][0]), &z = vectorized(at[q].gradient[j][1]);
     along_r += weighted.at[q][0] * r;
     along_z += weighted.at[q][1] * z;
     rz += weighted.at[q][1] * r;
     zr += weighted.at[q][0] * z;
   }
-  packed_lanes(matrix[packed(dim * i, dim * j)]) = 2 * along_r + along_z;
-  packed_lanes(matrix[packed(dim * i + 1, dim * j)]) = zr;
-  packed_lanes(matrix[packed(dim * i + 1, dim * j + 1)]) = along_r + 2 * along_z;
-  if (j < i) packed_lanes(matrix[packed(dim * i, dim * j + 1)]) = rz;
+  vectorized(matrix[packed(dim * i, dim * j)]) = 2 * along_r + along_z;
+  vectorized(matrix[packed(dim * i + 1, dim * j)]) = zr;
+  vectorized(matrix[packed(dim * i + 1, dim * j + 1)]) = along_r + 2 * along_z;
+  if (j < i) vectorized(matrix[packed(dim * i, dim * j + 1)]) = rz;
 }
 
 /// Adds the forces of the rings' stretching.
-[[gnu::always_inline]] inline void add_rings(const Shapes& shapes, const BatchWeights& weights, Lanes* matrix) {
+[[gnu::always_inline]] inline void add_rings(const Shapes& shapes, const BatchWeights& weights, BatchArray* matrix) {
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j <= i; ++j) {
       const double* product = shapes.product[packed(i, j)];
-      Pack ring{};
-      for (int q = 0; q < cell_points; ++q) ring += product[q] * packed_lanes(weights[q].ring);
-      packed_lanes(matrix[packed(dim * i, dim * j)]) += ring;
+      VectorizedArray ring{};
+      for (int q = 0; q < cell_points; ++q) ring += product[q] * vectorized(weights[q].ring);
+      vectorized(matrix[packed(dim * i, dim * j)]) += ring;
     }
 }
 
 /// Divergence of node i's velocity, against the pressures, and the force on it.
 [[gnu::always_inline]] inline void set_node(const Shapes& shapes, const CellGeometry::AtPoint* at,
-                                            const BatchWeights& weights, int i, Lanes* matrix, Lanes* load) {
-  Pack divergence[3][dim]{}, force[dim]{};
+                                            const BatchWeights& weights, int i, BatchArray* matrix, BatchArray* load) {
+  VectorizedArray divergence[3][dim]{}, force[dim]{};
   for (int q = 0; q < cell_points; ++q) {
     const double shape = shapes.value[i][q];
-    const Pack &volume = packed_lanes(at[q].volume), &r = packed_lanes(at[q].gradient[i][0]);
-    const Pack part[dim] = {volume * (r + shape * packed_lanes(at[q].hoop)),
-                            volume * packed_lanes(at[q].gradient[i][1])};
+    const VectorizedArray &volume = vectorized(at[q].volume), &r = vectorized(at[q].gradient[i][0]);
+    const VectorizedArray part[dim] = {volume * (r + shape * vectorized(at[q].hoop)),
+                                       volume * vectorized(at[q].gradient[i][1])};
     for (int a = 0; a < dim; ++a) {
-      force[a] += shape * packed_lanes(weights[q].force[a]);
+      force[a] += shape * vectorized(weights[q].force[a]);
       for (int p = 0; p < 3; ++p) divergence[p][a] -= shapes.linear[p][q] * part[a];
     }
   }
   for (int a = 0; a < dim; ++a) {
-    packed_lanes(load[dim * i + a]) = force[a];
-    for (int p = 0; p < 3; ++p) packed_lanes(matrix[packed(cell_velocities + p, dim * i + a)]) = divergence[p][a];
+    vectorized(load[dim * i + a]) = force[a];
+    for (int p = 0; p < 3; ++p) vectorized(matrix[packed(cell_velocities + p, dim * i + a)]) = divergence[p][a];
   }
 }
 
-[[gnu::always_inline]] inline void set_pressures(const Shapes& shapes, const BatchWeights& weights, Lanes* matrix,
-                                                 Lanes* load) {
+[[gnu::always_inline]] inline void set_pressures(const Shapes& shapes, const BatchWeights& weights, BatchArray* matrix,
+                                                 BatchArray* load) {
   for (int p = 0; p < 3; ++p) {
     load[cell_velocities + p].setZero();
     for (int s = 0; s <= p; ++s) {
-      Pack sum{};
+      VectorizedArray sum{};
       for (int q = 0; q < cell_points; ++q)
-        sum -= shapes.linear_product[packed(p, s)][q] * packed_lanes(weights[q].squeezed);
-      packed_lanes(matrix[packed(cell_velocities + p, cell_velocities + s)]) = sum;
+        sum -= shapes.linear_product[packed(p, s)][q] * vectorized(weights[q].compliance);
+      vectorized(matrix[packed(cell_velocities + p, cell_velocities + s)]) = sum;
     }
   }
 }
 
 [[gnu::target_clones("avx2", "default")]] void set_batch(const Shapes& shapes, const CellGeometry::AtPoint* at,
-                                                         const BatchWeights& weights, Lanes* matrix, Lanes* load) {
+                                                         const BatchWeights& weights, BatchArray* matrix,
+                                                         BatchArray* load) {
   for (int i = 0; i < 6; ++i) {
     WeightedGradient weighted;
     for (int q = 0; q < cell_points; ++q)
       for (int a = 0; a < dim; ++a)
-        weighted.at[q][a] = packed_lanes(weights[q].viscous) * packed_lanes(at[q].gradient[i][a]);
+        weighted.at[q][a] = vectorized(weights[q].viscous) * vectorized(at[q].gradient[i][a]);
     for (int j = 0; j <= i; ++j) set_pair(at, weighted, i, j, matrix);
     set_node(shapes, at, weights, i, matrix, load);
   }
@@ -163,8 +164,8 @@ Eigen::ArrayXd temperature_at_points(const core::Mesh& mesh, const Eigen::Vector
   return result;
 }
 
-/// Rate of deformation exceeded in the volume `share`; the pairs are D:D and volume.
-double exceeded_rate(std::vector<std::pair<double, double>> squared_and_volume, double share) {
+/// Rate of deformation exceeded in the volume `fraction`; the pairs are D:D and volume.
+double exceeded_rate(std::vector<std::pair<double, double>> squared_and_volume, double fraction) {
   // The largest are searched for among ever more candidates until these fill the share.
   const auto begin = squared_and_volume.begin(), end = squared_and_volume.end();
   auto sorted = begin;
@@ -175,7 +176,7 @@ double exceeded_rate(std::vector<std::pair<double, double>> squared_and_volume, 
     std::sort(sorted, stop, std::greater<>());
     for (; sorted != stop; ++sorted) {
       above += sorted->second;
-      if (above > share) return std::sqrt(2 * sorted->first);
+      if (above > fraction) return std::sqrt(2 * sorted->first);
     }
   }
   return 0;
@@ -185,9 +186,9 @@ double exceeded_rate(std::vector<std::pair<double, double>> squared_and_volume, 
 
 CellMatrix CellMatrices::of(Index cell) const {
   CellMatrix result;
-  const Lanes* entry = batch(cell / lanes);
+  const BatchArray* entry = batch(cell / batch_size);
   for (int i = 0; i < cell_unknowns; ++i)
-    for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = (*entry++)[cell % lanes];
+    for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = (*entry++)[cell % batch_size];
   return result;
 }
 
@@ -208,11 +209,11 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
   const auto& law = *problem.material->shear_thinning;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
     const auto v = batch_velocity(mesh, geometry, batch, velocity);
-    const Index here = std::min(lanes, geometry.cells - batch * lanes);
+    const Index here = std::min(batch_size, geometry.cells - batch * batch_size);
     for (int q = 0; q < cell_points; ++q) {
-      const Lanes squared = 2 * squared_rate(geometry.at(batch, q), q, v);
+      const BatchArray squared = 2 * squared_rate(geometry.at(batch, q), q, v);
       for (Index lane = 0; lane < here; ++lane)
-        viscosity[std::size_t(batch * lanes + lane) * cell_points + q] *=
+        viscosity[std::size_t(batch * batch_size + lane) * cell_points + q] *=
             std::pow(1 + law.time * law.time * squared[lane], 0.5 * (law.exponent - 1));
     }
   }
@@ -239,12 +240,12 @@ void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, 
   double total = 0, sum = 0;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
     const auto v = batch_velocity(*problem.mesh, geometry, batch, velocity);
-    const Index here = std::min(lanes, geometry.cells - batch * lanes);
+    const Index here = std::min(batch_size, geometry.cells - batch * batch_size);
     for (int q = 0; q < cell_points; ++q) {
       const auto& at = geometry.at(batch, q);
-      const Lanes squared = squared_rate(at, q, v);
+      const BatchArray squared = squared_rate(at, q, v);
       for (Index lane = 0; lane < here; ++lane) {
-        const std::size_t k = std::size_t(batch * lanes + lane) * cell_points + q;
+        const std::size_t k = std::size_t(batch * batch_size + lane) * cell_points + q;
         squared_and_volume[k] = {squared[lane], at.volume[lane]};
         solution.dissipation[k] = 2 * viscosity[k] * squared[lane] * at.volume[lane];
         total += at.volume[lane];
@@ -253,7 +254,7 @@ void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, 
     }
   }
   solution.mean_rate = std::sqrt(sum / total);
-  solution.high_rate = exceeded_rate(std::move(squared_and_volume), high_rate_share * total);
+  solution.high_rate = exceeded_rate(std::move(squared_and_volume), high_rate_fraction * total);
 }
 
 using core::dim;
@@ -261,18 +262,18 @@ using core::dim;
 namespace {
 
 /// D:dD at a quadrature point for each velocity of a cell, 1/(m s).
-using RateDerivative = std::array<Lanes, cell_velocities>;
+using RateDerivative = std::array<BatchArray, cell_velocities>;
 
 RateDerivative rate_derivative(const CellGeometry::AtPoint& at, int q, const BatchVelocity& velocity) {
   const auto& shape = shapes_at_points()[q];
-  Lanes rr = Lanes::Zero(), zz = rr, shear = rr, radial = rr;
+  BatchArray rr = BatchArray::Zero(), zz = rr, shear = rr, radial = rr;
   for (int i = 0; i < 6; ++i) {
     rr += velocity[i][0] * at.gradient[i][0];
     zz += velocity[i][1] * at.gradient[i][1];
     shear += velocity[i][0] * at.gradient[i][1] + velocity[i][1] * at.gradient[i][0];
     radial += shape[i] * velocity[i][0];
   }
-  const Lanes half = 0.5 * shear, ring = at.hoop * at.hoop * radial;
+  const BatchArray half = 0.5 * shear, ring = at.hoop * at.hoop * radial;
   RateDerivative derivative;
   for (int i = 0; i < 6; ++i) {
     derivative[dim * i] = rr * at.gradient[i][0] + half * at.gradient[i][1] + shape[i] * ring;
@@ -288,16 +289,17 @@ void add_thinning_derivative(const Problem& problem, const CellGeometry& geometr
   const auto& law = *problem.material->shear_thinning;
   const double square = law.time * law.time;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
-    Lanes* matrix = cells.matrix.data() + std::size_t(batch) * cell_entries;
+    BatchArray* matrix = cells.matrix.data() + std::size_t(batch) * cell_entries;
     const auto v = batch_velocity(*problem.mesh, geometry, batch, velocity);
     for (int q = 0; q < cell_points; ++q) {
       const auto& at = geometry.at(batch, q);
-      Lanes eta;
-      for (Index lane = 0; lane < lanes; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
-      const Lanes slope = 0.5 * (law.exponent - 1) * square * eta / (1 + 2 * square * squared_rate(at, q, v));
+      BatchArray eta;
+      for (Index lane = 0; lane < batch_size; ++lane)
+        eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
+      const BatchArray derivative = 0.5 * (law.exponent - 1) * square * eta / (1 + 2 * square * squared_rate(at, q, v));
       const auto rate = rate_derivative(at, q, v);
       for (int i = 0; i < cell_velocities; ++i) {
-        const Lanes row = 8 * slope * at.volume * rate[i];
+        const BatchArray row = 8 * derivative * at.volume * rate[i];
         for (int j = 0; j <= i; ++j) matrix[packed(i, j)] += row * rate[j];
       }
     }

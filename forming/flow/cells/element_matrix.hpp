@@ -21,12 +21,12 @@ constexpr int packed(int row, int column) {
 
 /// Symmetric saddle-point matrices of all cells, with the load of gravity.
 struct CellMatrices {
-  std::vector<Lanes> matrix;  ///< batches x cell_entries
-  std::vector<Lanes> load;    ///< batches x cell_unknowns
+  std::vector<BatchArray> matrix;  ///< batches x cell_entries
+  std::vector<BatchArray> load;    ///< batches x cell_unknowns
 
-  const Lanes* batch(Index batch) const { return matrix.data() + std::size_t(batch) * cell_entries; }
+  const BatchArray* batch(Index batch) const { return matrix.data() + std::size_t(batch) * cell_entries; }
   double load_at(Index cell, int unknown) const {
-    return load[std::size_t(cell / lanes) * cell_unknowns + unknown][cell % lanes];
+    return load[std::size_t(cell / batch_size) * cell_unknowns + unknown][cell % batch_size];
   }
   /// One cell's matrix, whole.
   CellMatrix of(Index cell) const;

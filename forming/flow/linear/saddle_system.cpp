@@ -71,14 +71,14 @@ SaddleSystem::SaddleSystem(const core::Mesh& mesh) : vertices_(mesh.vertex_count
   }
 }
 
-void SaddleSystem::add_held_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local) {
+void SaddleSystem::add_constrained_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local) {
   for (int i = 0; i < 6; ++i) {
-    const NodeFrame* held = base_.find(nodes[i]);
-    if (!held) continue;
-    local.middleCols<dim>(dim * i) = (local.middleCols<dim>(dim * i) * held->frame).eval();
-    local.middleRows<dim>(dim * i) = (held->frame.transpose() * local.middleRows<dim>(dim * i)).eval();
+    const NodeConstraint* constraint = base_.find(nodes[i]);
+    if (!constraint) continue;
+    local.middleCols<dim>(dim * i) = (local.middleCols<dim>(dim * i) * constraint->basis).eval();
+    local.middleRows<dim>(dim * i) = (constraint->basis.transpose() * local.middleRows<dim>(dim * i)).eval();
     for (int a = 0; a < dim; ++a) {
-      if (!held->fixed[a]) continue;
+      if (!constraint->fixed[a]) continue;
       const double diagonal = local(dim * i + a, dim * i + a);
       local.row(dim * i + a).setZero();
       local.col(dim * i + a).setZero();
@@ -88,38 +88,39 @@ void SaddleSystem::add_held_cell(const std::array<Index, 6>& nodes, Index cell, 
   core::add_clique(assembly_.matrix, assembly_.scatter, cell, cell_unknowns, local.data());
 }
 
-void SaddleSystem::add_cell(const Lanes* entries, Index cell) {
+void SaddleSystem::add_cell(const BatchArray* entries, Index cell) {
   const Index* position = assembly_.scatter.position.data() + assembly_.scatter.offset[cell];
-  for (int k = 0; k < cell_entries; ++k) assembly_.matrix.value[position[k]] += entries[k][cell % lanes];
+  for (int k = 0; k < cell_entries; ++k) assembly_.matrix.value[position[k]] += entries[k][cell % batch_size];
 }
 
-bool SaddleSystem::factorise(const core::Mesh& mesh, const CellMatrices& cells, const Held& base) {
+bool SaddleSystem::factorise(const core::Mesh& mesh, const CellMatrices& cells, const Constraints& base) {
   base_ = base;
   auto& matrix = assembly_.matrix;
   std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     const auto& nodes = mesh.cells[c];
     if (std::none_of(nodes.begin(), nodes.end(), [&](Index n) { return base_.find(n); }))
-      add_cell(cells.batch(c / lanes), c);
+      add_cell(cells.batch(c / batch_size), c);
     else
-      add_held_cell(nodes, c, cells.of(c));
+      add_constrained_cell(nodes, c, cells.of(c));
   }
-  for (const auto& frame : base_.frames)
-    if (frame.friction_tool >= 0) matrix.value[diagonal_[dim * frame.node + dim - 1]] += base_.drag[frame.node];
+  for (const auto& constraint : base_.nodes)
+    if (constraint.friction_tool >= 0)
+      matrix.value[diagonal_[dim * constraint.node + dim - 1]] += base_.tangential_stiffness[constraint.node];
   return factorised_ = linear_.factorise(matrix);
 }
 
 Eigen::MatrixXd SaddleSystem::solve(Eigen::MatrixXd rhs) const {
-  for (const auto& held : base_.frames) {
-    auto rows = rhs.middleRows<dim>(dim * held.node);
-    rows = (held.frame.transpose() * rows).eval();
+  for (const auto& constraint : base_.nodes) {
+    auto rows = rhs.middleRows<dim>(dim * constraint.node);
+    rows = (constraint.basis.transpose() * rows).eval();
     for (int a = 0; a < dim; ++a)
-      if (held.fixed[a]) rows.row(a).setZero();
+      if (constraint.fixed[a]) rows.row(a).setZero();
   }
   Eigen::MatrixXd solution = linear_.solve(rhs);
-  for (const auto& held : base_.frames) {
-    auto rows = solution.middleRows<dim>(dim * held.node);
-    rows = (held.frame * rows).eval();
+  for (const auto& constraint : base_.nodes) {
+    auto rows = solution.middleRows<dim>(dim * constraint.node);
+    rows = (constraint.basis * rows).eval();
   }
   return solution;
 }

@@ -17,23 +17,23 @@ class SaddleSystem {
   Index velocities() const { return size() - vertices_; }
 
   /// Factorises for nodes held as `base` with the cells' matrices; false when a pivot vanishes.
-  [[nodiscard]] bool factorise(const core::Mesh& mesh, const CellMatrices& cells, const Held& base);
+  [[nodiscard]] bool factorise(const core::Mesh& mesh, const CellMatrices& cells, const Constraints& base);
   bool factorised() const { return factorised_; }
   void forget() { factorised_ = false; }
-  const Held& base() const { return base_; }
+  const Constraints& base() const { return base_; }
   /// Solves in coordinates for forces in coordinates; velocities that the base holds come out zero.
   Eigen::MatrixXd solve(Eigen::MatrixXd rhs) const;
 
  private:
-  void add_held_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local);
-  void add_cell(const Lanes* entries, Index cell);
+  void add_constrained_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local);
+  void add_cell(const BatchArray* entries, Index cell);
 
   core::Assembly assembly_;
   core::IndefiniteSolver linear_;
   Index vertices_;
   std::vector<Index> diagonal_;  ///< places of the diagonal entries
   bool factorised_ = false;
-  Held base_;
+  Constraints base_;
 };
 
 }  // namespace parison::flow

@@ -14,23 +14,23 @@ using core::dim;
 namespace {
 
 /// A drag that changed by less, relatively, is the same.
-constexpr double same_drag = 1e-9;
+constexpr double same_stiffness = 1e-9;
 
-core::Tensor frame_of(const NodeFrame* held) {
-  return held ? held->frame : core::Tensor(core::Tensor::Identity());
+core::Tensor basis_of(const NodeConstraint* constraint) {
+  return constraint ? constraint->basis : core::Tensor(core::Tensor::Identity());
 }
 
-bool fixes(const NodeFrame* held, int axis) {
-  return held && held->fixed[axis];
+bool fixes(const NodeConstraint* constraint, int axis) {
+  return constraint && constraint->fixed[axis];
 }
 
 /// Drag along the last column of the frame, N.s/m.
-double drag_of(const Held& held, Index node) {
-  const NodeFrame* frame = held.find(node);
-  return frame && frame->friction_tool >= 0 ? held.drag[node] : 0.0;
+double tangential_stiffness_of(const Constraints& constraints, Index node) {
+  const NodeConstraint* constraint = constraints.find(node);
+  return constraint && constraint->friction_tool >= 0 ? constraints.tangential_stiffness[node] : 0.0;
 }
 
-bool same_equalities(const NodeFrame* a, const NodeFrame* b) {
+bool same_equalities(const NodeConstraint* a, const NodeConstraint* b) {
   if (!a || !b) return a == b;
   if (a->friction_tool != b->friction_tool || a->equalities.size() != b->equalities.size()) return false;
   for (std::size_t i = 0; i < a->equalities.size(); ++i)
@@ -40,74 +40,75 @@ bool same_equalities(const NodeFrame* a, const NodeFrame* b) {
 }
 
 /// Whether a tool holds the node's normal velocity and nothing else.
-bool slides(const NodeFrame& held) {
-  return fixes(&held, 0) && !fixes(&held, 1) && held.friction_tool < 0;
+bool slides(const NodeConstraint& constraint) {
+  return fixes(&constraint, 0) && !fixes(&constraint, 1) && constraint.friction_tool < 0;
 }
 
 /// Whether one coordinate tells all that changed at a node.
-bool only_normal(const NodeFrame* before, const NodeFrame* now, const Handles& handles) {
+bool only_normal(const NodeConstraint* before, const NodeConstraint* now, const SchurColumns& schur_columns) {
   if (before) return !now && slides(*before);
   if (!slides(*now)) return false;
-  const auto known = handles.find({now->node, 0});
-  return known == handles.end() || known->second.direction == now->frame.col(0);
+  const auto known = schur_columns.find({now->node, 0});
+  return known == schur_columns.end() || known->second.direction == now->basis.col(0);
 }
 
 /// What the unknowns of the dense system (forces at free, velocities at fixed coordinates) and the known columns do, as
 /// rows of coefficients: first the unknowns', then the columns'.
-struct Effects {
-  const Rearrangement& what;
+struct DenseSystem {
+  const ConstraintChange& update;
   const Eigen::MatrixXd& columns;
-  std::vector<const Handle*> handles;
+  std::vector<const SchurColumn*> schur_columns;
 
-  Index count() const { return static_cast<Index>(handles.size()); }
+  Index count() const { return static_cast<Index>(schur_columns.size()); }
   Index known() const { return columns.cols(); }
 
   Eigen::RowVectorXd velocity(Index node, const Point& along) const {
     Eigen::RowVectorXd row(count() + known());
-    for (Index h = 0; h < count(); ++h) row[h] = along.dot(node_velocity(handles[h]->response, node));
+    for (Index h = 0; h < count(); ++h) row[h] = along.dot(node_velocity(schur_columns[h]->response, node));
     row.tail(known()) = along.transpose() * columns.middleRows<dim>(dim * node);
     return row;
   }
 
   Eigen::RowVectorXd force(Index h) const {
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(count() + known());
-    if (!handles[h]->fixed) {
+    if (!schur_columns[h]->fixed) {
       row[h] = 1;
       return row;
     }
-    for (const auto& [unknown, value] : handles[h]->stiffness) {
-      for (Index g = 0; g < count(); ++g) row[g] += value * handles[g]->response[unknown];
+    for (const auto& [unknown, value] : schur_columns[h]->stiffness) {
+      for (Index g = 0; g < count(); ++g) row[g] += value * schur_columns[g]->response[unknown];
       row.tail(known()) += value * columns.row(unknown);
     }
-    row[count()] -= handles[h]->direction.dot(node_velocity(what.residual, handles[h]->node));
+    row[count()] -= schur_columns[h]->direction.dot(node_velocity(update.residual, schur_columns[h]->node));
     return row;
   }
 
   /// The velocity along a coordinate that is fixed now: zero when it is the given one.
-  Eigen::RowVectorXd fixed(const NodeFrame& now, int axis) const {
-    const Point along = now.frame.col(axis);
+  Eigen::RowVectorXd fixed(const NodeConstraint& now, int axis) const {
+    const Point along = now.basis.col(axis);
     Eigen::RowVectorXd row = velocity(now.node, along), value = now.given.row(axis);
-    value[0] += value.tail(known() - 1).dot(what.from.driven) - along.dot(node_velocity(what.from.x, now.node));
+    value[0] += value.tail(known() - 1).dot(update.from.driven) - along.dot(node_velocity(update.from.x, now.node));
     row.tail(known()) -= value;
     return row;
   }
 
   /// The force along a coordinate that is free now: zero in balance. `first` is the handle of the change's first axis.
-  Eigen::RowVectorXd free(const Change& change, int axis, Index first) const {
-    const NodeFrame *before = what.base.find(change.node), *now = what.held.find(change.node);
+  Eigen::RowVectorXd free(const NodeChange& change, int axis, Index first) const {
+    const NodeConstraint *before = update.base.find(change.node), *now = update.constraints.find(change.node);
     const Point along =
-        change.kind == Change::Kind::normal ? handles[first]->direction : Point(frame_of(now).col(axis));
-    const Point dragged = frame_of(before).col(dim - 1);
+        change.kind == NodeChange::Kind::normal ? schur_columns[first]->direction : Point(basis_of(now).col(axis));
+    const Point friction_direction = basis_of(before).col(dim - 1);
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(count() + known());
     const Index end = first + change.end_axis() - change.first_axis();
-    for (Index h = first; h < end; ++h) row += along.dot(handles[h]->direction) * force(h);
-    if (const double drag = drag_of(what.base, change.node); drag > 0)
-      row -= drag * along.dot(dragged) * velocity(change.node, dragged);
-    if (const double drag = drag_of(what.held, change.node); drag > 0 && axis == dim - 1) {
-      const auto tools = driven_tools(what.problem);
-      row += drag * velocity(change.node, along);
+    for (Index h = first; h < end; ++h) row += along.dot(schur_columns[h]->direction) * force(h);
+    if (const double stiffness = tangential_stiffness_of(update.base, change.node); stiffness > 0)
+      row -= stiffness * along.dot(friction_direction) * velocity(change.node, friction_direction);
+    if (const double stiffness = tangential_stiffness_of(update.constraints, change.node);
+        stiffness > 0 && axis == dim - 1) {
+      const auto tools = driven_tools(update.problem);
+      row += stiffness * velocity(change.node, along);
       for (Index k = 0; k + 1 < known(); ++k)
-        if (tools[k] == now->friction_tool) row[count() + 1 + k] -= drag * along.dot(core::axis_direction());
+        if (tools[k] == now->friction_tool) row[count() + 1 + k] -= stiffness * along.dot(core::axis_direction());
     }
     return row;
   }
@@ -115,59 +116,64 @@ struct Effects {
 
 }  // namespace
 
-std::vector<Change> changed_nodes(const Held& base, const Held& held, const Handles& handles) {
-  std::vector<Change> changed;
-  for (Index node = 0; node < static_cast<Index>(held.frame_of.size()); ++node) {
-    const NodeFrame *before = base.find(node), *now = held.find(node);
+std::vector<NodeChange> changed_nodes(const Constraints& base, const Constraints& constraints,
+                                      const SchurColumns& schur_columns) {
+  std::vector<NodeChange> changed;
+  for (Index node = 0; node < static_cast<Index>(constraints.index_of.size()); ++node) {
+    const NodeConstraint *before = base.find(node), *now = constraints.find(node);
     if (!before && !now) continue;
     if (!same_equalities(before, now))
-      changed.push_back({only_normal(before, now, handles) ? Change::Kind::normal : Change::Kind::whole, node});
-    else if (std::abs(drag_of(base, node) - drag_of(held, node)) > same_drag * drag_of(held, node))
-      changed.push_back({Change::Kind::drag, node});
+      changed.push_back(
+          {only_normal(before, now, schur_columns) ? NodeChange::Kind::normal : NodeChange::Kind::whole, node});
+    else if (std::abs(tangential_stiffness_of(base, node) - tangential_stiffness_of(constraints, node)) >
+             same_stiffness * tangential_stiffness_of(constraints, node))
+      changed.push_back({NodeChange::Kind::friction, node});
   }
   return changed;
 }
 
-Handle make_handle(const core::Mesh& mesh, const CellMatrices& cells, const Held& base, const Held& held,
-                   const Handles& handles, std::pair<Index, int> coordinate) {
+SchurColumn make_schur_column(const core::Mesh& mesh, const CellMatrices& cells, const Constraints& base,
+                              const Constraints& constraints, const SchurColumns& schur_columns,
+                              std::pair<Index, int> coordinate) {
   const auto [node, axis] = coordinate;
-  const NodeFrame* before = base.find(node);
-  Handle handle{node, axis, fixes(before, axis), frame_of(before ? before : held.find(node)).col(axis), {}, {}};
-  if (const auto beside = handles.find({node, 1 - axis}); !before && beside != handles.end())
-    handle.direction = perpendicular(beside->second.direction);
-  if (!handle.fixed) return handle;
+  const NodeConstraint* before = base.find(node);
+  SchurColumn column{node, axis, fixes(before, axis), basis_of(before ? before : constraints.find(node)).col(axis),
+                     {},   {}};
+  if (const auto other = schur_columns.find({node, 1 - axis}); !before && other != schur_columns.end())
+    column.direction = perpendicular(other->second.direction);
+  if (!column.fixed) return column;
   std::map<Index, double> force;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     const auto& nodes = mesh.cells[c];
     const auto found = std::find(nodes.begin(), nodes.end(), node);
     if (found == nodes.end()) continue;
     const auto where = unknowns_of(mesh, c);
-    const auto part = (cells.of(c).middleCols<dim>(dim * (found - nodes.begin())) * handle.direction).eval();
+    const auto part = (cells.of(c).middleCols<dim>(dim * (found - nodes.begin())) * column.direction).eval();
     for (int k = 0; k < cell_unknowns; ++k) force[where[k]] += part[k];
   }
-  handle.stiffness.assign(force.begin(), force.end());
-  return handle;
+  column.stiffness.assign(force.begin(), force.end());
+  return column;
 }
 
-bool add_changes(const Rearrangement& what, const std::vector<Change>& changed, const Handles& handles,
-                 Eigen::MatrixXd& columns) {
-  Effects effects{what, columns, {}};
+bool add_schur_correction(const ConstraintChange& update, const std::vector<NodeChange>& changed,
+                          const SchurColumns& schur_columns, Eigen::MatrixXd& columns) {
+  DenseSystem dense{update, columns, {}};
   for (const auto& change : changed)
     for (int a = change.first_axis(); a < change.end_axis(); ++a)
-      effects.handles.push_back(&handles.at({change.node, a}));
-  const Index count = effects.count(), known = effects.known();
+      dense.schur_columns.push_back(&schur_columns.at({change.node, a}));
+  const Index count = dense.count(), known = dense.known();
   Eigen::MatrixXd conditions(count, count + known);
   Index filled = 0;
   for (const auto& change : changed) {
     const Index first = filled;
-    const NodeFrame* now = what.held.find(change.node);
+    const NodeConstraint* now = update.constraints.find(change.node);
     for (int a = change.first_axis(); a < change.end_axis(); ++a)
-      conditions.row(filled++) = fixes(now, a) ? effects.fixed(*now, a) : effects.free(change, a, first);
+      conditions.row(filled++) = fixes(now, a) ? dense.fixed(*now, a) : dense.free(change, a, first);
   }
   const Eigen::MatrixXd unknowns = conditions.leftCols(count).partialPivLu().solve(-conditions.rightCols(known));
   if (!unknowns.allFinite()) return false;
   for (Index column = 0; column < known; ++column)
-    for (Index h = 0; h < count; ++h) columns.col(column) += unknowns(h, column) * effects.handles[h]->response;
+    for (Index h = 0; h < count; ++h) columns.col(column) += unknowns(h, column) * dense.schur_columns[h]->response;
   return true;
 }
 
@@ -176,9 +182,9 @@ using core::dim;
 namespace {
 
 /// More new back-substitutions than this cost more than a factorisation, with 2 k triangles as with 40 k.
-constexpr std::size_t most_new_handles = 40;
+constexpr std::size_t max_new_schur_columns = 40;
 /// Handles that are there cost the dense system alone.
-constexpr std::size_t most_handles = 100;
+constexpr std::size_t max_schur_columns = 100;
 /// Of a velocity: nearer to the given one than this is round-off.
 constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
 
@@ -188,118 +194,125 @@ struct Loading {
 };
 
 /// At the nodes that are held as in the base; the changed ones have handles.
-void load_held_nodes(const Rearrangement& what, const std::vector<Change>& changed, Loading& loading) {
-  const Index driven = what.from.driven.size(), first = 1 + driven;
-  std::vector<bool> let_go(what.held.frame_of.size(), false), other_drag = let_go;
-  for (const auto& change : changed) (change.kind == Change::Kind::drag ? other_drag : let_go)[change.node] = true;
-  const auto tools = driven_tools(what.problem);
-  for (const auto& frame : what.base.frames) {
-    if (let_go[frame.node]) continue;
-    auto rows = loading.given.block<dim, Eigen::Dynamic>(dim * frame.node, 0, dim, first);
+void load_constrained_nodes(const ConstraintChange& update, const std::vector<NodeChange>& changed, Loading& loading) {
+  const Index driven = update.from.driven.size(), first = 1 + driven;
+  std::vector<bool> constraint_changed(update.constraints.index_of.size(), false),
+      friction_changed = constraint_changed;
+  for (const auto& change : changed)
+    (change.kind == NodeChange::Kind::friction ? friction_changed : constraint_changed)[change.node] = true;
+  const auto tools = driven_tools(update.problem);
+  for (const auto& constraint : update.base.nodes) {
+    if (constraint_changed[constraint.node]) continue;
+    auto rows = loading.given.block<dim, Eigen::Dynamic>(dim * constraint.node, 0, dim, first);
     for (int a = 0; a < dim; ++a) {
-      if (!frame.fixed[a]) continue;
-      Eigen::RowVectorXd value = what.held.find(frame.node)->given.row(a);
-      const Point now = node_velocity(what.from.x, frame.node);
-      value[0] += value.tail(driven).dot(what.from.driven) - frame.frame.col(a).dot(now);
+      if (!constraint.fixed[a]) continue;
+      Eigen::RowVectorXd value = update.constraints.find(constraint.node)->given.row(a);
+      const Point now = node_velocity(update.from.x, constraint.node);
+      value[0] += value.tail(driven).dot(update.from.driven) - constraint.basis.col(a).dot(now);
       if (std::abs(value[0]) <= round_off * now.norm()) value[0] = 0;
-      rows += frame.frame.col(a) * value;
+      rows += constraint.basis.col(a) * value;
     }
-    if (frame.friction_tool < 0 || other_drag[frame.node]) continue;
-    const Point along = frame.frame.col(dim - 1);
+    if (constraint.friction_tool < 0 || friction_changed[constraint.node]) continue;
+    const Point along = constraint.basis.col(dim - 1);
     for (Index k = 0; k < driven; ++k)
-      if (tools[k] == frame.friction_tool)
-        loading.force.block<dim, 1>(dim * frame.node, 1 + k) +=
-            what.base.drag[frame.node] * along.dot(core::axis_direction()) * along;
+      if (tools[k] == constraint.friction_tool)
+        loading.force.block<dim, 1>(dim * constraint.node, 1 + k) +=
+            update.base.tangential_stiffness[constraint.node] * along.dot(core::axis_direction()) * along;
   }
 }
 
 }  // namespace
 
-void Corrector::start(Eigen::VectorXd beside) {
-  beside_ = std::move(beside);
+void Corrector::start(Eigen::VectorXd additional_rhs) {
+  additional_rhs_ = std::move(additional_rhs);
   factorisations = 0;
   forget();
 }
 
 void Corrector::forget() {
   system_.forget();
-  handles_.clear();
-  beside_answer_.resize(0);
+  schur_columns_.clear();
+  additional_solution_.resize(0);
 }
 
-bool Corrector::renew_base(const core::Mesh& mesh, const CellMatrices& cells, const Held& held) {
+bool Corrector::refactorise(const core::Mesh& mesh, const CellMatrices& cells, const Constraints& constraints) {
   forget();
   ++factorisations;
-  if (!system_.factorise(mesh, cells, held)) return false;
-  held_batches_ = held_batches(mesh, held);
+  if (!system_.factorise(mesh, cells, constraints)) return false;
+  constrained_batches_ = constrained_batches(mesh, constraints);
   return true;
 }
 
-Eigen::MatrixXd Corrector::base_answers(const Rearrangement& what, const CellMatrices& cells,
-                                        const std::vector<Change>& changed, const std::vector<Handle*>& wanted) const {
-  const Index first = 1 + what.from.driven.size();
-  const bool beside = beside_answer_.size() < beside_.size();
-  const Index all = first + Index(wanted.size()) + beside;
+Eigen::MatrixXd Corrector::base_solution(const ConstraintChange& update, const CellMatrices& cells,
+                                         const std::vector<NodeChange>& changed,
+                                         const std::vector<SchurColumn*>& wanted) const {
+  const Index first = 1 + update.from.driven.size();
+  const bool with_additional = additional_solution_.size() < additional_rhs_.size();
+  const Index all = first + Index(wanted.size()) + with_additional;
   Loading loading{Eigen::MatrixXd::Zero(system_.size(), first), Eigen::MatrixXd::Zero(system_.size(), all)};
-  load_held_nodes(what, changed, loading);
-  loading.force.col(0) += what.residual;
-  loading.force.leftCols(first) -= product(*what.problem.mesh, cells, loading.given, held_batches_);
+  load_constrained_nodes(update, changed, loading);
+  loading.force.col(0) += update.residual;
+  loading.force.leftCols(first) -= product(*update.problem.mesh, cells, loading.given, constrained_batches_);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     auto force = loading.force.col(first + Index(i));
     if (!wanted[i]->fixed) force.segment<dim>(dim * wanted[i]->node) = wanted[i]->direction;
     for (const auto& [unknown, value] : wanted[i]->stiffness) force[unknown] = -value;
   }
-  if (beside) loading.force.col(all - 1) = beside_;
-  Eigen::MatrixXd answers = system_.solve(std::move(loading.force));
-  answers.leftCols(first) += loading.given;
+  if (with_additional) loading.force.col(all - 1) = additional_rhs_;
+  Eigen::MatrixXd solution = system_.solve(std::move(loading.force));
+  solution.leftCols(first) += loading.given;
   for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (wanted[i]->fixed) answers.block<dim, 1>(dim * wanted[i]->node, first + Index(i)) += wanted[i]->direction;
-  return answers;
+    if (wanted[i]->fixed) solution.block<dim, 1>(dim * wanted[i]->node, first + Index(i)) += wanted[i]->direction;
+  return solution;
 }
 
-std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const CellMatrices& cells, const Held& held,
-                                                  const Eigen::VectorXd& load, const Iterate& from) {
+std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const CellMatrices& cells,
+                                                  const Constraints& constraints, const Eigen::VectorXd& load,
+                                                  const Iterate& from) {
   const auto& mesh = *problem.mesh;
-  std::vector<Change> changed;
+  std::vector<NodeChange> changed;
   std::vector<std::pair<Index, int>> unknown;  // coordinates of changed nodes without a handle
   std::size_t needed = 0;
   if (system_.factorised()) {
-    changed = changed_nodes(system_.base(), held, handles_);
+    changed = changed_nodes(system_.base(), constraints, schur_columns_);
     for (const auto& change : changed)
       for (int a = change.first_axis(); a < change.end_axis(); ++a, ++needed)
-        if (!handles_.count({change.node, a})) unknown.push_back({change.node, a});
+        if (!schur_columns_.count({change.node, a})) unknown.push_back({change.node, a});
   }
-  if (!system_.factorised() || unknown.size() > most_new_handles || needed > most_handles) {
+  if (!system_.factorised() || unknown.size() > max_new_schur_columns || needed > max_schur_columns) {
     changed.clear();
     unknown.clear();
-    if (!renew_base(mesh, cells, held)) return std::nullopt;
+    if (!refactorise(mesh, cells, constraints)) return std::nullopt;
   }
-  std::vector<Handle*> wanted;
+  std::vector<SchurColumn*> wanted;
   for (const auto& coordinate : unknown) {
-    auto handle = make_handle(mesh, cells, system_.base(), held, handles_, coordinate);
-    wanted.push_back(&handles_.emplace(coordinate, std::move(handle)).first->second);
+    auto schur_column = make_schur_column(mesh, cells, system_.base(), constraints, schur_columns_, coordinate);
+    wanted.push_back(&schur_columns_.emplace(coordinate, std::move(schur_column)).first->second);
   }
-  const Eigen::VectorXd residual = unbalanced(problem, held, load, from);
-  const Rearrangement what{problem, system_.base(), held, residual, from};
-  Eigen::MatrixXd columns = base_answers(what, cells, changed, wanted);
+  const Eigen::VectorXd residual = unbalanced(problem, constraints, load, from);
+  const ConstraintChange update{problem, system_.base(), constraints, residual, from};
+  Eigen::MatrixXd columns = base_solution(update, cells, changed, wanted);
   const Index known = 1 + from.driven.size();
   for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i]->response = columns.col(known + Index(i));
-  if (const Index last = known + Index(wanted.size()); columns.cols() > last) beside_answer_ = columns.col(last);
+  if (const Index last = known + Index(wanted.size()); columns.cols() > last) additional_solution_ = columns.col(last);
   columns.conservativeResize(Eigen::NoChange, known);
-  if (!changed.empty() && !add_changes(what, changed, handles_, columns)) return std::nullopt;
+  if (!changed.empty() && !add_schur_correction(update, changed, schur_columns_, columns)) return std::nullopt;
   return columns;
 }
 
-std::optional<Eigen::VectorXd> Corrector::answer_beside(const Problem& problem, const Held& held) const {
-  const auto changed = changed_nodes(system_.base(), held, handles_);
-  if (changed.empty()) return beside_answer_;
-  Held at_rest = held;
-  for (auto& frame : at_rest.frames) frame.given.setZero();
+std::optional<Eigen::VectorXd> Corrector::additional_solution(const Problem& problem,
+                                                              const Constraints& constraints) const {
+  const auto changed = changed_nodes(system_.base(), constraints, schur_columns_);
+  if (changed.empty()) return additional_solution_;
+  Constraints at_rest = constraints;
+  for (auto& constraint : at_rest.nodes) constraint.given.setZero();
   const Index driven = Index(driven_tools(problem).size());
   const Iterate rest{Eigen::VectorXd::Zero(system_.size()), {}, Eigen::VectorXd::Zero(driven)};
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(system_.size(), 1 + driven);  // those of the tools are not asked for
-  columns.col(0) = beside_answer_;
-  if (!add_changes({problem, system_.base(), at_rest, beside_, rest}, changed, handles_, columns)) return std::nullopt;
+  columns.col(0) = additional_solution_;
+  if (!add_schur_correction({problem, system_.base(), at_rest, additional_rhs_, rest}, changed, schur_columns_,
+                            columns))
+    return std::nullopt;
   return columns.col(0);
 }
 

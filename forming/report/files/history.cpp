@@ -22,13 +22,13 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 double energy_imbalance(const Scene& scene, const State& state) {
   const Totals& totals = state.totals;
   const double unexplained =
-      glass_heat(scene, state) - state.first_heat + totals.to_tools + totals.to_air - totals.dissipation;
-  const double lost = std::abs(totals.to_tools + totals.to_air), round_off = 1e-9 * std::abs(state.first_heat);
+      glass_heat(scene, state) - state.initial_heat + totals.to_tools + totals.to_air - totals.dissipation;
+  const double lost = std::abs(totals.to_tools + totals.to_air), round_off = 1e-9 * std::abs(state.initial_heat);
   return std::abs(unexplained) / std::max(lost, round_off);
 }
 
 /// Edges that a tool presses at all three nodes.
-double pressed_area(const Scene& scene, const State& state) {
+double active_contact_area(const Scene& scene, const State& state) {
   const core::Mesh& mesh = state.bodies[0].mesh;
   const auto& tool = state.contact.tool;
   double area = 0;
@@ -40,9 +40,9 @@ double pressed_area(const Scene& scene, const State& state) {
   return area;
 }
 
-double closed_area(const std::vector<core::InterfacePoint>& interface) {
+double weighted_contact_area(const std::vector<core::InterfacePoint>& interface) {
   double area = 0;
-  for (const core::InterfacePoint& point : interface) area += point.closure * point.area;
+  for (const core::InterfacePoint& point : interface) area += point.contact_weight * point.area;
   return area;
 }
 
@@ -60,7 +60,7 @@ GlassFacts glass_facts(const Scene& scene, const State& state) {
   GlassFacts facts;
   facts.volume = core::volume(glass.mesh, scene.geometry);
   facts.mass = state.density * core::volume(mass, scene.geometry);
-  facts.volume_drift = (facts.volume - state.first_volume) / state.first_volume;
+  facts.volume_drift = (facts.volume - state.initial_volume) / state.initial_volume;
   facts.mean = facts.lowest = facts.highest = none;
   facts.energy_imbalance = 0;
   if (!scene.has_heat()) return facts;
@@ -83,9 +83,9 @@ HistoryRow history_row(const Scene& scene, const State& state, const StepReport&
   row.heat_to_air = state.totals.to_air;
   row.dissipation = state.totals.dissipation;
   row.energy_imbalance = facts.energy_imbalance;
-  const bool knows_pressed = scene.has_flow() && !state.contact.tool.empty();
-  row.contact_area = knows_pressed ? pressed_area(scene, state) : closed_area(report.interface);
-  row.sweeps = report.sweeps;
+  const bool has_contact_state = scene.has_flow() && !state.contact.tool.empty();
+  row.contact_area = has_contact_state ? active_contact_area(scene, state) : weighted_contact_area(report.interface);
+  row.coupling_iterations = report.coupling_iterations;
   row.flow_solves = report.flow_solves;
   row.contact_changes = report.contact_changes;
   row.heat_substeps = report.heat_substeps;
@@ -106,7 +106,7 @@ std::string history_header(const Scene& scene) {
   for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_force_N");
   for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_position_m");
   for (const Probe& probe : scene.probes) line += ',' + core::csv_text(probe.name + "_C");
-  return line + ",sweeps,flow_solves,contact_changes,heat_substeps,limited_by\n";
+  return line + ",coupling_iterations,flow_solves,contact_changes,heat_substeps,limited_by\n";
 }
 
 std::string history_line(const HistoryRow& row) {
@@ -118,7 +118,7 @@ std::string history_line(const HistoryRow& row) {
   for (const double value : row.tool_force) line += fmt::format(",{:.10g}", value);
   for (const double value : row.tool_position) line += fmt::format(",{:.10g}", value);
   for (const double value : row.probe) line += fmt::format(",{:.10g}", celsius(value));
-  for (const Index count : {row.sweeps, row.flow_solves, row.contact_changes, row.heat_substeps})
+  for (const Index count : {row.coupling_iterations, row.flow_solves, row.contact_changes, row.heat_substeps})
     line += fmt::format(",{}", count);
   return line + ',' + row.limited_by + '\n';
 }

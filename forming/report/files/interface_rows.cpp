@@ -23,7 +23,7 @@ double value_at(const Eigen::VectorXd& nodal, const std::array<Index, 3>& nodes,
 }
 
 /// Where a point lies on its glass edge, 0 to 1.
-double share_of_edge(const core::InterfacePoint& point) {
+double fraction_of_edge(const core::InterfacePoint& point) {
   return point.slave_shape[1] + 0.5 * point.slave_shape[2];
 }
 
@@ -31,13 +31,13 @@ double share_of_edge(const core::InterfacePoint& point) {
 class ArcOfPoints {
  public:
   ArcOfPoints(const Scene& scene, const core::Mesh& glass) {
-    std::vector<bool> surface = symmetry_pieces(scene.glass, glass);
+    std::vector<bool> surface = symmetry_boundaries(scene.glass, glass);
     surface.flip();
     for (const ChainEdge& edge : walk_surface(glass, surface)) edges_[glass.boundary[edge.edge].nodes[2]] = edge;
   }
   double operator()(const core::InterfacePoint& point) const {
     const ChainEdge& edge = edges_.at(point.slave_nodes[2]);
-    return edge.start + share_of_edge(point) * edge.length;
+    return edge.start + fraction_of_edge(point) * edge.length;
   }
 
  private:
@@ -52,7 +52,7 @@ double viscosity_at(const Scene& scene, double temperature) {
 bool same_row(const core::InterfacePoint& a, const core::InterfacePoint& b) {
   constexpr double rows_on_edge = 4;
   return a.slave_nodes[2] == b.slave_nodes[2] && a.master_body == b.master_body &&
-         std::floor(rows_on_edge * share_of_edge(a)) == std::floor(rows_on_edge * share_of_edge(b));
+         std::floor(rows_on_edge * fraction_of_edge(a)) == std::floor(rows_on_edge * fraction_of_edge(b));
 }
 
 /// Values have the digits of single precision.
@@ -60,12 +60,12 @@ void add_line(const Scene& scene, const State& state, const core::InterfacePoint
               fmt::memory_buffer& lines) {
   const double glass = value_at(state.bodies[0].temperature, point.slave_nodes, point.slave_shape);
   const double tool = value_at(state.bodies.at(point.master_body).temperature, point.master_nodes, point.master_shape);
-  long table_holds = 0;
-  const double h = point_conductance(scene, point, glass, table_holds).h;
+  long clamped_lookups = 0;
+  const double h = point_conductance(scene, point, glass, clamped_lookups).h;
   const double celsius = thermal::content_reference;
-  for (const double value :
-       {1e3 * arc, 1e3 * point.position[0], 1e3 * point.position[1], glass - celsius, tool - celsius, point.pressure,
-        viscosity_at(scene, glass), h, point.closure * h * (glass - tool), 1e6 * point.gap, point.closure})
+  for (const double value : {1e3 * arc, 1e3 * point.position[0], 1e3 * point.position[1], glass - celsius,
+                             tool - celsius, point.pressure, viscosity_at(scene, glass), h,
+                             point.contact_weight * h * (glass - tool), 1e6 * point.gap, point.contact_weight})
     fmt::format_to(fmt::appender(lines), FMT_COMPILE(",{}"), static_cast<float>(value));
   lines.push_back('\n');
 }
@@ -74,7 +74,7 @@ void add_line(const Scene& scene, const State& state, const core::InterfacePoint
 
 std::string interface_header() {
   return "time_s,tool,arc_mm,r_mm,z_mm,T_glass_C,T_tool_C,pressure_Pa,viscosity_Pa_s,h_W_m2K,flux_W_m2,gap_um,"
-         "closure\n";
+         "contact_weight\n";
 }
 
 std::string interface_lines(const Scene& scene, const State& state,
@@ -83,7 +83,7 @@ std::string interface_lines(const Scene& scene, const State& state,
   const ArcOfPoints arc_of(scene, state.bodies[0].mesh);
   std::vector<std::pair<double, const core::InterfacePoint*>> points;
   for (const core::InterfacePoint& point : interface)
-    if (point.closure > 0) points.push_back({arc_of(point), &point});
+    if (point.contact_weight > 0) points.push_back({arc_of(point), &point});
   std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   fmt::memory_buffer lines;
   const std::string time = fmt::format("{:.10g},", state.time);

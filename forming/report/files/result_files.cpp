@@ -62,12 +62,12 @@ core::VtuFields glass_fields(const Scene& scene, const State& state) {
 core::VtuFields tool_fields(const Scene& scene, const State& state, Index tool) {
   const BodyState& body = state.bodies.at(tool + 1);
   const auto& present = scene.stages.at(state.stage).tools;
-  const bool in_place = std::any_of(present.begin(), present.end(), [&](const StageTool& t) { return t.tool == tool; });
+  const bool active = std::any_of(present.begin(), present.end(), [&](const StageTool& t) { return t.tool == tool; });
   core::VtuFields fields;
   fields.time = state.time;
   fields.displacement = body.offset * core::axis_direction();
   add_temperature(scene.tools[tool], body.temperature, fields);
-  fields.cell.push_back({"in_place", in_place ? 1.0 : 0.0});
+  fields.cell.push_back({"active", active ? 1.0 : 0.0});
   return fields;
 }
 
@@ -86,24 +86,24 @@ ResultFiles::ResultFiles(const Scene& scene, const std::string& directory, const
       interface_(directory + "/interface.csv", written.interface_size),
       output_times_(written.output_times),
       synced_(written.output_times.size()) {
-  remove_pieces_from(synced_);
+  remove_vtu_files_from(synced_);
   for (std::size_t body = 0; body <= scene.tools.size(); ++body) {
     std::vector<core::PvdCollection::Entry> entries;
-    for (std::size_t i = 0; i < synced_; ++i) entries.push_back({output_times_[i], piece(body, i)});
+    for (std::size_t i = 0; i < synced_; ++i) entries.push_back({output_times_[i], vtu_file(body, i)});
     collections_.emplace_back(directory + '/' + body_file(scene, body) + ".pvd");
     collections_.back().set(entries);
   }
 }
 
-std::string ResultFiles::piece(std::size_t body, std::size_t output) const {
+std::string ResultFiles::vtu_file(std::size_t body, std::size_t output) const {
   return fmt::format("vtu/{}_{:04}.vtu", body_file(scene_, body), output);
 }
 
-void ResultFiles::remove_pieces_from(std::size_t output) const {
+void ResultFiles::remove_vtu_files_from(std::size_t output) const {
   for (bool found = true; found; ++output) {
     found = false;
     for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
-      found = fs::remove(directory_ + '/' + piece(body, output)) || found;
+      found = fs::remove(directory_ + '/' + vtu_file(body, output)) || found;
   }
 }
 
@@ -114,10 +114,10 @@ void ResultFiles::row(const HistoryRow& row) {
 void ResultFiles::fields(const State& state, const std::vector<core::InterfacePoint>& interface) {
   if (!output_times_.empty() && state.time == output_times_.back()) return;
   for (std::size_t body = 0; body < state.bodies.size(); ++body)
-    core::write_vtu(directory_ + '/' + piece(body, output_times_.size()), state.bodies[body].mesh,
+    core::write_vtu(directory_ + '/' + vtu_file(body, output_times_.size()), state.bodies[body].mesh,
                     body == 0 ? glass_fields(scene_, state) : tool_fields(scene_, state, static_cast<Index>(body) - 1));
   for (std::size_t body = 0; body < state.bodies.size(); ++body)
-    collections_[body].add(state.time, piece(body, output_times_.size()));
+    collections_[body].add(state.time, vtu_file(body, output_times_.size()));
   interface_.append(interface_lines(scene_, state, interface));
   output_times_.push_back(state.time);
   const bool busy = syncing_.valid() && syncing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
@@ -127,12 +127,12 @@ void ResultFiles::fields(const State& state, const std::vector<core::InterfacePo
 }
 
 void ResultFiles::start_sync() {
-  std::vector<std::string> pieces;
+  std::vector<std::string> files;
   for (; synced_ < output_times_.size(); ++synced_)
     for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
-      pieces.push_back(directory_ + '/' + piece(body, synced_));
-  syncing_ = std::async(std::launch::async, [pieces] {
-    for (const std::string& path : pieces) core::sync_to_disk(path);
+      files.push_back(directory_ + '/' + vtu_file(body, synced_));
+  syncing_ = std::async(std::launch::async, [files] {
+    for (const std::string& path : files) core::sync_to_disk(path);
   });
 }
 

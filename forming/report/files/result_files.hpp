@@ -15,7 +15,7 @@ namespace parison::forming {
 /// How far the files of a run have come.
 struct WrittenFiles {
   std::int64_t history_size = 0, interface_size = 0;  ///< bytes
-  std::vector<double> output_times;                   ///< of the VTU pieces, s
+  std::vector<double> output_times;                   ///< of the VTU files, s
 };
 
 /// The files of a run in its result folder; they observe and never steer.
@@ -28,7 +28,7 @@ class ResultFiles {
 
   /// A row of history.csv; with the system when this returns.
   void row(const HistoryRow& row);
-  /// VTU pieces of all bodies and the rows of interface.csv; a second call at the same time does nothing.
+  /// VTU files of all bodies and the rows of interface.csv; a second call at the same time does nothing.
   void fields(const State& state, const std::vector<core::InterfacePoint>& interface);
   /// Brings everything to the disk and says how far it has come.
   WrittenFiles sync();
@@ -37,8 +37,8 @@ class ResultFiles {
 
  private:
   /// Of an output's VTU file, in the result folder.
-  std::string piece(std::size_t body, std::size_t output) const;
-  void remove_pieces_from(std::size_t output) const;
+  std::string vtu_file(std::size_t body, std::size_t output) const;
+  void remove_vtu_files_from(std::size_t output) const;
   void start_sync();
 
   const Scene& scene_;
@@ -47,7 +47,7 @@ class ResultFiles {
   std::vector<core::PvdCollection> collections_;  ///< glass, then the tools
   std::vector<double> output_times_;
   std::size_t synced_ = 0;     ///< outputs on the disk or on their way
-  std::future<void> syncing_;  ///< brings the pieces of the last outputs to the disk while the run goes on
+  std::future<void> syncing_;  ///< brings the files of the last outputs to the disk while the run goes on
 };
 
 }  // namespace parison::forming

@@ -65,7 +65,7 @@ std::string heat_parts(const Scene& scene) {
                      on ? "the glass does not flow" : no_heat);
 }
 
-std::string number_lines(const SceneNumbers& numbers, core::Geometry geometry) {
+std::string number_lines(const DimensionlessNumbers& numbers, core::Geometry geometry) {
   const auto shown = [](const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "n/a"; };
   std::string text = fmt::format("\nglass                 {:.4g} g, {:.4g} cm3{} as drawn\n", 1e3 * numbers.mass,
                                  1e6 * numbers.volume, geometry == core::Geometry::planar ? " a metre of depth" : "");
@@ -101,7 +101,7 @@ std::string choice_text(const Scene& scene) {
   const AccuracyChoice& choice = scene.accuracy_choice;
   if (!choice.target) return "preset";
   if (!scene.is_of_error_law())
-    return "target, by a law for glass that flows on a mesh of the dial's: not of this scene";
+    return "target, by a law for glass that flows on a mesh of the presets: not of this scene";
   return fmt::format(
       "target: wall thickness and heat into tools to {:.3g} %, by the errors measured on the bundled containers",
       100 * *choice.target);
@@ -135,7 +135,7 @@ std::string accuracy_lines(const Scene& scene) {
                                : choice.target                    ? "target"
                                                                   : "preset";
     text += fmt::format("  {:<24}{:<12}{}{}\n", key, fmt::format("{:.4g}{}{}", value, *unit ? " " : "", unit), origin,
-                        choice.coarser == 1 ? "" : ", made coarser");
+                        choice.coarsening_factor == 1 ? "" : ", made coarser");
   };
   for (const Setting& setting : settings())
     add(setting.key, scene.accuracy.*setting.value / setting.unit_size, setting.unit);
@@ -150,8 +150,8 @@ std::string describe_scene(const Scene& scene) {
   const char* geometry = scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar";
   std::string head = fmt::format("{}, {}\n", scene.name, geometry);
   for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
-  return head + flow_parts(scene) + heat_parts(scene) + describe_parts(scene) +
-         number_lines(scene_numbers(scene), scene.geometry) + stage_lines(scene) + accuracy_lines(scene);
+  return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
+         number_lines(dimensionless_numbers(scene), scene.geometry) + stage_lines(scene) + accuracy_lines(scene);
 }
 
 }  // namespace parison::forming

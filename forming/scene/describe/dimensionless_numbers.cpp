@@ -9,11 +9,11 @@
 namespace parison::forming {
 namespace {
 
-/// Length of the outline without symmetry pieces, m.
+/// Length of the outline without symmetry boundaries, m.
 double surface_length(const Body& body) {
   double total = 0;
   for (const core::Segment& segment : body.profile.segments)
-    if (body.pieces.at(segment.piece).kind != PieceKind::symmetry) total += core::length(segment);
+    if (body.boundaries.at(segment.boundary_id).kind != BoundaryKind::symmetry) total += core::length(segment);
   return total;
 }
 
@@ -57,17 +57,17 @@ std::optional<double> exchange(const Scene& scene) {
 
 /// From the glass to the coldest thing around it at the start, K.
 std::optional<double> temperature_span(const Scene& scene) {
-  double coldest = scene.glass.initial_temperature;
+  double min_temperature = scene.glass.initial_temperature;
   for (const Tool& tool : scene.tools)
-    if (tool.thermal) coldest = std::min(coldest, tool.initial_temperature);
+    if (tool.thermal) min_temperature = std::min(min_temperature, tool.initial_temperature);
   for (const Stage& stage : scene.stages)
-    if (stage.air.h > 0) coldest = std::min(coldest, stage.air.air_temperature);
-  const double span = scene.glass.initial_temperature - coldest;
+    if (stage.air.h > 0) min_temperature = std::min(min_temperature, stage.air.air_temperature);
+  const double span = scene.glass.initial_temperature - min_temperature;
   if (span > 0) return span;
   return {};
 }
 
-void add_heat_numbers(const Scene& scene, SceneNumbers& numbers) {
+void add_heat_numbers(const Scene& scene, DimensionlessNumbers& numbers) {
   const thermal::Material& material = *scene.glass.thermal;
   const double hot = scene.glass.initial_temperature;
   const double wall = material.radiation && material.radiation->thin_wall
@@ -94,8 +94,8 @@ double fastest(const StageTool& tool) {
   return speed;
 }
 
-SceneNumbers scene_numbers(const Scene& scene) {
-  SceneNumbers numbers;
+DimensionlessNumbers dimensionless_numbers(const Scene& scene) {
+  DimensionlessNumbers numbers;
   numbers.volume = outline_volume(scene.glass.profile, scene.geometry);
   numbers.mass = numbers.volume * (scene.has_flow() ? scene.glass.flow->density : scene.glass.thermal->density);
   numbers.length = 2 * std::abs(core::signed_area(scene.glass.profile)) / surface_length(scene.glass);

@@ -8,14 +8,14 @@
 namespace parison::forming {
 
 /// Dimensionless numbers of a scene at its start, none where a property is missing.
-struct SceneNumbers {
-  double length;                ///< m: cross-section over half its outline without symmetry pieces, a plate's thickness
-  double volume, mass;          ///< of the glass as drawn, m3 and kg; of a planar scene for a metre of depth
-  std::optional<double> speed;  ///< m/s: fastest tool, else the pressure or gravity over the viscosity
+struct DimensionlessNumbers {
+  double length;        ///< m: cross-section over half its outline without symmetry boundaries, a plate's thickness
+  double volume, mass;  ///< of the glass as drawn, m3 and kg; of a planar scene for a metre of depth
+  std::optional<double> speed;      ///< m/s: fastest tool, else the pressure or gravity over the viscosity
   std::optional<double> viscosity;  ///< Pa.s, at the initial temperature
   std::optional<double> reynolds, capillary, peclet, biot, brinkman;
 };
-SceneNumbers scene_numbers(const Scene& scene);
+DimensionlessNumbers dimensionless_numbers(const Scene& scene);
 
 /// m/s, of a tool in a stage; 0 where it stands.
 double fastest(const StageTool& tool);

@@ -17,7 +17,7 @@ constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
 constexpr double earth = 9.81;                       ///< m/s2
 constexpr ContainerGlass container_glass;
 
-/// What a part did in the ladder of the jar at draft, and the number it had there.
+/// What a part did in the study of the jar at draft, and the number it had there.
 struct Measured {
   double number, thickness, heat;
 };
@@ -31,8 +31,8 @@ constexpr Measured tension_measured{0.19, 0.0073, 3.7e-4};
 constexpr Measured gravity_measured{11, 0.159, 0.0128};
 constexpr Measured slip_measured{1, 0.27, 0.035};
 /// Tools on both sides leave the wall little freedom and cover it: what changes it, and the heat of its open surface,
-/// in the ladder of the tumbler over those of the jar.
-constexpr double pressed_share = 0.02, pressed_open = 0.1;
+/// in the study of the tumbler over those of the jar.
+constexpr double pressed_fraction = 0.02, pressed_open = 0.1;
 /// Heat into the tools over the strain of glass that nothing forms, in the README's short example.
 constexpr double heat_of_strain = 0.008;
 
@@ -42,7 +42,7 @@ double lasting(const Scene& scene) {
   return whole;
 }
 
-double highest_pressure(const Stage& stage) {
+double max_pressure(const Stage& stage) {
   double highest = 0;
   for (const auto& entry : stage.pressure) highest = std::max(highest, std::abs(entry.second));
   return highest;
@@ -60,23 +60,23 @@ double hot_strain(double stress, double time, double viscosity) {
 /// What shapes the glass last.
 enum class Shaped { blown, pressed, unformed };
 
-Shaped shaped(const Scene& scene, const SceneNumbers& numbers) {
+Shaped shaped(const Scene& scene, const DimensionlessNumbers& numbers) {
   constexpr double noticed = 0.3;  // strain that a pressure would make in hot glass
   Shaped shape = Shaped::unformed;
   if (!scene.has_flow()) return shape;
   for (const Stage& stage : scene.stages) {
     if (has_moving_tools(stage)) shape = Shaped::pressed;
-    if (hot_strain(highest_pressure(stage), stage.duration, *numbers.viscosity) > noticed) shape = Shaped::blown;
+    if (hot_strain(max_pressure(stage), stage.duration, *numbers.viscosity) > noticed) shape = Shaped::blown;
   }
   return shape;
 }
 
 struct Estimator {
   const Scene& scene;
-  SceneNumbers numbers;
+  DimensionlessNumbers numbers;
   Shaped shape;
   double freedom;  ///< over the jar's, of the wall or the shape to change
-  std::vector<PartEstimate> parts;
+  std::vector<PartSensitivity> parts;
 
   void add(const char* name, bool in_scene, const char* number_name, double number, double thickness, double heat) {
     parts.push_back({name, in_scene, number_name, number, scene.has_flow() ? std::min(1.0, thickness) : 0,
@@ -94,7 +94,7 @@ double weight(const Estimator& e) {
 
 /// Glass that nothing forms changes its shape no more than its weight draws it out.
 double freedom_of(const Estimator& e) {
-  if (e.shape == Shaped::pressed) return pressed_share;
+  if (e.shape == Shaped::pressed) return pressed_fraction;
   if (e.shape == Shaped::blown || !e.scene.has_flow()) return 1;
   return std::min(1.0, hot_strain(weight(e), lasting(e.scene), *e.numbers.viscosity));
 }
@@ -103,12 +103,12 @@ double freedom_of(const Estimator& e) {
 double quickest_drive(const Scene& scene) {
   double quickest = lasting(scene);
   for (const Stage& stage : scene.stages)
-    if (highest_pressure(stage) > 0 || has_moving_tools(stage)) quickest = std::min(quickest, stage.duration);
+    if (max_pressure(stage) > 0 || has_moving_tools(stage)) quickest = std::min(quickest, stage.duration);
   return quickest;
 }
 
 /// Seconds in which a tool is in place.
-double in_place(const Scene& scene, std::size_t tool) {
+double active_time(const Scene& scene, std::size_t tool) {
   double time = 0;
   for (const Stage& stage : scene.stages)
     for (const StageTool& placed : stage.tools)
@@ -119,7 +119,7 @@ double in_place(const Scene& scene, std::size_t tool) {
 void add_friction(Estimator& e) {
   double slipping = 0, placed = 0;
   for (std::size_t i = 0; i < e.scene.tools.size(); ++i) {
-    if (in_place(e.scene, i) == 0) continue;
+    if (active_time(e.scene, i) == 0) continue;
     ++placed;
     slipping += e.scene.tools[i].friction.law == flow::Friction::Law::slip;
   }
@@ -138,10 +138,10 @@ void add_stress(Estimator& e, const char* name, bool in_scene, double stress, co
   // What forms the jar, and its cooling, hold most of the strain back; where a pressure forms the glass alone it counts
   // beside that.
   double pressure = 0;
-  for (const Stage& stage : e.scene.stages) pressure = std::max(pressure, highest_pressure(stage));
-  const double ratio = strain / jar.number, beside = e.shape == Shaped::blown ? stress / pressure : 0;
-  e.add(name, in_scene, number_name, strain, std::min(strain, e.freedom * std::max(ratio * jar.thickness, beside)),
-        ratio * jar.heat);
+  for (const Stage& stage : e.scene.stages) pressure = std::max(pressure, max_pressure(stage));
+  const double ratio = strain / jar.number, relative_stress = e.shape == Shaped::blown ? stress / pressure : 0;
+  e.add(name, in_scene, number_name, strain,
+        std::min(strain, e.freedom * std::max(ratio * jar.thickness, relative_stress)), ratio * jar.heat);
 }
 
 void add_flow(Estimator& e) {
@@ -175,7 +175,7 @@ double exchanged(double h, double resistance, double time) {
   return (tail - 1 + 2 * x / std::sqrt(M_PI)) / (H * H);
 }
 
-double highest_conductance(const Scene& scene, std::size_t tool) {
+double max_conductance(const Scene& scene, std::size_t tool) {
   double h = 0;
   for (const Interface& interface : scene.interfaces)
     if (interface.tool == static_cast<Index>(tool)) h = std::max(h, contact::highest(interface.law));
@@ -201,18 +201,19 @@ Conductivities conductivities(const Scene& scene, double length) {
 /// warming: half-spaces, for the highest conductance and the whole time in place; the tool with the most counts.
 struct Exchange {
   double conductivity;
-  bool held = false;
+  bool isothermal = false;
 };
 double gain(const Scene& scene, const Exchange& more, const Exchange& less) {
   const double hot = scene.glass.initial_temperature;
   double most = 0;
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     const Tool& tool = scene.tools[i];
-    const double h = highest_conductance(scene, i), time = in_place(scene, i), cold = tool.initial_temperature;
+    const double h = max_conductance(scene, i), time = active_time(scene, i), cold = tool.initial_temperature;
     if (!tool.thermal || h == 0 || time == 0) continue;
     const double warming = 1 / effusivity(*tool.thermal, cold, tool.thermal->conductivity(cold));
     const auto heat = [&](const Exchange& e) {
-      return exchanged(h, 1 / effusivity(*scene.glass.thermal, hot, e.conductivity) + (e.held ? 0 : warming), time);
+      return exchanged(h, 1 / effusivity(*scene.glass.thermal, hot, e.conductivity) + (e.isothermal ? 0 : warming),
+                       time);
     };
     most = std::max(most, heat(more) / heat(less) - 1);
   }
@@ -276,8 +277,8 @@ void add_heat(Estimator& e) {
 
 }  // namespace
 
-std::vector<PartEstimate> estimate_parts(const Scene& scene) {
-  const SceneNumbers numbers = scene_numbers(scene);
+std::vector<PartSensitivity> model_sensitivity(const Scene& scene) {
+  const DimensionlessNumbers numbers = dimensionless_numbers(scene);
   Estimator estimator{scene, numbers, shaped(scene, numbers), 1, {}};
   estimator.freedom = freedom_of(estimator);
   if (scene.has_flow()) add_flow(estimator);
@@ -285,22 +286,22 @@ std::vector<PartEstimate> estimate_parts(const Scene& scene) {
   return std::move(estimator.parts);
 }
 
-std::string describe_parts(const Scene& scene) {
-  const auto parts = estimate_parts(scene);
+std::string describe_sensitivity(const Scene& scene) {
+  const auto parts = model_sensitivity(scene);
   if (parts.empty()) return {};
   const double asked = scene.accuracy_choice.target.value_or(expected_error(scene.accuracy_choice.effective_level()));
-  const char* shape = shaped(scene, scene_numbers(scene)) == Shaped::unformed ? "shape" : "thickness";
+  const char* shape = shaped(scene, dimensionless_numbers(scene)) == Shaped::unformed ? "shape" : "thickness";
   std::string text =
-      "\nwhat a part of the model changes, roughly: from one number each, by the ladders of the bundled jar and "
+      "\nwhat a part of the model changes, roughly: from one number each, by the studies of the bundled jar and "
       "tumbler\n"
       "(`parison tradeoff CASE --only model` measures most of them)\n";
-  for (const PartEstimate& part : parts) {
+  for (const PartSensitivity& part : parts) {
     text += fmt::format("  {:<20}{:<9}", part.name, part.in_scene ? "in" : "left out");
     if (scene.has_flow()) text += fmt::format("{} {:>6.2g} %, ", shape, 100 * part.thickness);
     if (scene.has_heat()) text += fmt::format("heat {:>6.2g} %", 100 * part.heat);
     text += fmt::format("   {} {:.2g}\n", part.number_name, part.number);
   }
-  for (const PartEstimate& part : parts) {
+  for (const PartSensitivity& part : parts) {
     const double change = std::max(part.thickness, part.heat);
     if (!part.in_scene && change > asked)
       text += fmt::format(

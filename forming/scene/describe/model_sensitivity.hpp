@@ -14,7 +14,7 @@ struct ContainerGlass {
 };
 
 /// A part of the model, and what a scene's results would change without it, or with it where the scene leaves it out.
-struct PartEstimate {
+struct PartSensitivity {
   const char* name;
   bool in_scene;
   const char* number_name;  ///< of the number that carries the estimate
@@ -28,9 +28,9 @@ struct PartEstimate {
 /// number: the strain of a stress in hot glass, heat between half-spaces, a Biot number and the time. Tools on both
 /// sides of a wall hold it as the bundled tumbler's; glass that nothing forms changes its shape no more than it flows.
 /// Good to a factor of five or so.
-std::vector<PartEstimate> estimate_parts(const Scene& scene);
+std::vector<PartSensitivity> model_sensitivity(const Scene& scene);
 
 /// The same for the terminal, with a warning for each part left out that matters at the accuracy asked for.
-std::string describe_parts(const Scene& scene);
+std::string describe_sensitivity(const Scene& scene);
 
 }  // namespace parison::forming

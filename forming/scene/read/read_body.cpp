@@ -11,38 +11,38 @@ using core::CaseNode;
 using core::CaseTable;
 namespace dimension = core::dimension;
 
-Piece read_piece(const CaseNode& node) {
+Boundary read_boundary(const CaseNode& node) {
   const CaseTable table(node, {"name", "path", "csv", "condition"});
-  Piece piece{core::identifier(table.get("name")), PieceKind::contact, {}};
+  Boundary boundary{core::identifier(table.get("name")), BoundaryKind::contact, {}};
   const auto& condition = table.get("condition");
   if (condition.kind != CaseNode::Kind::table) {
-    constexpr PieceKind kinds[] = {PieceKind::contact, PieceKind::symmetry, PieceKind::fixed, PieceKind::air,
-                                   PieceKind::insulated};
-    piece.kind = kinds[core::choice(condition, {"contact", "symmetry", "fixed", "air", "insulated"})];
-    return piece;
+    constexpr BoundaryKind kinds[] = {BoundaryKind::contact, BoundaryKind::symmetry, BoundaryKind::fixed,
+                                      BoundaryKind::air, BoundaryKind::insulated};
+    boundary.kind = kinds[core::choice(condition, {"contact", "symmetry", "fixed", "air", "insulated"})];
+    return boundary;
   }
   const CaseTable given(condition, {"cooled", "temperature"});
   if (const auto* cooled = given.find("cooled")) {
     if (given.find("temperature")) core::refuse(condition, "two conditions were found, allowed is one");
     const CaseTable exchange(*cooled, {"h", "temperature"});
-    piece.kind = PieceKind::cooled;
-    piece.cooling.h = core::not_negative(exchange.get("h"), dimension::conductance);
-    piece.cooling.air_temperature = core::quantity(exchange.get("temperature"), dimension::temperature);
+    boundary.kind = BoundaryKind::cooled;
+    boundary.cooling.h = core::not_negative(exchange.get("h"), dimension::conductance);
+    boundary.cooling.air_temperature = core::quantity(exchange.get("temperature"), dimension::temperature);
   } else {
-    piece.kind = PieceKind::temperature;
-    piece.temperature = core::quantity(given.get("temperature"), dimension::temperature);
+    boundary.kind = BoundaryKind::temperature;
+    boundary.temperature = core::quantity(given.get("temperature"), dimension::temperature);
   }
-  return piece;
+  return boundary;
 }
 
 MeshSpec::Mapped read_mapped(const CaseTable& mesh, const Body& body) {
   const auto& node = *mesh.find("mapped");
   if (core::list(node).size() != 2)
     core::refuse(node, fmt::format("{} members were found, allowed are the divisions along the first and the second "
-                                   "piece",
+                                   "boundary",
                                    node.items.size()));
-  if (body.pieces.size() != 4 || core::signed_area(body.profile) < 0)
-    core::refuse(node, "a mapped mesh was found, allowed is it where four pieces run counterclockwise");
+  if (body.boundaries.size() != 4 || core::signed_area(body.profile) < 0)
+    core::refuse(node, "a mapped mesh was found, allowed is it where four boundaries run counterclockwise");
   MeshSpec::Mapped mapped{core::count(node.items[0]), core::count(node.items[1])};
   if (const auto* ratio = mesh.find("ratio")) {
     if (core::list(*ratio).size() != 2)
@@ -67,15 +67,15 @@ MeshSpec read_mesh(const CaseNode& node, const Body& body) {
   return mesh;
 }
 
-/// Refuses a stretch of the axis that is no symmetry piece.
-void check_axis(const Body& body, core::Geometry geometry, const CaseNode& pieces) {
+/// Refuses a stretch of the axis that is no symmetry boundary.
+void check_axis(const Body& body, core::Geometry geometry, const CaseNode& boundaries) {
   constexpr double on_axis = 1e-7;  // m2 per metre
   for (const auto& segment : body.profile.segments) {
     const auto off = [&](double t) { return core::depth(geometry, core::point_at(segment, t)) > on_axis; };
-    if (off(0) || off(0.5) || off(1) || body.pieces[segment.piece].kind == PieceKind::symmetry) continue;
-    core::refuse(pieces.items[segment.piece],
-                 fmt::format("\"{}\" runs along the axis, allowed there is a piece with the condition symmetry",
-                             body.pieces[segment.piece].name));
+    if (off(0) || off(0.5) || off(1) || body.boundaries[segment.boundary_id].kind == BoundaryKind::symmetry) continue;
+    core::refuse(boundaries.items[segment.boundary_id],
+                 fmt::format("\"{}\" runs along the axis, allowed there is a boundary with the condition symmetry",
+                             body.boundaries[segment.boundary_id].name));
   }
 }
 
@@ -89,27 +89,28 @@ bool is_symmetric(const core::Segment& segment, core::Geometry geometry) {
   return (std::abs(first[0]) <= slack && std::abs(along[0]) <= slack) || std::abs(along[1]) <= slack;
 }
 
-void check_symmetry(const Body& body, core::Geometry geometry, const CaseNode& pieces) {
+void check_symmetry(const Body& body, core::Geometry geometry, const CaseNode& boundaries) {
   for (const auto& segment : body.profile.segments) {
-    if (body.pieces[segment.piece].kind != PieceKind::symmetry || is_symmetric(segment, geometry)) continue;
+    if (body.boundaries[segment.boundary_id].kind != BoundaryKind::symmetry || is_symmetric(segment, geometry))
+      continue;
     const core::Point x = core::point_at(segment, 0.5);
     core::refuse(
-        pieces.items[segment.piece],
+        boundaries.items[segment.boundary_id],
         fmt::format("\"{}\" has the condition symmetry beside ({:g}, {:g}) mm, allowed is that on straight stretches{}",
-                    body.pieces[segment.piece].name, 1e3 * x[0], 1e3 * x[1],
+                    body.boundaries[segment.boundary_id].name, 1e3 * x[0], 1e3 * x[1],
                     geometry == core::Geometry::planar ? "" : " on the axis or across it"));
   }
 }
 
-/// Outline, pieces and mesh; the outline is turned counterclockwise.
+/// Outline, boundaries and mesh; the outline is turned counterclockwise.
 void read_shape(const CaseTable& table, const BodyContext& context, Body& body) {
-  const auto& pieces = table.get("piece");
-  refuse_repeated_names(table.tables("piece"));
-  body.profile = read_outline(pieces, context.directory);
-  for (const auto& piece : pieces.items) body.pieces.push_back(read_piece(piece));
-  check_outline(body.profile, context.geometry, pieces);
-  check_axis(body, context.geometry, pieces);
-  check_symmetry(body, context.geometry, pieces);
+  const auto& boundaries = table.get("boundary");
+  refuse_repeated_names(table.tables("boundary"));
+  body.profile = read_outline(boundaries, context.directory);
+  for (const auto& boundary : boundaries.items) body.boundaries.push_back(read_boundary(boundary));
+  check_outline(body.profile, context.geometry, boundaries);
+  check_axis(body, context.geometry, boundaries);
+  check_symmetry(body, context.geometry, boundaries);
   if (const auto* mesh = table.find("mesh")) body.mesh = read_mesh(*mesh, body);
   if (core::signed_area(body.profile) < 0) body.profile = core::reversed(body.profile);
 }
@@ -140,9 +141,9 @@ flow::Friction read_friction(const CaseNode& node) {
 }
 
 FilmLimit read_film(const CaseNode& node) {
-  const CaseTable table(node, {"thinnest", "then"});
+  const CaseTable table(node, {"min_thickness", "then"});
   FilmLimit film;
-  if (const auto* item = table.find("thinnest")) film.thinnest = core::positive(*item, dimension::length);
+  if (const auto* item = table.find("min_thickness")) film.min_thickness = core::positive(*item, dimension::length);
   if (const auto* item = table.find("then"))
     film.then = core::choice(*item, {"stop", "freeze"}) == 0 ? FilmLimit::Then::stop : FilmLimit::Then::freeze;
   return film;
@@ -151,7 +152,7 @@ FilmLimit read_film(const CaseNode& node) {
 }  // namespace
 
 Glass read_glass(const CaseNode& node, const BodyContext& context) {
-  const CaseTable table(node, {"material", "temperature", "mesh", "film", "piece"});
+  const CaseTable table(node, {"material", "temperature", "mesh", "film", "boundary"});
   Glass glass;
   glass.name = "glass";
   const auto& material = find_material(table.get("material"), context);
@@ -176,7 +177,7 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
 }
 
 Tool read_tool(const CaseNode& node, const BodyContext& context) {
-  const CaseTable table(node, {"name", "material", "temperature", "friction", "position", "mesh", "piece"});
+  const CaseTable table(node, {"name", "material", "temperature", "friction", "position", "mesh", "boundary"});
   Tool tool;
   tool.name = core::identifier(table.get("name"));
   if (tool.name == "glass")

@@ -15,7 +15,7 @@ namespace dimension = core::dimension;
 
 /// The keys of an interface whatever its law, with the law's own.
 CaseTable with_keys(const CaseNode& node, std::initializer_list<const char*> own) {
-  std::vector<std::string> keys = {"tools", "law", "handover_width"};
+  std::vector<std::string> keys = {"tools", "law", "transition_gap"};
   keys.insert(keys.end(), own.begin(), own.end());
   return CaseTable(node, keys);
 }
@@ -80,11 +80,11 @@ contact::ConductanceLaw read_law(const CaseNode& node, bool with_flow) {
 }  // namespace
 
 std::vector<Interface> read_interfaces(const CaseNode& node, const Scene& scene) {
-  constexpr double default_handover_width = 1e-4;  // m: a gap as wide passes no heat from surface to surface
+  constexpr double default_transition_gap = 1e-4;  // m: a gap as wide passes no heat from surface to surface
   const auto law = read_law(node, scene.has_flow());
   const auto table = with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
-  double width = default_handover_width;
-  if (const auto* item = table.find("handover_width")) width = core::positive(*item, dimension::length);
+  double width = default_transition_gap;
+  if (const auto* item = table.find("transition_gap")) width = core::positive(*item, dimension::length);
   std::vector<Interface> interfaces;
   for (const auto& item : core::list(table.get("tools"))) {
     const Index tool = core::choice(item, tool_names(scene));

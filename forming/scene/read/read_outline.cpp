@@ -142,11 +142,11 @@ std::vector<Segment> read_path_part(const CaseNode& node, const std::string& dir
   return parts;
 }
 
-std::vector<Segment> read_path(const CaseTable& piece, const std::string& directory) {
-  const auto *path = piece.find("path"), *csv = piece.find("csv");
+std::vector<Segment> read_path(const CaseTable& boundary, const std::string& directory) {
+  const auto *path = boundary.find("path"), *csv = boundary.find("csv");
   if (path && csv) core::refuse(*csv, "path and csv were found, allowed is one of them");
   if (csv) return read_csv(*csv, directory);
-  const auto& node = piece.get("path");
+  const auto& node = boundary.get("path");
   if (node.kind != CaseNode::Kind::list) return read_path_part(node, directory);
   std::vector<Segment> parts;
   for (const auto& item : core::list(*path))
@@ -160,29 +160,29 @@ struct Pen {
   Point at = Point::Zero(), first = Point::Zero();
   bool started = false;
 
-  void line_to(const Point& end, core::Index piece) {
+  void line_to(const Point& end, core::Index boundary_id) {
     if (!started) first = at = end;
     started = true;
     if ((end - at).norm() <= joined) return;
     Segment line;
     line.start = at;
     line.end = end;
-    line.piece = piece;
+    line.boundary_id = boundary_id;
     profile.segments.push_back(line);
     at = end;
   }
 
-  void draw(Segment part, core::Index piece) {
-    if (!part.is_arc) return line_to(part.end, piece);
-    line_to(part.start, piece);
+  void draw(Segment part, core::Index boundary_id) {
+    if (!part.is_arc) return line_to(part.end, boundary_id);
+    line_to(part.start, boundary_id);
     part.start = at;
-    part.piece = piece;
+    part.boundary_id = boundary_id;
     profile.segments.push_back(part);
     at = part.end;
   }
 
-  void close(core::Index piece) {
-    line_to(first, piece);
+  void close(core::Index boundary_id) {
+    line_to(first, boundary_id);
     if (!profile.segments.empty()) profile.segments.back().end = first;
   }
 };
@@ -197,38 +197,39 @@ Point read_point(const CaseNode& node) {
   return parts.front().end;
 }
 
-Profile read_outline(const CaseNode& pieces, const std::string& directory) {
+Profile read_outline(const CaseNode& boundaries, const std::string& directory) {
   Profile profile;
   Pen pen{profile};
-  const auto last = static_cast<core::Index>(core::list(pieces).size()) - 1;
+  const auto last = static_cast<core::Index>(core::list(boundaries).size()) - 1;
   for (core::Index i = 0; i <= last; ++i) {
-    const CaseTable piece(pieces.items[i], {"name", "path", "csv", "condition"});
-    profile.pieces.push_back(core::text(piece.get("name")));
-    for (const auto& part : read_path(piece, directory)) pen.draw(part, i);
+    const CaseTable boundary(boundaries.items[i], {"name", "path", "csv", "condition"});
+    profile.boundary_names.push_back(core::text(boundary.get("name")));
+    for (const auto& part : read_path(boundary, directory)) pen.draw(part, i);
     if (i == last) pen.close(i);
-    if (profile.segments.empty() || profile.segments.back().piece != i)
-      core::refuse(piece.node(), "the path has no length, allowed is at least one line or arc");
+    if (profile.segments.empty() || profile.segments.back().boundary_id != i)
+      core::refuse(boundary.node(), "the path has no length, allowed is at least one line or arc");
   }
   if (profile.segments.size() < 2)
-    core::refuse(pieces, fmt::format("{} lines were found, allowed is a closed outline", profile.segments.size()));
+    core::refuse(boundaries, fmt::format("{} lines were found, allowed is a closed outline", profile.segments.size()));
   return profile;
 }
 
-void check_outline(const Profile& profile, core::Geometry geometry, const CaseNode& pieces) {
+void check_outline(const Profile& profile, core::Geometry geometry, const CaseNode& boundaries) {
   const auto [a, b] = core::find_self_crossing(profile);
   if (a >= 0) {
     const auto &one = profile.segments[a], &other = profile.segments[b];
     core::refuse(
-        pieces.items[one.piece],
-        fmt::format("the outline crosses itself (piece \"{}\" meets piece \"{}\" beside ({:g}, {:g}) mm), "
+        boundaries.items[one.boundary_id],
+        fmt::format("the outline crosses itself (boundary \"{}\" meets boundary \"{}\" beside ({:g}, {:g}) mm), "
                     "allowed is an outline that meets itself nowhere",
-                    profile.pieces[one.piece], profile.pieces[other.piece], 1e3 * one.start[0], 1e3 * one.start[1]));
+                    profile.boundary_names[one.boundary_id], profile.boundary_names[other.boundary_id],
+                    1e3 * one.start[0], 1e3 * one.start[1]));
   }
   for (const auto& segment : profile.segments)
     for (int i = 0; i <= 16; ++i)
       if (const auto x = core::point_at(segment, i / 16.0); core::depth(geometry, x) < -joined)
         core::refuse(
-            pieces.items[segment.piece],
+            boundaries.items[segment.boundary_id],
             fmt::format("({:g}, {:g}) mm lies beyond the axis, allowed are radii from zero", 1e3 * x[0], 1e3 * x[1]));
 }
 

@@ -45,7 +45,7 @@ Output read_output(const CaseNode& node) {
 
 namespace {
 
-/// A number of the dial within what makes sense.
+/// A setting of the accuracy level within what makes sense.
 double read_setting(const CaseNode& item, const Setting& setting) {
   const double value =
       setting.least > 0 ? core::positive(item, setting.dimension) : core::not_negative(item, setting.dimension);
@@ -83,8 +83,8 @@ void read_numerics(const CaseNode& node, Scene& scene) {
     if (accuracy.temperature_order > 2)
       core::refuse(*item, fmt::format("{} was found, allowed are 1 and 2", accuracy.temperature_order));
   }
-  require_order(table, "smallest_step", accuracy.smallest_step, "first_step", accuracy.first_step);
-  require_order(table, "first_step", accuracy.first_step, "largest_step", accuracy.largest_step);
+  require_order(table, "min_step", accuracy.min_step, "initial_step", accuracy.initial_step);
+  require_order(table, "initial_step", accuracy.initial_step, "max_step", accuracy.max_step);
   require_order(table, "skin_size", accuracy.skin_size, "surface_size", accuracy.surface_size);
 }
 

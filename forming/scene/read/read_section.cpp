@@ -103,7 +103,7 @@ Segment part_of(const Segment& segment, double from, double to) {
 }
 
 /// The segments from one place to a later one, round a closed chain if need be.
-Chain stretch(const Chain& chain, double from, double to) {
+Chain interval(const Chain& chain, double from, double to) {
   Chain result;
   for (double at = from; at < to;) {
     const double whole = std::floor(at), next = std::min(whole + 1, to);
@@ -167,21 +167,21 @@ std::vector<Segment> read_section(const CaseNode& node, const std::string& direc
   const CaseNode &first = table.get("from"), *via = table.find("via"), *last = table.find("to");
   const double count = static_cast<double>(curves.size()), from = place_on(first, curves, read_point(first));
   if (via && !is_closed(curves)) core::refuse(*via, "a via was found, allowed is it where the drawn outline is closed");
-  if (!last && is_closed(curves)) return stretch(curves, from, from + count);
+  if (!last && is_closed(curves)) return interval(curves, from, from + count);
   if (!last && from != 0 && from != count)
     core::refuse(
         first, fmt::format("{} is no end of the drawn line, allowed are its ends, or a \"to\" beside it", first.text));
   double to = last ? place_on(*last, curves, read_point(*last)) : count - from;
   if (!is_closed(curves))
-    return to > from ? stretch(curves, from, to) : stretch(turned(curves), count - from, count - to);
+    return to > from ? interval(curves, from, to) : interval(turned(curves), count - from, count - to);
   if (!via)
     core::refuse(*last,
                  "a closed outline has two ways to this point, allowed is a \"via\" beside it: a point on the stretch "
                  "between the two");
-  double between = place_on(*via, curves, read_point(*via));
+  double via_place = place_on(*via, curves, read_point(*via));
   if (to <= from) to += count;
-  if (between < from) between += count;
-  return between < to ? stretch(curves, from, to) : stretch(turned(curves), count - from, 2 * count - to);
+  if (via_place < from) via_place += count;
+  return via_place < to ? interval(curves, from, to) : interval(turned(curves), count - from, 2 * count - to);
 }
 
 }  // namespace parison::forming

@@ -23,8 +23,8 @@ thermal::SurfaceExchange read_air(const CaseNode& node) {
 }
 
 bool needs_air(const Body& body) {
-  const auto open = [](const Piece& piece) { return piece.kind == PieceKind::air; };
-  return body.thermal && (body.emissivity > 0 || std::any_of(body.pieces.begin(), body.pieces.end(), open));
+  const auto open = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::air; };
+  return body.thermal && (body.emissivity > 0 || std::any_of(body.boundaries.begin(), body.boundaries.end(), open));
 }
 
 /// Tools out of place stand in the air too.
@@ -62,69 +62,69 @@ bool is_driven(const StageTool& tool) {
 
 std::vector<StageTool> read_stage_tools(const CaseTable& table, const Scene& scene) {
   std::vector<StageTool> tools;
-  std::vector<std::string> in_place;
+  std::vector<std::string> active_names;
   if (const auto* node = table.find("tools"))
     for (const auto& item : core::list(*node)) {
       const Index tool = core::choice(item, tool_names(scene));
-      if (std::count(in_place.begin(), in_place.end(), item.text))
+      if (std::count(active_names.begin(), active_names.end(), item.text))
         core::refuse(item, fmt::format("\"{}\" was found twice, allowed is once", item.text));
-      in_place.push_back(item.text);
+      active_names.push_back(item.text);
       tools.push_back({tool, {}});
     }
   if (const auto* node = table.find("motion"))
     for (const auto& item : core::entries(*node)) {
-      const auto at = std::find(in_place.begin(), in_place.end(), item.name);
-      if (at == in_place.end())
+      const auto at = std::find(active_names.begin(), active_names.end(), item.name);
+      if (at == active_names.end())
         core::refuse(item, fmt::format("a motion of \"{}\", which is not in place, allowed are the stage's tools: {}",
-                                       item.name, fmt::join(in_place, ", ")));
-      tools[at - in_place.begin()].motion = read_motion(item, scene);
-      if (std::count_if(tools.begin(), tools.end(), is_driven) > flow::most_driven)
+                                       item.name, fmt::join(active_names, ", ")));
+      tools[at - active_names.begin()].motion = read_motion(item, scene);
+      if (std::count_if(tools.begin(), tools.end(), is_driven) > flow::max_driven_tools)
         core::refuse(item, fmt::format("one more tool driven by a force was found, allowed are {} in a stage",
-                                       flow::most_driven));
+                                       flow::max_driven_tools));
     }
   return tools;
 }
 
-/// The open pieces of the glass that a pressure may act on, with those named up to this stage.
-std::vector<std::string> open_pieces(const Scene& scene, const Stage& stage) {
+/// The open boundaries of the glass that a pressure may act on, with those named up to this stage.
+std::vector<std::string> open_boundaries(const Scene& scene, const Stage& stage) {
   std::vector<std::string> names;
-  for (const auto& piece : scene.glass.pieces)
-    if (piece.kind != PieceKind::symmetry && piece.kind != PieceKind::fixed) names.push_back(piece.name);
+  for (const auto& boundary : scene.glass.boundaries)
+    if (boundary.kind != BoundaryKind::symmetry && boundary.kind != BoundaryKind::fixed) names.push_back(boundary.name);
   for (const auto& earlier : scene.stages)
-    for (const auto& stretch : earlier.name_pieces) names.push_back(stretch.name);
-  for (const auto& stretch : stage.name_pieces) names.push_back(stretch.name);
+    for (const auto& named : earlier.named_boundaries) names.push_back(named.name);
+  for (const auto& named : stage.named_boundaries) names.push_back(named.name);
   return names;
 }
 
-void read_name_pieces(const CaseTable& table, const Scene& scene, Stage& stage) {
-  refuse_repeated_names(table.tables("name_piece"));
-  for (const auto* node : table.tables("name_piece")) {
-    const CaseTable stretch(*node, {"name", "from", "to"});
-    const auto& name = core::identifier(stretch.get("name"));
-    const auto taken = [&](const Piece& piece) { return piece.name == name; };
-    if (std::any_of(scene.glass.pieces.begin(), scene.glass.pieces.end(), taken))
-      core::refuse(stretch.get("name"),
-                   fmt::format("\"{}\" is a piece of the glass already, allowed is a new name", name));
+void read_named_boundaries(const CaseTable& table, const Scene& scene, Stage& stage) {
+  refuse_repeated_names(table.tables("name_boundary"));
+  for (const auto* node : table.tables("name_boundary")) {
+    const CaseTable named(*node, {"name", "from", "to"});
+    const auto& name = core::identifier(named.get("name"));
+    const auto exists = [&](const Boundary& boundary) { return boundary.name == name; };
+    if (std::any_of(scene.glass.boundaries.begin(), scene.glass.boundaries.end(), exists))
+      core::refuse(named.get("name"),
+                   fmt::format("\"{}\" is a boundary of the glass already, allowed is a new name", name));
     for (const auto& earlier : scene.stages)
-      for (const auto& other : earlier.name_pieces)
+      for (const auto& other : earlier.named_boundaries)
         if (other.name == name)
-          core::refuse(stretch.get("name"),
+          core::refuse(named.get("name"),
                        fmt::format("stage \"{}\" names \"{}\" already, allowed is a new name", earlier.name, name));
-    stage.name_pieces.push_back({name, read_point(stretch.get("from")), read_point(stretch.get("to"))});
+    stage.named_boundaries.push_back({name, read_point(named.get("from")), read_point(named.get("to"))});
   }
 }
 
 /// What only flowing glass obeys: gravity, pressures, the end condition.
 void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
   if (!scene.has_flow())
-    for (const auto* key : {"gravity", "pressure", "end_speed", "name_piece"})
+    for (const auto* key : {"gravity", "pressure", "end_speed", "name_boundary"})
       if (const auto* item = table.find(key))
         core::refuse(*item, "the glass does not flow, allowed is this key where its material has a viscosity");
   if (const auto* item = table.find("gravity")) stage.gravity = core::quantity(*item, dimension::acceleration);
-  read_name_pieces(table, scene, stage);
+  read_named_boundaries(table, scene, stage);
   if (const auto* pressures = table.find("pressure"))
     for (const auto& item : core::entries(*pressures)) {
-      core::choice(core::key_of(item), open_pieces(scene, stage));
+      core::choice(core::key_of(item), open_boundaries(scene, stage));
       stage.pressure[item.name] = core::quantity(item, dimension::pressure);
     }
   if (const auto* item = table.find("end_speed")) {
@@ -138,7 +138,7 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
 
 Stage read_stage(const CaseNode& node, const CaseNode* air, const Scene& scene) {
   const CaseTable table(
-      node, {"name", "duration", "end_speed", "gravity", "tools", "motion", "pressure", "air", "name_piece"});
+      node, {"name", "duration", "end_speed", "gravity", "tools", "motion", "pressure", "air", "name_boundary"});
   Stage stage;
   stage.name = core::identifier(table.get("name"));
   stage.duration = core::positive(table.get("duration"), dimension::time);

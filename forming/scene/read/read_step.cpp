@@ -37,7 +37,7 @@ void add_curve(int tag, bool is_arc, std::vector<Curve>& curves) {
   gmsh::model::getParametrizationBounds(1, tag, low, high);
   const int parts = is_arc && high[0] - low[0] > M_PI ? 2 : 1;
   for (int i = 0; i < parts; ++i) {
-    const auto at = [&](double share) { return place(tag, low[0] + (i + share) / parts * (high[0] - low[0])); };
+    const auto at = [&](double fraction) { return place(tag, low[0] + (i + fraction) / parts * (high[0] - low[0])); };
     curves.push_back({is_arc, at(0), at(0.5), at(1)});
   }
 }

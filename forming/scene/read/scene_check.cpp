@@ -19,14 +19,15 @@ std::vector<core::Point> samples(const core::Profile& profile) {
   return core::polyline(profile, perimeter / 2000, touching / 2);
 }
 
-struct DeepPoint {
+struct OverlapPoint {
   core::Point point;
   double depth;  ///< m
 };
 
 /// The one of `points`, moved by `shift`, that lies deepest inside the outline.
-DeepPoint deepest(const std::vector<core::Point>& points, const core::Point& shift, const core::Profile& profile) {
-  DeepPoint result{core::Point::Zero(), 0};
+OverlapPoint max_overlap_point(const std::vector<core::Point>& points, const core::Point& shift,
+                               const core::Profile& profile) {
+  OverlapPoint result{core::Point::Zero(), 0};
   for (const auto& x : points)
     if (core::contains(profile, x + shift))
       if (const double depth = core::distance(profile, x + shift); depth > result.depth) result = {x, depth};
@@ -34,17 +35,18 @@ DeepPoint deepest(const std::vector<core::Point>& points, const core::Point& shi
 }
 
 bool can_touch(const Body& body) {
-  const auto contact = [](const Piece& piece) { return piece.kind == PieceKind::contact; };
-  return std::any_of(body.pieces.begin(), body.pieces.end(), contact);
+  const auto contact = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::contact; };
+  return std::any_of(body.boundaries.begin(), body.boundaries.end(), contact);
 }
 
-/// Whether symmetry planes or fixed pieces keep the glass from moving along the axis.
-bool held_along_axis(const Glass& glass) {
+/// Whether symmetry planes or fixed boundaries keep the glass from moving along the axis.
+bool constrained_along_axis(const Glass& glass) {
   constexpr double across = 1e-3;
   return std::any_of(glass.profile.segments.begin(), glass.profile.segments.end(), [&](const core::Segment& segment) {
-    const PieceKind kind = glass.pieces[segment.piece].kind;
-    return kind == PieceKind::fixed || (kind == PieceKind::symmetry &&
-                                        std::abs(core::normal_at(segment, 0.5).dot(core::axis_direction())) > across);
+    const BoundaryKind kind = glass.boundaries[segment.boundary_id].kind;
+    return kind == BoundaryKind::fixed ||
+           (kind == BoundaryKind::symmetry &&
+            std::abs(core::normal_at(segment, 0.5).dot(core::axis_direction())) > across);
   });
 }
 
@@ -58,28 +60,28 @@ const core::CaseNode* member(const core::CaseNode* table, const char* key) {
 
 /// Refuses an edge length that would give a body too many cells, taken over its whole area, or too many edges.
 void refuse_too_fine(const core::CaseNode& at, const Body& body, double size, bool whole_area) {
-  constexpr double most_cells = 500000, most_edges = 50000;
+  constexpr double max_cells = 500000, max_edges = 50000;
   double outline = 0;
   for (const auto& segment : body.profile.segments) outline += core::length(segment);
   const double cells = std::abs(core::signed_area(body.profile)) / (std::sqrt(3.0) / 4 * size * size);
-  if (whole_area && cells > most_cells)
+  if (whole_area && cells > max_cells)
     core::refuse(at, fmt::format("{:g} mm would give \"{}\" about {:.2g} cells, allowed are sizes that give up to {:g}",
-                                 1e3 * size, body.name, cells, most_cells));
-  if (outline / size > most_edges)
+                                 1e3 * size, body.name, cells, max_cells));
+  if (outline / size > max_edges)
     core::refuse(at, fmt::format("{:g} mm would give \"{}\" about {:.2g} edges along its outline, allowed are sizes "
                                  "that give up to {:g}",
-                                 1e3 * size, body.name, outline / size, most_edges));
+                                 1e3 * size, body.name, outline / size, max_edges));
 }
 
 void check_mesh_sizes(const core::CaseNode& node, const Body& body) {
   const auto* mesh = member(&node, "mesh");
   if (const auto& size = body.mesh.size) refuse_too_fine(*member(mesh, "size"), body, *size, true);
   if (const auto& size = body.mesh.contact_size) refuse_too_fine(*member(mesh, "contact_size"), body, *size, false);
-  constexpr double most_quadrangles = 250000;
+  constexpr double max_quadrangles = 250000;
   if (const auto& mapped = body.mesh.mapped;
-      mapped && double(mapped->along_first) * mapped->along_second > most_quadrangles)
+      mapped && double(mapped->along_first) * mapped->along_second > max_quadrangles)
     core::refuse(*member(mesh, "mapped"), fmt::format("{} by {} divisions were found, allowed are up to {:g} in all",
-                                                      mapped->along_first, mapped->along_second, most_quadrangles));
+                                                      mapped->along_first, mapped->along_second, max_quadrangles));
 }
 
 }  // namespace
@@ -118,8 +120,8 @@ void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode
   for (const auto& entry : scene.stages.front().tools) {
     const auto& tool = scene.tools[entry.tool];
     const core::Point shift = tool.position * core::axis_direction();
-    auto inside = deepest(glass, -shift, tool.profile);
-    auto other = deepest(samples(tool.profile), shift, scene.glass.profile);
+    auto inside = max_overlap_point(glass, -shift, tool.profile);
+    auto other = max_overlap_point(samples(tool.profile), shift, scene.glass.profile);
     other.point += shift;
     if (other.depth > inside.depth) inside = other;
     if (inside.depth > touching)
@@ -135,7 +137,8 @@ void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode
   if (!scene.has_heat()) return;
   bool glass_can_touch = can_touch(scene.glass);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
-    glass_can_touch = glass_can_touch || !scene.stages[i].name_pieces.empty();  // a named stretch is open to contact
+    glass_can_touch =
+        glass_can_touch || !scene.stages[i].named_boundaries.empty();  // a named stretch is open to contact
     if (!glass_can_touch) continue;
     for (const auto& entry : scene.stages[i].tools) {
       const auto& tool = scene.tools[entry.tool];
@@ -178,24 +181,25 @@ void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>&
 
 void check_support(const Scene& scene, const core::CaseTable& root) {
   if (!scene.has_flow()) return;
-  const auto& pieces = scene.glass.pieces;
-  if (std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
-        return piece.kind == PieceKind::fixed || piece.kind == PieceKind::symmetry;
+  const auto& boundaries = scene.glass.boundaries;
+  if (std::all_of(boundaries.begin(), boundaries.end(), [](const Boundary& boundary) {
+        return boundary.kind == BoundaryKind::fixed || boundary.kind == BoundaryKind::symmetry;
       }))
-    core::refuse(core::CaseTable(root.get("glass"), {"material", "temperature", "mesh", "film", "piece"}).get("piece"),
-                 "every piece is fixed or a symmetry plane and the pressure of the glass has no level; allowed is at "
-                 "least one piece that is neither");
-  if (held_along_axis(scene.glass)) return;
+    core::refuse(
+        core::CaseTable(root.get("glass"), {"material", "temperature", "mesh", "film", "boundary"}).get("boundary"),
+        "every boundary is fixed or a symmetry plane and the pressure of the glass has no level; allowed is at "
+        "least one boundary that is neither");
+  if (constrained_along_axis(scene.glass)) return;
   const auto stages = root.tables("stage");
   bool named = false;  // a stretch that may touch
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    named = named || !scene.stages[i].name_pieces.empty();
+    named = named || !scene.stages[i].named_boundaries.empty();
     if (!scene.stages[i].tools.empty() && (named || can_touch(scene.glass))) continue;
     core::CaseNode place = *stages[i];
     place.key += ".tools";
     core::refuse(place,
                  fmt::format("nothing holds the glass along the axis in stage \"{}\"; allowed is a tool that it can "
-                             "touch, a fixed piece or a symmetry plane across the axis",
+                             "touch, a fixed boundary or a symmetry plane across the axis",
                              scene.stages[i].name));
   }
 }

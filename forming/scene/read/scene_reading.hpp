@@ -31,10 +31,10 @@ Tool read_tool(const core::CaseNode& node, const BodyContext& context);
 
 /// A point such as "(31, 14) mm".
 core::Point read_point(const core::CaseNode& node);
-/// The closed outline of a list of pieces, each with its path or CSV file, in the order and sense of the file.
-core::Profile read_outline(const core::CaseNode& pieces, const std::string& directory);
+/// The closed outline of a list of boundaries, each with its path or CSV file, in the order and sense of the file.
+core::Profile read_outline(const core::CaseNode& boundaries, const std::string& directory);
 /// Refuses an outline that crosses itself or leaves the half-plane of an axisymmetric scene.
-void check_outline(const core::Profile& profile, core::Geometry geometry, const core::CaseNode& pieces);
+void check_outline(const core::Profile& profile, core::Geometry geometry, const core::CaseNode& boundaries);
 
 /// The interfaces of one [[interface]] entry, one for each tool it names.
 std::vector<Interface> read_interfaces(const core::CaseNode& node, const Scene& scene);

@@ -31,7 +31,7 @@ struct ToolConstraint {
   contact::GapConstraint constraint;
 };
 
-/// The tools in place as they stand with `offset` (one for each tool of the scene), and where they meet.
+/// The active tools as they stand with `offset` (one for each tool of the scene), and where they meet.
 struct PlacedTools {
   struct Tool {
     Index index;
@@ -42,22 +42,23 @@ struct PlacedTools {
   };
   std::vector<Tool> tools;
   std::vector<contact::ToolJoint> joints;
-  std::vector<contact::ToolFoot> feet;
+  std::vector<contact::ToolTJunction> t_junctions;
 
-  PlacedTools(const Scene& scene, const std::vector<Index>& in_place, const std::vector<double>& offset) {
+  PlacedTools(const Scene& scene, const std::vector<Index>& active_tools, const std::vector<double>& offset) {
     std::vector<contact::PlacedTool> placed;
-    for (const Index tool : in_place) {
+    for (const Index tool : active_tools) {
       const auto& profile = scene.tools[tool].profile;
-      const auto pieces = contact_pieces(scene.tools[tool]);
-      tools.push_back({tool, &profile, offset[tool] * core::axis_direction(), {profile, pieces}, {profile, pieces}});
-      placed.push_back({&profile, pieces, offset[tool]});
+      const auto boundaries = contact_boundaries(scene.tools[tool]);
+      tools.push_back(
+          {tool, &profile, offset[tool] * core::axis_direction(), {profile, boundaries}, {profile, boundaries}});
+      placed.push_back({&profile, boundaries, offset[tool]});
     }
     joints = contact::tool_joints(placed);
-    feet = contact::tool_feet(placed);
+    t_junctions = contact::tool_t_junctions(placed);
   }
 };
 
-/// The nearest constraints of a node over all tools in place: the union of the tools counts.
+/// The nearest constraints of a node over all active tools: the union of the tools counts.
 std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Point& x, double reach) {
   std::vector<ToolConstraint> found;
   for (const auto& tool : tools.tools)
@@ -65,23 +66,23 @@ std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Poi
   for (const auto& joint : tools.joints)
     for (const auto& [tool, constraint] : contact::joint_constraints(joint, x, reach))
       found.push_back({tools.tools[tool].index, constraint});
-  for (const auto& foot : tools.feet)
-    if (const auto beyond = contact::foot_constraint(foot, x, reach))
+  for (const auto& t_junction : tools.t_junctions)
+    if (const auto beyond = contact::t_junction_constraint(t_junction, x, reach))
       found.push_back({tools.tools[beyond->tool].index, beyond->constraint});
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.constraint.gap < b.constraint.gap; });
   std::vector<ToolConstraint> kept;
-  for (const auto& wish : found) {
+  for (const auto& candidate : found) {
     const bool known = std::any_of(kept.begin(), kept.end(), [&](const auto& have) {
-      return have.constraint.normal.dot(wish.constraint.normal) > same_direction;
+      return have.constraint.normal.dot(candidate.constraint.normal) > same_direction;
     });
-    if (!known && kept.size() < dim) kept.push_back(wish);
+    if (!known && kept.size() < dim) kept.push_back(candidate);
   }
   return kept;
 }
 
 /// Share of a step in which a node touches a tool that it reaches from a gap with a motion along the tool's normal.
-double share_in_contact(double gap, double motion) {
+double fraction_in_contact(double gap, double motion) {
   if (gap <= touching) return 1;
   return motion < 0 ? std::max(0.0, 1 + gap / motion) : 0;
 }
@@ -92,20 +93,20 @@ double depth_inside(const PlacedTools& tools, const State& state, Index tool, co
   return std::max(0.0, -at->gap(x - state.bodies[1 + tool].offset * core::axis_direction()));
 }
 
-std::vector<Index> tools_in_place(const Scene& scene, const State& state) {
+std::vector<Index> active_tools(const Scene& scene, const State& state) {
   std::vector<Index> tools;
   for (const auto& tool : scene.stages[state.stage].tools) tools.push_back(tool.tool);
   return tools;
 }
 
-PlacedTools standing_tools(const Scene& scene, const State& state) {
+PlacedTools placed_tools(const Scene& scene, const State& state) {
   std::vector<double> offset;
   for (std::size_t b = 1; b < state.bodies.size(); ++b) offset.push_back(state.bodies[b].offset);
-  return {scene, tools_in_place(scene, state), offset};
+  return {scene, active_tools(scene, state), offset};
 }
 
 /// A point moved out of the tools it lies in.
-Point lifted(const PlacedTools& tools, const Point& x) {
+Point projected_out(const PlacedTools& tools, const Point& x) {
   Point out = x;
   for (const auto& [tool, constraint] : node_constraints(tools, x, near))
     if (constraint.gap < 0) out -= constraint.gap * constraint.normal;
@@ -150,7 +151,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
     offset.push_back(state.bodies[1 + i].offset + dt * speed.back());
   }
   const core::Mesh& glass = state.bodies[0].mesh;
-  const auto tools = tools_in_place(scene, state);
+  const auto tools = active_tools(scene, state);
   const PlacedTools placed(scene, tools, offset);
   const Point axis = core::axis_direction();
   std::vector<flow::ContactCandidate> candidates;
@@ -163,16 +164,16 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       fastest = std::max({fastest, std::abs(speed[tool]), motions[tool].force ? motions[tool].speed_limit : 0.0});
     const Point reached = glass.nodes[node] + dt * v;
     for (const auto& [tool, constraint] : node_constraints(placed, reached, near + 2 * dt * fastest)) {
-      const bool held = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
+      const bool tied = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
       const Point relative = v - speed[tool] * axis;
       const double approach = constraint.normal.dot(relative);
       const double gap = constraint.gap - dt * approach;  // at the step's start
       // Only what is inside at the start may still be partly inside at the end; round a corner the flat bound may lie
       // ahead.
       const double kept = gap < 0 ? depth_inside(placed, state, tool, glass.nodes[node]) : 0.0;
-      const double rate = held ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
-      const double share = state.contact.tool[node] == tool ? 1 : share_in_contact(gap, dt * approach);
-      candidates.push_back({node, tool, constraint.normal, rate, held, share, relative});
+      const double rate = tied ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
+      const double fraction = state.contact.tool[node] == tool ? 1 : fraction_in_contact(gap, dt * approach);
+      candidates.push_back({node, tool, constraint.normal, rate, tied, fraction, relative});
     }
   }
   return candidates;
@@ -185,12 +186,12 @@ std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass) {
 }
 
 std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass) {
-  const auto may_touch = contact_pieces(scene.glass, glass);
+  const auto may_touch = contact_boundaries(scene.glass, glass);
   std::vector<char> seen(glass.nodes.size(), 0);
   std::vector<Index> nodes;
   nodes.reserve(3 * glass.boundary.size());
   for (const auto& edge : glass.boundary)
-    if (may_touch[edge.piece])
+    if (may_touch[edge.boundary_id])
       for (const Index node : edge.nodes)
         if (!std::exchange(seen[node], 1)) nodes.push_back(node);
   return nodes;
@@ -202,7 +203,7 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vec
   const core::Mesh& glass = state.bodies[0].mesh;
   const Point displacement = state.bodies[1 + tool].offset * core::axis_direction();
   Eigen::VectorXd gaps = Eigen::VectorXd::Constant(glass.node_count(), std::numeric_limits<double>::infinity());
-  contact::ToolGap gap(body.profile, contact_pieces(body), reach);
+  contact::ToolGap gap(body.profile, contact_boundaries(body), reach);
   for (const Index node : nodes) gaps[node] = gap(glass.nodes[node] - displacement);
   return gaps;
 }
@@ -211,32 +212,32 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
   return tool_gaps(scene, state, contact_nodes(scene, state.bodies[0].mesh), tool, reach);
 }
 
-std::function<Point(const Point&)> way_out_of_tools(const Scene& scene, const State& state) {
-  const auto tools = std::make_shared<const PlacedTools>(standing_tools(scene, state));
+std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, const State& state) {
+  const auto tools = std::make_shared<const PlacedTools>(placed_tools(scene, state));
   return [tools](const Point& x) {
     const auto holds = [&](const PlacedTools::Tool& tool) { return core::contains(*tool.profile, x - tool.shift); };
-    return std::any_of(tools->tools.begin(), tools->tools.end(), holds) ? lifted(*tools, x) : x;
+    return std::any_of(tools->tools.begin(), tools->tools.end(), holds) ? projected_out(*tools, x) : x;
   };
 }
 
-void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {
-  const PlacedTools tools = standing_tools(scene, state);
-  const auto on_line = symmetry_pieces(scene.glass, mesh);
-  std::vector<bool> held(mesh.nodes.size(), false);
+void project_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {
+  const PlacedTools tools = placed_tools(scene, state);
+  const auto on_line = symmetry_boundaries(scene.glass, mesh);
+  std::vector<bool> fixed(mesh.nodes.size(), false);
   for (const auto& edge : mesh.boundary)
-    if (on_line[edge.piece])
-      for (const Index node : edge.nodes) held[node] = true;
+    if (on_line[edge.boundary_id])
+      for (const Index node : edge.nodes) fixed[node] = true;
   for (const Index node : surface_nodes(mesh))
-    if (!held[node]) mesh.nodes[node] = lifted(tools, mesh.nodes[node]);
+    if (!fixed[node]) mesh.nodes[node] = projected_out(tools, mesh.nodes[node]);
 }
 
 std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead) {
   std::vector<Penetration> found;
   const core::Mesh& glass = state.bodies[0].mesh;
   const auto surface = surface_nodes(glass);
-  for (const Index tool : tools_in_place(scene, state)) {
+  for (const Index tool : active_tools(scene, state)) {
     const auto& profile = scene.tools[tool].profile;
-    const contact::ToolGap gap(profile, contact_pieces(scene.tools[tool]));
+    const contact::ToolGap gap(profile, contact_boundaries(scene.tools[tool]));
     const BodyState& body = state.bodies[1 + tool];
     const Point moved = (body.offset + ahead * body.velocity) * core::axis_direction();
     for (const Index node : surface) {
@@ -249,10 +250,10 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
   return found;
 }
 
-double deepest_penetration(const Scene& scene, const State& state) {
-  double deepest = 0;
-  for (const auto& inside : penetrations(scene, state, 0)) deepest = std::max(deepest, inside.depth);
-  return deepest;
+double max_penetration(const Scene& scene, const State& state) {
+  double max_depth = 0;
+  for (const auto& inside : penetrations(scene, state, 0)) max_depth = std::max(max_depth, inside.depth);
+  return max_depth;
 }
 
 }  // namespace parison::forming

@@ -11,15 +11,15 @@ namespace parison::forming {
 /// Nodes of the glass boundary, each once, in the order of the boundary.
 std::vector<Index> surface_nodes(const core::Mesh& mesh);
 
-/// How the tools in place move over the next dt; one entry for each tool of the scene.
+/// How the active tools move over the next dt; one entry for each tool of the scene.
 std::vector<flow::ToolMotion> tool_motions(const Scene& scene, const State& state, double dt);
 
-/// Contact candidates of all surface nodes with all tools in place: the gap at the positions that `velocity` (two per
+/// Contact candidates of all surface nodes with all active tools: the gap at the positions that `velocity` (two per
 /// node, m/s) and the tools' present velocities would reach after dt, made a bound on the velocity. Second order in dt.
 std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const State& state,
                                                        const Eigen::VectorXd& velocity, double dt);
 
-/// Nodes on the contact pieces of the glass, each once.
+/// Nodes on the contact boundaries of the glass, each once.
 std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass);
 
 /// Flags of the same among all nodes.
@@ -31,24 +31,24 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vec
                           double reach);
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach);
 
-/// Moves a point that lies inside a tool in place out to its surface; leaves others to the bit.
-std::function<Point(const Point&)> way_out_of_tools(const Scene& scene, const State& state);
+/// Moves a point that lies inside an active tool out to its surface; leaves others to the bit.
+std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, const State& state);
 
-/// Moves the surface nodes of `mesh` that lie inside a tool in place out to its surface.
-void lift_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh);
+/// Moves the surface nodes of `mesh` that lie inside an active tool out to its surface.
+void project_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh);
 
 /// Bounds of a node whose normals are closer than this (cosine) count as one.
 inline constexpr double same_direction = 0.9986;
 
-/// A glass node inside a tool in place.
+/// A glass node inside an active tool.
 struct Penetration {
   Index node, tool;
-  double depth;  ///< from the contact pieces, m
+  double depth;  ///< from the contact boundaries, m
 };
 /// All of them after a time `ahead` with the present velocities.
 std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead);
 
-/// Depth of the deepest glass node inside a tool in place, m.
-double deepest_penetration(const Scene& scene, const State& state);
+/// Depth of the deepest glass node inside an active tool, m.
+double max_penetration(const Scene& scene, const State& state);
 
 }  // namespace parison::forming

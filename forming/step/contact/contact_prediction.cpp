@@ -23,19 +23,19 @@ bool is_at_corner(const Scene& scene, const State& state, Index tool, Index node
 
 }  // namespace
 
-std::vector<bool> likely_contacts(const State& state, const ContactState::Closed& closed, const flow::Problem& problem,
+std::vector<bool> likely_contacts(const State& state, const ContactState::Active& active, const flow::Problem& problem,
                                   const Eigen::VectorXd& guess) {
   constexpr double near_direction = 0.94;
   std::vector<std::vector<std::size_t>> of_node(problem.mesh->nodes.size());
-  for (std::size_t i = 0; i < closed.node.size(); ++i) of_node[closed.node[i]].push_back(i);
+  for (std::size_t i = 0; i < active.node.size(); ++i) of_node[active.node[i]].push_back(i);
   std::vector<bool> likely;
   Index last_node = -1;
   for (const auto& candidate : problem.candidates) {
     const auto& known = of_node[candidate.node];
     bool was = std::any_of(known.begin(), known.end(), [&](std::size_t i) {
-      return closed.tool[i] == candidate.tool && closed.normal[i].dot(candidate.normal) > near_direction;
+      return active.tool[i] == candidate.tool && active.normal[i].dot(candidate.normal) > near_direction;
     });
-    if (closed.node.empty())
+    if (active.node.empty())
       was = (state.contact.tool[candidate.node] == candidate.tool && candidate.node != last_node) ||
             (state.last_step == 0 && candidate.rate >= 0);
     const double tool_speed = state.bodies[1 + candidate.tool].velocity;
@@ -57,7 +57,7 @@ void keep_bounds(const std::vector<flow::ContactCandidate>& bounds, std::vector<
 }
 
 std::vector<flow::ContactCandidate> corner_bounds(const Scene& scene, const State& state) {
-  const auto& [nodes, tools, normals] = state.contact.closed;
+  const auto& [nodes, tools, normals] = state.contact.active;
   std::vector<flow::ContactCandidate> bounds;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     if (nodes[i] != nodes[i - 1] || tools[i] != tools[i - 1] || !is_at_corner(scene, state, tools[i], nodes[i]))

@@ -18,9 +18,9 @@ namespace parison::forming {
 namespace {
 
 /// Landing on the thinnest film itself is allowed, relative.
-constexpr double landed = 1e-3;
+constexpr double film_tolerance = 1e-3;
 /// Tools that come nearer to each other more slowly than this stand, m/s.
-constexpr double standing = 1e-6;
+constexpr double static_speed = 1e-6;
 
 struct Films {
   remesh::Wall wall;
@@ -35,7 +35,7 @@ bool is_slot(const State& state, Index node, const core::BoundaryEdge& other) {
 /// The films, and the walls that are no thicker than `reach`, m.
 Films find_films(const Scene& scene, const State& state, double reach) {
   const core::Mesh& mesh = state.bodies[0].mesh;
-  const auto symmetry = symmetry_pieces(scene.glass, mesh);
+  const auto symmetry = symmetry_boundaries(scene.glass, mesh);
   std::vector<bool> contact(mesh.nodes.size());
   for (std::size_t n = 0; n < contact.size(); ++n) contact[n] = state.contact.tool[n] >= 0;
   Films films{remesh::surface_wall(mesh, symmetry, reach), {}};
@@ -67,7 +67,7 @@ std::pair<double, Index> thinnest_film(const Scene& scene, const State& state, c
     if (const Index there = opposite_tool(films, state, n); there >= 0) {
       const Body& tool = scene.tools[there];
       const Point local = state.bodies[0].mesh.nodes[n] - state.bodies[1 + there].offset * core::axis_direction();
-      thickness = std::max(thickness, contact::signed_gap(tool.profile, contact_pieces(tool), local));
+      thickness = std::max(thickness, contact::signed_gap(tool.profile, contact_boundaries(tool), local));
     }
     if (thickness < thinnest.first) thinnest = {thickness, n};
   }
@@ -87,27 +87,27 @@ bool is_crushed(const Scene& scene, const State& state, const Films& films, Inde
   const double outward = films.wall.normal[node].dot(core::axis_direction());
   const double speed = state.bodies[1 + here].velocity;
   const double closing = outward * ((there < 0 ? -speed : state.bodies[1 + there].velocity) - speed);
-  return closing > standing && !is_driven(scene, state, here) && (there < 0 || !is_driven(scene, state, there));
+  return closing > static_speed && !is_driven(scene, state, here) && (there < 0 || !is_driven(scene, state, there));
 }
 
 }  // namespace
 
-std::string film_obstacle(const Scene& scene, const State& state) {
+std::string film_failure(const Scene& scene, const State& state) {
   if (touches_nothing(state)) return "";
   const FilmLimit& limit = scene.glass.film;
-  const Films films = find_films(scene, state, limit.thinnest);
-  const double allowed = (1 - landed) * limit.thinnest;
+  const Films films = find_films(scene, state, limit.min_thickness);
+  const double allowed = (1 - film_tolerance) * limit.min_thickness;
   const auto [thinnest, node] = thinnest_film(scene, state, films, allowed);
   if (!(thinnest < allowed)) return "";
   const bool freezes = limit.then == FilmLimit::Then::freeze;
   if (freezes && !is_crushed(scene, state, films, node)) return "";
   const Index there = opposite_tool(films, state, node);
   const Point middle = state.bodies[0].mesh.nodes[node] - 0.5 * thinnest * films.wall.normal[node];
-  return fmt::format("the glass between {} and {} is {:.4g} mm thick near ({:.2f}, {:.2f}) mm, {} {:.4g} mm{}",
-                     scene.tools[state.contact.tool[node]].name,
-                     there < 0 ? "its mirror image" : scene.tools[there].name, 1e3 * thinnest, 1e3 * middle[0],
-                     1e3 * middle[1], freezes ? "it is frozen below" : "allowed are films of", 1e3 * limit.thinnest,
-                     freezes ? ", but the tools come nearer to each other by a given motion" : " and more");
+  return fmt::format(
+      "the glass between {} and {} is {:.4g} mm thick near ({:.2f}, {:.2f}) mm, {} {:.4g} mm{}",
+      scene.tools[state.contact.tool[node]].name, there < 0 ? "its mirror image" : scene.tools[there].name,
+      1e3 * thinnest, 1e3 * middle[0], 1e3 * middle[1], freezes ? "it is frozen below" : "allowed are films of",
+      1e3 * limit.min_thickness, freezes ? ", but the tools come nearer to each other by a given motion" : " and more");
 }
 
 std::vector<bool> frozen_cells(const Scene& scene, const State& state) {
@@ -115,10 +115,10 @@ std::vector<bool> frozen_cells(const Scene& scene, const State& state) {
   if (limit.then != FilmLimit::Then::freeze || touches_nothing(state)) return {};
   const core::Mesh& mesh = state.bodies[0].mesh;
   const Films films = find_films(scene, state, std::numeric_limits<double>::infinity());
-  if (films.thickness.minCoeff() >= limit.thinnest) return {};
+  if (films.thickness.minCoeff() >= limit.min_thickness) return {};
   Eigen::VectorXd nearest = films.wall.thickness;  // inside, that of the nearest surface node: a film there or not
   for (Index n = 0; n < mesh.node_count(); ++n)
-    if (std::isfinite(nearest[n])) nearest[n] = films.thickness[n] < limit.thinnest ? 1 : 0;
+    if (std::isfinite(nearest[n])) nearest[n] = films.thickness[n] < limit.min_thickness ? 1 : 0;
   remesh::spread_inward(mesh, nearest);
   std::vector<bool> frozen(mesh.cells.size());
   for (std::size_t c = 0; c < frozen.size(); ++c)

@@ -10,7 +10,7 @@ namespace {
 
 /// Velocity (U cos ky, V sin ky), pressure P cos ky, stresses S cos ky (xx) and T sin ky (xy), with dV/dx.
 struct CxMode {
-  long double U, V, P, S, T, slope;
+  long double U, V, P, S, T, derivative;
 };
 
 /// U = e^{kx}, x e^{kx}, e^{-kx}, x e^{-kx} solve the flow without force; V = -U'/k, P' = eta (U'' - k^2 U).
@@ -19,8 +19,8 @@ CxMode cx_mode(int which, long double x, long double k, long double eta) {
   const bool linear = which % 2 == 1;
   const long double U = linear ? x * e : e, dU = linear ? (1 + s * x) * e : s * e;
   const long double ddU = linear ? (2 * s + s * s * x) * e : s * s * e;
-  const long double V = -dU / k, slope = -ddU / k, P = linear ? 2 * eta * e : 0;
-  return {U, V, P, 2 * eta * dU - P, eta * (slope - k * U), slope};
+  const long double V = -dU / k, derivative = -ddU / k, P = linear ? 2 * eta * e : 0;
+  return {U, V, P, 2 * eta * dU - P, eta * (derivative - k * U), derivative};
 }
 
 /// Answer to the force: U = a sin kx with a = -1/(4 eta k^2).
@@ -40,7 +40,7 @@ ExactFlow sol_cx(double jump) {
   Eigen::Matrix<long double, 8, 1> rhs;
   const auto fill = [&](int side, int column, const CxMode& wall, const CxMode& middle, long double scale) {
     const int sign = side == 0 ? 1 : -1;
-    const std::array<long double, 6> rows{wall.U,          wall.slope,      middle.U * sign,
+    const std::array<long double, 6> rows{wall.U,          wall.derivative, middle.U * sign,
                                           middle.V * sign, middle.S * sign, middle.T * sign};
     for (int i = 0; i < 6; ++i) {
       const int row = i < 2 ? 2 * side + i : 2 + i;

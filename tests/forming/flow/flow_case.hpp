@@ -21,11 +21,13 @@ struct FlowProblem {
     material.viscosity.constant = viscosity;
     temperature = Eigen::VectorXd::Constant(mesh.node_count(), 1400.0);
     problem.geometry = geometry;
-    problem.pieces.resize(mesh.pieces.size());
+    problem.boundary_conditions.resize(mesh.boundary_names.size());
   }
-  PieceCondition& piece(const std::string& name) { return problem.pieces[core::find_piece(mesh, name)]; }
-  void hold_all(PieceCondition::Kind kind) {
-    for (auto& piece : problem.pieces) piece.kind = kind;
+  BoundaryCondition& boundary(const std::string& name) {
+    return problem.boundary_conditions[core::find_boundary(mesh, name)];
+  }
+  void hold_all(BoundaryCondition::Kind kind) {
+    for (auto& boundary : problem.boundary_conditions) boundary.kind = kind;
   }
   const Problem& bound() {
     problem.mesh = &mesh;
@@ -37,10 +39,10 @@ struct FlowProblem {
   std::set<Index> nodes_of(const std::string& name) const {
     std::set<Index> nodes;
     for (const auto& edge : mesh.boundary)
-      if (mesh.pieces[edge.piece] == name) nodes.insert(edge.nodes.begin(), edge.nodes.end());
+      if (mesh.boundary_names[edge.boundary_id] == name) nodes.insert(edge.nodes.begin(), edge.nodes.end());
     return nodes;
   }
-  /// Candidates of a tool at all nodes of a piece, without a gap.
+  /// Candidates of a tool at all nodes of a boundary, without a gap.
   void touch(const std::string& name, Index tool, const Point& normal) {
     for (const Index node : nodes_of(name)) problem.candidates.push_back({node, tool, normal, 0.0});
   }

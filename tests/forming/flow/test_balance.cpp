@@ -29,9 +29,10 @@ std::array<double, 2> layer_errors(const Layers& layers) {
     return Point(s + 0.03 * wave, t);
   };
   FlowProblem flow(tests::structured(12, 12, bent), Geometry::planar);
-  flow.hold_all(PieceCondition::Kind::fixed);
-  for (auto& piece : flow.problem.pieces) piece.velocity = [=](const Point& x) { return Point(layers.speed(x[1]), 0); };
-  flow.piece("top").kind = PieceCondition::Kind::symmetry;
+  flow.hold_all(BoundaryCondition::Kind::fixed);
+  for (auto& boundary : flow.problem.boundary_conditions)
+    boundary.velocity = [=](const Point& x) { return Point(layers.speed(x[1]), 0); };
+  flow.boundary("top").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.viscosity = [=](const Point& x) { return layers.viscosity(x[1]); };
   flow.problem.force = [](const Point&) { return Point(1, 0); };
   for (auto& cell : flow.mesh.cells)  // straight sides
@@ -73,9 +74,10 @@ double skin_error(Index n) {
     exact[i + 1] = exact[i] + h / 6 * (rate(a) + 4 * rate(a + 0.5 * h) + rate(a + h));
   }
   const auto speed = [&](double y) { return exact[std::size_t(std::lround(y * parts))]; };
-  flow.hold_all(PieceCondition::Kind::fixed);
-  for (auto& piece : flow.problem.pieces) piece.velocity = [=](const Point& x) { return Point(speed(x[1]), 0); };
-  flow.piece("top").kind = PieceCondition::Kind::symmetry;
+  flow.hold_all(BoundaryCondition::Kind::fixed);
+  for (auto& boundary : flow.problem.boundary_conditions)
+    boundary.velocity = [=](const Point& x) { return Point(speed(x[1]), 0); };
+  flow.boundary("top").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.force = [](const Point&) { return Point(1, 0); };
   const auto solution = flow.solve();
   EXPECT_TRUE(solution.converged) << solution.reason;
@@ -97,7 +99,7 @@ TEST(StiffSkin, every_layer_of_a_skin_from_1e12_to_1e2_by_its_temperature_has_it
 double free_area(const FlowProblem& flow, const core::Mesh& mesh) {
   double area = 0;
   for (const auto& edge : mesh.boundary)
-    if (mesh.pieces[edge.piece] == "right")
+    if (mesh.boundary_names[edge.boundary_id] == "right")
       for (const auto& rule : core::edge_rule(5))
         area += core::map_edge_point(mesh, edge.nodes, flow.problem.geometry, rule).area;
   return area;
@@ -115,11 +117,11 @@ double loads_power(const FlowProblem& flow, const Solution& solution) {
                  node_velocity(solution.velocity, flow.mesh.cells[c][i])[1];
     }
   for (const auto& edge : flow.mesh.boundary)
-    if (flow.mesh.pieces[edge.piece] == "right")
+    if (flow.mesh.boundary_names[edge.boundary_id] == "right")
       for (const auto& rule : core::edge_rule(5)) {
         const auto at = core::map_edge_point(flow.mesh, edge.nodes, flow.problem.geometry, rule);
         for (int i = 0; i < 3; ++i)
-          power -= flow.problem.pieces[edge.piece].pressure * at.area * at.shape[i] *
+          power -= flow.problem.boundary_conditions[edge.boundary_id].pressure * at.area * at.shape[i] *
                    at.normal.dot(node_velocity(solution.velocity, edge.nodes[i]));
       }
   core::Mesh before = flow.mesh, after = flow.mesh;
@@ -142,8 +144,8 @@ FlowProblem skinned_disc(double jump) {
     const double depth = std::min(x[1], 0.01 - x[1]);
     return 100 * std::pow(jump, std::max(0.0, 1 - depth / 0.002));
   };
-  flow.piece("left").kind = PieceCondition::Kind::symmetry;
-  flow.piece("right").pressure = 2e3;
+  flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
+  flow.boundary("right").pressure = 2e3;
   flow.problem.tools.resize(2);
   flow.problem.tools[1].force = -200;
   flow.problem.tools[1].speed_limit = 10;
@@ -172,7 +174,7 @@ TEST(StiffSkin, work_done_on_the_glass_is_dissipated_at_any_range_of_viscosity) 
 
 /// Power of the tools less what the glass loses, relative to that.
 double power_left(const FlowProblem& flow, const Solution& solution) {
-  double lost = solution.friction_power + solution.arrival_power, tools = 0;
+  double lost = solution.friction_power + solution.impact_power, tools = 0;
   for (const double w : solution.dissipation) lost += w;
   for (std::size_t t = 0; t < flow.problem.tools.size(); ++t)
     tools += solution.tool_force[t] * solution.tool_velocity[t];
@@ -180,12 +182,12 @@ double power_left(const FlowProblem& flow, const Solution& solution) {
 }
 
 TEST(Balance, what_slides_along_plates_loses_the_rest_of_their_work) {
-  for (const double drag : {1e3, 1e6, 1e9}) {
+  for (const double stiffness : {1e3, 1e6, 1e9}) {
     FlowProblem flow = skinned_disc(1);
-    for (auto& tool : flow.problem.tools) tool.friction = {Friction::Law::navier, drag, std::nullopt};
+    for (auto& tool : flow.problem.tools) tool.friction = {Friction::Law::navier, stiffness, std::nullopt};
     const auto solution = flow.solve();
     ASSERT_TRUE(solution.converged) << solution.reason;
-    std::printf("drag %.0e Pa.s/m: friction %.3e W, off by %.1e\n", drag, solution.friction_power,
+    std::printf("drag %.0e Pa.s/m: friction %.3e W, off by %.1e\n", stiffness, solution.friction_power,
                 power_left(flow, solution));
     EXPECT_GT(solution.friction_power, 0);
     EXPECT_LT(std::abs(power_left(flow, solution)), 1e-6);
@@ -209,14 +211,14 @@ TEST(Balance, what_lands_on_a_plate_loses_its_force_times_the_way) {
   FlowProblem flow = skinned_disc(1);
   for (auto& candidate : flow.problem.candidates) {  // of a domed plate
     if (candidate.tool == 0) continue;
-    candidate.share = 1 - flow.mesh.nodes[candidate.node][0] / 0.02;
-    candidate.rate = -0.05 * (1 - candidate.share);
-    candidate.until = Point(0.1, -0.05);
+    candidate.contact_fraction = 1 - flow.mesh.nodes[candidate.node][0] / 0.02;
+    candidate.rate = -0.05 * (1 - candidate.contact_fraction);
+    candidate.approach_velocity = Point(0.1, -0.05);
   }
   const auto solution = flow.solve();
   ASSERT_TRUE(solution.converged) << solution.reason;
-  std::printf("domed plate: arrival %.3e W, off by %.1e\n", solution.arrival_power, power_left(flow, solution));
-  EXPECT_GT(solution.arrival_power, 0);
+  std::printf("domed plate: impact %.3e W, off by %.1e\n", solution.impact_power, power_left(flow, solution));
+  EXPECT_GT(solution.impact_power, 0);
   EXPECT_LT(std::abs(power_left(flow, solution)), 1e-6);
 }
 

@@ -49,11 +49,11 @@ Mesh own_mesh(double from, double to, double size, double line_size) {
   constexpr double growth = 0.5;
   const std::array<Point, 4> corners{Point(from, 0), Point(to, 0), Point(to, 1), Point(from, 1)};
   core::Profile profile;
-  profile.pieces = {"wall", "line"};
+  profile.boundary_names = {"wall", "line"};
   for (int i = 0; i < 4; ++i) {
     core::Segment side;
     side.start = corners[i], side.end = corners[(i + 1) % 4];
-    side.piece = side.start[0] == 0.5 && side.end[0] == 0.5;
+    side.boundary_id = side.start[0] == 0.5 && side.end[0] == 0.5;
     profile.segments.push_back(side);
   }
   return remesh::mesh_profile(profile, {size, line_size, growth, {false, true}});
@@ -94,7 +94,7 @@ Mesh finest(const std::function<Triangles(double size)>& make) {
 /// The unit square between slipping walls.
 FlowProblem slipping_square(Mesh mesh) {
   FlowProblem flow(std::move(mesh), Geometry::planar);
-  flow.hold_all(PieceCondition::Kind::symmetry);
+  flow.hold_all(BoundaryCondition::Kind::symmetry);
   return flow;
 }
 
@@ -167,8 +167,8 @@ constexpr double vi_radius = 0.2, vi_jump = 1e3;
 FlowErrors vi_errors(const char* name, Mesh mesh) {
   FlowProblem flow(std::move(mesh), Geometry::planar);
   const auto exact = sol_vi(vi_jump, vi_radius);
-  flow.hold_all(PieceCondition::Kind::fixed);
-  for (auto& piece : flow.problem.pieces) piece.velocity = exact.velocity;
+  flow.hold_all(BoundaryCondition::Kind::fixed);
+  for (auto& boundary : flow.problem.boundary_conditions) boundary.velocity = exact.velocity;
   flow.problem.viscosity = [](const Point& x) { return x.norm() < vi_radius ? vi_jump : 1.0; };
   EXPECT_LE(unknowns(flow.mesh), published_unknowns);
   return report(name, flow, exact);
@@ -181,8 +181,8 @@ Point around_inclusion(double s, double t) {
   if (ring == 0) return x;
   const Point square = x / ring, circle = vi_radius * x / x.norm();
   if (ring > inner) return circle + (ring - inner) / (1 - inner) * (square - circle);
-  const double share = ring / inner;
-  return share * (share * circle + (1 - share) * vi_radius * square / std::sqrt(2.0));
+  const double fraction = ring / inner;
+  return fraction * (fraction * circle + (1 - fraction) * vi_radius * square / std::sqrt(2.0));
 }
 
 TEST(StokesBenchmarks, solvi_is_closer_than_published_whether_or_not_the_mesh_follows_the_inclusion) {

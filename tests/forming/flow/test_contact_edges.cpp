@@ -16,10 +16,10 @@ using core::Geometry;
 Eigen::VectorXd nodal_reactions(const FlowProblem& flow, const Solution& solution) {
   const auto geometry = cell_geometry(flow.mesh, flow.problem.geometry);
   const auto cells = cell_matrices(flow.problem, geometry, viscosity_field(flow.problem, geometry, solution.velocity));
-  std::vector<bool> pressed(flow.mesh.nodes.size(), false);
+  std::vector<bool> in_contact(flow.mesh.nodes.size(), false);
   for (std::size_t i = 0; i < solution.active.size(); ++i)
-    if (solution.active[i]) pressed[flow.problem.candidates[i].node] = true;
-  Eigen::VectorXd reaction = -surface_load(flow.mesh, surface_edges(flow.problem), pressed);
+    if (solution.active[i]) in_contact[flow.problem.candidates[i].node] = true;
+  Eigen::VectorXd reaction = -surface_load(flow.mesh, surface_edges(flow.problem), in_contact);
   for (Index c = 0; c < flow.mesh.cell_count(); ++c) {
     Eigen::Matrix<double, cell_unknowns, 1> x;
     for (int i = 0; i < 6; ++i) x.segment<2>(2 * i) = node_velocity(solution.velocity, flow.mesh.cells[c][i]);
@@ -64,7 +64,7 @@ FlowProblem block(Index n, Geometry geometry, double viscosity = 1e3) {
 
 TEST(ContactEdges, two_tools_that_close_on_the_glass_press_alike) {
   FlowProblem flow = block(8, Geometry::axisymmetric);
-  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.tools.resize(2);
   flow.problem.tools[0].velocity = 0.02;
   flow.problem.tools[1].velocity = -0.01;
@@ -80,7 +80,7 @@ TEST(ContactEdges, two_tools_that_close_on_the_glass_press_alike) {
 /// Glass between two tools that forces drive against each other, 10 N from above.
 Solution pressed_from_both_sides(double from_below) {
   FlowProblem flow = block(8, Geometry::axisymmetric);
-  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.tools.resize(2);
   flow.problem.tools[0].force = from_below;
   flow.problem.tools[1].force = -10;
@@ -113,7 +113,7 @@ TEST(ContactEdges, a_node_in_the_corner_of_two_tools_is_held_by_both) {
   flow.touch("bottom", 0, Point(0, 1));
   flow.touch("left", 1, Point(1, 0));
   flow.touch("top", 2, Point(0, -1));
-  flow.piece("right").pressure = air;
+  flow.boundary("right").pressure = air;
   const auto solution = flow.solve();
   ASSERT_TRUE(solution.converged) << solution.reason;
   expect_complementary(flow, solution);
@@ -130,8 +130,8 @@ TEST(ContactEdges, a_node_in_the_corner_of_two_tools_is_held_by_both) {
 TEST(ContactEdges, the_corner_of_a_punch_presses_into_a_smooth_surface) {
   for (const auto law : {Friction::Law::slip, Friction::Law::stick}) {
     FlowProblem flow = block(16, Geometry::planar);
-    flow.piece("bottom").kind = PieceCondition::Kind::fixed;
-    flow.piece("left").kind = PieceCondition::Kind::symmetry;
+    flow.boundary("bottom").kind = BoundaryCondition::Kind::fixed;
+    flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
     flow.problem.tools.resize(1);
     flow.problem.tools[0].friction.law = law;
     flow.problem.tools[0].velocity = -0.01;
@@ -156,7 +156,7 @@ TEST(ContactEdges, the_corner_of_a_punch_presses_into_a_smooth_surface) {
 
 TEST(ContactEdges, surface_tension_lifts_the_rim_and_the_rest_bears_the_weight) {
   FlowProblem flow = block(12, Geometry::axisymmetric);
-  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   flow.material.density = 2400;
   flow.material.surface_tension = 0.3;
   flow.problem.gravity = -9.81;
@@ -182,7 +182,7 @@ TEST(ContactEdges, surface_tension_lifts_the_rim_and_the_rest_bears_the_weight) 
 /// A cylinder that fills a pot closed by a plunger.
 FlowProblem full_pot(Friction::Law law) {
   FlowProblem flow = block(8, Geometry::axisymmetric);
-  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.tools.resize(2);
   for (auto& tool : flow.problem.tools) tool.friction.law = law;
   flow.touch("bottom", 0, Point(0, 1));
@@ -215,7 +215,7 @@ TEST(ContactEdges, a_full_cavity_stays_regular_and_its_force_follows_the_plunger
 
 TEST(ContactEdges, a_full_cavity_leaks_through_its_vent_alone) {
   FlowProblem flow = block(16, Geometry::axisymmetric);
-  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.tools.resize(2);
   flow.problem.tools[1].velocity = -0.01;
   flow.touch("bottom", 0, Point(0, 1));
@@ -227,7 +227,7 @@ TEST(ContactEdges, a_full_cavity_leaks_through_its_vent_alone) {
   expect_complementary(flow, solution);
   double out = 0;
   for (const auto& edge : flow.mesh.boundary)
-    if (flow.mesh.pieces[edge.piece] == "right")
+    if (flow.mesh.boundary_names[edge.boundary_id] == "right")
       for (const auto& rule : core::edge_rule(3)) {
         const auto at = core::map_edge_point(flow.mesh, edge.nodes, Geometry::axisymmetric, rule);
         for (int i = 0; i < 3; ++i) out += at.area * at.shape[i] * node_velocity(solution.velocity, edge.nodes[i])[0];

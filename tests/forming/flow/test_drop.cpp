@@ -25,7 +25,7 @@ FlowProblem drop(Geometry geometry, Index n, double amplitude, const Mode& mode)
     return Point(radius * (1 + amplitude * mode(std::atan2(t, s))) * place);
   };
   FlowProblem flow(tests::structured(n, n, map), geometry, viscosity);
-  flow.piece("bottom").kind = flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("bottom").kind = flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   flow.material.surface_tension = tension;
   return flow;
 }
@@ -36,7 +36,7 @@ double growth(FlowProblem flow, const Mode& mode) {
   EXPECT_TRUE(solution.converged) << solution.reason;
   double projected = 0, square = 0;
   for (const auto& edge : flow.mesh.boundary) {
-    if (flow.problem.pieces[edge.piece].kind != PieceCondition::Kind::free) continue;
+    if (flow.problem.boundary_conditions[edge.boundary_id].kind != BoundaryCondition::Kind::free) continue;
     for (const auto& rule : core::edge_rule(4)) {
       const auto at = core::map_edge_point(flow.mesh, edge.nodes, flow.problem.geometry, rule);
       const double shape = mode(std::atan2(at.position[1], at.position[0]));

@@ -72,10 +72,10 @@ ExactFlow exact_of(const Manufactured& flow) {
 FlowErrors solve_manufactured(const Manufactured& flow, Index n) {
   const auto map = [](double s, double t) { return Point(s * (1 + 0.2 * t * t), t + 0.15 * s * s); };
   FlowProblem problem(tests::structured(n, n, map), flow.rings ? Geometry::axisymmetric : Geometry::planar);
-  problem.hold_all(PieceCondition::Kind::fixed);
+  problem.hold_all(BoundaryCondition::Kind::fixed);
   const auto exact = exact_of(flow);
-  for (auto& piece : problem.problem.pieces) piece.velocity = exact.velocity;
-  if (flow.rings) problem.piece("left").kind = PieceCondition::Kind::symmetry;
+  for (auto& boundary : problem.problem.boundary_conditions) boundary.velocity = exact.velocity;
+  if (flow.rings) problem.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   problem.problem.viscosity = [&](const Point& x) { return double(flow.viscosity({x[0], x[1]})); };
   problem.problem.force = [&](const Point& x) { return force(flow, x); };
   const auto solution = problem.solve();

@@ -20,7 +20,7 @@ double squeezing_force(Friction::Law law, double radius, Index along, Index acro
     return Point(radius * s * (2 - s), height * 0.5 * (1 + z * (1.5 - 0.5 * z * z)));
   };
   FlowProblem flow(tests::structured(along, across, map), Geometry::axisymmetric, viscosity);
-  flow.piece("left").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("left").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.tools.resize(2);
   for (auto& tool : flow.problem.tools) tool.friction.law = law;
   flow.problem.tools[1].velocity = -speed;

@@ -24,7 +24,7 @@ FlowProblem block(Geometry geometry) {
 
 void expect_named(FlowProblem& flow, const std::string& motion) {
   const std::string sentence =
-      "the glass is not held: it is free to " + motion + ", which no tool, symmetry plane or fixed piece prevents";
+      "the glass is not held: it is free to " + motion + ", which no tool, symmetry plane or fixed boundary prevents";
   EXPECT_EQ(free_motion(flow.bound()), sentence);
   const auto solution = flow.solve();
   EXPECT_FALSE(solution.converged);
@@ -69,7 +69,7 @@ TEST(Support, a_half_ring_in_a_slipping_round_mould_turns) {
   for (const Index node : flow.nodes_of("right"))
     flow.problem.candidates.push_back({node, 0, -flow.mesh.nodes[node].normalized(), 0.0});
   expect_named(flow, "turn");
-  flow.piece("bottom").kind = PieceCondition::Kind::symmetry;
+  flow.boundary("bottom").kind = BoundaryCondition::Kind::symmetry;
   expect_solved(flow);
 }
 
@@ -100,17 +100,17 @@ TEST(Support, a_stage_in_which_nothing_holds_the_glass_is_refused) {
   EXPECT_EQ(complaint_about(text),
             std::to_string(line_of("[[stage]]", text)) +
                 ": stage.tools: nothing holds the glass along the axis in stage \"rest\"; allowed is a tool "
-                "that it can touch, a fixed piece or a symmetry plane across the axis");
+                "that it can touch, a fixed boundary or a symmetry plane across the axis");
 }
 
-TEST(Support, glass_enclosed_by_fixed_pieces_is_refused) {
+TEST(Support, glass_enclosed_by_fixed_boundaries_is_refused) {
   const auto unpressed = replaced("pressure.surface = \"0.1 bar\"\n", "");
   const auto text = replaced("condition = \"contact\" },\n  { name = \"axis\", path = \"(0, 0) mm\"",
                              "condition = \"fixed\" },\n  { name = \"axis\", path = \"(0, 0) mm\"", unpressed);
   EXPECT_EQ(complaint_about(text),
-            std::to_string(line_of("piece = [", text)) +
-                ": glass.piece: every piece is fixed or a symmetry plane and the pressure of the glass has no "
-                "level; allowed is at least one piece that is neither");
+            std::to_string(line_of("boundary = [", text)) +
+                ": glass.boundary: every boundary is fixed or a symmetry plane and the pressure of the glass has no "
+                "level; allowed is at least one boundary that is neither");
 }
 
 }  // namespace
