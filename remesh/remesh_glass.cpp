@@ -28,9 +28,9 @@ constexpr double max_free_shift = 20e-6, max_whole_shift = 3e-6;
 /// Unit normals at the surface nodes that may give way, at contacts too where wanted, zero elsewhere.
 std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface, bool contacts) {
   const auto count = static_cast<std::size_t>(surface.outline.edge_count());
-  const auto place = [&](Index node) { return node < mesh.vertex_count ? node : node - mesh.vertex_count + count; };
+  const auto place = [&](Index node) { return node < mesh.vertex_count() ? node : node - mesh.vertex_count() + count; };
   std::vector<Point> directions(mesh.nodes.size(), Point::Zero());
-  for (const core::BoundaryEdge& edge : mesh.boundary) {
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     constexpr std::array<double, 3> ends{0, 1, 0.5};
     for (int k = 0; k < 3; ++k) {
       const std::size_t at = place(edge.nodes[k]);
@@ -46,7 +46,7 @@ std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface, bo
 /// Volume swept per metre of shift, m2.
 double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<Point>& directions) {
   double area = 0;
-  for (const core::BoundaryEdge& edge : mesh.boundary)
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     for (const core::EdgeRulePoint& at : core::edge_rule(4)) {
       const core::EdgePoint point = core::map_edge_point(mesh, edge.nodes, geometry, at);
       for (int k = 0; k < 3; ++k) area += point.area * point.shape[k] * point.normal.dot(directions[edge.nodes[k]]);
@@ -96,7 +96,7 @@ Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria) {
                     at(laps.first), at(laps.second), max_lap);
     return result;
   }
-  MeshedOutline meshed = mesh_outline(surface.outline, old.boundary_names, size);
+  MeshedOutline meshed = mesh_outline(surface.outline, old.boundaries(), size);
   if (!meshed.reason.empty()) {
     result.reason = "the glass cannot be remeshed: " + meshed.reason;
     return result;

@@ -28,8 +28,8 @@ inline core::Mesh structured(core::Index columns, core::Index rows,
       }
     }
   core::Mesh mesh = core::make_quadratic_mesh(x, cells);
-  mesh.boundary_names = {"bottom", "right", "top", "left"};
-  for (auto& edge : mesh.boundary) {
+  mesh.edit().boundaries = {"bottom", "right", "top", "left"};
+  for (auto& edge : mesh.edit().boundary_edges) {
     const Point& m = mesh.nodes[edge.nodes[2]];
     edge.boundary_id = m[1] == 0 ? 0 : m[0] == 1 ? 1 : m[1] == 1 ? 2 : 3;
   }

@@ -36,10 +36,10 @@ struct BodyAir {
 };
 BodyAir body_air(const BodyView& body) {
   BodyAir air;
-  for (std::size_t p = 0; p < body.mesh->boundary_names.size(); ++p)
+  for (std::size_t p = 0; p < body.mesh->boundaries().size(); ++p)
     air.laws.push_back(air_law(exchange_of(body, static_cast<Index>(p))));
   air.boundary_id.resize(body.mesh->nodes.size());
-  for (const core::BoundaryEdge& edge : body.mesh->boundary) air.boundary_id[edge.nodes[2]] = edge.boundary_id;
+  for (const core::BoundaryEdge& edge : body.mesh->boundary_edges()) air.boundary_id[edge.nodes[2]] = edge.boundary_id;
   return air;
 }
 
@@ -113,8 +113,8 @@ void add_contact_heat(const HeatSystem& system, const Eigen::VectorXd& temperatu
 void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) {
   const BodyView& body = system.problem->bodies[body_index];
   const auto& rule = core::edge_rule(3);
-  for (std::size_t e = 0; e < body.mesh->boundary.size(); ++e) {
-    const core::BoundaryEdge& boundary = body.mesh->boundary[e];
+  for (std::size_t e = 0; e < body.mesh->boundary_edges().size(); ++e) {
+    const core::BoundaryEdge& boundary = body.mesh->boundary_edges()[e];
     const SurfaceExchange* exchange = exchange_of(body, boundary.boundary_id);
     if (!exchange) continue;
     HeatEdge edge{edge_unknowns(system, body_index, boundary.nodes),

@@ -16,9 +16,9 @@ using Batches = std::vector<CellBatch>;
 std::shared_ptr<const Batches> batches_of(const BodyView& body, core::Geometry geometry, KeptCells* kept) {
   const core::Mesh &mesh = *body.mesh, &mass = *body.mass_mesh;
   if (!kept || has_thin_wall(body)) return std::make_shared<const Batches>(make_batches(body, geometry));
-  if (!kept->batches || kept->geometry != geometry || kept->density != body.density || kept->cells != mesh.cells ||
+  if (!kept->batches || kept->geometry != geometry || kept->density != body.density || kept->cells != mesh.cells() ||
       kept->nodes != mesh.nodes || kept->mass_nodes != mass.nodes)
-    *kept = {mesh.nodes,   mass.nodes, mesh.cells,
+    *kept = {mesh.nodes,   mass.nodes, mesh.cells(),
              body.density, geometry,   std::make_shared<const Batches>(make_batches(body, geometry))};
   return kept->batches;
 }
@@ -27,14 +27,14 @@ std::shared_ptr<const Batches> batches_of(const BodyView& body, core::Geometry g
 void add_unknowns(HeatSystem& system, const core::Mesh& mesh, Index first_unknown) {
   const int used = system.problem->order == 2 ? 6 : 3;
   const Index count = mesh.cell_count();
-  for (const auto& nodes : mesh.cells) {
+  for (const auto& nodes : mesh.cells()) {
     auto& unknowns = system.cells.emplace_back();
     for (int i = 0; i < used; ++i) unknowns[i] = first_unknown + nodes[i];
   }
   for (Index first = 0; first < count; first += batch_size) {
     BatchUnknowns& unknowns = system.batches.emplace_back();
     for (int c = 0; c < batch_size; ++c)
-      for (int i = 0; i < used; ++i) unknowns[i][c] = first_unknown + mesh.cells[std::min(first + c, count - 1)][i];
+      for (int i = 0; i < used; ++i) unknowns[i][c] = first_unknown + mesh.cells()[std::min(first + c, count - 1)][i];
   }
 }
 
@@ -49,7 +49,7 @@ void add_source(HeatSystem& system, const BodyLaws& laws, const std::vector<doub
 
 void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) {
   if (body.prescribed.empty()) return;
-  for (const core::BoundaryEdge& edge : body.mesh->boundary) {
+  for (const core::BoundaryEdge& edge : body.mesh->boundary_edges()) {
     if (!body.prescribed[edge.boundary_id]) continue;
     for (const Index unknown : edge_unknowns(system, body_index, edge.nodes)) {
       if (system.is_prescribed[unknown]) continue;
@@ -68,16 +68,16 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
   system.first_unknown.push_back(0);
   for (const BodyView& body : problem.bodies) {
     assert(body.mesh->cell_count() == body.mass_mesh->cell_count());
-    assert(body.exchange.empty() || body.exchange.size() == body.mesh->boundary_names.size());
-    assert(body.prescribed.empty() || body.prescribed.size() == body.mesh->boundary_names.size());
-    const Index count = problem.order == 2 ? body.mesh->node_count() : body.mesh->vertex_count;
+    assert(body.exchange.empty() || body.exchange.size() == body.mesh->boundaries().size());
+    assert(body.prescribed.empty() || body.prescribed.size() == body.mesh->boundaries().size());
+    const Index count = problem.order == 2 ? body.mesh->node_count() : body.mesh->vertex_count();
     system.first_unknown.push_back(system.first_unknown.back() + count);
   }
   system.is_prescribed.assign(system.size(), 0);
   system.source.setZero(system.size());
   system.body_source.setZero(static_cast<Index>(problem.bodies.size()));
   std::size_t cells = 0;
-  for (const BodyView& body : problem.bodies) cells += body.mesh->cells.size();
+  for (const BodyView& body : problem.bodies) cells += body.mesh->cells().size();
   system.cells.reserve(cells);
   system.batches.reserve(cells / batch_size + problem.bodies.size());
   if (kept) kept->resize(problem.bodies.size());
@@ -95,7 +95,7 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
       system.body_source[b] = std::accumulate(body.source->begin(), body.source->end(), 0.0);
     }
     add_edges(system, static_cast<Index>(b), boundary_edges);
-    boundary_edges += static_cast<Index>(body.mesh->boundary.size());
+    boundary_edges += static_cast<Index>(body.mesh->boundary_edges().size());
     add_prescribed(system, body, static_cast<Index>(b));
   }
   add_interface(system);

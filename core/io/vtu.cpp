@@ -60,7 +60,7 @@ void set_cells(const Mesh& mesh, vtkUnstructuredGrid& grid) {
   nodes->SetNumberOfValues(corners * mesh.cell_count());
   for (Index c = 0; c <= mesh.cell_count(); ++c) starts->SetValue(c, corners * c);
   for (Index c = 0; c < mesh.cell_count(); ++c)
-    std::copy(mesh.cells[c].begin(), mesh.cells[c].end(), nodes->GetPointer(corners * c));
+    std::copy(mesh.cells()[c].begin(), mesh.cells()[c].end(), nodes->GetPointer(corners * c));
   vtkNew<vtkCellArray> cells;
   cells->SetData(starts, nodes);
   grid.SetCells(VTK_QUADRATIC_TRIANGLE, cells);

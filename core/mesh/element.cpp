@@ -109,7 +109,7 @@ double hoop(Geometry geometry, const Point& x) {
 }
 
 CellPoint map_cell_point(const Mesh& mesh, Index cell, Geometry geometry, const TriangleRulePoint& at) {
-  const auto& nodes = mesh.cells[cell];
+  const auto& nodes = mesh.cells()[cell];
   const auto derivative = triangle_shape_derivative(at.a, at.b);
   CellPoint point;
   point.shape = triangle_shape(at.a, at.b);
@@ -150,7 +150,7 @@ EdgePoint map_edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, Geo
 }
 
 CellMap cell_map(const Mesh& mesh, Index cell) {
-  const auto& n = mesh.cells[cell];
+  const auto& n = mesh.cells()[cell];
   const auto at = [&](int k) -> const Point& { return mesh.nodes[n[k]]; };
   return {at(0),
           at(1) - at(0),

@@ -78,9 +78,21 @@ Eigen::Array<double, Points, 1> values_at(const RuleShapes<Points>& rule, const 
 
 }  // namespace
 
+Topology& Mesh::edit() {
+  if (topology_.use_count() > 1) topology_ = std::make_shared<Topology>(*topology_);
+  return *topology_;
+}
+
+std::vector<bool> boundaries_of_kind(const Mesh& mesh, BoundaryKind kind) {
+  std::vector<bool> flags;
+  for (const MeshBoundary& boundary : mesh.boundaries()) flags.push_back(boundary.kind == kind);
+  return flags;
+}
+
 Index find_boundary(const Mesh& mesh, const std::string& name) {
-  const auto found = std::find(mesh.boundary_names.begin(), mesh.boundary_names.end(), name);
-  return found == mesh.boundary_names.end() ? -1 : static_cast<Index>(found - mesh.boundary_names.begin());
+  const auto& all = mesh.boundaries();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const MeshBoundary& each) { return each.name == name; });
+  return found == all.end() ? -1 : static_cast<Index>(found - all.begin());
 }
 
 Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<std::array<Index, 3>>& triangles) {
@@ -89,9 +101,9 @@ Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<s
   };
   Mesh mesh;
   mesh.nodes = vertices;
-  mesh.vertex_count = static_cast<Index>(vertices.size());
-  mesh.boundary_names = {"boundary"};
-  mesh.cells.reserve(triangles.size());
+  mesh.edit().vertex_count = static_cast<Index>(vertices.size());
+  mesh.edit().boundaries = {"boundary"};
+  mesh.edit().cells.reserve(triangles.size());
   std::map<std::pair<Index, Index>, Side> sides;
   for (const auto& triangle : triangles) {
     std::array<Index, 6> cell{triangle[0], triangle[1], triangle[2], 0, 0, 0};
@@ -102,40 +114,40 @@ Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<s
       ++it->second.count;
       cell[3 + k] = it->second.middle;
     }
-    mesh.cells.push_back(cell);
+    mesh.edit().cells.push_back(cell);
   }
   std::vector<BoundaryEdge> boundary;
   for (const auto& [ends, side] : sides)
     if (side.count == 1) boundary.push_back({{side.first, side.last, side.middle}, side.cell, 0});
-  mesh.boundary = chained(boundary);
+  mesh.edit().boundary_edges = chained(boundary);
   return mesh;
 }
 
 Eigen::VectorXd from_vertices(const Mesh& mesh, const Eigen::VectorXd& vertex_values) {
   Eigen::VectorXd nodal(mesh.node_count());
-  nodal.head(mesh.vertex_count) = vertex_values;
-  for (const auto& cell : mesh.cells)
+  nodal.head(mesh.vertex_count()) = vertex_values;
+  for (const auto& cell : mesh.cells())
     for (int k = 0; k < 3; ++k) nodal[cell[3 + k]] = 0.5 * (nodal[cell[k]] + nodal[cell[(k + 1) % 3]]);
   return nodal;
 }
 
 Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load) {
   Eigen::VectorXd left = nodal_load;
-  for (const auto& cell : mesh.cells)
+  for (const auto& cell : mesh.cells())
     for (int k = 0; k < 3; ++k) {
       double& middle = left[cell[3 + k]];
       left[cell[k]] += 0.5 * middle;
       left[cell[(k + 1) % 3]] += 0.5 * middle;
       middle = 0;
     }
-  return left.head(mesh.vertex_count);
+  return left.head(mesh.vertex_count());
 }
 
 double volume(const Mesh& mesh, Geometry geometry) {
   // Gauss: the depth's integral over the first coordinate flows out through the boundary; degree 5 on a quadratic edge.
   const double fraction = geometry == Geometry::axisymmetric ? 0.5 : 1.0;
   long double sum = 0;  // the two sides of a thin wall all but cancel
-  for (const BoundaryEdge& edge : mesh.boundary)
+  for (const BoundaryEdge& edge : mesh.boundary_edges())
     for (const auto& at : edge_rule(3)) {
       const EdgePoint point = map_edge_point(mesh, edge.nodes, geometry, at);
       sum += fraction * point.area * point.position[0] * point.normal[0];
@@ -147,7 +159,7 @@ double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& noda
                 const std::function<double(double)>& function) {
   static const RuleShapes<6> rule(4);
   double sum = 0;
-  for (const auto& cell : mesh.cells) {
+  for (const auto& cell : mesh.cells()) {
     const auto measure = measures(rule, mesh, cell, geometry), value = values_at(rule, nodal, cell);
     for (int q = 0; q < 6; ++q) sum += measure[q] * function(value[q]);
   }
@@ -159,7 +171,7 @@ double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& n
   const double base = nodal[0];  // a uniform field has its own value as the mean
   const Eigen::VectorXd excess = nodal.array() - base;
   double content = 0, volume = 0;
-  for (const auto& cell : mesh.cells) {
+  for (const auto& cell : mesh.cells()) {
     const auto measure = measures(rule, mesh, cell, geometry);
     content += (measure * values_at(rule, excess, cell)).sum();
     volume += measure.sum();

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/point.hpp"
@@ -12,24 +14,67 @@ namespace parison::core {
 /// What a unit of cross-section area stands for: a ring of circumference 2 pi r, or a slab 1 m deep.
 enum class Geometry { planar, axisymmetric };
 
+/// What a part of a body's boundary does.
+enum class BoundaryKind {
+  contact,      ///< may touch other bodies; air and pressure of the stage where it does not
+  symmetry,     ///< axis or symmetry plane: no normal motion, no heat
+  fixed,        ///< held still, no heat
+  cooled,       ///< its own exchange in every stage
+  insulated,    ///< free, no heat
+  temperature,  ///< given temperature
+  air           ///< never in contact; the stage's air acts on it
+};
+
+/// A named part of a mesh's boundary.
+struct MeshBoundary {
+  std::string name;
+  BoundaryKind kind = BoundaryKind::contact;
+
+  MeshBoundary(std::string its_name, BoundaryKind its_kind = BoundaryKind::contact)
+      : name(std::move(its_name)), kind(its_kind) {}
+  MeshBoundary(const char* its_name) : name(its_name) {}
+  bool operator==(const MeshBoundary& other) const { return name == other.name && kind == other.kind; }
+};
+
 /// Boundary edge of a cell, the body on its left: nodes first, last, mid-side.
 struct BoundaryEdge {
   std::array<Index, 3> nodes;
   Index cell;
-  Index boundary_id;  ///< index into Mesh::boundaries
+  Index boundary_id;  ///< index into Topology::boundaries
 };
 
-/// Quadratic isoparametric triangles. The vertices are numbered before the mid-side nodes.
-struct Mesh {
-  std::vector<Point> nodes;                 ///< m
-  Index vertex_count = 0;                   ///< nodes [0, vertex_count) are vertices
-  std::vector<std::array<Index, 6>> cells;  ///< vertices 0 1 2 counterclockwise, then mid-sides of 01, 12, 20
-  std::vector<BoundaryEdge> boundary;       ///< chained: edge i+1 starts where edge i ends, loop by loop
-  std::vector<std::string> boundary_names;  ///< names of the boundaries
+/// How the nodes of a mesh are joined.
+struct Topology {
+  Index vertex_count = 0;                    ///< nodes [0, vertex_count) are vertices
+  std::vector<std::array<Index, 6>> cells;   ///< vertices 0 1 2 counterclockwise, then mid-sides of 01, 12, 20
+  std::vector<BoundaryEdge> boundary_edges;  ///< chained: edge i+1 starts where edge i ends, loop by loop
+  std::vector<MeshBoundary> boundaries;
+};
 
+/// Quadratic isoparametric triangles: coordinates of its own, and a topology that copies of the mesh share. A copy of a
+/// mesh costs its coordinates alone. The vertices are numbered before the mid-side nodes.
+class Mesh {
+ public:
+  std::vector<Point> nodes;  ///< m
+
+  const Topology& topology() const { return *topology_; }
+  Index vertex_count() const { return topology_->vertex_count; }
+  const std::vector<std::array<Index, 6>>& cells() const { return topology_->cells; }
+  const std::vector<BoundaryEdge>& boundary_edges() const { return topology_->boundary_edges; }
+  const std::vector<MeshBoundary>& boundaries() const { return topology_->boundaries; }
   Index node_count() const { return static_cast<Index>(nodes.size()); }
-  Index cell_count() const { return static_cast<Index>(cells.size()); }
+  Index cell_count() const { return static_cast<Index>(cells().size()); }
+
+  /// The topology to be changed; meshes that shared it until now keep the old one.
+  Topology& edit();
+  bool shares_topology(const Mesh& other) const { return topology_ == other.topology_; }
+
+ private:
+  std::shared_ptr<Topology> topology_ = std::make_shared<Topology>();
 };
+
+/// Flags of the boundaries of one kind.
+std::vector<bool> boundaries_of_kind(const Mesh& mesh, BoundaryKind kind);
 
 /// Index of a boundary by name, -1 when the mesh has none of that name.
 Index find_boundary(const Mesh& mesh, const std::string& name);

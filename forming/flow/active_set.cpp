@@ -42,7 +42,7 @@ ActiveSetChange update_active_set(const Problem& problem, const Instant& instant
     if (active[i]) {
       if (candidate.tied) continue;
       // A vertex carries its neighbours' share: its own quadratic weight may vanish or oscillate.
-      const double force = candidate.node < problem.mesh->vertex_count && instant.forces.normal[i] < 0
+      const double force = candidate.node < problem.mesh->vertex_count() && instant.forces.normal[i] < 0
                                ? lumped[candidate.node]
                                : instant.forces.normal[i];
       if (force >= -force_noise) continue;

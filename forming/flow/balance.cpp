@@ -121,7 +121,7 @@ using core::dim;
 std::vector<Index> constrained_batches(const core::Mesh& mesh, const Constraints& constraints) {
   std::vector<Index> batches;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
-    const auto& nodes = mesh.cells[c];
+    const auto& nodes = mesh.cells()[c];
     if (!batches.empty() && batches.back() == c / batch_size) continue;
     if (std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return constraints.find(node); }))
       batches.push_back(c / batch_size);

@@ -40,7 +40,7 @@ struct NodeEqualityMap {
 /// Equalities of symmetry planes and fixed boundaries.
 void add_boundary_equalities(const Problem& problem, NodeEqualityMap& nodes) {
   const auto& mesh = *problem.mesh;
-  for (const auto& edge : mesh.boundary) {
+  for (const auto& edge : mesh.boundary_edges()) {
     const auto& condition = problem.boundary_conditions[edge.boundary_id];
     if (condition.kind == BoundaryCondition::Kind::free) continue;
     const auto at = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1.0});
@@ -206,7 +206,7 @@ Eigen::Matrix<double, motions, motions> constrained_motions(const Problem& probl
     const Motion row = frame.speeds(mesh.nodes[node], direction);
     sum += row * row.transpose();
   };
-  for (const auto& edge : mesh.boundary) {
+  for (const auto& edge : mesh.boundary_edges()) {
     const auto kind = problem.boundary_conditions[edge.boundary_id].kind;
     if (kind == BoundaryCondition::Kind::free) continue;
     const auto at = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1.0});

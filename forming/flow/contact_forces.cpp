@@ -49,7 +49,7 @@ Eigen::VectorXd to_nodes(const Problem& problem, const std::vector<bool>& active
 /// Adds half of each mid-side value to its edge's ends.
 Eigen::VectorXd distribute_mid_sides(const core::Mesh& mesh, const Eigen::VectorXd& nodal) {
   Eigen::VectorXd shared = nodal;
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     for (int end = 0; end < 2; ++end) shared[edge.nodes[end]] += 0.5 * nodal[edge.nodes[2]];
   return shared;
 }
@@ -75,9 +75,9 @@ Eigen::VectorXd contact_pressure(const Problem& problem, const std::vector<bool>
   const Eigen::VectorXd force = lumped_forces(problem, active, normal_force),
                         shared_area = distribute_mid_sides(mesh, area);
   Eigen::VectorXd pressure = Eigen::VectorXd::Zero(mesh.node_count());
-  for (Index n = 0; n < mesh.vertex_count; ++n)
+  for (Index n = 0; n < mesh.vertex_count(); ++n)
     if (in_contact[n] && shared_area[n] > 0) pressure[n] = std::max(0.0, force[n] / shared_area[n]);
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     if (in_contact[edge.nodes[2]]) pressure[edge.nodes[2]] = 0.5 * (pressure[edge.nodes[0]] + pressure[edge.nodes[1]]);
   return pressure;
 }

@@ -47,15 +47,15 @@ Eigen::VectorXd dilatation_load(const Problem& problem, const CellGeometry& geom
   const auto& mesh = *problem.mesh;
   const auto& rule = core::triangle_rule(4);
   const Index velocities = dim * mesh.node_count();
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(velocities + mesh.vertex_count);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(velocities + mesh.vertex_count());
   for (Index c = 0; c < mesh.cell_count(); ++c)
     for (int q = 0; q < cell_points; ++q) {
       const double linear[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
       const double volume = geometry.at(c / batch_size, q).volume[c % batch_size];
-      for (int p = 0; p < 3; ++p) load[velocities + mesh.cells[c][p]] -= linear[p] * volume;
+      for (int p = 0; p < 3; ++p) load[velocities + mesh.cells()[c][p]] -= linear[p] * volume;
     }
   for (const auto& candidate : problem.candidates)
-    if (candidate.tied && candidate.node < mesh.vertex_count) load[velocities + candidate.node] = 0;
+    if (candidate.tied && candidate.node < mesh.vertex_count()) load[velocities + candidate.node] = 0;
   return load;
 }
 
@@ -98,7 +98,7 @@ Superposed superpose(const Problem& problem, const CellMatrices& cells, const Co
 void report(const Problem& problem, const Discrete& discrete, const Constraints& constraints, const Instant& instant,
             const Eigen::VectorXd& dilatation_velocity, Solution& result) {
   const auto& mesh = *problem.mesh;
-  const Index vertices = mesh.vertex_count;
+  const Index vertices = mesh.vertex_count();
   const auto in_contact = nodes_in_contact(problem, result.active);
   const Eigen::VectorXd area = contact_areas(mesh, discrete.surface, in_contact);
   result.velocity = instant.unknowns.head(instant.unknowns.size() - vertices);
@@ -115,7 +115,7 @@ void report(const Problem& problem, const Discrete& discrete, const Constraints&
   result.impact_power = impact_power(problem, result.active, instant.forces);
   result.correction_power =
       correction_power(problem, result.active, instant.forces, result.pressure, discrete.load.tail(vertices));
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     result.exposed.push_back(!(in_contact[edge.nodes[0]] && in_contact[edge.nodes[1]] && in_contact[edge.nodes[2]]));
   result.converged = true;
 }
@@ -148,7 +148,7 @@ std::optional<Instant> find_dilatation_mode(Problem problem, const CellMatrices&
 /// it leaves no trace in the stress. Returns the dilatation's velocities, m/s.
 Eigen::VectorXd apply_volume_correction(const Problem& problem, const Instant& mode, Discrete& discrete,
                                         Instant& instant, Solution& result) {
-  const Index velocities = dim * problem.mesh->node_count(), vertices = problem.mesh->vertex_count;
+  const Index velocities = dim * problem.mesh->node_count(), vertices = problem.mesh->vertex_count();
   result.dilatation_mode = mode.unknowns.head(velocities);
   const double known = problem.volume_rate;
   const double more = problem.volume_correction(instant.unknowns.head(velocities), result.dilatation_mode);
@@ -182,7 +182,7 @@ Solver& Solver::operator=(Solver&&) noexcept = default;
 Solution Solver::solve(const Problem& problem, const std::vector<bool>& warm) {
   auto& corrector = *data_;
   const auto& mesh = *problem.mesh;
-  const Index velocities = dim * mesh.node_count(), size = velocities + mesh.vertex_count;
+  const Index velocities = dim * mesh.node_count(), size = velocities + mesh.vertex_count();
   Solution result;
   result.reason = free_motion(problem);
   if (!result.reason.empty()) return result;

@@ -20,8 +20,8 @@ bool wholly_in_contact(const core::BoundaryEdge& edge, const std::vector<bool>& 
 std::vector<SurfaceEdge> surface_edges(const Problem& problem) {
   const auto& mesh = *problem.mesh;
   std::vector<SurfaceEdge> edges;
-  edges.reserve(mesh.boundary.size());
-  for (const auto& edge : mesh.boundary) {
+  edges.reserve(mesh.boundary_edges().size());
+  for (const auto& edge : mesh.boundary_edges()) {
     const auto& condition = problem.boundary_conditions[edge.boundary_id];
     const bool free = condition.kind == BoundaryCondition::Kind::free;
     SurfaceEdge result{{}, {Point::Zero(), Point::Zero(), Point::Zero()}};
@@ -48,8 +48,8 @@ Eigen::VectorXd surface_load(const core::Mesh& mesh, const std::vector<SurfaceEd
                              const std::vector<bool>& in_contact) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(dim * mesh.node_count());
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (wholly_in_contact(mesh.boundary[e], in_contact)) continue;
-    for (int i = 0; i < 3; ++i) load.segment<dim>(dim * mesh.boundary[e].nodes[i]) += edges[e].load[i];
+    if (wholly_in_contact(mesh.boundary_edges()[e], in_contact)) continue;
+    for (int i = 0; i < 3; ++i) load.segment<dim>(dim * mesh.boundary_edges()[e].nodes[i]) += edges[e].load[i];
   }
   return load;
 }
@@ -58,11 +58,11 @@ Eigen::VectorXd contact_areas(const core::Mesh& mesh, const std::vector<SurfaceE
                               const std::vector<bool>& in_contact) {
   Eigen::VectorXd area = Eigen::VectorXd::Zero(mesh.node_count()), any = area;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto& nodes = mesh.boundary[e].nodes;
-    auto& sum = wholly_in_contact(mesh.boundary[e], in_contact) ? area : any;
+    const auto& nodes = mesh.boundary_edges()[e].nodes;
+    auto& sum = wholly_in_contact(mesh.boundary_edges()[e], in_contact) ? area : any;
     for (int i = 0; i < 3; ++i) sum[nodes[i]] += edges[e].area[i];
   }
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     for (const Index node : edge.nodes)
       if (in_contact[node] && area[node] <= 0) area[node] = std::max(area[node], any[node]);
   return area;

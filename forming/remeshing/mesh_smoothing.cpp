@@ -21,7 +21,7 @@ void smooth_displacement(const core::Mesh& from, core::Mesh& mesh) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     std::vector<Point> sum(mesh.nodes.size(), Point::Zero());
     std::vector<int> count(mesh.nodes.size(), 0);
-    for (const auto& cell : mesh.cells) {
+    for (const auto& cell : mesh.cells()) {
       Point mean = Point::Zero();
       for (const Index node : cell) mean += (mesh.nodes[node] - from.nodes[node]) / cell.size();
       for (const Index node : cell) sum[node] += mean, ++count[node];
@@ -36,16 +36,16 @@ namespace {
 /// Unit directions in which surface nodes may move: along the normal, within symmetry planes; zero on fixed boundaries.
 std::vector<Point> surface_directions(const Scene& scene, const core::Mesh& mesh) {
   std::vector<Point> direction(mesh.nodes.size(), Point::Zero());
-  for (const auto& edge : mesh.boundary) {
-    if (boundary_kind(scene.glass, mesh.boundary_names[edge.boundary_id]) == BoundaryKind::symmetry) continue;
+  for (const auto& edge : mesh.boundary_edges()) {
+    if (mesh.boundaries()[edge.boundary_id].kind == BoundaryKind::symmetry) continue;
     const double ends[] = {0, 1, 0.5};
     for (int i = 0; i < 3; ++i)
       direction[edge.nodes[i]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {ends[i], 1}).normal;
   }
   for (auto& along : direction)
     if (along.norm() > 0) along.normalize();
-  for (const auto& edge : mesh.boundary) {
-    const BoundaryKind kind = boundary_kind(scene.glass, mesh.boundary_names[edge.boundary_id]);
+  for (const auto& edge : mesh.boundary_edges()) {
+    const BoundaryKind kind = mesh.boundaries()[edge.boundary_id].kind;
     const Point normal = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1}).normal;
     for (const Index node : edge.nodes) {
       if (kind == BoundaryKind::symmetry) direction[node] -= direction[node].dot(normal) * normal;
@@ -61,7 +61,7 @@ void constrain_at_tools(const Scene& scene, const State& state, const core::Mesh
   for (const auto& place : scene.stages[state.stage].tools) {
     const Body& body = scene.tools[place.tool];
     const auto contact = contact_boundaries(body);
-    const Point offset = state.bodies[1 + place.tool].offset * core::axis_direction();
+    const Point offset = state.tools[place.tool].offset * core::axis_direction();
     for (const Index node : surface_nodes(mesh))
       if (contact::signed_gap(body.profile, contact, mesh.nodes[node] - offset) < touching) direction[node].setZero();
   }
@@ -70,7 +70,7 @@ void constrain_at_tools(const Scene& scene, const State& state, const core::Mesh
 /// Volume swept per metre of motion, m2.
 double swept_area(const Scene& scene, const core::Mesh& mesh, const std::vector<Point>& direction) {
   double area = 0;
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     for (const auto& rule : core::edge_rule(3)) {
       const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
       for (int i = 0; i < 3; ++i) area += at.area * at.shape[i] * at.normal.dot(direction[edge.nodes[i]]);

@@ -37,21 +37,21 @@ constexpr double min_edge_fraction = 0.5;
 
 /// Edge length in each cell with which the gradient of temperature and the rate of deformation keep the wanted error.
 std::vector<double> solution_target_sizes(const Scene& scene, const State& state) {
-  const core::Mesh& mesh = state.bodies[0].mesh;
-  std::vector<double> target_sizes(mesh.cells.size(), std::numeric_limits<double>::infinity());
+  const core::Mesh& mesh = state.glass.mesh;
+  std::vector<double> target_sizes(mesh.cells().size(), std::numeric_limits<double>::infinity());
   const auto refine = [&](const remesh::DerivativeError& error) {
     const Eigen::VectorXd sizes = remesh::equidistributing_sizes(mesh, error, scene.accuracy.solution_error);
     for (std::size_t cell = 0; cell < target_sizes.size(); ++cell)
       target_sizes[cell] = std::min(target_sizes[cell], sizes[cell]);
   };
-  if (scene.has_heat()) refine(remesh::gradient_error(mesh, scene.geometry, state.bodies[0].temperature));
-  if (state.last_step > 0) refine(remesh::rate_error(mesh, scene.geometry, state.velocity));
+  if (scene.has_heat()) refine(remesh::gradient_error(mesh, scene.geometry, state.glass.temperature));
+  if (state.last_step > 0) refine(remesh::rate_error(mesh, scene.geometry, state.glass.velocity));
   return target_sizes;
 }
 
 remesh::Criteria criteria(const Scene& scene, const State& state) {
   const Accuracy& accuracy = scene.accuracy;
-  const core::Mesh& mesh = state.bodies[0].mesh;
+  const core::Mesh& mesh = state.glass.mesh;
   remesh::Criteria result;
   result.geometry = scene.geometry;
   result.surface_size = accuracy.surface_size;
@@ -59,10 +59,10 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   result.elements_across = accuracy.elements_across;
   result.growth = accuracy.glass_growth;
   result.smallest = min_edge_fraction * accuracy.skin_size;
-  result.straight_boundaries = symmetry_boundaries(scene.glass, mesh);
+  result.straight_boundaries = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   result.contact.assign(mesh.nodes.size(), false);
   result.target_skin_size.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
-  for (Index n = 0; n < mesh.node_count(); ++n) result.contact[n] = state.contact.tool[n] >= 0;
+  for (Index n = 0; n < mesh.node_count(); ++n) result.contact[n] = state.glass.contact_tool[n] >= 0;
   if (scene.has_heat())
     for (const auto& place : scene.stages[state.stage].tools) {
       const Eigen::VectorXd gaps = tool_gaps(scene, state, place.tool, contact_proximity);
@@ -84,7 +84,7 @@ Index nearest_surface_node(const core::Mesh& from, const std::vector<bool>& on_s
     if (on_surface[node] && (best < 0 || (from.nodes[node] - x).squaredNorm() < (from.nodes[best] - x).squaredNorm()))
       best = node;
   };
-  for (const Index node : from.cells[cell]) consider(node);
+  for (const Index node : from.cells()[cell]) consider(node);
   if (best < 0)
     for (Index node = 0; node < from.node_count(); ++node) consider(node);
   return best;
@@ -93,17 +93,17 @@ Index nearest_surface_node(const core::Mesh& from, const std::vector<bool>& on_s
 /// The tool that the old surface node nearest to each new one touches, where the new one is near that tool too.
 std::vector<Index> carried_contact(const Scene& scene, const State& old, const remesh::Transfer& transfer,
                                    const core::Mesh& mesh) {
-  const core::Mesh& from = old.bodies[0].mesh;
+  const core::Mesh& from = old.glass.mesh;
   std::vector<bool> on_surface(from.nodes.size(), false);
   for (const Index node : surface_nodes(from)) on_surface[node] = true;
   std::vector<Index> tools(mesh.nodes.size(), -1);
   for (const Index node : surface_nodes(mesh)) {
     const Point& x = mesh.nodes[node];
-    const Index tool = old.contact.tool[nearest_surface_node(from, on_surface, transfer.cell[node], x)];
+    const Index tool = old.glass.contact_tool[nearest_surface_node(from, on_surface, transfer.cell[node], x)];
     if (tool < 0) continue;
     const Body& body = scene.tools[tool];
     const auto contact = contact_boundaries(body);
-    const Point local = x - old.bodies[1 + tool].offset * core::axis_direction();
+    const Point local = x - old.tools[tool].offset * core::axis_direction();
     if (contact::signed_gap(body.profile, contact, local) < touching) tools[node] = tool;
   }
   return tools;
@@ -115,7 +115,7 @@ bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
   constexpr double acceptable = 0.9;  // of the quality as meshed
   const core::Mesh made = mesh;
   project_out_of_tools(scene, state, mesh);
-  restore_volume(scene, state, core::volume(state.bodies[0].mesh, scene.geometry), mesh);
+  restore_volume(scene, state, core::volume(state.glass.mesh, scene.geometry), mesh);
   double min_quality = remesh::min_quality(mesh);
   if (min_quality < acceptable * remesh::min_quality(made)) {
     core::Mesh followed = mesh;
@@ -128,10 +128,10 @@ bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
 
 /// The temperature on the new mesh, within the old extremes and with the heat content of the old one.
 void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
-  const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
-  const Eigen::VectorXd& temperature = state.bodies[0].temperature;
+  const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
+  const Eigen::VectorXd& temperature = state.glass.temperature;
   const int order = scene.accuracy.temperature_order;
-  Eigen::VectorXd& carried = next.bodies[0].temperature;
+  Eigen::VectorXd& carried = next.glass.temperature;
   if (!scene.has_heat()) {
     if (temperature.size() > 0)
       carried = remesh::transfer_conserving(old, mesh, scene.geometry, transfer, temperature, order);
@@ -145,34 +145,39 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
   carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
 }
 
-/// A field of vectors, dim per node, at the nodes of the new mesh.
-Eigen::VectorXd interpolate_vectors(const core::Mesh& old, const remesh::Transfer& transfer,
-                                    const Eigen::VectorXd& field) {
-  using Columns = Eigen::Matrix<double, dim, Eigen::Dynamic>;
-  const Columns given = Eigen::Map<const Columns>(field.data(), dim, old.node_count());
-  Eigen::VectorXd carried;
-  for (int a = 0; a < dim; ++a) {
-    const Eigen::VectorXd component = remesh::interpolate(old, transfer, given.row(a).transpose());
-    carried.resize(dim * component.size());
-    Eigen::Map<Columns>(carried.data(), dim, component.size()).row(a) = component.transpose();
-  }
-  return carried;
+/// A nodal field with `components` numbers per node at the nodes of the new mesh.
+Eigen::VectorXd interpolate_components(const core::Mesh& old, const remesh::Transfer& transfer,
+                                       const Eigen::VectorXd& field, int components) {
+  const Eigen::Map<const Eigen::MatrixXd> given(field.data(), components, old.node_count());
+  Eigen::MatrixXd carried(components, static_cast<Index>(transfer.cell.size()));
+  for (int a = 0; a < components; ++a)
+    carried.row(a) = remesh::interpolate(old, transfer, given.row(a).transpose()).transpose();
+  return carried.reshaped();
 }
 
-/// Velocity, acceleration, rate of temperature, contact and contact pressure on the new mesh.
-void carry_flow(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
-  const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
-  next.velocity = interpolate_vectors(old, transfer, state.velocity);
-  next.acceleration = interpolate_vectors(old, transfer, state.acceleration);
-  next.dilatation_mode = interpolate_vectors(old, transfer, state.dilatation_mode);
-  if (state.temperature_rate.size() > 0)
-    next.temperature_rate = remesh::interpolate(old, transfer, state.temperature_rate);
-  next.contact.tool = next.contact.tool_before = carried_contact(scene, state, transfer, mesh);
-  next.contact.active = {};
+/// The fields but the temperature on the new mesh, each by its rule; the tools in contact come before the pressures
+/// that depend on them.
+void carry_fields(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
+  const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
+  const std::vector<Index> contact = carried_contact(scene, state, transfer, mesh);
+  for_each_glass_field([&](const auto& field) {
+    auto& values = next.glass.*field.values;
+    if constexpr (std::is_same_v<std::decay_t<decltype(values)>, std::vector<Index>>) {
+      if (field.transfer == TransferRule::nearest_contact) values = contact;
+    } else {
+      const bool in_contact = field.transfer == TransferRule::interpolate_in_contact;
+      if (values.size() == 0 || (field.transfer != TransferRule::interpolate && !in_contact)) return;
+      values = interpolate_components(old, transfer, state.glass.*field.values, field.components);
+      for (Index n = 0; in_contact && n < mesh.node_count(); ++n)
+        if (contact[n] < 0) values.segment(field.components * n, field.components).setZero();
+    }
+    if (field.transfer == TransferRule::reset) {
+      values.resize(field.components * place_count(field.location, mesh));
+      std::fill(values.begin(), values.end(), field.at_rest());
+    }
+  });
+  next.glass.active_contacts = {};
   next.heat_couplings.clear();
-  next.contact.pressure = remesh::interpolate(old, transfer, state.contact.pressure);
-  for (Index n = 0; n < mesh.node_count(); ++n)
-    if (next.contact.tool[n] < 0) next.contact.pressure[n] = 0;
 }
 
 void accumulate_change(double change, double& sum, double& largest) {
@@ -182,12 +187,12 @@ void accumulate_change(double change, double& sum, double& largest) {
 
 /// How far the new temperatures go beyond the old ones, K; 0 where they do not.
 double transfer_overshoot(const State& state, const State& next) {
-  const Eigen::VectorXd &old = state.bodies[0].temperature, &now = next.bodies[0].temperature;
+  const Eigen::VectorXd &old = state.glass.temperature, &now = next.glass.temperature;
   return std::max({0.0, now.maxCoeff() - old.maxCoeff(), old.minCoeff() - now.minCoeff()});
 }
 
 void accumulate(const Scene& scene, const State& state, RemeshReason why, const remesh::Remeshed& made, State& next) {
-  const core::Mesh &old = state.bodies[0].mesh, &mesh = next.bodies[0].mesh;
+  const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   RemeshStatistics& statistics = next.totals.remeshing;
   ++statistics.count[static_cast<std::size_t>(why)];
   accumulate_change(core::volume(mesh, scene.geometry) - core::volume(old, scene.geometry), statistics.volume,
@@ -211,9 +216,9 @@ struct NearestEdge {
 };
 NearestEdge nearest_edge(const core::Mesh& mesh, const std::vector<bool>& may_touch, const Point& x, int end) {
   NearestEdge nearest;
-  for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
-    if (!may_touch[mesh.boundary[e].boundary_id]) continue;
-    const double d = (mesh.nodes[mesh.boundary[e].nodes[end]] - x).norm();
+  for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e) {
+    if (!may_touch[mesh.boundary_edges()[e].boundary_id]) continue;
+    const double d = (mesh.nodes[mesh.boundary_edges()[e].nodes[end]] - x).norm();
     if (d < nearest.distance) nearest = {e, d};
   }
   return nearest;
@@ -223,42 +228,54 @@ NearestEdge nearest_edge(const core::Mesh& mesh, const std::vector<bool>& may_to
 void name_boundary(const NamedBoundary& named, const std::vector<bool>& may_touch, core::Mesh& mesh) {
   Index boundary_id = core::find_boundary(mesh, named.name);
   if (boundary_id < 0) {
-    boundary_id = static_cast<Index>(mesh.boundary_names.size());
-    mesh.boundary_names.push_back(named.name);
+    boundary_id = static_cast<Index>(mesh.boundaries().size());
+    mesh.edit().boundaries.push_back(named.name);
   }
   const std::size_t last = nearest_edge(mesh, may_touch, named.to, 1).edge;
-  for (std::size_t e = nearest_edge(mesh, may_touch, named.from, 0).edge;; e = (e + 1) % mesh.boundary.size()) {
-    if (mesh.boundary[e].boundary_id != boundary_id && may_touch[mesh.boundary[e].boundary_id])
-      mesh.boundary[e].boundary_id = boundary_id;
+  for (std::size_t e = nearest_edge(mesh, may_touch, named.from, 0).edge;; e = (e + 1) % mesh.boundary_edges().size()) {
+    if (mesh.boundary_edges()[e].boundary_id != boundary_id && may_touch[mesh.boundary_edges()[e].boundary_id])
+      mesh.edit().boundary_edges[e].boundary_id = boundary_id;
     if (e == last) break;
   }
+}
+
+/// Nodes in contact with a tool that the stage takes away.
+std::vector<Index> nodes_left_by_tools(const Stage& stage, const State& state) {
+  std::vector<Index> nodes;
+  const auto is_active = [&](Index tool) {
+    return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& t) { return t.tool == tool; });
+  };
+  for (Index n = 0; n < state.glass.mesh.node_count(); ++n)
+    if (state.glass.contact_tool[n] >= 0 && !is_active(state.glass.contact_tool[n])) nodes.push_back(n);
+  return nodes;
 }
 
 }  // namespace
 
 bool needs_remesh(const Scene& scene, const State& state) {
-  return remesh::min_quality(state.bodies[0].mesh) < scene.accuracy.quality_floor;
+  return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor;
 }
 
 RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why) {
   RemeshedState result;
-  auto made = remesh::remesh_glass(state.bodies[0].mesh, criteria(scene, state));
+  auto made = remesh::remesh_glass(state.glass.mesh, criteria(scene, state));
   if (!made.ok) {
     result.reason = made.reason;
     return result;
   }
   result.state = state;
   State& next = result.state;
-  core::Mesh& mesh = next.bodies[0].mesh;
+  core::Mesh& mesh = next.glass.mesh;
   mesh = std::move(made.mesh);
   if (!fit_surface(scene, state, mesh)) {
     result.reason = "the new mesh folds where it is lifted out of a tool";
     return result;
   }
-  const auto transfer = remesh::make_transfer(state.bodies[0].mesh, mesh);
-  carry_flow(scene, state, transfer, next);
-  next.mass_nodes = mesh.nodes;
-  next.density = state.density * core::volume(mass_mesh(state), scene.geometry) / core::volume(mesh, scene.geometry);
+  const auto transfer = remesh::make_transfer(state.glass.mesh, mesh);
+  carry_fields(scene, state, transfer, next);
+  next.glass.mass_nodes = mesh.nodes;
+  next.glass.density =
+      state.glass.density * core::volume(mass_mesh(state), scene.geometry) / core::volume(mesh, scene.geometry);
   carry_temperature(scene, state, transfer, next);
   accumulate(scene, state, why, made, next);
   result.ok = true;
@@ -266,14 +283,14 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
 }
 
 std::string misplaced_boundary(const Scene& scene, const State& state, Index stage) {
-  const core::Mesh& mesh = state.bodies[0].mesh;
-  const auto may_touch = contact_boundaries(scene.glass, mesh);
+  const core::Mesh& mesh = state.glass.mesh;
+  const auto may_touch = core::boundaries_of_kind(mesh, BoundaryKind::contact);
   for (const auto& named : scene.stages[stage].named_boundaries)
     for (const int end : {0, 1}) {
       const Point& x = end == 0 ? named.from : named.to;
       const auto nearest = nearest_edge(mesh, may_touch, x, end);
       if (nearest.distance <= max_end_distance) continue;
-      const Point& found = mesh.nodes[mesh.boundary[nearest.edge].nodes[end]];
+      const Point& found = mesh.nodes[mesh.boundary_edges()[nearest.edge].nodes[end]];
       return fmt::format(
           "name_boundary {}: \"{}\", ({:.4g}, {:.4g}) mm, lies {:.3g} mm from the surface of the glass, nearest to "
           "({:.4g}, {:.4g}) mm; "
@@ -291,26 +308,19 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.stage_start = state.time;
   next.has_moved = false;
   next.last_step = 0;
-  next.velocity.setZero();
-  next.acceleration.setZero();
-  next.dilatation_mode.setZero();
   next.moves_smoothly = false;
-  next.temperature_rate.setZero();
-  next.contact.active = {};
   next.heat_couplings.clear();
-  const auto& tools = scene.stages[stage].tools;
-  const auto is_active = [&](Index tool) {
-    return std::any_of(tools.begin(), tools.end(), [&](const StageTool& t) { return t.tool == tool; });
-  };
-  for (std::size_t n = 0; n < next.contact.tool.size(); ++n)
-    if (next.contact.tool[n] >= 0 && !is_active(next.contact.tool[n])) {
-      next.contact.tool[n] = -1;
-      next.contact.pressure[static_cast<Index>(n)] = 0;
-    }
-  for (std::size_t b = 1; b < next.bodies.size(); ++b) next.bodies[b].velocity = next.bodies[b].force = 0;
-  auto& mesh = next.bodies[0].mesh;
+  const std::vector<Index> left = nodes_left_by_tools(scene.stages[stage], state);
+  for_each_glass_field([&](const auto& field) {
+    auto& values = next.glass.*field.values;
+    if (field.stage_start == StageStart::reset) std::fill(values.begin(), values.end(), field.at_rest());
+    if (field.stage_start == StageStart::reset_without_tool)
+      for (const Index n : left) values[n] = field.at_rest();
+  });
+  next.glass.active_contacts = {};
+  for (ToolState& tool : next.tools) tool.velocity = tool.force = 0;
   for (const auto& named : scene.stages[stage].named_boundaries)
-    name_boundary(named, contact_boundaries(scene.glass, mesh), mesh);
+    name_boundary(named, core::boundaries_of_kind(next.glass.mesh, BoundaryKind::contact), next.glass.mesh);
   return next;
 }
 

@@ -56,7 +56,7 @@ bool is_hidden(const Scene& scene, const State& state, const Point& x) {
   const auto& places = scene.stages[state.stage].tools;
   return std::any_of(places.begin(), places.end(), [&](const auto& place) {
     const Body& tool = scene.tools[place.tool];
-    const Point local = x - state.bodies[1 + place.tool].offset * core::axis_direction();
+    const Point local = x - state.tools[place.tool].offset * core::axis_direction();
     return contact::signed_gap(tool.profile, contact_boundaries(tool), local) < -same;
   });
 }
@@ -68,7 +68,7 @@ std::vector<Point> tool_corners(const Scene& scene, const State& state) {
   std::vector<std::vector<Chain>> chains;
   for (const auto& place : scene.stages[state.stage].tools) {
     const Body& tool = scene.tools[place.tool];
-    const Point shift = state.bodies[1 + place.tool].offset * core::axis_direction();
+    const Point shift = state.tools[place.tool].offset * core::axis_direction();
     const auto& segments = tool.profile.segments;
     const auto touches = [&](const core::Segment& segment) {
       return tool.boundaries[segment.boundary_id].kind == BoundaryKind::contact;

@@ -95,7 +95,7 @@ void add_tools(const Scene& scene, const State& state, const Summary& summary, Q
       found.values.push_back({"time_" + record.name, "s", lasted, lasted});
     }
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
-    if (const double peak = state.bodies.at(i + 1).peak_force; peak > 0)
+    if (const double peak = state.tools[i].peak_force; peak > 0)
       found.values.push_back({"peak_force_" + scene.tools[i].name, "N", peak, peak});
 }
 

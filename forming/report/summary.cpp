@@ -34,21 +34,21 @@ double gap_to_tools(const Scene& scene, const State& state, const std::vector<st
   double gap = std::numeric_limits<double>::infinity();
   for (const StageTool& stage_tool : scene.stages.at(state.stage).tools) {
     const Tool& tool = scene.tools[stage_tool.tool];
-    const Point offset = state.bodies.at(stage_tool.tool + 1).offset * core::axis_direction();
+    const Point offset = state.tools[stage_tool.tool].offset * core::axis_direction();
     gap = std::min(gap, contact::signed_gap(tool.profile, contact[stage_tool.tool], x - offset));
   }
   return gap;
 }
 
 double fraction_near_tools(const Scene& scene, const State& state) {
-  const core::Mesh& mesh = state.bodies[0].mesh;
+  const core::Mesh& mesh = state.glass.mesh;
   std::vector<std::vector<bool>> contact;
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
-    contact.push_back(contact_boundaries(scene.tools[i], state.bodies.at(i + 1).mesh));
+    contact.push_back(core::boundaries_of_kind(state.tools[i].mesh, BoundaryKind::contact));
   double near = 0, whole = 0;
   for (const Index edge : outer_edges(scene, mesh))
     for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
-      const auto point = core::map_edge_point(mesh, mesh.boundary[edge].nodes, scene.geometry, at);
+      const auto point = core::map_edge_point(mesh, mesh.boundary_edges()[edge].nodes, scene.geometry, at);
       whole += point.area;
       if (gap_to_tools(scene, state, contact, point.position) <= near_tool) near += point.area;
     }
@@ -105,7 +105,7 @@ void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
 void add_remeshing(JsonWriter& json, const State& state, const Summary& summary) {
   const RemeshStatistics& statistics = state.totals.remeshing;
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const double heat = state.initial_heat != 0 ? state.initial_heat : none;
+  const double heat = state.glass.initial_heat != 0 ? state.glass.initial_heat : none;
   json.open_object("remeshing");
   for (std::size_t i = 0; i < statistics.count.size(); ++i)
     json.add(fmt::format("for_{}", remesh_reasons[i]), static_cast<long>(statistics.count[i]));
@@ -114,8 +114,8 @@ void add_remeshing(JsonWriter& json, const State& state, const Summary& summary)
   json.add("lap_volume_m3", statistics.lap_volume);
   json.add("heat_drift", statistics.heat / heat);
   json.add("max_heat_change", statistics.max_heat / heat);
-  json.add("volume_drift", statistics.volume / state.initial_volume);
-  json.add("max_volume_change", statistics.max_volume / state.initial_volume);
+  json.add("volume_drift", statistics.volume / state.glass.initial_volume);
+  json.add("max_volume_change", statistics.max_volume / state.glass.initial_volume);
   json.add("transfer_overshoot_K", statistics.transfer_overshoot);
   json.add("min_quality", remeshes(state) > 0 ? statistics.min_quality : none);
   json.add("min_median_quality", remeshes(state) > 0 ? statistics.min_median : none);
@@ -198,7 +198,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.thickness = thickness_range(rows);
   summary.outer_within_02mm = fraction_near_tools(scene, state);
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
-    const BodyState& body = state.bodies.at(i + 1);
+    const ToolState& body = state.tools[i];
     const double max_temperature =
         body.temperature.size() > 0 ? body.max_surface_temperature : std::numeric_limits<double>::quiet_NaN();
     summary.tools.push_back({scene.tools[i].name, body.heat_received, max_temperature, body.offset, body.force});

@@ -20,8 +20,8 @@ namespace {
 /// Past the last edge of the loop that begins at `begin`.
 Index loop_end(const core::Mesh& mesh, Index begin) {
   Index end = begin + 1;
-  while (end < static_cast<Index>(mesh.boundary.size()) &&
-         mesh.boundary[end].nodes[0] == mesh.boundary[end - 1].nodes[1])
+  while (end < static_cast<Index>(mesh.boundary_edges().size()) &&
+         mesh.boundary_edges()[end].nodes[0] == mesh.boundary_edges()[end - 1].nodes[1])
     ++end;
   return end;
 }
@@ -36,7 +36,7 @@ double arc_length(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
 }  // namespace
 
 std::vector<bool> loaded_boundaries(const Scene& scene, const core::Mesh& glass) {
-  std::vector<bool> loaded(glass.boundary_names.size(), false);
+  std::vector<bool> loaded(glass.boundaries().size(), false);
   const auto last = std::find_if(scene.stages.rbegin(), scene.stages.rend(),
                                  [](const Stage& stage) { return !stage.pressure.empty(); });
   if (last == scene.stages.rend()) return loaded;
@@ -46,10 +46,10 @@ std::vector<bool> loaded_boundaries(const Scene& scene, const core::Mesh& glass)
 }
 
 std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_boundaries) {
-  const auto wanted = [&](Index edge) { return wanted_boundaries.at(mesh.boundary[edge].boundary_id); };
+  const auto wanted = [&](Index edge) { return wanted_boundaries.at(mesh.boundary_edges()[edge].boundary_id); };
   std::vector<ChainEdge> chain;
   double arc = 0;
-  for (Index begin = 0; begin < static_cast<Index>(mesh.boundary.size());) {
+  for (Index begin = 0; begin < static_cast<Index>(mesh.boundary_edges().size());) {
     const Index end = loop_end(mesh, begin), count = end - begin;
     Index first = begin;
     for (Index edge = begin; edge < end; ++edge)
@@ -60,7 +60,7 @@ std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bo
     for (Index k = 0; k < count; ++k) {
       const Index edge = begin + (first - begin + k) % count;
       if (!wanted(edge)) continue;
-      chain.push_back({edge, arc, arc_length(mesh, mesh.boundary[edge])});
+      chain.push_back({edge, arc, arc_length(mesh, mesh.boundary_edges()[edge])});
       arc += chain.back().length;
     }
     begin = end;
@@ -73,7 +73,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<bool> outer_boundaries(const Scene& scene, const core::Mesh& glass) {
-  std::vector<bool> outer = symmetry_boundaries(scene.glass, glass);
+  std::vector<bool> outer = core::boundaries_of_kind(glass, BoundaryKind::symmetry);
   const std::vector<bool> loaded = loaded_boundaries(scene, glass);
   for (std::size_t boundary_id = 0; boundary_id < outer.size(); ++boundary_id)
     outer[boundary_id] = !outer[boundary_id] && !loaded[boundary_id];
@@ -88,8 +88,8 @@ double distance_to_chord(const Point& x, const Point& a, const Point& b) {
 /// Boundary edge nearest to x, symmetry boundaries aside.
 const core::BoundaryEdge& nearest_edge(const core::Mesh& mesh, const std::vector<bool>& symmetry, const Point& x) {
   double nearest = infinity;
-  const core::BoundaryEdge* found = &mesh.boundary.front();
-  for (const core::BoundaryEdge& edge : mesh.boundary) {
+  const core::BoundaryEdge* found = &mesh.boundary_edges().front();
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     if (symmetry[edge.boundary_id]) continue;
     const auto& [first, last, mid] = edge.nodes;
     const double distance = std::min(distance_to_chord(x, mesh.nodes[first], mesh.nodes[mid]),
@@ -105,7 +105,7 @@ constexpr double facing = -0.8;
 /// Outward unit normal at each surface node, the mean of those of the edges that meet there.
 std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>& symmetry) {
   std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
-  for (const core::BoundaryEdge& edge : mesh.boundary) {
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     if (symmetry[edge.boundary_id]) continue;
     constexpr std::array<double, 3> places{0, 1, 0.5};
     for (int k = 0; k < 3; ++k)
@@ -128,13 +128,13 @@ std::vector<ThicknessRow> make_rows(const Scene& scene, const core::Mesh& mesh, 
     return rows[row_of[node]];
   };
   for (const ChainEdge& edge : walk_surface(mesh, outer_boundaries(scene, mesh))) {
-    const auto& [first, last, mid] = mesh.boundary[edge.edge].nodes;
+    const auto& [first, last, mid] = mesh.boundary_edges()[edge.edge].nodes;
     row(first, edge.start);
     row(mid, edge.start + 0.5 * edge.length);
     row(last, edge.start + edge.length);
     for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
-      const auto point = core::map_edge_point(mesh, mesh.boundary[edge.edge].nodes, scene.geometry, at);
-      for (int k = 0; k < 3; ++k) row(mesh.boundary[edge.edge].nodes[k], 0).area += point.shape[k] * point.area;
+      const auto point = core::map_edge_point(mesh, mesh.boundary_edges()[edge.edge].nodes, scene.geometry, at);
+      for (int k = 0; k < 3; ++k) row(mesh.boundary_edges()[edge.edge].nodes[k], 0).area += point.shape[k] * point.area;
     }
   }
   return rows;
@@ -145,15 +145,16 @@ std::vector<ThicknessRow> make_rows(const Scene& scene, const core::Mesh& mesh, 
 std::vector<Index> outer_edges(const Scene& scene, const core::Mesh& glass) {
   const std::vector<bool> outer = outer_boundaries(scene, glass);
   std::vector<Index> edges;
-  for (std::size_t edge = 0; edge < glass.boundary.size(); ++edge)
-    if (outer[glass.boundary[edge].boundary_id]) edges.push_back(static_cast<Index>(edge));
+  for (std::size_t edge = 0; edge < glass.boundary_edges().size(); ++edge)
+    if (outer[glass.boundary_edges()[edge].boundary_id]) edges.push_back(static_cast<Index>(edge));
   return edges;
 }
 
 std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& state) {
-  const BodyState& glass = state.bodies[0];
+  const GlassState& glass = state.glass;
   const core::Mesh& mesh = glass.mesh;
-  const std::vector<bool> symmetry = symmetry_boundaries(scene.glass, mesh), loaded = loaded_boundaries(scene, mesh);
+  const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry),
+                          loaded = loaded_boundaries(scene, mesh);
   const bool any_loaded = std::count(loaded.begin(), loaded.end(), true) > 0;
   const Eigen::VectorXd thickness = remesh::wall_thickness(mesh, symmetry);
   const std::vector<Point> normals = node_normals(mesh, symmetry);

@@ -34,30 +34,37 @@ std::vector<Point> read_points(const Hdf5Group& group, const std::string& name) 
 
 void write_mesh(Hdf5Group group, const core::Mesh& mesh) {
   write_points(group, "nodes", mesh.nodes);
-  group.write("vertex_count", std::int64_t{mesh.vertex_count});
+  group.write("vertex_count", std::int64_t{mesh.vertex_count()});
   std::vector<int> cells, boundary;
-  for (const auto& cell : mesh.cells) cells.insert(cells.end(), cell.begin(), cell.end());
-  for (const core::BoundaryEdge& edge : mesh.boundary)
+  for (const auto& cell : mesh.cells()) cells.insert(cells.end(), cell.begin(), cell.end());
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     for (const Index value : {edge.nodes[0], edge.nodes[1], edge.nodes[2], edge.cell, edge.boundary_id})
       boundary.push_back(value);
   group.write("cells", cells, 6);
   group.write("boundary", boundary, 5);
-  group.write("boundary_count", static_cast<std::int64_t>(mesh.boundary_names.size()));
-  for (std::size_t i = 0; i < mesh.boundary_names.size(); ++i)
-    group.write(fmt::format("boundary_{}", i), mesh.boundary_names[i]);
+  std::vector<int> kinds;
+  for (std::size_t i = 0; i < mesh.boundaries().size(); ++i) {
+    group.write(fmt::format("boundary_{}", i), mesh.boundaries()[i].name);
+    kinds.push_back(static_cast<int>(mesh.boundaries()[i].kind));
+  }
+  group.write("boundary_kinds", kinds);
 }
 
 core::Mesh read_mesh(const Hdf5Group& group) {
   core::Mesh mesh;
+  core::Topology& topology = mesh.edit();
   mesh.nodes = read_points(group, "nodes");
-  mesh.vertex_count = static_cast<Index>(group.read_integer("vertex_count"));
+  topology.vertex_count = static_cast<Index>(group.read_integer("vertex_count"));
   const std::vector<int> cells = group.read_integers("cells"), boundary = group.read_integers("boundary");
-  mesh.cells.resize(cells.size() / 6);
-  for (std::size_t i = 0; i < cells.size(); ++i) mesh.cells[i / 6][i % 6] = cells[i];
+  topology.cells.resize(cells.size() / 6);
+  for (std::size_t i = 0; i < cells.size(); ++i) topology.cells[i / 6][i % 6] = cells[i];
   for (std::size_t i = 0; i + 5 <= boundary.size(); i += 5)
-    mesh.boundary.push_back({{boundary[i], boundary[i + 1], boundary[i + 2]}, boundary[i + 3], boundary[i + 4]});
-  for (std::int64_t i = 0; i < group.read_integer("boundary_count"); ++i)
-    mesh.boundary_names.push_back(group.read_string(fmt::format("boundary_{}", i)));
+    topology.boundary_edges.push_back(
+        {{boundary[i], boundary[i + 1], boundary[i + 2]}, boundary[i + 3], boundary[i + 4]});
+  const std::vector<int> kinds = group.read_integers("boundary_kinds");
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    topology.boundaries.emplace_back(group.read_string(fmt::format("boundary_{}", i)),
+                                     static_cast<core::BoundaryKind>(kinds[i]));
   return mesh;
 }
 
@@ -107,7 +114,7 @@ struct Names {
 /// Hash of the list of all values of a state: another list is another layout of the file.
 std::int64_t state_layout() {
   State state;
-  state.bodies.resize(1);
+  state.tools.resize(1);
   std::string names;
   visit_state(Names{names}, state);
   return static_cast<std::int64_t>(core::fingerprint(names));
@@ -219,7 +226,7 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
   facts.warnings.resize(static_cast<std::size_t>(file.read_integer("warnings")));
   visit_facts(Reader{file.open("facts")}, facts);
   visit_files(Reader{file.open("files")}, checkpoint.files);
-  state.bodies.resize(scene.tools.size() + 1);
+  state.tools.resize(scene.tools.size());
   visit_state(Reader{file.open("state")}, state);
   return checkpoint;
 }

@@ -107,7 +107,7 @@ constexpr double max_overlap = 0.5e-3;
 std::string stage_precondition_failure(const Scene& scene, const State& state) {
   for (const auto& place : scene.stages[state.stage].tools) {
     const auto* position = std::get_if<PositionMotion>(&place.motion);
-    const double now = state.bodies[1 + place.tool].offset;
+    const double now = state.tools[place.tool].offset;
     if (position && std::abs(position->offset(0) - now) > 1e-6)
       return fmt::format("tool {} stands at {:.4g} mm, its motion starts at {:.4g} mm", scene.tools[place.tool].name,
                          1e3 * now, 1e3 * position->offset(0));
@@ -116,7 +116,7 @@ std::string stage_precondition_failure(const Scene& scene, const State& state) {
   for (const Penetration& inside : penetrations(scene, state, 0))
     if (inside.depth > max_penetration.depth) max_penetration = inside;
   if (max_penetration.depth <= max_overlap) return "";
-  const Point& x = state.bodies[0].mesh.nodes[max_penetration.node];
+  const Point& x = state.glass.mesh.nodes[max_penetration.node];
   return fmt::format(
       "tool {} in place overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the "
       "stage's tools as it is",
@@ -151,7 +151,7 @@ void warn_of_moving_tools(Progress& run) {
   const State& state = run.outcome.state;
   const Stage& stage = run.scene.stages[state.stage];
   for (const StageTool& tool : stage.tools) {
-    const double speed = std::abs(state.bodies[1 + tool.tool].velocity);
+    const double speed = std::abs(state.tools[tool.tool].velocity);
     if (stage.end_speed && std::holds_alternative<ForceMotion>(tool.motion) && speed >= *stage.end_speed)
       run.outcome.facts.warnings.push_back(fmt::format(
           "stage {} ended by its duration of {:g} s while {} still moved at {:.3g} mm/s, above its end_speed of {:g} "
@@ -184,7 +184,7 @@ bool advance(Progress& run, AcceptedStep& step) {
 void update_motion(const Scene& scene, State& state) {
   const Stage& stage = scene.stages[state.stage];
   for (const auto& tool : stage.tools) {
-    BodyState& body = state.bodies[1 + tool.tool];
+    ToolState& body = state.tools[tool.tool];
     if (!std::holds_alternative<ForceMotion>(tool.motion)) continue;
     if (stage.end_speed && std::abs(body.velocity) > *stage.end_speed) state.has_moved = true;
     body.peak_force = std::max(body.peak_force, std::abs(body.force));
@@ -230,7 +230,7 @@ void warn_of_unused_interfaces(Progress& run) {
   const Scene& scene = run.scene;
   for (const Interface& interface : scene.interfaces) {
     const Tool& tool = scene.tools[interface.tool];
-    if (run.outcome.state.bodies[1 + interface.tool].heat_received == 0 &&
+    if (run.outcome.state.tools[interface.tool].heat_received == 0 &&
         tool.initial_temperature != scene.glass.initial_temperature)
       run.outcome.facts.warnings.push_back(
           fmt::format("the interface of the glass with {} was never used: in the whole run they did not come within "

@@ -52,6 +52,16 @@ std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
 
 }  // namespace
 
+const Body& body_of(const Scene& scene, Index body) {
+  return body == 0 ? static_cast<const Body&>(scene.glass) : scene.tools[body - 1];
+}
+
+std::vector<bool> contact_boundaries(const Body& body) {
+  std::vector<bool> flags;
+  for (const auto& boundary : body.boundaries) flags.push_back(boundary.kind == BoundaryKind::contact);
+  return flags;
+}
+
 TemperatureRange temperature_range(const Scene& scene) {
   TemperatureRange range{scene.glass.initial_temperature, scene.glass.initial_temperature};
   const auto include = [&](double temperature) {

@@ -17,19 +17,10 @@
 
 namespace parison::forming {
 
+using core::BoundaryKind;
 using core::Index;
 
-/// What a named boundary of a body's outline is.
-enum class BoundaryKind {
-  contact,      ///< may touch other bodies; air and pressure of the stage where it does not
-  symmetry,     ///< axis or symmetry plane: no normal motion, no heat
-  fixed,        ///< held still, no heat
-  cooled,       ///< its own exchange in every stage
-  insulated,    ///< free, no heat
-  temperature,  ///< given temperature
-  air           ///< never in contact; the stage's air acts on it
-};
-
+/// A named part of a body's outline.
 struct Boundary {
   std::string name;
   BoundaryKind kind;
@@ -156,6 +147,11 @@ struct Scene {
   /// Whether the error law of the presets is of such scenes: glass that flows on a mesh of the presets.
   bool is_of_error_law() const { return has_flow() && !glass.mesh.mapped; }
 };
+
+/// Body 0 is the glass, body 1 + i tool i.
+const Body& body_of(const Scene& scene, Index body);
+/// Flags of the boundaries of a body's outline that may touch other bodies.
+std::vector<bool> contact_boundaries(const Body& body);
 
 /// The coldest and the hottest of the bodies at the start, their cooling and the air, K.
 struct TemperatureRange {

@@ -24,9 +24,12 @@ struct Bits {
   }
   void operator()(const char*, const core::Mesh& mesh) {
     (*this)("nodes", mesh.nodes);
-    (*this)("cells", mesh.cells);
-    (*this)("boundary", mesh.boundary);
-    for (const std::string& boundary : mesh.boundary_names) (*this)("boundary", boundary);
+    (*this)("cells", mesh.cells());
+    (*this)("boundary", mesh.boundary_edges());
+    for (const core::MeshBoundary& boundary : mesh.boundaries()) {
+      (*this)("boundary", boundary.name);
+      (*this)("kind", static_cast<int>(boundary.kind));
+    }
   }
   Bits part(const std::string&) { return *this; }
 };

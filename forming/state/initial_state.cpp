@@ -11,7 +11,7 @@ namespace parison::forming {
 
 namespace {
 
-core::Mesh mesh_of(const Body& body, double size, double contact_size, double growth) {
+core::Mesh mesh_without_kinds(const Body& body, double size, double contact_size, double growth) {
   if (const auto& mapped = body.mesh.mapped)
     return remesh::mesh_mapped(body.profile, mapped->along_first, mapped->along_second, mapped->ratio_first,
                                mapped->ratio_second);
@@ -23,84 +23,84 @@ core::Mesh mesh_of(const Body& body, double size, double contact_size, double gr
   return remesh::mesh_profile(body.profile, sizes);
 }
 
+core::Mesh mesh_of(const Body& body, double size, double contact_size, double growth) {
+  core::Mesh mesh = mesh_without_kinds(body, size, contact_size, growth);
+  for (std::size_t i = 0; i < body.boundaries.size(); ++i) mesh.edit().boundaries[i].kind = body.boundaries[i].kind;
+  return mesh;
+}
+
 /// Largest edge inside a tool, m.
 constexpr double coarse_tool_size = 8e-3;
 /// Largest edge inside the gob, in edges on its surface.
 constexpr double inner_glass_size = 4;
 
+/// Where nothing flows the first meshes serve the whole run.
+double edge_factor(const Scene& scene) {
+  return scene.has_flow() ? 1.0 : static_edge_factor;
+}
+
+bool exists(const Scene& scene, Needs needs) {
+  switch (needs) {
+    case Needs::nothing:
+      return true;
+    case Needs::flow:
+      return scene.has_flow();
+    case Needs::heat_or_flow:
+      return scene.has_heat() || scene.has_flow();
+  }
+  return false;
+}
+
+GlassState initial_glass(const Scene& scene) {
+  const Accuracy& accuracy = scene.accuracy;
+  GlassState glass;
+  const double factor = edge_factor(scene);
+  glass.mesh = mesh_of(scene.glass, inner_glass_size * factor * accuracy.surface_size,
+                       scene.has_flow() ? accuracy.surface_size : factor * accuracy.skin_size, accuracy.glass_growth);
+  for_each_glass_field([&](const auto& field) {
+    if (!exists(scene, field.needs)) return;
+    const auto size = field.components * place_count(field.location, glass.mesh);
+    (glass.*field.values).resize(size);
+    std::fill((glass.*field.values).begin(), (glass.*field.values).end(), field.at_rest());
+  });
+  std::fill(glass.temperature.begin(), glass.temperature.end(), scene.glass.initial_temperature);
+  glass.mass_nodes = glass.mesh.nodes;
+  glass.density = scene.has_heat() ? scene.glass.thermal->density : scene.has_flow() ? scene.glass.flow->density : 0;
+  glass.initial_volume = core::volume(glass.mesh, scene.geometry);
+  return glass;
+}
+
+ToolState initial_tool(const Scene& scene, const Tool& tool) {
+  const Accuracy& accuracy = scene.accuracy;
+  ToolState state;
+  const double factor = edge_factor(scene);
+  state.mesh = mesh_of(tool, coarse_tool_size, factor * accuracy.tool_contact_size, accuracy.tool_growth);
+  if (tool.thermal) state.temperature.setConstant(state.mesh.node_count(), tool.initial_temperature);
+  state.offset = tool.position;
+  state.max_surface_temperature = tool.initial_temperature;
+  return state;
+}
+
 }  // namespace
 
-const Body& body_of(const Scene& scene, Index body) {
-  return body == 0 ? static_cast<const Body&>(scene.glass) : scene.tools[body - 1];
-}
-
-BoundaryKind boundary_kind(const Body& body, const std::string& boundary) {
-  for (const auto& known : body.boundaries)
-    if (known.name == boundary) return known.kind;
-  return BoundaryKind::contact;
-}
-
-std::vector<bool> symmetry_boundaries(const Body& body, const core::Mesh& mesh) {
-  std::vector<bool> flags;
-  for (const auto& name : mesh.boundary_names) flags.push_back(boundary_kind(body, name) == BoundaryKind::symmetry);
-  return flags;
-}
-
-std::vector<bool> contact_boundaries(const Body& body, const core::Mesh& mesh) {
-  std::vector<bool> flags;
-  for (const auto& name : mesh.boundary_names) flags.push_back(boundary_kind(body, name) == BoundaryKind::contact);
-  return flags;
-}
-
-std::vector<bool> contact_boundaries(const Body& body) {
-  std::vector<bool> flags;
-  for (const auto& boundary : body.boundaries) flags.push_back(boundary.kind == BoundaryKind::contact);
-  return flags;
-}
-
 core::Mesh mass_mesh(const State& state) {
-  core::Mesh mesh = state.bodies[0].mesh;
-  mesh.nodes = state.mass_nodes;
+  core::Mesh mesh = state.glass.mesh;
+  mesh.nodes = state.glass.mass_nodes;
   return mesh;
 }
 
 double glass_heat(const Scene& scene, const State& state) {
   const core::Mesh mass = mass_mesh(state);
-  thermal::BodyView view{&mass, &mass, state.density, &*scene.glass.thermal, {}, {}};
-  return thermal::heat_content(view, scene.geometry, state.bodies[0].temperature);
+  thermal::BodyView view{&mass, &mass, state.glass.density, &*scene.glass.thermal, {}, {}};
+  return thermal::heat_content(view, scene.geometry, state.glass.temperature);
 }
 
 State initial_state(const Scene& scene) {
-  const Accuracy& accuracy = scene.accuracy;
   State state;
-  const auto bodies = 1 + static_cast<Index>(scene.tools.size());
-  for (Index b = 0; b < bodies; ++b) {
-    const Body& body = body_of(scene, b);
-    BodyState start;
-    // Where nothing flows the first meshes serve the whole run.
-    const double fraction = scene.has_flow() ? 1.0 : static_edge_factor;
-    const double contact_size = scene.has_flow() ? accuracy.surface_size : fraction * accuracy.skin_size;
-    start.mesh =
-        b == 0 ? mesh_of(body, inner_glass_size * fraction * accuracy.surface_size, contact_size, accuracy.glass_growth)
-               : mesh_of(body, coarse_tool_size, fraction * accuracy.tool_contact_size, accuracy.tool_growth);
-    if (body.thermal) start.temperature.setConstant(start.mesh.node_count(), body.initial_temperature);
-    if (scene.has_flow() && b == 0 && !body.thermal)
-      start.temperature.setConstant(start.mesh.node_count(), body.initial_temperature);
-    start.offset = body.position;
-    start.max_surface_temperature = body.initial_temperature;
-    state.bodies.push_back(std::move(start));
-  }
-  const core::Mesh& glass = state.bodies[0].mesh;
-  state.mass_nodes = glass.nodes;
-  state.density = scene.has_heat() ? scene.glass.thermal->density : scene.has_flow() ? scene.glass.flow->density : 0;
-  state.initial_volume = core::volume(glass, scene.geometry);
-  if (scene.has_flow())
-    state.velocity = state.acceleration = state.dilatation_mode = Eigen::VectorXd::Zero(core::dim * glass.node_count());
-  state.contact.tool.assign(glass.nodes.size(), -1);
-  state.contact.tool_before = state.contact.tool;
-  state.contact.pressure.setZero(glass.node_count());
+  state.glass = initial_glass(scene);
+  for (const Tool& tool : scene.tools) state.tools.push_back(initial_tool(scene, tool));
   for (const auto& probe : scene.probes) state.probes.push_back(probe.point);
-  if (scene.has_heat()) state.initial_heat = glass_heat(scene, state);
+  if (scene.has_heat()) state.glass.initial_heat = glass_heat(scene, state);
   return state;
 }
 

@@ -31,7 +31,7 @@ double sample(const core::Mesh& mesh, const Eigen::VectorXd& field, const core::
   if (found.cell < 0) return sample(mesh, field, 1, {point})(0, 0);
   const auto shape = core::triangle_shape(found.at[0], found.at[1]);
   double value = 0;
-  for (int i = 0; i < 6; ++i) value += shape[i] * field[mesh.cells[found.cell][i]];
+  for (int i = 0; i < 6; ++i) value += shape[i] * field[mesh.cells()[found.cell][i]];
   return value;
 }
 
@@ -44,7 +44,7 @@ Eigen::MatrixXd sample(const core::Mesh& mesh, const Eigen::VectorXd& field, Ind
     const auto found = grid.find(points[p]);
     const auto shape = core::triangle_shape(found.at[0], found.at[1]);
     for (int i = 0; i < 6; ++i)
-      values.row(p) += shape[i] * field.segment(components * mesh.cells[found.cell][i], components).transpose();
+      values.row(p) += shape[i] * field.segment(components * mesh.cells()[found.cell][i], components).transpose();
   }
   return values;
 }

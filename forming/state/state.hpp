@@ -9,15 +9,32 @@
 
 #include "core/mesh/interface_point.hpp"
 #include "core/mesh/mesh.hpp"
+#include "forming/state/glass_fields.hpp"
 
 namespace parison::forming {
 
 using core::Index;
 using core::Point;
 
-/// A body at an instant. Tools keep their mesh and move by `offset`; the glass mesh moves itself.
-struct BodyState {
-  core::Mesh mesh;                     ///< tools: in their own frame
+/// Every contact that the last flow solve left active (a node in a corner has two); empty where there was none yet.
+struct ActiveContacts {
+  std::vector<Index> node, tool;
+  std::vector<Point> normal;  ///< unit, from the tool into the glass
+};
+
+/// The glass at an instant; its mesh moves with it.
+struct GlassState : GlassFields {
+  core::Mesh mesh;
+  std::vector<Point> mass_nodes;  ///< node positions in which the mass was last distributed
+  double density = 0;             ///< in those positions, kg/m3
+  double initial_volume = 0;      ///< m3
+  double initial_heat = 0;        ///< heat content at the start, J
+  ActiveContacts active_contacts;
+};
+
+/// A tool at an instant; it keeps its mesh and moves by `offset`.
+struct ToolState {
+  core::Mesh mesh;                     ///< in the tool's own frame
   Eigen::VectorXd temperature;         ///< per node, K; empty where the scene has no heat
   double offset = 0;                   ///< along the axis, m
   double velocity = 0;                 ///< along the axis, m/s
@@ -25,18 +42,6 @@ struct BodyState {
   double peak_force = 0;               ///< largest so far without sign while a force drove it, N
   double heat_received = 0;            ///< through interfaces since the start, J
   double max_surface_temperature = 0;  ///< highest temperature so far on its contact boundaries, K
-};
-
-/// Where the glass touches tools, per glass node.
-struct ContactState {
-  std::vector<Index> tool;         ///< index into Scene::tools of the tool that presses on the node, -1 where none
-  std::vector<Index> tool_before;  ///< the same a step earlier
-  Eigen::VectorXd pressure;        ///< Pa
-  /// Every contact that the last flow solve left closed (a node in a corner has two); empty where there was none yet.
-  struct Active {
-    std::vector<Index> node, tool;
-    std::vector<Point> normal;  ///< unit, from the tool into the glass
-  } active;
 };
 
 /// Why the glass was given a new mesh, and the names of these reasons.
@@ -101,21 +106,31 @@ struct State {
   double heat_substep = 0;            ///< what the heat solver wishes, s
   std::vector<Index> heat_couplings;  ///< four by four, thermal::Coupling; empty for a new mesh
   double last_step = 0;               ///< s, 0 when there is no velocity to extrapolate from
-  std::vector<BodyState> bodies;      ///< glass, then the tools in the scene's order
-  std::vector<Point> mass_nodes;      ///< glass node positions in which the mass was last distributed
-  double density = 0;                 ///< of the glass in those positions, kg/m3
-  double initial_volume = 0;          ///< of the glass, m3
-  double initial_heat = 0;            ///< heat content of the glass at the start, J
-  Eigen::VectorXd velocity;           ///< of the glass nodes over the last step, m/s; empty without flow
-  Eigen::VectorXd acceleration;       ///< of the glass nodes between the last two steps, m/s2; empty without flow
-  Eigen::VectorXd dilatation_mode;    ///< of the glass nodes at 1/s everywhere (flow::Problem::volume_correction), m/s;
-                                    ///< zero where unknown; empty without flow
-  bool moves_smoothly = false;       ///< the last change of velocity was much as the acceleration before had told
-  Eigen::VectorXd temperature_rate;  ///< of the glass nodes over the last step, K/s; empty without flow or heat
-  ContactState contact;
-  std::vector<Point> probes;  ///< present positions, in the body's frame
+  GlassState glass;
+  std::vector<ToolState> tools;  ///< in the order of the scene
+  bool moves_smoothly = false;   ///< the last change of velocity was much as the acceleration before had told
+  std::vector<Point> probes;     ///< present positions, in the body's frame
   Totals totals;
 };
+
+/// Bodies as heat, interface points and probes number them: the glass, then the tools.
+inline constexpr Index glass_body = 0;
+inline Index body_of_tool(Index tool) {
+  return 1 + tool;
+}
+inline Index body_count(const State& state) {
+  return 1 + static_cast<Index>(state.tools.size());
+}
+/// Mesh and nodal temperatures, K, of a body by that number.
+inline const core::Mesh& mesh_of(const State& state, Index body) {
+  return body == glass_body ? state.glass.mesh : state.tools[body - 1].mesh;
+}
+inline const Eigen::VectorXd& temperature_of(const State& state, Index body) {
+  return body == glass_body ? state.glass.temperature : state.tools[body - 1].temperature;
+}
+inline Eigen::VectorXd& temperature_of(State& state, Index body) {
+  return body == glass_body ? state.glass.temperature : state.tools[body - 1].temperature;
+}
 
 /// New glass meshes since the start.
 inline Index remeshes(const State& state) {

@@ -8,16 +8,29 @@ namespace parison::forming {
 
 /// Lists every value of a state with its name: one list serves writing, reading and comparing. A visitor takes a name
 /// and a value, and gives a visitor for a named part.
-template <typename Visitor, typename Body>
-void visit_body(Visitor visit, Body& body) {
-  visit("mesh", body.mesh);
-  visit("temperature", body.temperature);
-  visit("offset", body.offset);
-  visit("velocity", body.velocity);
-  visit("force", body.force);
-  visit("peak_force", body.peak_force);
-  visit("heat_received", body.heat_received);
-  visit("max_surface_temperature", body.max_surface_temperature);
+template <typename Visitor, typename Tool>
+void visit_tool(Visitor visit, Tool& tool) {
+  visit("mesh", tool.mesh);
+  visit("temperature", tool.temperature);
+  visit("offset", tool.offset);
+  visit("velocity", tool.velocity);
+  visit("force", tool.force);
+  visit("peak_force", tool.peak_force);
+  visit("heat_received", tool.heat_received);
+  visit("max_surface_temperature", tool.max_surface_temperature);
+}
+
+template <typename Visitor, typename Glass>
+void visit_glass(Visitor visit, Glass& glass) {
+  visit("mesh", glass.mesh);
+  visit("mass_nodes", glass.mass_nodes);
+  visit("density", glass.density);
+  visit("initial_volume", glass.initial_volume);
+  visit("initial_heat", glass.initial_heat);
+  for_each_glass_field([&](const auto& field) { visit(field.name, glass.*field.values); });
+  visit("active_contact_node", glass.active_contacts.node);
+  visit("active_contact_tool", glass.active_contacts.tool);
+  visit("active_contact_normal", glass.active_contacts.normal);
 }
 
 template <typename Visitor, typename Statistics>
@@ -77,25 +90,12 @@ void visit_state(Visitor visit, Whole& state) {
   visit("heat_substep", state.heat_substep);
   visit("heat_couplings", state.heat_couplings);
   visit("last_step", state.last_step);
-  visit("mass_nodes", state.mass_nodes);
-  visit("density", state.density);
-  visit("initial_volume", state.initial_volume);
-  visit("initial_heat", state.initial_heat);
-  visit("velocity", state.velocity);
-  visit("acceleration", state.acceleration);
-  visit("dilatation_mode", state.dilatation_mode);
   visit("moves_smoothly", state.moves_smoothly);
-  visit("temperature_rate", state.temperature_rate);
-  visit("contact_tool", state.contact.tool);
-  visit("contact_tool_before", state.contact.tool_before);
-  visit("contact_pressure", state.contact.pressure);
-  visit("contact_active_node", state.contact.active.node);
-  visit("contact_active_tool", state.contact.active.tool);
-  visit("contact_active_normal", state.contact.active.normal);
   visit("probes", state.probes);
   visit_totals(visit.part("totals"), state.totals);
-  for (std::size_t i = 0; i < state.bodies.size(); ++i)
-    visit_body(visit.part(fmt::format("body_{}", i)), state.bodies[i]);
+  visit_glass(visit.part("glass"), state.glass);
+  for (std::size_t i = 0; i < state.tools.size(); ++i)
+    visit_tool(visit.part(fmt::format("tool_{}", i)), state.tools[i]);
 }
 
 }  // namespace parison::forming

@@ -42,9 +42,8 @@ constexpr double min_step_ratio = 0.1;
 std::vector<flow::BoundaryCondition> boundary_conditions(const Scene& scene, const State& state) {
   std::vector<flow::BoundaryCondition> conditions;
   const auto& pressure = scene.stages[state.stage].pressure;
-  for (const auto& name : state.bodies[0].mesh.boundary_names) {
+  for (const auto& [name, kind] : state.glass.mesh.boundaries()) {
     flow::BoundaryCondition condition;
-    const BoundaryKind kind = boundary_kind(scene.glass, name);
     if (kind == BoundaryKind::symmetry) condition.kind = flow::BoundaryCondition::Kind::symmetry;
     if (kind == BoundaryKind::fixed) condition.kind = flow::BoundaryCondition::Kind::fixed;
     if (const auto found = pressure.find(name); found != pressure.end()) condition.pressure = found->second;
@@ -65,7 +64,7 @@ double volume_missed(const Scene& scene, const core::Mesh& start, const core::Me
   core::Mesh end = start;
   for (Index n = 0; n < end.node_count(); ++n) end.nodes[n] += dt * flow::node_velocity(velocity, n);
   double divergence_volume = 0;
-  for (const auto& edge : middle.boundary)
+  for (const auto& edge : middle.boundary_edges())
     for (const auto& rule : core::edge_rule(3)) {
       const auto at = core::map_edge_point(middle, edge.nodes, scene.geometry, rule);
       for (int i = 0; i < 3; ++i)
@@ -77,23 +76,23 @@ double volume_missed(const Scene& scene, const core::Mesh& start, const core::Me
 /// div v that leaves the glass its first volume at the step's end, 1/s.
 double target_volume_rate(const Scene& scene, const State& state, const core::Mesh& middle,
                           const MidpointPredictor& predictor, double dt) {
-  const core::Mesh& start = state.bodies[0].mesh;
+  const core::Mesh& start = state.glass.mesh;
   const double missed = predictor.trusted ? volume_missed(scene, start, middle, predictor.velocity, dt) : 0;
-  const double excess = core::volume(start, scene.geometry) - state.initial_volume;
-  return -(excess / std::max(dt, volume_recovery_time) + missed / dt) / state.initial_volume;
+  const double excess = core::volume(start, scene.geometry) - state.glass.initial_volume;
+  return -(excess / std::max(dt, volume_recovery_time) + missed / dt) / state.glass.initial_volume;
 }
 
 /// What makes the glass end the step with the volume that `target_volume_rate` is after.
 auto volume_correction(const Scene& scene, const State& state, double dt) {
-  const double excess = core::volume(state.bodies[0].mesh, scene.geometry) - state.initial_volume;
-  const double target = state.initial_volume + excess * (1 - std::min(1.0, dt / volume_recovery_time));
+  const double excess = core::volume(state.glass.mesh, scene.geometry) - state.glass.initial_volume;
+  const double target = state.glass.initial_volume + excess * (1 - std::min(1.0, dt / volume_recovery_time));
   return [&scene, &state, dt, target](const Eigen::VectorXd& velocity, const Eigen::VectorXd& dilatation_mode) {
     return dilatation_rate(scene, state, velocity, dilatation_mode, dt, target).value_or(0);
   };
 }
 
 /// Flow of the step seen from its middle.
-FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::Active& active,
+FlowPass solve_flow(const Scene& scene, const State& state, const ActiveContacts& active,
                     const MidpointPredictor& predictor, double dt, Workspace& workspace) {
   const core::Mesh middle = midpoint_mesh(scene, state, predictor.velocity, dt);
   flow::Problem problem{};
@@ -119,22 +118,22 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ContactState::
 /// Puts the velocities and the contact into the state.
 void store_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
   const auto& [candidates, solution] = pass;
-  state.velocity = solution.velocity;
-  if (solution.dilatation_mode.size() > 0) state.dilatation_mode = solution.dilatation_mode;
+  state.glass.velocity = solution.velocity;
+  if (solution.dilatation_mode.size() > 0) state.glass.dilatation_mode = solution.dilatation_mode;
   state.last_step = dt;
-  std::fill(state.contact.tool.begin(), state.contact.tool.end(), -1);
+  std::fill(state.glass.contact_tool.begin(), state.glass.contact_tool.end(), -1);
   for (std::size_t i = candidates.size(); i-- > 0;)
-    if (solution.active[i]) state.contact.tool[candidates[i].node] = candidates[i].tool;
-  state.contact.active = {};
+    if (solution.active[i]) state.glass.contact_tool[candidates[i].node] = candidates[i].tool;
+  state.glass.active_contacts = {};
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (solution.active[i]) {
-      state.contact.active.node.push_back(candidates[i].node);
-      state.contact.active.tool.push_back(candidates[i].tool);
-      state.contact.active.normal.push_back(candidates[i].normal);
+      state.glass.active_contacts.node.push_back(candidates[i].node);
+      state.glass.active_contacts.tool.push_back(candidates[i].tool);
+      state.glass.active_contacts.normal.push_back(candidates[i].normal);
     }
-  state.contact.pressure = solution.contact_pressure;
+  state.glass.contact_pressure = solution.contact_pressure;
   for (const auto& tool : scene.stages[state.stage].tools) {
-    auto& body = state.bodies[1 + tool.tool];
+    auto& body = state.tools[tool.tool];
     body.velocity = solution.tool_velocity[tool.tool];
     body.force = solution.tool_force[tool.tool];
   }
@@ -159,8 +158,8 @@ void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::
 double reynolds(const Scene& scene, const flow::Solution& solution, const core::Mesh& mesh) {
   double dissipation = 0, surface = 0;
   for (const double w : solution.dissipation) dissipation += w;
-  const auto symmetry = symmetry_boundaries(scene.glass, mesh);
-  for (const auto& edge : mesh.boundary)
+  const auto symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
+  for (const auto& edge : mesh.boundary_edges())
     if (!symmetry[edge.boundary_id])
       for (const auto& at : core::edge_rule(2))
         surface += core::map_edge_point(mesh, edge.nodes, scene.geometry, at).area;
@@ -174,7 +173,7 @@ double reynolds(const Scene& scene, const flow::Solution& solution, const core::
 /// does not go to and fro in a hollow of the tools.
 double depth_gained(const Scene& scene, const State& before, double dt, const FlowPass& pass, const State& updated,
                     MidpointPredictor& predictor) {
-  std::vector<bool> deep(before.bodies[0].mesh.nodes.size(), false);
+  std::vector<bool> deep(before.glass.mesh.nodes.size(), false);
   const double known = max_penetration(scene, before), allowed = std::max(max_depth, known);
   double found_depth = known;
   for (const auto& inside : penetrations(scene, updated, dt)) {
@@ -188,17 +187,17 @@ double depth_gained(const Scene& scene, const State& before, double dt, const Fl
 
 /// Which tool a step drives into a boundary of the glass without contact; empty where none is.
 std::string collision_without_contact(const Scene& scene, const State& before, const State& updated, double dt) {
-  const core::Mesh& glass = before.bodies[0].mesh;
+  const core::Mesh& glass = before.glass.mesh;
   const auto may_touch = touching_nodes(scene, glass);
   Eigen::VectorXd known = Eigen::VectorXd::Zero(glass.node_count());
   for (const auto& inside : penetrations(scene, before, 0))
     known[inside.node] = std::max(known[inside.node], inside.depth);
   for (const auto& inside : penetrations(scene, updated, dt))
     if (!may_touch[inside.node] && inside.depth > known[inside.node] + max_last_depth)
-      for (const auto& edge : glass.boundary)
+      for (const auto& edge : glass.boundary_edges())
         if (std::count(edge.nodes.begin(), edge.nodes.end(), inside.node))
           return fmt::format("tool {} runs into {} of the glass, which cannot touch: its condition is not contact",
-                             scene.tools[inside.tool].name, glass.boundary_names[edge.boundary_id]);
+                             scene.tools[inside.tool].name, glass.boundaries()[edge.boundary_id].name);
   return "";
 }
 
@@ -218,7 +217,7 @@ double predictor_corrector_difference(const Eigen::VectorXd& velocity, const Eig
 /// which is predicted anew. An unsuccessful solve is told in `result.reason`.
 std::optional<flow::Solution> flow_iteration(const Scene& scene, const State& state, MidpointPredictor& predictor,
                                              double dt, Workspace& workspace, StepResult& result, double& gained) {
-  auto pass = solve_flow(scene, state, result.state.contact.active, predictor, dt, workspace);
+  auto pass = solve_flow(scene, state, result.state.glass.active_contacts, predictor, dt, workspace);
   ++result.report.coupling_iterations;
   result.report.flow_solves += pass.solution.iterations;
   result.report.flow_factorisations += pass.solution.factorisations;
@@ -231,9 +230,9 @@ std::optional<flow::Solution> flow_iteration(const Scene& scene, const State& st
   store_flow(scene, pass, dt, result.state);
   result.report.strain = pass.solution.high_rate * dt;
   result.report.predictor_corrector_difference =
-      predictor_corrector_difference(result.state.velocity, predictor.velocity, dt);
+      predictor_corrector_difference(result.state.glass.velocity, predictor.velocity, dt);
   gained = depth_gained(scene, state, dt, pass, result.state, predictor);
-  predictor.velocity = result.state.velocity;
+  predictor.velocity = result.state.glass.velocity;
   predictor.trusted = true;
   return std::move(pass.solution);
 }
@@ -270,9 +269,9 @@ bool iterate_until_converged(const Scene& scene, const State& state, MidpointPre
   }
   auto& totals = result.state.totals;
   accumulate_work(scene, state, *solution, dt, totals.work);
-  totals.max_reynolds = std::max(totals.max_reynolds, reynolds(scene, *solution, state.bodies[0].mesh));
+  totals.max_reynolds = std::max(totals.max_reynolds, reynolds(scene, *solution, state.glass.mesh));
   result.dissipation = heating(std::move(*solution));
-  move_glass_probes(scene, state.bodies[0].mesh, result.state.velocity, dt, result.state);
+  move_glass_probes(scene, state.glass.mesh, result.state.glass.velocity, dt, result.state);
   return true;
 }
 

@@ -12,10 +12,11 @@ namespace parison::forming {
 
 namespace {
 
-std::optional<thermal::SurfaceExchange> exchange_of(const Body& body, const std::string& boundary, const Stage& stage) {
-  for (const auto& known : body.boundaries)
-    if (known.name == boundary && known.kind == BoundaryKind::cooled) return known.cooling;
-  const BoundaryKind kind = boundary_kind(body, boundary);
+/// The exchange with cooling or air of a boundary of a body's mesh. Those that a stage names come behind the outline's.
+std::optional<thermal::SurfaceExchange> exchange_of(const Body& body, const core::Mesh& mesh, std::size_t boundary,
+                                                    const Stage& stage) {
+  const BoundaryKind kind = mesh.boundaries()[boundary].kind;
+  if (kind == BoundaryKind::cooled) return body.boundaries[boundary].cooling;
   if (kind != BoundaryKind::contact && kind != BoundaryKind::air) return std::nullopt;
   thermal::SurfaceExchange exchange = stage.air;
   exchange.emissivity = body.emissivity;
@@ -23,18 +24,17 @@ std::optional<thermal::SurfaceExchange> exchange_of(const Body& body, const std:
   return exchange;
 }
 
-std::optional<double> prescribed_of(const Body& body, const std::string& boundary) {
-  for (const auto& known : body.boundaries)
-    if (known.name == boundary && known.kind == BoundaryKind::temperature) return known.temperature;
-  return std::nullopt;
+std::optional<double> prescribed_of(const Body& body, const core::Mesh& mesh, std::size_t boundary) {
+  if (mesh.boundaries()[boundary].kind != BoundaryKind::temperature) return std::nullopt;
+  return body.boundaries[boundary].temperature;
 }
 
 thermal::BodyView view_of(const Scene& scene, Index body, const core::Mesh& mesh, const Stage& stage) {
   const Body& data = body_of(scene, body);
   thermal::BodyView view{&mesh, &mesh, data.thermal->density, &*data.thermal, {}, {}};
-  for (const auto& boundary : mesh.boundary_names) {
-    view.exchange.push_back(exchange_of(data, boundary, stage));
-    view.prescribed.push_back(prescribed_of(data, boundary));
+  for (std::size_t boundary = 0; boundary < mesh.boundaries().size(); ++boundary) {
+    view.exchange.push_back(exchange_of(data, mesh, boundary, stage));
+    view.prescribed.push_back(prescribed_of(data, mesh, boundary));
   }
   return view;
 }
@@ -55,7 +55,7 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
   thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
     problem.bodies.push_back(view_of(scene, b, *meshes[b], stage));
-  problem.bodies[0].density = state.density;
+  problem.bodies[0].density = state.glass.density;
   problem.law = interface_law(scene, problem.interface, clamped_lookups);
   return problem;
 }
@@ -66,15 +66,14 @@ void accumulate(const thermal::HeatBalance& balance, State& state) {
   state.totals.dissipation += balance.bodies[0].from_source;
   state.totals.to_tools += thermal::lost_through_interfaces(balance, 0);
   state.totals.max_flux_mismatch = std::max(state.totals.max_flux_mismatch, thermal::flux_mismatch(balance));
-  for (Index b = 1; b < static_cast<Index>(state.bodies.size()); ++b)
-    state.bodies[b].heat_received -= thermal::lost_through_interfaces(balance, b);
+  for (std::size_t t = 0; t < state.tools.size(); ++t)
+    state.tools[t].heat_received -= thermal::lost_through_interfaces(balance, body_of_tool(Index(t)));
 }
 
 void update_max_surface_temperatures(const Scene& scene, State& state) {
-  for (Index b = 1; b < static_cast<Index>(state.bodies.size()); ++b) {
-    auto& body = state.bodies[b];
-    const auto touches = contact_boundaries(body_of(scene, b), body.mesh);
-    for (const auto& edge : body.mesh.boundary)
+  for (auto& body : state.tools) {
+    const auto touches = core::boundaries_of_kind(body.mesh, BoundaryKind::contact);
+    for (const auto& edge : body.mesh.boundary_edges())
       if (touches[edge.boundary_id])
         for (const Index node : edge.nodes)
           body.max_surface_temperature = std::max(body.max_surface_temperature, body.temperature[node]);
@@ -83,18 +82,18 @@ void update_max_surface_temperatures(const Scene& scene, State& state) {
 
 void update_overshoot(const Scene& scene, State& state) {
   const double max_temperature = temperature_range(scene).max_temperature;
-  for (const auto& body : state.bodies)
-    if (body.temperature.size() > 0)
-      state.totals.overshoot = std::max(state.totals.overshoot, body.temperature.maxCoeff() - max_temperature);
+  for (Index body = 0; body < body_count(state); ++body)
+    if (const auto& temperature = temperature_of(state, body); temperature.size() > 0)
+      state.totals.overshoot = std::max(state.totals.overshoot, temperature.maxCoeff() - max_temperature);
 }
 
 void store_temperatures(State& state, std::vector<Eigen::VectorXd> temperature) {
-  for (std::size_t b = 0; b < temperature.size(); ++b) state.bodies[b].temperature = std::move(temperature[b]);
+  for (Index b = 0; b < body_count(state); ++b) temperature_of(state, b) = std::move(temperature[b]);
 }
 
 std::vector<Eigen::VectorXd> temperatures(const State& state) {
   std::vector<Eigen::VectorXd> result;
-  for (const auto& body : state.bodies) result.push_back(body.temperature);
+  for (Index b = 0; b < body_count(state); ++b) result.push_back(temperature_of(state, b));
   return result;
 }
 
@@ -112,7 +111,7 @@ std::vector<thermal::Coupling> couplings_of(const State& state) {
 
 Meshes meshes_of(const State& state) {
   Meshes meshes;
-  for (const auto& body : state.bodies) meshes.push_back(&body.mesh);
+  for (Index b = 0; b < body_count(state); ++b) meshes.push_back(&mesh_of(state, b));
   return meshes;
 }
 
@@ -140,13 +139,13 @@ HeatOutcome advance_static_stage(const Scene& scene, State& state, const std::ve
     static_stage = std::make_unique<Workspace::StaticStage>();
     static_stage->stage = state.stage;
     static_stage->start = state.time;
-    for (const auto& body : state.bodies) static_stage->meshes.push_back(body.mesh);
+    for (Index b = 0; b < body_count(state); ++b) static_stage->meshes.push_back(mesh_of(state, b));
     Meshes meshes;
     for (const auto& mesh : static_stage->meshes) meshes.push_back(&mesh);
     auto problem = make_problem(scene, state, meshes, interface, workspace.clamped_lookups);
     if (limits_radiation(scene)) {
-      static_stage->thickness = {
-          remesh::wall_thickness(static_stage->meshes[0], symmetry_boundaries(scene.glass, static_stage->meshes[0]))};
+      static_stage->thickness = {remesh::wall_thickness(
+          static_stage->meshes[0], core::boundaries_of_kind(static_stage->meshes[0], BoundaryKind::symmetry))};
       problem.bodies[0].wall_thickness = &static_stage->thickness[0];
     }
     thermal::IdaOptions options;
@@ -182,7 +181,7 @@ HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<cor
     if (!dissipation.empty()) problem.bodies[0].source = &dissipation;
     Eigen::VectorXd thickness;
     if (limits_radiation(scene)) {
-      thickness = remesh::wall_thickness(*meshes[0], symmetry_boundaries(scene.glass, *meshes[0]));
+      thickness = remesh::wall_thickness(*meshes[0], core::boundaries_of_kind(*meshes[0], BoundaryKind::symmetry));
       problem.bodies[0].wall_thickness = &thickness;
     }
     thermal::StepOptions options;

@@ -20,18 +20,18 @@ constexpr double min_response = 0.5;
 }  // namespace
 
 Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, double dt) {
-  const Eigen::VectorXd& now = state.bodies[0].temperature;
-  if (state.temperature_rate.size() == 0) return now;
+  const Eigen::VectorXd& now = state.glass.temperature;
+  if (state.glass.temperature_rate.size() == 0) return now;
   const double most = scene.accuracy.temperature_per_step;
-  return now + (dt * state.temperature_rate).cwiseMin(most).cwiseMax(-most);
+  return now + (dt * state.glass.temperature_rate).cwiseMin(most).cwiseMax(-most);
 }
 
 Eigen::VectorXd predicted_velocity(const State& state, double ahead) {
-  Eigen::VectorXd velocity = state.velocity;
-  if (state.moves_smoothly) velocity += (0.5 * state.last_step + ahead) * state.acceleration;
-  const auto& active = state.contact.active;
+  Eigen::VectorXd velocity = state.glass.velocity;
+  if (state.moves_smoothly) velocity += (0.5 * state.last_step + ahead) * state.glass.acceleration;
+  const auto& active = state.glass.active_contacts;
   for (std::size_t i = 0; i < active.node.size(); ++i) {
-    const double tool_speed = state.bodies[1 + active.tool[i]].velocity;
+    const double tool_speed = state.tools[active.tool[i]].velocity;
     auto own = velocity.segment<dim>(dim * active.node[i]);
     const double inward = active.normal[i].dot(own - tool_speed * core::axis_direction());
     own -= std::min(0.0, inward) * active.normal[i];
@@ -41,10 +41,10 @@ Eigen::VectorXd predicted_velocity(const State& state, double ahead) {
 
 std::optional<double> dilatation_rate(const Scene& scene, const State& state, const Eigen::VectorXd& velocity,
                                       const Eigen::VectorXd& dilatation_mode, double dt, double target) {
-  const core::Mesh& start = state.bodies[0].mesh;
+  const core::Mesh& start = state.glass.mesh;
   core::Mesh end = start;
   const auto volume_with = [&](double rate) {
-    for (const auto& edge : start.boundary)
+    for (const auto& edge : start.boundary_edges())
       for (const Index n : edge.nodes)
         end.nodes[n] =
             start.nodes[n] + dt * (flow::node_velocity(velocity, n) + rate * flow::node_velocity(dilatation_mode, n));
@@ -58,30 +58,32 @@ std::optional<double> dilatation_rate(const Scene& scene, const State& state, co
 }
 
 core::Mesh midpoint_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& midpoint_velocity, double dt) {
-  core::Mesh mesh = state.bodies[0].mesh;
+  core::Mesh mesh = state.glass.mesh;
   Eigen::VectorXd mean = midpoint_velocity;  // over the first half of the step
-  if (state.moves_smoothly) mean -= 0.25 * dt * state.acceleration;
-  if (const auto rate = dilatation_rate(scene, state, mean, state.dilatation_mode, 0.5 * dt, state.initial_volume))
-    mean += *rate * state.dilatation_mode;
+  if (state.moves_smoothly) mean -= 0.25 * dt * state.glass.acceleration;
+  if (const auto rate =
+          dilatation_rate(scene, state, mean, state.glass.dilatation_mode, 0.5 * dt, state.glass.initial_volume))
+    mean += *rate * state.glass.dilatation_mode;
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += 0.5 * dt * flow::node_velocity(mean, n);
   return mesh;
 }
 
 void update_rates(const State& before, double dt, State& after) {
-  if (after.bodies[0].temperature.size() > 0)
-    after.temperature_rate = (after.bodies[0].temperature - before.bodies[0].temperature) / dt;
-  after.contact.tool_before = before.contact.tool;
-  after.acceleration.setZero(after.velocity.size());
+  if (after.glass.temperature.size() > 0)
+    after.glass.temperature_rate = (after.glass.temperature - before.glass.temperature) / dt;
+  after.glass.previous_contact_tool = before.glass.contact_tool;
+  after.glass.acceleration.setZero(after.glass.velocity.size());
   after.moves_smoothly = false;
   if (before.last_step == 0) return;
   const double interval = 0.5 * (before.last_step + dt);
-  for (Index n = 0; n < static_cast<Index>(after.contact.tool.size()); ++n) {
-    const Index tool = after.contact.tool[n];
-    if (before.contact.tool[n] == tool && before.contact.tool_before[n] == tool)
-      after.acceleration.segment<dim>(dim * n) = (after.velocity - before.velocity).segment<dim>(dim * n) / interval;
+  for (Index n = 0; n < static_cast<Index>(after.glass.contact_tool.size()); ++n) {
+    const Index tool = after.glass.contact_tool[n];
+    if (before.glass.contact_tool[n] == tool && before.glass.previous_contact_tool[n] == tool)
+      after.glass.acceleration.segment<dim>(dim * n) =
+          (after.glass.velocity - before.glass.velocity).segment<dim>(dim * n) / interval;
   }
-  const double change = interval * after.acceleration.norm();
-  const double missed = interval * (after.acceleration - before.acceleration).norm();
+  const double change = interval * after.glass.acceleration.norm();
+  const double missed = interval * (after.glass.acceleration - before.glass.acceleration).norm();
   after.moves_smoothly = missed < smooth * change;
 }
 

@@ -39,14 +39,14 @@ void move_nodes(core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt) {
 void store_tool_velocities(const Scene& scene, double dt, State& state) {
   const auto motions = tool_motions(scene, state, dt);
   for (const auto& tool : scene.stages[state.stage].tools)
-    state.bodies[1 + tool.tool].velocity = motions[tool.tool].velocity;
+    state.tools[tool.tool].velocity = motions[tool.tool].velocity;
 }
 
 /// Moves the glass and the active tools with their velocities.
 void move_bodies(const Scene& scene, double dt, State& state) {
-  if (scene.has_flow()) move_nodes(state.bodies[0].mesh, state.velocity, dt);
+  if (scene.has_flow()) move_nodes(state.glass.mesh, state.glass.velocity, dt);
   for (const auto& tool : scene.stages[state.stage].tools) {
-    auto& body = state.bodies[1 + tool.tool];
+    auto& body = state.tools[tool.tool];
     body.offset += dt * body.velocity;
   }
 }
@@ -64,7 +64,7 @@ bool find_velocities(const Scene& scene, const State& state, MidpointPredictor& 
 
 /// Whether every cell of the glass has kept its sense.
 bool is_unfolded(StepResult& result) {
-  if (remesh::min_quality(result.state.bodies[0].mesh) > 0) return true;
+  if (remesh::min_quality(result.state.glass.mesh) > 0) return true;
   result.reason = "a cell of the glass turned over";
   return false;
 }
@@ -108,10 +108,10 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
   for (int pass = 0; pass < passes; ++pass) {
     if (pass > 0) {
-      predictor.temperature = 0.5 * (state.bodies[0].temperature + result.state.bodies[0].temperature);
-      auto active = std::move(result.state.contact.active);
+      predictor.temperature = 0.5 * (state.glass.temperature + result.state.glass.temperature);
+      auto active = std::move(result.state.glass.active_contacts);
       result.state = state;
-      result.state.contact.active = std::move(active);
+      result.state.glass.active_contacts = std::move(active);
     }
     if (!pass_once(scene, state, predictor, dt, workspace, result)) return result;
   }
@@ -124,7 +124,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   if (!workspace.static_stage)
     after.totals.max_penetration = std::max(after.totals.max_penetration, max_penetration(scene, after));
   if (scene.has_flow()) {
-    const double drift = core::volume(after.bodies[0].mesh, scene.geometry) / after.initial_volume - 1;
+    const double drift = core::volume(after.glass.mesh, scene.geometry) / after.glass.initial_volume - 1;
     after.totals.max_drift = std::max(after.totals.max_drift, std::abs(drift));
   }
   result.report.dt = dt;

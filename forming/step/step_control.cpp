@@ -69,7 +69,7 @@ bool stage_over(const Scene& scene, const State& state, bool has_moved) {
   if (!stage.end_speed || !has_moved) return false;
   return std::all_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
     return !std::holds_alternative<ForceMotion>(tool.motion) ||
-           std::abs(state.bodies[1 + tool.tool].velocity) < *stage.end_speed;
+           std::abs(state.tools[tool.tool].velocity) < *stage.end_speed;
   });
 }
 

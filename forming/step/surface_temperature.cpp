@@ -51,13 +51,13 @@ bool relaxes_at_once(const Scene& scene, const Eigen::VectorXd& temperature,
 
 double surface_temperature_change(const Scene& scene, const State& before, const State& after,
                                   const std::vector<core::InterfacePoint>& interface) {
-  const core::Mesh& mesh = before.bodies[0].mesh;
-  const Eigen::VectorXd& from = before.bodies[0].temperature;
+  const core::Mesh& mesh = before.glass.mesh;
+  const Eigen::VectorXd& from = before.glass.temperature;
   Eigen::VectorXd change = Eigen::VectorXd::Zero(mesh.node_count());
-  const auto symmetry = symmetry_boundaries(scene.glass, mesh);
-  for (const auto& edge : mesh.boundary)
+  const auto symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
+  for (const auto& edge : mesh.boundary_edges())
     if (!symmetry[edge.boundary_id])
-      for (const Index node : edge.nodes) change[node] = std::abs(after.bodies[0].temperature[node] - from[node]);
+      for (const Index node : edge.nodes) change[node] = std::abs(after.glass.temperature[node] - from[node]);
   for (;;) {
     Eigen::Index largest = 0;
     const double found = change.maxCoeff(&largest);

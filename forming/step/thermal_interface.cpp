@@ -11,8 +11,9 @@
 namespace parison::forming {
 
 std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state) {
-  const core::Mesh& glass = state.bodies[0].mesh;
-  const auto slave = contact::make_surface(0, glass, contact_boundaries(scene.glass, glass), core::Point::Zero());
+  const core::Mesh& glass = state.glass.mesh;
+  const auto slave =
+      contact::make_surface(0, glass, core::boundaries_of_kind(glass, BoundaryKind::contact), core::Point::Zero());
   const auto nodes = contact_nodes(scene, glass);
   const auto& active_tools = scene.stages[state.stage].tools;
   std::vector<contact::Master> masters;
@@ -20,14 +21,14 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
     const auto& interface = scene.interfaces[law];
     if (std::none_of(active_tools.begin(), active_tools.end(), [&](const auto& t) { return t.tool == interface.tool; }))
       continue;
-    const auto& tool = state.bodies[1 + interface.tool];
-    const auto touches = contact_boundaries(scene.tools[interface.tool], tool.mesh);
+    const auto& tool = state.tools[interface.tool];
+    const auto touches = core::boundaries_of_kind(tool.mesh, BoundaryKind::contact);
     masters.push_back(
         {contact::make_surface(1 + interface.tool, tool.mesh, touches, tool.offset * core::axis_direction()),
          tool_gaps(scene, state, nodes, interface.tool, 10 * interface.transition_gap), interface.transition_gap,
          static_cast<Index>(law)});
   }
-  return contact::build_interface(slave, state.contact.pressure, masters, scene.geometry);
+  return contact::build_interface(slave, state.glass.contact_pressure, masters, scene.geometry);
 }
 
 core::Conductance point_conductance(const Scene& scene, const core::InterfacePoint& point, double temperature,

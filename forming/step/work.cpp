@@ -17,21 +17,25 @@ namespace {
 /// Of the glass's mass, with the mass where it was last distributed.
 double gravity_power(const Scene& scene, const State& start, const Eigen::VectorXd& velocity) {
   const Point moved = flow::integral(mass_mesh(start), scene.geometry, velocity);
-  return start.density * scene.stages[start.stage].gravity * moved.dot(core::axis_direction());
+  return start.glass.density * scene.stages[start.stage].gravity * moved.dot(core::axis_direction());
 }
 
 /// Of the over-pressures on the exposed edges of a mesh.
 double air_power(const Scene& scene, const Stage& stage, const core::Mesh& mesh, const flow::Solution& flow) {
+  std::vector<double> pressure;
+  for (const auto& boundary : mesh.boundaries()) {
+    const auto given = stage.pressure.find(boundary.name);
+    pressure.push_back(given == stage.pressure.end() ? 0 : given->second);
+  }
   double power = 0;
-  for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
-    const auto& edge = mesh.boundary[e];
-    const auto pressure = stage.pressure.find(mesh.boundary_names[edge.boundary_id]);
-    if (!flow.exposed[e] || pressure == stage.pressure.end()) continue;
+  for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e) {
+    const auto& edge = mesh.boundary_edges()[e];
+    if (!flow.exposed[e] || pressure[edge.boundary_id] == 0) continue;
     for (const auto& rule : core::edge_rule(4)) {
       const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
       for (int i = 0; i < 3; ++i)
-        power -=
-            pressure->second * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(flow.velocity, edge.nodes[i]));
+        power -= pressure[edge.boundary_id] * at.area * at.shape[i] *
+                 at.normal.dot(flow::node_velocity(flow.velocity, edge.nodes[i]));
     }
   }
   return power;
@@ -40,9 +44,9 @@ double air_power(const Scene& scene, const Stage& stage, const core::Mesh& mesh,
 /// Of the exposed edges that are no symmetry planes nor fixed, m2.
 double open_area(const Scene& scene, const core::Mesh& mesh, const std::vector<bool>& exposed) {
   double area = 0;
-  for (std::size_t e = 0; e < mesh.boundary.size(); ++e) {
-    const auto& edge = mesh.boundary[e];
-    const BoundaryKind kind = boundary_kind(scene.glass, mesh.boundary_names[edge.boundary_id]);
+  for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e) {
+    const auto& edge = mesh.boundary_edges()[e];
+    const BoundaryKind kind = mesh.boundaries()[edge.boundary_id].kind;
     if (!exposed[e] || kind == BoundaryKind::symmetry || kind == BoundaryKind::fixed) continue;
     for (const auto& rule : core::edge_rule(4))
       area += core::map_edge_point(mesh, edge.nodes, scene.geometry, rule).area;
@@ -54,7 +58,7 @@ double open_area(const Scene& scene, const core::Mesh& mesh, const std::vector<b
 
 void accumulate_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work) {
   const Stage& stage = scene.stages[start.stage];
-  const core::Mesh& first = start.bodies[0].mesh;
+  const core::Mesh& first = start.glass.mesh;
   core::Mesh middle = first, last = first;
   for (Index n = 0; n < first.node_count(); ++n) {
     const Point v = flow::node_velocity(flow.velocity, n);

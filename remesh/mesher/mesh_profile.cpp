@@ -14,6 +14,10 @@ using core::Point;
 
 namespace {
 
+std::vector<core::MeshBoundary> boundaries_of(const core::Profile& profile) {
+  return {profile.boundary_names.begin(), profile.boundary_names.end()};
+}
+
 constexpr double max_turn = 20 * M_PI / 180;  ///< of an arc within one edge
 
 std::vector<SizeSource> size_sources(const core::Profile& profile, const ProfileSizes& sizes) {
@@ -45,7 +49,7 @@ core::Mesh mesh_profile(const core::Profile& profile, const ProfileSizes& sizes)
     }
   }
   outline.loop_start.push_back(outline.edge_count());
-  MeshedOutline result = mesh_outline(outline, profile.boundary_names, field);
+  MeshedOutline result = mesh_outline(outline, boundaries_of(profile), field);
   if (!result.reason.empty()) throw std::runtime_error("the profile cannot be meshed: " + result.reason);
   return std::move(result.mesh);
 }
@@ -139,18 +143,18 @@ void add_cells(Mesh& mesh, const Lattice& at, Index i, Index j) {
   const Index ab = at(i + 1, j), bc = at(i + 2, j + 1), cd = at(i + 1, j + 2), da = at(i, j + 1);
   const auto distance = [&](Index p, Index q) { return (mesh.nodes[p] - mesh.nodes[q]).norm(); };
   if (distance(a, c) <= distance(b, d) * (1 + 1e-9)) {
-    mesh.cells.push_back({a, b, c, ab, bc, centre});
-    mesh.cells.push_back({a, c, d, centre, cd, da});
+    mesh.edit().cells.push_back({a, b, c, ab, bc, centre});
+    mesh.edit().cells.push_back({a, c, d, centre, cd, da});
   } else {
-    mesh.cells.push_back({a, b, d, ab, centre, da});
-    mesh.cells.push_back({b, c, d, bc, cd, centre});
+    mesh.edit().cells.push_back({a, b, d, ab, centre, da});
+    mesh.edit().cells.push_back({b, c, d, bc, cd, centre});
   }
 }
 
 Index owner(const Mesh& mesh, Index mid) {
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (int k = 3; k < 6; ++k)
-      if (mesh.cells[cell][k] == mid) return cell;
+      if (mesh.cells()[cell][k] == mid) return cell;
   return -1;
 }
 
@@ -160,7 +164,7 @@ void add_side(Mesh& mesh, const Lattice& at, Index side, Index boundary_id) {
     return side == 0 ? at(k, 0) : side == 1 ? at(right, k) : side == 2 ? at(right - k, top) : at(0, top - k);
   };
   for (Index k = 0; k < (side % 2 == 0 ? right : top); k += 2)
-    mesh.boundary.push_back({{node(k), node(k + 2), node(k + 1)}, owner(mesh, node(k + 1)), boundary_id});
+    mesh.edit().boundary_edges.push_back({{node(k), node(k + 2), node(k + 1)}, owner(mesh, node(k + 1)), boundary_id});
 }
 
 }  // namespace
@@ -171,8 +175,8 @@ core::Mesh mesh_mapped(const core::Profile& profile, Index along_first, Index al
   const Lattice at{along_first, along_second};
   const std::vector<double> u = graded(along_first, ratio_first), v = graded(along_second, ratio_second);
   Mesh mesh;
-  mesh.boundary_names = profile.boundary_names;
-  mesh.vertex_count = (at.columns + 1) * (at.rows + 1);
+  mesh.edit().boundaries = boundaries_of(profile);
+  mesh.edit().vertex_count = (at.columns + 1) * (at.rows + 1);
   mesh.nodes.resize(u.size() * v.size());
   for (std::size_t j = 0; j < v.size(); ++j)
     for (std::size_t i = 0; i < u.size(); ++i)

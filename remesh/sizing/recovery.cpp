@@ -45,9 +45,9 @@ struct Sample {
 
 /// Cells at each vertex.
 std::vector<std::vector<Index>> cells_at_vertices(const Mesh& mesh) {
-  std::vector<std::vector<Index>> around(mesh.vertex_count);
+  std::vector<std::vector<Index>> around(mesh.vertex_count());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    for (int k = 0; k < 3; ++k) around[mesh.cells[cell][k]].push_back(cell);
+    for (int k = 0; k < 3; ++k) around[mesh.cells()[cell][k]].push_back(cell);
   return around;
 }
 
@@ -58,7 +58,7 @@ std::vector<Index> patch_cells(const Mesh& mesh, const std::vector<std::vector<I
     std::vector<Index> more;
     for (const Index cell : cells)
       for (int k = 0; k < 3; ++k) {
-        const auto& there = around[mesh.cells[cell][k]];
+        const auto& there = around[mesh.cells()[cell][k]];
         more.insert(more.end(), there.begin(), there.end());
       }
     std::sort(more.begin(), more.end());
@@ -92,11 +92,11 @@ template <int n>
 std::vector<Values<n>> recovered(const Mesh& mesh, const std::vector<std::array<Sample<n>, 3>>& samples) {
   const auto around = cells_at_vertices(mesh);
   std::vector<Patch<n>> patches;
-  for (Index v = 0; v < mesh.vertex_count; ++v)
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
     patches.push_back(fit<n>(mesh.nodes[v], patch_cells(mesh, around, v), samples));
   std::vector<Values<n>> nodal(mesh.nodes.size());
-  for (Index v = 0; v < mesh.vertex_count; ++v) nodal[v] = patches[v].at(mesh.nodes[v]);
-  for (const auto& cell : mesh.cells)
+  for (Index v = 0; v < mesh.vertex_count(); ++v) nodal[v] = patches[v].at(mesh.nodes[v]);
+  for (const auto& cell : mesh.cells())
     for (int k = 0; k < 3; ++k) {
       const Point& x = mesh.nodes[cell[3 + k]];
       nodal[cell[3 + k]] = 0.5 * (patches[cell[k]].at(x) + patches[cell[(k + 1) % 3]].at(x));
@@ -113,7 +113,7 @@ double extent(const Mesh& mesh) {
 /// `derivative(cell, point)` gives the derivative of the field, with values up to `largest`, at a point of a cell.
 template <int n, class Derivative>
 DerivativeError estimate(const Mesh& mesh, core::Geometry geometry, double largest, const Derivative& derivative) {
-  std::vector<std::array<Sample<n>, 3>> samples(mesh.cells.size());
+  std::vector<std::array<Sample<n>, 3>> samples(mesh.cells().size());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (int k = 0; k < 3; ++k) {
       const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, core::triangle_rule(2)[k]);
@@ -126,7 +126,7 @@ DerivativeError estimate(const Mesh& mesh, core::Geometry geometry, double large
     for (const auto& at : core::triangle_rule(5)) {
       const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, at);
       Values<n> better = Values<n>::Zero();
-      for (int i = 0; i < 6; ++i) better += point.shape[i] * nodal[mesh.cells[cell][i]];
+      for (int i = 0; i < 6; ++i) better += point.shape[i] * nodal[mesh.cells()[cell][i]];
       error.cell[cell] += point.volume * (better - derivative(cell, point)).squaredNorm();
       error.derivative += point.volume * better.squaredNorm();
       volume += point.volume;
@@ -150,7 +150,7 @@ DerivativeError gradient_error(const Mesh& mesh, core::Geometry geometry, const 
   return estimate<core::dim>(mesh, geometry, nodal.lpNorm<Eigen::Infinity>(),
                              [&](Index cell, const core::CellPoint& point) {
                                Point gradient = Point::Zero();
-                               for (int i = 0; i < 6; ++i) gradient += nodal[mesh.cells[cell][i]] * point.gradient[i];
+                               for (int i = 0; i < 6; ++i) gradient += nodal[mesh.cells()[cell][i]] * point.gradient[i];
                                return gradient;
                              });
 }
@@ -159,7 +159,7 @@ DerivativeError rate_error(const Mesh& mesh, core::Geometry geometry, const Eige
   return estimate<4>(mesh, geometry, velocity.lpNorm<Eigen::Infinity>(), [&](Index cell, const core::CellPoint& point) {
     Values<4> rate = Values<4>::Zero();  // rr, zz, rz for both of its kind, hoop
     for (int i = 0; i < 6; ++i) {
-      const auto v = velocity.segment<core::dim>(core::dim * mesh.cells[cell][i]);
+      const auto v = velocity.segment<core::dim>(core::dim * mesh.cells()[cell][i]);
       const Point& g = point.gradient[i];
       rate += Values<4>(v[0] * g[0], v[1] * g[1], (v[0] * g[1] + v[1] * g[0]) / std::sqrt(2.0),
                         v[0] * point.shape[i] * core::hoop(geometry, point.position));
@@ -179,7 +179,7 @@ Eigen::VectorXd equidistributing_sizes(const Mesh& mesh, const DerivativeError& 
   const double each = std::pow(whole * whole / sum, (p + 1) / (2 * p));
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     if (error.cell[cell] > 0)
-      sizes[cell] = edge_of(mesh, mesh.cells[cell]) * std::pow(each / error.cell[cell], 1 / (p + 1));
+      sizes[cell] = edge_of(mesh, mesh.cells()[cell]) * std::pow(each / error.cell[cell], 1 / (p + 1));
   return sizes;
 }
 

@@ -132,9 +132,9 @@ double along(const std::array<Index, 3>& edge, double s, const Nodal& value) {
 /// Radius of curvature along each boundary edge: half of the kinks to its neighbours count as turning of the edge.
 std::vector<double> curvature_radii(const Mesh& mesh) {
   const std::vector<Link> links = boundary_links(mesh);
-  std::vector<double> radii(mesh.boundary.size());
+  std::vector<double> radii(mesh.boundary_edges().size());
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    const auto& edge = mesh.boundary[i].nodes;
+    const auto& edge = mesh.boundary_edges()[i].nodes;
     double turn = turning(tangent(mesh, edge, 0), tangent(mesh, edge, 1));
     for (const double kink : {links[i].kink, links[links[i].next].kink})
       if (std::abs(kink) < corner_angle) turn += 0.5 * kink;
@@ -146,7 +146,7 @@ std::vector<double> curvature_radii(const Mesh& mesh) {
 /// About how many cells of these sizes fill the body: equilateral ones.
 double cell_count(const Mesh& old, const SizeField& size) {
   double count = 0;
-  for (const auto& cell : old.cells) {
+  for (const auto& cell : old.cells()) {
     const Point &a = old.nodes[cell[0]], u = old.nodes[cell[1]] - a, v = old.nodes[cell[2]] - a;
     const double edge = size(a + (u + v) / 3);
     count += 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]) / (std::sqrt(3.0) / 4 * edge * edge);
@@ -159,7 +159,7 @@ void add_target_cell_sizes(const Mesh& old, const Criteria& criteria, std::vecto
   for (std::size_t cell = 0; cell < criteria.target_cell_size.size(); ++cell) {
     const double target_size = std::max(criteria.target_cell_size[cell], criteria.smallest);
     if (target_size >= 2 * criteria.surface_size) continue;
-    const auto& nodes = old.cells[cell];
+    const auto& nodes = old.cells()[cell];
     const Point &a = old.nodes[nodes[0]], &b = old.nodes[nodes[1]], &c = old.nodes[nodes[2]], middle = (a + b + c) / 3;
     sources.push_back({middle, target_size, std::min({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()})});
   }
@@ -174,9 +174,9 @@ SizeField size_field(const Mesh& old, const Criteria& criteria) {
   const Eigen::VectorXd film = film_thickness(old, behind, criteria.straight_boundaries, criteria.contact);
   const std::vector<double> radii = curvature_radii(old);
   std::vector<SizeSource> sources;
-  for (std::size_t i = 0; i < old.boundary.size(); ++i) {
-    const auto& edge = old.boundary[i].nodes;
-    if (criteria.straight_boundaries.at(old.boundary[i].boundary_id)) continue;
+  for (std::size_t i = 0; i < old.boundary_edges().size(); ++i) {
+    const auto& edge = old.boundary_edges()[i].nodes;
+    if (criteria.straight_boundaries.at(old.boundary_edges()[i].boundary_id)) continue;
     const double bend = std::max(max_turn * radii[i], criteria.smallest);
     const auto skin = [&](Index node) {
       return criteria.target_skin_size.empty() ? infinity : criteria.target_skin_size[node];

@@ -64,16 +64,16 @@ double turning(const Point& before, const Point& after) {
 }
 
 std::vector<Link> boundary_links(const Mesh& mesh) {
-  const auto count = static_cast<Index>(mesh.boundary.size());
+  const auto count = static_cast<Index>(mesh.boundary_edges().size());
   std::vector<Link> links(count);
   for (Index start = 0; start < count;) {
     Index last = start;
-    while (mesh.boundary[last].nodes[1] != mesh.boundary[start].nodes[0]) ++last;
+    while (mesh.boundary_edges()[last].nodes[1] != mesh.boundary_edges()[start].nodes[0]) ++last;
     for (Index i = start; i <= last; ++i) {
       links[i].previous = i == start ? last : i - 1;
       links[i].next = i == last ? start : i + 1;
-      links[i].kink =
-          turning(tangent(mesh, mesh.boundary[links[i].previous].nodes, 1), tangent(mesh, mesh.boundary[i].nodes, 0));
+      links[i].kink = turning(tangent(mesh, mesh.boundary_edges()[links[i].previous].nodes, 1),
+                              tangent(mesh, mesh.boundary_edges()[i].nodes, 0));
     }
     start = last + 1;
   }
@@ -84,7 +84,7 @@ Mesh without_collapsed_edges(Mesh mesh) {
   constexpr double collapsed = 0.01;  // of either neighbour
   const std::vector<Link> links = boundary_links(mesh);
   const auto chord = [&](Index i) {
-    const Edge& edge = mesh.boundary[i].nodes;
+    const Edge& edge = mesh.boundary_edges()[i].nodes;
     return (mesh.nodes[edge[1]] - mesh.nodes[edge[0]]).norm();
   };
   std::vector<core::BoundaryEdge> kept;
@@ -94,19 +94,19 @@ Mesh without_collapsed_edges(Mesh mesh) {
     if (leaves[previous] || leaves[next] ||
         chord(static_cast<Index>(i)) > collapsed * std::min(chord(previous), chord(next)))
       continue;
-    const Edge& nodes = mesh.boundary[i].nodes;
-    const Index boundary_id = mesh.boundary[i].boundary_id;
+    const Edge& nodes = mesh.boundary_edges()[i].nodes;
+    const Index boundary_id = mesh.boundary_edges()[i].boundary_id;
     leaves[i] = true;
-    if (mesh.boundary[previous].boundary_id == boundary_id)
-      mesh.boundary[previous].nodes[1] = nodes[1];
-    else if (mesh.boundary[next].boundary_id == boundary_id)
-      mesh.boundary[next].nodes[0] = nodes[0];
+    if (mesh.boundary_edges()[previous].boundary_id == boundary_id)
+      mesh.edit().boundary_edges[previous].nodes[1] = nodes[1];
+    else if (mesh.boundary_edges()[next].boundary_id == boundary_id)
+      mesh.edit().boundary_edges[next].nodes[0] = nodes[0];
     else
       leaves[i] = false;
   }
   for (std::size_t i = 0; i < links.size(); ++i)
-    if (!leaves[i]) kept.push_back(mesh.boundary[i]);
-  mesh.boundary = std::move(kept);
+    if (!leaves[i]) kept.push_back(mesh.boundary_edges()[i]);
+  mesh.edit().boundary_edges = std::move(kept);
   return mesh;
 }
 

@@ -34,7 +34,7 @@ Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall,
   if (contact.empty()) return thickness;
   for (Index node = 0; node < mesh.node_count(); ++node) {
     if (wall.far_edge[node] < 0 || !contact[node]) continue;
-    const core::BoundaryEdge& other = mesh.boundary[wall.far_edge[node]];
+    const core::BoundaryEdge& other = mesh.boundary_edges()[wall.far_edge[node]];
     const auto touches = [&](Index n) { return contact[n]; };
     if (!symmetry_boundaries[other.boundary_id] && std::none_of(other.nodes.begin(), other.nodes.end(), touches))
       continue;

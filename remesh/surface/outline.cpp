@@ -44,7 +44,7 @@ bool add_mid_nodes(const Outline& outline, const Triangulation& triangles, Mesh&
   for (Index i = 0; i < outline.edge_count(); ++i) {
     mid[key(i, ends[i])] = mesh.node_count();
     mesh.nodes.push_back(outline.mids[i]);
-    mesh.boundary.push_back({{i, ends[i], mesh.node_count() - 1}, -1, outline.boundary_ids[i]});
+    mesh.edit().boundary_edges.push_back({{i, ends[i], mesh.node_count() - 1}, -1, outline.boundary_ids[i]});
   }
   for (const auto& corner : triangles.triangles) {
     std::array<Index, 6> cell{corner[0], corner[1], corner[2], -1, -1, -1};
@@ -53,16 +53,17 @@ bool add_mid_nodes(const Outline& outline, const Triangulation& triangles, Mesh&
       const auto [place, is_new] = mid.try_emplace(key(a, b), mesh.node_count());
       if (is_new) mesh.nodes.push_back(0.5 * (mesh.nodes[a] + mesh.nodes[b]));
       cell[3 + k] = place->second;
-      const Index edge = place->second - mesh.vertex_count;
-      if (edge < outline.edge_count()) mesh.boundary[edge].cell = mesh.cell_count();
+      const Index edge = place->second - mesh.vertex_count();
+      if (edge < outline.edge_count()) mesh.edit().boundary_edges[edge].cell = mesh.cell_count();
     }
-    mesh.cells.push_back(cell);
+    mesh.edit().cells.push_back(cell);
   }
-  return std::all_of(mesh.boundary.begin(), mesh.boundary.end(), [](const auto& edge) { return edge.cell >= 0; });
+  return std::all_of(mesh.boundary_edges().begin(), mesh.boundary_edges().end(),
+                     [](const auto& edge) { return edge.cell >= 0; });
 }
 
 void straighten_folded(Mesh& mesh) {
-  for (const core::BoundaryEdge& edge : mesh.boundary) {
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     const double curved_quality = cell_quality(mesh, edge.cell);
     if (curved_quality >= folded) continue;
     const auto [first, last, mid] = edge.nodes;
@@ -87,7 +88,7 @@ std::pair<Index, Index> find_crossing(const Outline& outline) {
   return {first < 0 ? -1 : first / 2, second < 0 ? -1 : second / 2};
 }
 
-MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& boundary_names,
+MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshBoundary>& boundaries,
                            const SizeField& size) {
   Triangulation triangles = triangulate(outline, size);
   if (!triangles.reason.empty()) return {{}, triangles.reason};
@@ -95,8 +96,8 @@ MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string
   MeshedOutline result;
   Mesh& mesh = result.mesh;
   mesh.nodes = std::move(triangles.vertices);
-  mesh.vertex_count = mesh.node_count();
-  mesh.boundary_names = boundary_names;
+  mesh.edit().vertex_count = mesh.node_count();
+  mesh.edit().boundaries = boundaries;
   if (!add_mid_nodes(outline, triangles, mesh)) return {{}, "the mesher lost edges of the outline"};
   straighten_folded(mesh);
   return result;
@@ -120,7 +121,7 @@ bool penetrates_between(const Mesh& mesh, const ExteriorProjection& project_out,
 }  // namespace
 
 Point exterior_point(const Mesh& mesh, const ExteriorProjection& project_out, const Place& place) {
-  const auto& nodes = mesh.boundary[place.edge].nodes;
+  const auto& nodes = mesh.boundary_edges()[place.edge].nodes;
   const Point x = place.s == 0 ? mesh.nodes[nodes[0]] : point_on(mesh, nodes, place.s);
   if (!project_out) return x;
   const Point out = project_out(x);
@@ -134,7 +135,7 @@ bool penetrates(const Mesh& mesh, const ExteriorProjection& project_out, const P
 void extend(const Mesh& mesh, const ExteriorProjection& project_out, const Place& from, double to,
             BoundaryCurve& curve) {
   if (curve.straight || !penetrates_between(mesh, project_out, from, to)) {
-    const auto& nodes = mesh.boundary[from.edge].nodes;
+    const auto& nodes = mesh.boundary_edges()[from.edge].nodes;
     const double before = from.s > 0 ? arc_length(mesh, nodes, from.s) : 0;
     curve.parts.push_back({from, before, curve.length() + arc_length(mesh, nodes, to) - before, 0});
     return;
@@ -156,7 +157,7 @@ Place place_at(const Mesh& mesh, const BoundaryCurve& curve, double length) {
   const double start = found == curve.parts.begin() ? 0 : (found - 1)->until, ahead = length - start;
   const auto [edge, s] = found->from;
   if (found->span > 0) return {edge, s + (ahead > 0 ? ahead / (found->until - start) * found->span : 0)};
-  return {edge, at_arc_length(mesh, mesh.boundary[edge].nodes, ahead + found->before)};
+  return {edge, at_arc_length(mesh, mesh.boundary_edges()[edge].nodes, ahead + found->before)};
 }
 
 }  // namespace parison::remesh

@@ -33,7 +33,7 @@ struct MeshedOutline {
 
 /// Frontal-Delaunay triangles (gmsh) inside the outline with exactly its edges. Node i is vertex i, boundary edge i is
 /// edge i; an edge that would fold its cell is straightened. Not for use from several threads at once.
-MeshedOutline mesh_outline(const Outline& outline, const std::vector<std::string>& boundary_names,
+MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshBoundary>& boundaries,
                            const SizeField& size);
 
 /// Takes a point that lies inside a tool out to its surface; others stay to the bit. Empty where there are no tools.

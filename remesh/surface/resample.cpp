@@ -18,7 +18,7 @@ namespace {
 
 /// Whether an old edge starts at the end of a boundary or at a corner.
 bool is_fixed(const Mesh& old, const std::vector<Link>& links, Index i) {
-  return old.boundary[i].boundary_id != old.boundary[links[i].previous].boundary_id ||
+  return old.boundary_edges()[i].boundary_id != old.boundary_edges()[links[i].previous].boundary_id ||
          std::abs(links[i].kink) > corner_angle;
 }
 
@@ -34,16 +34,16 @@ std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, con
   const std::vector<Link> links = boundary_links(old);
   std::vector<Point> fixed;
   for (std::size_t i = 0; i < links.size(); ++i)
-    if (is_fixed(old, links, static_cast<Index>(i))) fixed.push_back(old.nodes[old.boundary[i].nodes[0]]);
+    if (is_fixed(old, links, static_cast<Index>(i))) fixed.push_back(old.nodes[old.boundary_edges()[i].nodes[0]]);
   std::map<Index, Kept> kept;
   for (const Point& corner : criteria.keep) {
     const double target_size = std::min(criteria.surface_size, size(corner));
     double best = 0.5 * criteria.surface_size;
     Place found{-1, 0};
-    for (std::size_t i = 0; i < old.boundary.size(); ++i) {
-      const auto& edge = old.boundary[i].nodes;
+    for (std::size_t i = 0; i < old.boundary_edges().size(); ++i) {
+      const auto& edge = old.boundary_edges()[i].nodes;
       const Point &a = old.nodes[edge[0]], &b = old.nodes[edge[1]];
-      if (criteria.straight_boundaries[old.boundary[i].boundary_id] ||
+      if (criteria.straight_boundaries[old.boundary_edges()[i].boundary_id] ||
           (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best)
         continue;
       const double s = closest_on(old, edge, corner);
@@ -100,7 +100,7 @@ class Resampler {
     Index i = start;
     do {
       if (i == start || starts_curve(i))
-        curves.push_back({{}, criteria_.straight_boundaries[old_.boundary[i].boundary_id]});
+        curves.push_back({{}, criteria_.straight_boundaries[old_.boundary_edges()[i].boundary_id]});
       const auto kept = kept_.find(i);
       if (kept != kept_.end() && kept->second.s > 0) {
         extend(old_, criteria_.project_out, {i, 0}, kept->second.s, curves.back());
@@ -118,7 +118,7 @@ class Resampler {
   /// Whether the old nodes on both sides of a place touch a tool.
   bool touches(const Place& place) const {
     if (criteria_.contact.empty()) return false;
-    const auto& nodes = old_.boundary[place.edge].nodes;
+    const auto& nodes = old_.boundary_edges()[place.edge].nodes;
     return criteria_.contact[nodes[2]] && criteria_.contact[nodes[place.s < 0.5 ? 0 : 1]];
   }
 
@@ -148,7 +148,7 @@ class Resampler {
       const double middle = 0.5 * (at[i] + at[i + 1]);
       surface_.outline.vertices.push_back(i == 0 ? start : point(at[i]));
       surface_.outline.mids.push_back(point(middle));
-      surface_.outline.boundary_ids.push_back(old_.boundary[curve.parts.front().from.edge].boundary_id);
+      surface_.outline.boundary_ids.push_back(old_.boundary_edges()[curve.parts.front().from.edge].boundary_id);
       surface_.contact.push_back(touches(i == 0 ? curve.parts.front().from : place_at(old_, curve, at[i])));
       surface_.fixed.push_back(curve.straight || i == 0);
       mid_contact_.push_back(touches(place_at(old_, curve, middle)));

@@ -35,12 +35,12 @@ class EdgeGrid {
     Point high = low_;
     for (const Point& x : mesh.nodes) low_ = low_.cwiseMin(x), high = high.cwiseMax(x);
     const Point extent = high - low_;
-    bin_ = std::max(std::sqrt(extent.prod() / (4.0 * mesh.boundary.size())), extent.maxCoeff() / 500);
+    bin_ = std::max(std::sqrt(extent.prod() / (4.0 * mesh.boundary_edges().size())), extent.maxCoeff() / 500);
     low_.array() -= bin_;
     count_ = {static_cast<int>(extent[0] / bin_) + 3, static_cast<int>(extent[1] / bin_) + 3};
     first_.assign(static_cast<std::size_t>(count_[0]) * count_[1], -1);
-    entries_.reserve(4 * mesh.boundary.size());
-    for (Index i = static_cast<Index>(mesh.boundary.size()) - 1; i >= 0; --i) insert(i);
+    entries_.reserve(4 * mesh.boundary_edges().size());
+    for (Index i = static_cast<Index>(mesh.boundary_edges().size()) - 1; i >= 0; --i) insert(i);
   }
 
   struct Hit {
@@ -80,7 +80,7 @@ class EdgeGrid {
   };
 
   void insert(Index i) {
-    const auto& edge = mesh_.boundary[i].nodes;
+    const auto& edge = mesh_.boundary_edges()[i].nodes;
     Point low = mesh_.nodes[edge[0]], high = low;
     for (const Index node : edge) low = low.cwiseMin(mesh_.nodes[node]), high = high.cwiseMax(mesh_.nodes[node]);
     const double margin = 0.1 * (high - low).maxCoeff();
@@ -97,7 +97,7 @@ class EdgeGrid {
   }
 
   void try_edge(Index from, const Point& direction, Index i, Hit& hit) const {
-    const auto& edge = mesh_.boundary[i].nodes;
+    const auto& edge = mesh_.boundary_edges()[i].nodes;
     if (edge[0] == from || edge[1] == from || edge[2] == from) return;
     const Point start = mesh_.nodes[from], left(-direction[1], direction[0]);
     const double a = left.dot(mesh_.nodes[edge[0]] - start), b = left.dot(mesh_.nodes[edge[1]] - start);
@@ -124,7 +124,7 @@ class EdgeGrid {
 /// Sum of the outward unit normals of the edges that meet at each node; zero away from the free and contact surface.
 std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries) {
   std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
-  for (const core::BoundaryEdge& edge : mesh.boundary) {
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     if (symmetry_boundaries.at(edge.boundary_id)) continue;
     constexpr std::array<double, 3> places{0, 1, 0.5};
     for (int k = 0; k < 3; ++k) {
@@ -140,13 +140,13 @@ struct Fans {
   std::vector<Index> start, cell;
 };
 Fans fans_of(const Mesh& mesh) {
-  Fans fans{std::vector<Index>(mesh.vertex_count + 1, 0), std::vector<Index>(3 * mesh.cells.size())};
-  for (const auto& cell : mesh.cells)
+  Fans fans{std::vector<Index>(mesh.vertex_count() + 1, 0), std::vector<Index>(3 * mesh.cells().size())};
+  for (const auto& cell : mesh.cells())
     for (int i = 0; i < 3; ++i) ++fans.start[cell[i] + 1];
   std::partial_sum(fans.start.begin(), fans.start.end(), fans.start.begin());
   std::vector<Index> place(fans.start.begin(), fans.start.end() - 1);
   for (Index c = 0; c < mesh.cell_count(); ++c)
-    for (int i = 0; i < 3; ++i) fans.cell[place[mesh.cells[c][i]]++] = c;
+    for (int i = 0; i < 3; ++i) fans.cell[place[mesh.cells()[c][i]]++] = c;
   return fans;
 }
 
@@ -159,20 +159,20 @@ std::vector<Index> sources_of_vertices(const Mesh& mesh, const Eigen::VectorXd& 
       return std::tie(distance, vertex) > std::tie(other.distance, other.vertex);
     }
   };
-  std::vector<double> reached(mesh.vertex_count, infinity);
-  std::vector<Index> source(mesh.vertex_count, -1);
+  std::vector<double> reached(mesh.vertex_count(), infinity);
+  std::vector<Index> source(mesh.vertex_count(), -1);
   const auto reach = [&](Index vertex, Index from) {
     const double distance = (mesh.nodes[vertex] - mesh.nodes[from]).squaredNorm();
     const bool nearer = distance < reached[vertex];
     if (nearer) reached[vertex] = distance, source[vertex] = from;
     return nearer;
   };
-  for (const auto& cell : mesh.cells)
+  for (const auto& cell : mesh.cells())
     for (const Index node : cell)
       if (std::isfinite(value[node]))
         for (int i = 0; i < 3; ++i) reach(cell[i], node);
   std::vector<Front> first;
-  for (Index v = 0; v < mesh.vertex_count; ++v)
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (source[v] >= 0) first.push_back({reached[v], v, source[v]});
   std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts(std::greater<>(), std::move(first));
   const Fans fans = fans_of(mesh);
@@ -182,7 +182,7 @@ std::vector<Index> sources_of_vertices(const Mesh& mesh, const Eigen::VectorXd& 
     if (front.source != source[front.vertex]) continue;
     for (Index k = fans.start[front.vertex]; k < fans.start[front.vertex + 1]; ++k)
       for (int i = 0; i < 3; ++i)
-        if (const Index vertex = mesh.cells[fans.cell[k]][i]; reach(vertex, front.source))
+        if (const Index vertex = mesh.cells()[fans.cell[k]][i]; reach(vertex, front.source))
           fronts.push({reached[vertex], vertex, front.source});
   }
   return source;
@@ -193,7 +193,7 @@ std::vector<Index> sources_of_vertices(const Mesh& mesh, const Eigen::VectorXd& 
 void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
   std::vector<Index> source = sources_of_vertices(mesh, value);
   source.resize(mesh.nodes.size(), -1);
-  for (const auto& cell : mesh.cells)
+  for (const auto& cell : mesh.cells())
     for (int i = 0; i < 3; ++i) {  // a mid-side node has the nearer source of its ends
       const Index node = cell[3 + i], a = source[cell[i]], b = source[cell[(i + 1) % 3]];
       if (a < 0 || b < 0) continue;
@@ -209,7 +209,7 @@ Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries
   const EdgeGrid grid(mesh);
   Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
             surface_normals(mesh, symmetry_boundaries)};
-  for (const core::BoundaryEdge& edge : mesh.boundary) {
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     for (const Index node : edge.nodes) {
       if (symmetry_boundaries[edge.boundary_id] || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6)
         continue;
@@ -217,7 +217,8 @@ Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries
       const EdgeGrid::Hit hit = grid.first_exit(node, -wall.normal[node], reach);
       if (hit.edge < 0) continue;
       wall.far_edge[node] = hit.edge;
-      wall.thickness[node] = symmetry_boundaries[mesh.boundary[hit.edge].boundary_id] ? 2 * hit.distance : hit.distance;
+      wall.thickness[node] =
+          symmetry_boundaries[mesh.boundary_edges()[hit.edge].boundary_id] ? 2 * hit.distance : hit.distance;
     }
   }
   return wall;

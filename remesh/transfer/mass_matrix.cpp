@@ -8,9 +8,9 @@ namespace parison::remesh {
 using core::Index;
 
 MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order)
-    : mesh_(mesh), functions_(order == 2 ? 6 : 3), cells_(mesh.cells.size()) {
+    : mesh_(mesh), functions_(order == 2 ? 6 : 3), cells_(mesh.cells().size()) {
   const int n = functions_;
-  diagonal_ = Eigen::VectorXd::Zero(order == 2 ? mesh.node_count() : mesh.vertex_count);
+  diagonal_ = Eigen::VectorXd::Zero(order == 2 ? mesh.node_count() : mesh.vertex_count());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     auto& local = cells_[cell];
     local.fill(0);
@@ -22,7 +22,7 @@ MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int orde
     }
     for (int i = 0; i < n; ++i) {
       for (int j = i + 1; j < n; ++j) local[n * i + j] = local[n * j + i];
-      diagonal_[mesh.cells[cell][i]] += local[n * i + i];
+      diagonal_[mesh.cells()[cell][i]] += local[n * i + i];
     }
   }
 }
@@ -31,7 +31,7 @@ Eigen::VectorXd MassMatrix::multiply(const Eigen::VectorXd& x) const {
   const int n = functions_;
   Eigen::VectorXd result = Eigen::VectorXd::Zero(x.size());
   for (Index cell = 0; cell < mesh_.cell_count(); ++cell) {
-    const auto& nodes = mesh_.cells[cell];
+    const auto& nodes = mesh_.cells()[cell];
     for (int i = 0; i < n; ++i) {
       double sum = 0;
       for (int j = 0; j < n; ++j) sum += cells_[cell][n * i + j] * x[nodes[j]];

@@ -26,8 +26,8 @@ std::array<double, 2> clamp_to_cell(const std::array<double, 2>& at) {
 }  // namespace
 
 Box cell_box(const Mesh& mesh, Index cell) {
-  Box box{mesh.nodes[mesh.cells[cell][0]], mesh.nodes[mesh.cells[cell][0]]};
-  for (const Index node : mesh.cells[cell]) {
+  Box box{mesh.nodes[mesh.cells()[cell][0]], mesh.nodes[mesh.cells()[cell][0]]};
+  for (const Index node : mesh.cells()[cell]) {
     box.low = box.low.cwiseMin(mesh.nodes[node]);
     box.high = box.high.cwiseMax(mesh.nodes[node]);
   }
@@ -86,7 +86,7 @@ bool CellGrid::try_cell(Index cell, const Point& x, Found& best) const {
   }
   const auto shape = core::triangle_shape(clamped[0], clamped[1]);
   Point reached = Point::Zero();
-  for (int k = 0; k < 6; ++k) reached += shape[k] * mesh_.nodes[mesh_.cells[cell][k]];
+  for (int k = 0; k < 6; ++k) reached += shape[k] * mesh_.nodes[mesh_.cells()[cell][k]];
   const double miss = (reached - x).norm();
   if (miss < best.miss) best = {cell, clamped, miss};
   return false;
@@ -165,15 +165,15 @@ Box box_of(const Polygon& polygon) {
 std::vector<std::vector<Region>> outer_regions(const Mesh& mesh) {
   std::vector<Point> outward(mesh.nodes.size(), Point::Zero());
   std::vector<double> reach(mesh.nodes.size(), 0);
-  for (const core::BoundaryEdge& edge : mesh.boundary) {
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     const Point chord = mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]];
     for (int k = 0; k < 2; ++k) {
       outward[edge.nodes[k]] += Point(chord[1], -chord[0]).normalized();
       reach[edge.nodes[k]] = std::max(reach[edge.nodes[k]], 0.2 * chord.norm());
     }
   }
-  std::vector<std::vector<Region>> regions(mesh.cells.size());
-  for (const core::BoundaryEdge& edge : mesh.boundary) {
+  std::vector<std::vector<Region>> regions(mesh.cells().size());
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     Polygon strip;
     const auto [a, b, mid] = edge.nodes;
     strip.add(mesh.nodes[a]);
@@ -197,7 +197,7 @@ class Overlay {
     map_ = core::cell_map(to_, cell);
     straight_ = is_straight(map_);
     Polygon triangle;
-    for (int k = 0; k < 3; ++k) triangle.add(to_.nodes[to_.cells[cell][k]]);
+    for (int k = 0; k < 3; ++k) triangle.add(to_.nodes[to_.cells()[cell][k]]);
     const double whole = cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
     std::array<double, 6> sum{};
     const Box box = box_of(triangle);
@@ -206,7 +206,7 @@ class Overlay {
     for (const Index old : near_) {
       Polygon common = triangle;
       for (int k = 0; k < 3 && common.count > 2; ++k)
-        common = clip(common, from_.nodes[from_.cells[old][k]], from_.nodes[from_.cells[old][(k + 1) % 3]]);
+        common = clip(common, from_.nodes[from_.cells()[old][k]], from_.nodes[from_.cells()[old][(k + 1) % 3]]);
       add_polygon(cell, old, common, whole, sum);
       for (const Region& strip : outer_[old]) {
         if (!strip.box.meets(box)) continue;
@@ -229,7 +229,7 @@ class Overlay {
     }
     const auto shape = core::triangle_shape(at[0], at[1]);
     double value = 0;
-    for (int k = 0; k < 6; ++k) value += shape[k] * nodal_[from_.cells[old][k]];
+    for (int k = 0; k < 6; ++k) value += shape[k] * nodal_[from_.cells()[old][k]];
     return value;
   }
 
@@ -297,7 +297,7 @@ Eigen::VectorXd overlay_load(const Mesh& from, const Mesh& to, core::Geometry ge
   Eigen::VectorXd load = Eigen::VectorXd::Zero(to.node_count());
   for (Index cell = 0; cell < to.cell_count(); ++cell) {
     const std::array<double, 6> own = overlay.load(cell);
-    for (int k = 0; k < 6; ++k) load[to.cells[cell][k]] += own[k];
+    for (int k = 0; k < 6; ++k) load[to.cells()[cell][k]] += own[k];
   }
   return load;
 }

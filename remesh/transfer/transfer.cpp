@@ -22,7 +22,7 @@ void set_ranges(const Mesh& from, const Transfer& transfer, const Eigen::VectorX
   carried.lowest = nodal.minCoeff(), carried.highest = nodal.maxCoeff();
   carried.low = carried.high = carried.value;
   for (Index i = 0; i < carried.value.size(); ++i) {
-    const auto& cell = from.cells[transfer.cell[i]];
+    const auto& cell = from.cells()[transfer.cell[i]];
     double low = nodal[cell[0]], high = low;
     for (const Index node : cell) low = std::min(low, nodal[node]), high = std::max(high, nodal[node]);
     const double slack = 0.5 * (high - low);
@@ -76,7 +76,7 @@ Eigen::VectorXd interpolate(const Mesh& from, const Transfer& transfer, const Ei
   for (Index i = 0; i < result.size(); ++i) {
     const auto shape = core::triangle_shape(transfer.at[i][0], transfer.at[i][1]);
     result[i] = 0;
-    for (int k = 0; k < 6; ++k) result[i] += shape[k] * nodal[from.cells[transfer.cell[i]][k]];
+    for (int k = 0; k < 6; ++k) result[i] += shape[k] * nodal[from.cells()[transfer.cell[i]][k]];
   }
   return result;
 }
@@ -89,7 +89,7 @@ double mean(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& no
     for (const core::TriangleRulePoint& at : core::triangle_rule(6)) {
       const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, at);
       double value = 0;
-      for (int k = 0; k < 6; ++k) value += point.shape[k] * (nodal[mesh.cells[cell][k]] - base);
+      for (int k = 0; k < 6; ++k) value += point.shape[k] * (nodal[mesh.cells()[cell][k]] - base);
       content += value * point.volume;
       volume += point.volume;
     }
@@ -102,7 +102,7 @@ Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const
   const Eigen::VectorXd load = overlay_load(from, to, geometry, nodal), near = interpolate(from, transfer, nodal);
   Carried carried;
   carried.value =
-      order == 2 ? mass.solve(load, near) : mass.solve(core::to_vertices(to, load), near.head(to.vertex_count));
+      order == 2 ? mass.solve(load, near) : mass.solve(core::to_vertices(to, load), near.head(to.vertex_count()));
   set_ranges(from, transfer, nodal, carried);
   carried.value = carried.value.cwiseMax(carried.low).cwiseMin(carried.high);
   return carried;

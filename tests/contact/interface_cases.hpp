@@ -37,8 +37,8 @@ inline core::Mesh rectangle(const std::vector<double>& columns, double low, doub
       triangles.push_back({a, d, c});
     }
   core::Mesh mesh = core::make_quadratic_mesh(vertices, triangles);
-  mesh.boundary_names.push_back("contact");
-  for (auto& edge : mesh.boundary)
+  mesh.edit().boundaries.push_back("contact");
+  for (auto& edge : mesh.edit().boundary_edges)
     if (mesh.nodes[edge.nodes[0]][1] == contact_y && mesh.nodes[edge.nodes[1]][1] == contact_y) edge.boundary_id = 1;
   return mesh;
 }
@@ -119,7 +119,7 @@ inline Eigen::VectorXd interface_loads(const core::Mesh& mesh, const std::vector
 /// The same from the body's own contact edges.
 inline Eigen::VectorXd own_loads(const core::Mesh& mesh, core::Geometry geometry) {
   Eigen::VectorXd loads = Eigen::VectorXd::Zero(mesh.node_count());
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     if (edge.boundary_id == 1)
       for (const auto& rule : core::edge_rule(5)) {
         const auto at = core::map_edge_point(mesh, edge.nodes, geometry, rule);

@@ -106,7 +106,7 @@ TEST(CurvedInterface, unlike_arcs_apart_by_up_to_a_micrometre_keep_their_area) {
 
 /// With its contact edges straight.
 core::Mesh chorded(core::Mesh mesh) {
-  for (auto& edge : mesh.boundary)
+  for (auto& edge : mesh.edit().boundary_edges)
     mesh.nodes[edge.nodes[2]] = 0.5 * (mesh.nodes[edge.nodes[0]] + mesh.nodes[edge.nodes[1]]);
   return mesh;
 }

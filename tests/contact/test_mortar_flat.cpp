@@ -82,7 +82,7 @@ TEST(FlatInterface, a_constant_flux_loads_both_bodies_as_their_own_edges_would) 
 
 TEST(FlatInterface, linear_functions_agree_where_mid_side_nodes_have_moved_off_the_middle) {
   auto slave = glass(divided(0, 0.02, 7));
-  for (const auto& edge : slave.boundary)
+  for (const auto& edge : slave.boundary_edges())
     if (edge.boundary_id == 1) slave.nodes[edge.nodes[2]][0] += 2e-4;
   const auto master = tool(divided(0, 0.02, 20));
   const auto points = build_interface(contact_surface(0, slave), contact_surface(1, master), touching(slave),
@@ -170,7 +170,7 @@ TEST(FlatInterface, beside_a_node_out_of_reach_the_contact_weight_falls_as_the_s
 
 TEST(FlatInterface, the_far_side_of_a_thin_wall_does_not_connect) {
   auto slave = glass(divided(0, 0.02, 10), 1e-4);
-  for (auto& edge : slave.boundary) edge.boundary_id = 1;
+  for (auto& edge : slave.edit().boundary_edges) edge.boundary_id = 1;
   const auto master = tool(divided(0, 0.02, 7));
   const auto state = touching(slave, [](const Point& x) { return x[1] - 1e-4; });
   const auto points =

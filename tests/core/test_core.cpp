@@ -58,7 +58,7 @@ TEST(Element, shape_functions_are_nodal_and_their_derivatives_are_right) {
 
 TEST(Element, cell_map_is_inverted_inside_curved_cells) {
   Mesh mesh = unit_square(1);
-  mesh.nodes[mesh.boundary[0].nodes[2]] += Point(0.05, -0.08);
+  mesh.nodes[mesh.boundary_edges()[0].nodes[2]] += Point(0.05, -0.08);
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const auto at = map_cell_point(mesh, cell, Geometry::planar, {0.3, 0.5, 1});
     const auto found = invert_cell_map(mesh, cell, at.position);
@@ -69,13 +69,13 @@ TEST(Element, cell_map_is_inverted_inside_curved_cells) {
 
 TEST(Mesh, boundary_is_one_chain_with_the_body_on_the_left) {
   const Mesh mesh = unit_square(3);
-  ASSERT_EQ(mesh.boundary.size(), 12u);
+  ASSERT_EQ(mesh.boundary_edges().size(), 12u);
   Point outward_flux = Point::Zero();
   double divergence = 0;
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
-    EXPECT_EQ(mesh.boundary[i].nodes[1], mesh.boundary[(i + 1) % 12].nodes[0]);
+  for (std::size_t i = 0; i < mesh.boundary_edges().size(); ++i) {
+    EXPECT_EQ(mesh.boundary_edges()[i].nodes[1], mesh.boundary_edges()[(i + 1) % 12].nodes[0]);
     for (const auto& at : edge_rule(2)) {
-      const auto p = map_edge_point(mesh, mesh.boundary[i].nodes, Geometry::planar, at);
+      const auto p = map_edge_point(mesh, mesh.boundary_edges()[i].nodes, Geometry::planar, at);
       outward_flux += p.area * p.normal;
       divergence += p.area * p.normal.dot(p.position);
     }
@@ -96,7 +96,7 @@ TEST(Mesh, volume_is_that_of_the_curved_cells_and_the_mean_is_weighed_with_it) {
       for (const auto& at : triangle_rule(6)) {
         const auto p = map_cell_point(mesh, cell, geometry, at);
         sum += p.volume;
-        for (int k = 0; k < 6; ++k) content += p.volume * p.shape[k] * field[mesh.cells[cell][k]];
+        for (int k = 0; k < 6; ++k) content += p.volume * p.shape[k] * field[mesh.cells()[cell][k]];
       }
     EXPECT_NEAR(volume(mesh, geometry) / sum, 1, 1e-14);
     EXPECT_NEAR(volume_mean(mesh, geometry, field), content / sum, 1e-10);
@@ -107,7 +107,7 @@ TEST(Mesh, volume_is_that_of_the_curved_cells_and_the_mean_is_weighed_with_it) {
 TEST(SymmetricMatrix, both_solvers_recover_a_known_solution) {
   const Mesh mesh = unit_square(6);
   Cliques cliques;
-  for (const auto& cell : mesh.cells) cliques.add(cell.data(), 6);
+  for (const auto& cell : mesh.cells()) cliques.add(cell.data(), 6);
   Assembly assembly = make_assembly(mesh.node_count(), cliques);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     std::array<double, 36> local{};
@@ -138,14 +138,14 @@ TEST(SymmetricMatrix, both_solvers_recover_a_known_solution) {
 TEST(IndefiniteSolver, takes_a_matrix_in_the_order_of_its_elimination_with_either_library) {
   const Mesh mesh = unit_square(6);
   std::vector<std::array<Index, 2>> edges;
-  for (const auto& cell : mesh.cells)
+  for (const auto& cell : mesh.cells())
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < i; ++j) edges.push_back({cell[i], cell[j]});
   const auto order = minimum_degree_order(mesh.node_count(), edges);
   std::vector<Index> rank(order.unknown.size());
   for (std::size_t k = 0; k < rank.size(); ++k) rank[order.unknown[k]] = static_cast<Index>(k);
   Cliques natural, ranked;
-  for (const auto& cell : mesh.cells) {
+  for (const auto& cell : mesh.cells()) {
     auto places = cell;
     for (Index& place : places) place = rank[place];
     natural.add(cell.data(), 6);
@@ -157,7 +157,7 @@ TEST(IndefiniteSolver, takes_a_matrix_in_the_order_of_its_elimination_with_eithe
     std::array<double, 36> local;
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
-        local[6 * i + j] = i == j ? (mesh.cells[c][i] % 3 == 0 ? -9 : 9) : std::cos(c + i * j);
+        local[6 * i + j] = i == j ? (mesh.cells()[c][i] % 3 == 0 ? -9 : 9) : std::cos(c + i * j);
     add_clique(lower.matrix, lower.scatter, c, 6, local.data());
     add_clique(upper.matrix, upper.scatter, c, 6, local.data());
   }
@@ -176,19 +176,19 @@ TEST(EliminationOrder, keeps_unknowns_of_one_pattern_together_by_their_numbers) 
   const Mesh mesh = unit_square(6);
   const Index nodes = mesh.node_count();
   Cliques cliques;  // two unknowns at each node, a third at the vertices
-  for (const auto& cell : mesh.cells) {
+  for (const auto& cell : mesh.cells()) {
     std::vector<Index> unknowns;
     for (const Index node : cell) unknowns.insert(unknowns.end(), {2 * node, 2 * node + 1});
     for (int i = 0; i < 3; ++i) unknowns.push_back(2 * nodes + cell[i]);
     cliques.add(unknowns.data(), static_cast<Index>(unknowns.size()));
   }
-  const auto order = minimum_degree_order(make_assembly(2 * nodes + mesh.vertex_count, cliques).matrix);
+  const auto order = minimum_degree_order(make_assembly(2 * nodes + mesh.vertex_count(), cliques).matrix);
   std::vector<Index> place(order.unknown.size(), -1);
   for (std::size_t k = 0; k < place.size(); ++k) place[order.unknown[k]] = static_cast<Index>(k);
   EXPECT_EQ(std::count(place.begin(), place.end(), -1), 0);
   for (Index node = 0; node < nodes; ++node) {
     EXPECT_EQ(place[2 * node + 1], place[2 * node] + 1);
-    if (node < mesh.vertex_count) EXPECT_GT(place[2 * nodes + node], place[2 * node + 1]);
+    if (node < mesh.vertex_count()) EXPECT_GT(place[2 * nodes + node], place[2 * node + 1]);
   }
   EXPECT_GT(order.operations, 0);
 }

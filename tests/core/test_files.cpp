@@ -62,7 +62,7 @@ TEST(Vtu, AFileReadBackHasTheQuadraticCellsAndThePointsAndFieldsInSinglePrecisio
   }
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     ASSERT_EQ(grid.GetCellType(c), VTK_QUADRATIC_TRIANGLE);
-    for (int k = 0; k < 6; ++k) EXPECT_EQ(grid.GetCell(c)->GetPointId(k), mesh.cells[c][k]);
+    for (int k = 0; k < 6; ++k) EXPECT_EQ(grid.GetCell(c)->GetPointId(k), mesh.cells()[c][k]);
     EXPECT_EQ(grid.GetCellData()->GetArray("active")->GetTuple1(c), 1);
   }
   EXPECT_EQ(grid.GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.375);
@@ -81,7 +81,7 @@ TEST(Vtu, TheMiddleOfAnEdgeInTheFileIsWhereTheQuadraticEdgeRuns) {
     reader->GetOutput()->GetCell(c)->EvaluateLocation(sub, where, x, weights);
     const auto shape = triangle_shape(0.25, 0.25);
     Point expected = Point::Zero();
-    for (int k = 0; k < 6; ++k) expected += shape[k] * mesh.nodes[mesh.cells[c][k]];
+    for (int k = 0; k < 6; ++k) expected += shape[k] * mesh.nodes[mesh.cells()[c][k]];
     EXPECT_NEAR(x[0], expected[0], 1e-8);
     EXPECT_NEAR(x[1], expected[1], 1e-8);
   }

@@ -28,12 +28,12 @@ TEST(Extremes, a_viscosity_jump_of_ten_decades_leaves_force_and_work_balance_alo
     problem.geometry = core::Geometry::axisymmetric;
     problem.material = &material;
     problem.temperature = &temperature;
-    problem.boundary_conditions.resize(mesh.boundary_names.size());
+    problem.boundary_conditions.resize(mesh.boundaries().size());
     problem.boundary_conditions[3].kind = BoundaryCondition::Kind::symmetry;
     problem.tools.resize(2);
     for (auto& tool : problem.tools) tool.friction.law = Friction::Law::slip;
     problem.tools[1].velocity = -0.01;
-    for (const auto& edge : mesh.boundary)
+    for (const auto& edge : mesh.boundary_edges())
       for (const core::Index node : edge.nodes) {
         if (edge.boundary_id == 0) problem.candidates.push_back({node, 0, Point(0, 1), 0.0});
         if (edge.boundary_id == 2) problem.candidates.push_back({node, 1, Point(0, -1), 0.0});

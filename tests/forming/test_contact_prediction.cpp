@@ -14,9 +14,9 @@ class ContactGuess : public ::testing::Test {
   /// Node 0 stands at an end of the first tool's outline, beside it by `away`, m, and was closed against two normals
   /// there.
   void put_at_corner(double away) {
-    const Point corner = scene.tools[0].profile.segments[0].end + state.bodies[1].offset * core::axis_direction();
-    state.bodies[0].mesh.nodes[0] = corner + Point(away, 0);
-    state.contact.active = {{0, 0}, {0, 0}, {Point(-1, 0), Point(-0.94, 0.341174)}};
+    const Point corner = scene.tools[0].profile.segments[0].end + state.tools[0].offset * core::axis_direction();
+    state.glass.mesh.nodes[0] = corner + Point(away, 0);
+    state.glass.active_contacts = {{0, 0}, {0, 0}, {Point(-1, 0), Point(-0.94, 0.341174)}};
   }
   const Scene scene = scene_of(pot);
   State state = initial_state(scene);
@@ -29,7 +29,7 @@ TEST_F(ContactGuess, a_node_in_a_corner_keeps_both_of_its_sides) {
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(bounds[i].node, 0);
     EXPECT_EQ(bounds[i].tool, 0);
-    EXPECT_EQ(bounds[i].normal, state.contact.active.normal[i]);
+    EXPECT_EQ(bounds[i].normal, state.glass.active_contacts.normal[i]);
     EXPECT_EQ(bounds[i].rate, 0);
   }
 }
@@ -38,9 +38,9 @@ TEST_F(ContactGuess, a_node_that_left_its_corner_or_touched_one_side_keeps_none)
   put_at_corner(2e-5);
   EXPECT_TRUE(corner_bounds(scene, state).empty());
   put_at_corner(0);
-  state.contact.active = {{0}, {0}, {Point(-1, 0)}};
+  state.glass.active_contacts = {{0}, {0}, {Point(-1, 0)}};
   EXPECT_TRUE(corner_bounds(scene, state).empty());
-  state.contact.active = {{0, 1}, {0, 0}, {Point(-1, 0), Point(-0.94, 0.341174)}};
+  state.glass.active_contacts = {{0, 1}, {0, 0}, {Point(-1, 0), Point(-0.94, 0.341174)}};
   EXPECT_TRUE(corner_bounds(scene, state).empty());
 }
 

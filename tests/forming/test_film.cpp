@@ -64,7 +64,7 @@ RunOutcome pressed(const std::string& text, Scene& scene) {
 
 /// Cells that a line along the axis at this radius goes through.
 int cells_across(const core::Mesh& mesh, double radius) {
-  return static_cast<int>(std::count_if(mesh.cells.begin(), mesh.cells.end(), [&](const auto& cell) {
+  return static_cast<int>(std::count_if(mesh.cells().begin(), mesh.cells().end(), [&](const auto& cell) {
     double low = 1, high = 0;
     for (int k = 0; k < 3; ++k) {
       low = std::min(low, mesh.nodes[cell[k]][0]);
@@ -120,17 +120,17 @@ TEST(Film, a_disc_squeezed_to_300_micrometres_pushes_back_as_theory_says_and_end
   EXPECT_NE(outcome.facts.reason.find(" mm thick near ("), std::string::npos) << outcome.facts.reason;
   EXPECT_NE(outcome.facts.reason.find("allowed are films of 0.3 mm and more"), std::string::npos)
       << outcome.facts.reason;
-  const double height = state.bodies[2].offset;
-  const double radius = std::sqrt(core::volume(state.bodies[0].mesh, scene.geometry) / (M_PI * height));
+  const double height = state.tools[1].offset;
+  const double radius = std::sqrt(core::volume(state.glass.mesh, scene.geometry) / (M_PI * height));
   EXPECT_GT(state.time, 0.5);
   EXPECT_LT(height, 0.3e-3);
   EXPECT_GT(height, 0.28e-3);
-  for (double at = 0.05; at < 0.95; at += 0.043) EXPECT_GE(cells_across(state.bodies[0].mesh, at * radius), 7) << at;
+  for (double at = 0.05; at < 0.95; at += 0.043) EXPECT_GE(cells_across(state.glass.mesh, at * radius), 7) << at;
   EXPECT_GE(state.totals.remeshing.min_quality, 0.3);
   const auto [ratio, slenderness] = thin_film_ratio(scene, 0.4e-3);
   std::printf(
       "film from 0.4 to %.4f mm: force %.4f times that of thin film theory, height over radius %.4f, %d cells\n",
-      1e3 * height, ratio, slenderness, state.bodies[0].mesh.cell_count());
+      1e3 * height, ratio, slenderness, state.glass.mesh.cell_count());
   // The theory knows no rim, which is about as wide as the film is high.
   EXPECT_LT(ratio, 1 - 0.5 * slenderness);
   EXPECT_GT(ratio, 1 - 1.5 * slenderness);
@@ -146,7 +146,7 @@ TEST(Film, a_frozen_film_stops_the_tool_that_presses_on_it_and_is_not_crushed_by
                        "force = \"-100 N\", speed_limit = \"10 mm/s\"", frozen),
               scene);
   EXPECT_TRUE(driven.facts.completed) << driven.facts.reason;
-  const BodyState& plunger = driven.state.bodies[2];
+  const ToolState& plunger = driven.state.tools[1];
   EXPECT_LT(plunger.offset, 0.5e-3);
   EXPECT_GT(plunger.offset, 0.42e-3);
   EXPECT_LT(std::abs(plunger.velocity), 1e-6);

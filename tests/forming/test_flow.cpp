@@ -35,7 +35,7 @@ struct FlowCase {
     problem.geometry = geometry;
     problem.material = &material;
     problem.temperature = &temperature;
-    problem.boundary_conditions.resize(mesh.boundary_names.size());
+    problem.boundary_conditions.resize(mesh.boundaries().size());
   }
   BoundaryCondition& boundary(const std::string& name) {
     return problem.boundary_conditions[core::find_boundary(mesh, name)];
@@ -43,8 +43,8 @@ struct FlowCase {
   Solution solve(const std::vector<bool>& warm = {}) { return Solver(mesh).solve(problem, warm); }
   std::set<Index> nodes_of(const std::string& name) const {
     std::set<Index> nodes;
-    for (const auto& edge : mesh.boundary)
-      if (mesh.boundary_names[edge.boundary_id] == name) nodes.insert(edge.nodes.begin(), edge.nodes.end());
+    for (const auto& edge : mesh.boundary_edges())
+      if (mesh.boundaries()[edge.boundary_id].name == name) nodes.insert(edge.nodes.begin(), edge.nodes.end());
     return nodes;
   }
 };
@@ -134,8 +134,8 @@ TEST(Flow, friction_stops_at_coulombs_share_of_the_pressure) {
     EXPECT_TRUE(solution.converged) << solution.reason;
     std::printf("Coulomb %.2f: %d solves, %d factorisations\n", coulomb, solution.iterations, solution.factorisations);
     double contact_force = 0;
-    for (const auto& edge : flow.mesh.boundary)
-      if (flow.mesh.boundary_names[edge.boundary_id] == "right")
+    for (const auto& edge : flow.mesh.boundary_edges())
+      if (flow.mesh.boundaries()[edge.boundary_id].name == "right")
         for (const auto& rule : core::edge_rule(3)) {
           const auto at = core::map_edge_point(flow.mesh, edge.nodes, Geometry::planar, rule);
           for (int i = 0; i < 3; ++i) contact_force += at.area * at.shape[i] * solution.contact_pressure[edge.nodes[i]];
@@ -156,7 +156,7 @@ TEST(Flow, forces_of_thinning_glass_change_as_their_derivative_says) {
     return Eigen::VectorXd(product(flow.mesh, cell_matrices(flow.problem, geometry, viscosity), x));
   };
   const Index velocities = core::dim * flow.mesh.node_count();
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(velocities + flow.mesh.vertex_count), way = x;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(velocities + flow.mesh.vertex_count()), way = x;
   for (Index n = 0; n < flow.mesh.node_count(); ++n) {
     const Point at = flow.mesh.nodes[n] / 0.01;
     x.segment<2>(2 * n) = Point(0.01 * at[0] * std::cos(at[1]), -0.02 * at[1] * (1 + at[0]));
@@ -277,8 +277,8 @@ TEST(Flow, navier_friction_gives_the_exact_fall_of_a_column_in_a_tube) {
     if (x[0] == 0) middle = -node_velocity(solution.velocity, n)[1];
     if (x[0] == radius) wall = -node_velocity(solution.velocity, n)[1];
   }
-  for (const auto& edge : flow.mesh.boundary)
-    if (flow.mesh.boundary_names[edge.boundary_id] == "right")
+  for (const auto& edge : flow.mesh.boundary_edges())
+    if (flow.mesh.boundaries()[edge.boundary_id].name == "right")
       for (const auto& rule : core::edge_rule(3)) {
         const auto at = core::map_edge_point(flow.mesh, edge.nodes, Geometry::axisymmetric, rule);
         area += at.area;

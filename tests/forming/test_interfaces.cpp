@@ -140,9 +140,9 @@ TEST(Interfaces, contact_without_resistance_neither_shortens_the_steps_nor_chang
   const auto outcome = run(scene_of(text), tests::absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_LT(outcome.state.totals.steps + outcome.state.totals.rejected, 40);
-  EXPECT_NEAR(outcome.state.bodies[1].heat_received / exact, 1, 0.05);
+  EXPECT_NEAR(outcome.state.tools[0].heat_received / exact, 1, 0.05);
   RecordProperty("steps", outcome.state.totals.steps);
-  RecordProperty("heat_over_exact", std::to_string(outcome.state.bodies[1].heat_received / exact));
+  RecordProperty("heat_over_exact", std::to_string(outcome.state.tools[0].heat_received / exact));
 }
 
 TEST(Interfaces, overrides_change_the_scene_the_fingerprint_and_are_told) {

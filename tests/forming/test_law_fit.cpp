@@ -38,7 +38,7 @@ std::vector<LawMeasurement> with_scatter(std::vector<LawMeasurement> data, doubl
 /// p_ref held at the true value, as the command does unless told otherwise.
 LawFitOptions p_ref_fixed() {
   LawFitOptions options;
-  options.held.p_ref = truth.p_ref;
+  options.fixed.p_ref = truth.p_ref;
   options.is_fixed[p_ref] = true;
   return options;
 }
@@ -107,7 +107,7 @@ TEST(FitLaw, the_intervals_hold_the_true_constants_in_95_of_100_repeated_measure
 TEST(FitLaw, few_measurements_widen_the_intervals_by_students_t) {
   // With h0 alone free the law is linear in it: s/sqrt(n) times t of 3 degrees of freedom, on the logarithmic scale.
   auto options = p_ref_fixed();
-  options.held = truth;
+  options.fixed = truth;
   options.is_fixed = {false, true, true, true, true, true};
   std::vector<LawMeasurement> data;
   for (const double value : {630.0, 650.0, 660.0, 620.0}) data.push_back({0, 1e3, value, 1});
@@ -130,7 +130,7 @@ TEST(FitLaw, p_ref_and_eta_ref_are_one_constant_and_cannot_both_be_free) {
 
   // Held at any value, the other one moves along and the law stays the same.
   auto other = p_ref_fixed();
-  other.held.p_ref = 5e4;
+  other.fixed.p_ref = 5e4;
   const auto here = fit_law(data, p_ref_fixed()), there = fit_law(data, other);
   EXPECT_GT(std::abs(there.law.eta_ref / here.law.eta_ref - 1), 0.5);
   for (const auto& row : data)
@@ -157,9 +157,9 @@ TEST(FitLaw, an_exponent_that_comes_out_negative_is_held_at_zero_with_a_warning)
   auto options = p_ref_fixed();
   const auto fit = fit_law(measured(thickens), options);
   EXPECT_EQ(fit.law.b, 0);
-  EXPECT_TRUE(fit.constants[b].held);
+  EXPECT_TRUE(fit.constants[b].fixed);
   EXPECT_TRUE(mentions(fit, "b came out below zero"));
-  EXPECT_FALSE(fit.constants[p_ref].held);  // it alone places x = 1 now
+  EXPECT_FALSE(fit.constants[p_ref].fixed);  // it alone places x = 1 now
   EXPECT_NEAR(fit.law.a, 0.8, 0.1);
 }
 

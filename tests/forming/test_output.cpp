@@ -52,7 +52,7 @@ TEST(History, ARowSaysWhatTheStateHolds) {
   const Scene scene = scene_of(small_scene);
   State state = initial_state(scene);
   state.time = 0.25;
-  state.bodies[2].force = -4.5;
+  state.tools[1].force = -4.5;
   StepReport report;
   report.dt = 0.125;
   report.flow_solves = 7;
@@ -74,8 +74,8 @@ TEST(History, ARowSaysWhatTheStateHolds) {
 TEST(History, TheContactAreaIsThatOfTheEdgesPressedAtAllTheirNodes) {
   const Scene scene = scene_of(small_scene);
   State state = initial_state(scene);
-  for (std::size_t i = 0; i < state.bodies[0].mesh.nodes.size(); ++i)
-    if (std::abs(state.bodies[0].mesh.nodes[i][1]) < 1e-9) state.contact.tool[i] = 0;
+  for (std::size_t i = 0; i < state.glass.mesh.nodes.size(); ++i)
+    if (std::abs(state.glass.mesh.nodes[i][1]) < 1e-9) state.glass.contact_tool[i] = 0;
   EXPECT_NEAR(history_row(scene, state, {}).contact_area, M_PI * 0.02 * 0.02, 1e-12);
 }
 
@@ -83,7 +83,7 @@ TEST(History, TheImbalanceIsTheHeatThatNoEntryExplains) {
   const Scene scene = scene_of(small_scene);
   State state = initial_state(scene);
   EXPECT_EQ(glass_facts(scene, state).energy_imbalance, 0);
-  state.bodies[0].temperature.array() -= 10;
+  state.glass.temperature.array() -= 10;
   const double lost = M_PI * 0.02 * 0.02 * 0.01 * 2400 * 1300 * 10;
   state.totals.to_tools = 0.75 * lost;
   state.totals.to_air = 0.5 * lost;
@@ -160,9 +160,9 @@ TEST(InterfaceRows, TheyRunAlongTheContactWithBothTemperaturesAndTheFlux) {
     EXPECT_NEAR(std::stod(fields[10]), 2000 * 600, 2);
   }
   EXPECT_GT(last, 19);
-  const core::Mesh& glass = state.bodies[0].mesh;
+  const core::Mesh& glass = state.glass.mesh;
   const auto on_plate =
-      std::count_if(glass.boundary.begin(), glass.boundary.end(),
+      std::count_if(glass.boundary_edges().begin(), glass.boundary_edges().end(),
                     [&](const core::BoundaryEdge& edge) { return std::abs(glass.nodes[edge.nodes[2]][1]) < 1e-9; });
   EXPECT_GT(static_cast<long>(lines.size()), 2 * on_plate);
   EXPECT_LE(static_cast<long>(lines.size()), 4 * on_plate);
@@ -190,7 +190,7 @@ TEST(ThicknessProfile, AShellHasItsThicknessAndItsOuterAreaEverywhere) {
 TEST(ThicknessProfile, BothTemperaturesOfALinearFieldAreFound) {
   const Scene scene = case_of("contact_cylinders");
   State state = initial_state(scene);
-  BodyState& glass = state.bodies[0];
+  GlassState& glass = state.glass;
   for (Index i = 0; i < glass.mesh.node_count(); ++i)
     glass.temperature[i] = 1300 + 5000 * glass.mesh.nodes[i][1] + 1000 * glass.mesh.nodes[i][0];
   int bottom = 0;

@@ -34,8 +34,8 @@ class RemeshState : public ::testing::Test {
   double share_on_tools(const State& state) const {
     const Eigen::VectorXd pot_gap = tool_gaps(scene, state, 0, 1e-3), face_gap = tool_gaps(scene, state, 1, 1e-3);
     double on = 0, all = 0;
-    for (const Index node : surface_nodes(state.bodies[0].mesh)) {
-      if (state.bodies[0].mesh.nodes[node][0] == 0) continue;
+    for (const Index node : surface_nodes(state.glass.mesh)) {
+      if (state.glass.mesh.nodes[node][0] == 0) continue;
       all += 1;
       on += std::min(pot_gap[node], face_gap[node]) < 10e-6;
     }
@@ -43,10 +43,10 @@ class RemeshState : public ::testing::Test {
   }
 
   void expect_kept(const State& before, const State& after) const {
-    const auto volume = [&](const State& state) { return core::volume(state.bodies[0].mesh, scene.geometry); };
+    const auto volume = [&](const State& state) { return core::volume(state.glass.mesh, scene.geometry); };
     EXPECT_NEAR(volume(after) / volume(before), 1, 1e-12);
     EXPECT_NEAR(glass_heat(scene, after) / glass_heat(scene, before), 1, 1e-12);
-    const auto &cold = before.bodies[0].temperature, &now = after.bodies[0].temperature;
+    const auto &cold = before.glass.temperature, &now = after.glass.temperature;
     EXPECT_GT(cold.maxCoeff() - cold.minCoeff(), 100) << "no skin to overshoot at";
     EXPECT_LE(now.maxCoeff(), cold.maxCoeff() + 1e-9);
     EXPECT_GE(now.minCoeff(), cold.minCoeff() - 1e-9);
@@ -56,9 +56,9 @@ class RemeshState : public ::testing::Test {
   static void expect_clean_statistics(const State& state) {
     const RemeshStatistics& statistics = state.totals.remeshing;
     EXPECT_GE(remeshes(state), 3);
-    EXPECT_LE(statistics.max_volume / state.initial_volume, 1e-12);
-    EXPECT_LE(std::abs(statistics.volume) / state.initial_volume, 1e-9);
-    EXPECT_LE(std::abs(statistics.heat) / state.initial_heat, 1e-9);
+    EXPECT_LE(statistics.max_volume / state.glass.initial_volume, 1e-12);
+    EXPECT_LE(std::abs(statistics.volume) / state.glass.initial_volume, 1e-9);
+    EXPECT_LE(std::abs(statistics.heat) / state.glass.initial_heat, 1e-9);
     EXPECT_LE(statistics.transfer_overshoot, 1e-9);
   }
 };
@@ -76,8 +76,8 @@ TEST_F(RemeshState, a_full_cavity_keeps_volume_heat_and_temperature_range_and_is
 
 TEST_F(RemeshState, a_surface_found_inside_a_tool_is_lifted_out_and_its_volume_given_back) {
   State state = pressed("");
-  state.bodies[2].offset += 1e-3;   // frees the upper face
-  state.bodies[1].offset += 20e-6;  // the bottom now lies 20 micrometres inside the pot
+  state.tools[1].offset += 1e-3;   // frees the upper face
+  state.tools[0].offset += 20e-6;  // the bottom now lies 20 micrometres inside the pot
   const double depth = max_penetration(scene, state);
   EXPECT_GT(depth, 15e-6);
   const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
@@ -92,8 +92,8 @@ TEST_F(RemeshState, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_
     const std::string chamfered = "(0, 0) " + edge + " (12, 10) (0, 10) mm";
     scene = scene_of(replaced(square, chamfered, pot + "surface_size = \"1.8 mm\"\n"));
     State state = initial_state(scene);
-    BodyState& glass = state.bodies[0];
-    for (const auto& side : glass.mesh.boundary) {
+    GlassState& glass = state.glass;
+    for (const auto& side : glass.mesh.boundary_edges()) {
       const Point along = glass.mesh.nodes[side.nodes[1]] - glass.mesh.nodes[side.nodes[0]];
       if (along[0] > 1e-4 && along[1] > 1e-4) glass.mesh.nodes[side.nodes[2]] = Point(12e-3, 0);
     }
@@ -102,7 +102,7 @@ TEST_F(RemeshState, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_
     const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
     ASSERT_TRUE(remeshed.ok) << edge << ": " << remeshed.reason;
     expect_kept(state, remeshed.state);
-    EXPECT_GE(remesh::quality(remeshed.state.bodies[0].mesh).min, 0.3) << edge;
+    EXPECT_GE(remesh::quality(remeshed.state.glass.mesh).min, 0.3) << edge;
   }
 }
 
@@ -111,13 +111,13 @@ TEST_F(RemeshState, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vert
   State state = initial_state(scene);
   for (const double down : {0.0, 20e-3, 60e-3}) {
     for (std::size_t t = 0; t < scene.tools.size(); ++t)
-      if (scene.tools[t].name == "plunger") state.bodies[1 + t].offset = -down;
+      if (scene.tools[t].name == "plunger") state.tools[t].offset = -down;
     const auto corners = tool_corners(scene, state);
     EXPECT_GE(corners.size(), 4u);
     for (const auto& place : scene.stages[0].tools)
       for (const Point& corner : corners) {
         const Body& tool = scene.tools[place.tool];
-        const Point local = corner - state.bodies[1 + place.tool].offset * core::axis_direction();
+        const Point local = corner - state.tools[place.tool].offset * core::axis_direction();
         EXPECT_GE(contact::signed_gap(tool.profile, contact_boundaries(tool), local), -1e-5)
             << tool.name << " at " << down;
       }
@@ -126,14 +126,14 @@ TEST_F(RemeshState, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vert
 
 TEST_F(RemeshState, a_wanted_solution_error_halves_that_of_the_temperature_gradient_within_the_budget_of_cells) {
   const auto error_of = [&](const State& state) {
-    return remesh::gradient_error(state.bodies[0].mesh, scene.geometry, state.bodies[0].temperature).relative();
+    return remesh::gradient_error(state.glass.mesh, scene.geometry, state.glass.temperature).relative();
   };
   const State plain = pressed(""), wanted = pressed("solution_error = 0.1\n");
   EXPECT_LT(error_of(wanted), 0.5 * error_of(plain));
   EXPECT_EQ(plain.totals.remeshing.coarsening_factor, 1);
   const State held = pressed("solution_error = 0.1\nmax_cells = 400\n");
   EXPECT_GT(held.totals.remeshing.coarsening_factor, 1.1);
-  EXPECT_LT(held.bodies[0].mesh.cell_count(), 1.25 * 400);
+  EXPECT_LT(held.glass.mesh.cell_count(), 1.25 * 400);
   EXPECT_LT(error_of(held), 0.75 * error_of(plain));
 }
 

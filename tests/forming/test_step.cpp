@@ -35,20 +35,20 @@ TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
   ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   const State& state = outcome.state;
   const double full = 10.0 * 10.0 * 10.0 / (12.0 * 12.0);  // mm
-  const double height = 10 + 1e3 * state.bodies[2].offset;
+  const double height = 10 + 1e3 * state.tools[1].offset;
   const auto facts = glass_facts(scene, state);
   std::printf(
       "pot: plunger at %.3f mm (full at %.3f), drift %.1e (largest %.1e), imbalance %.1e, %d steps, %d remeshes\n",
       height, full, facts.volume_drift, state.totals.max_drift, facts.energy_imbalance, state.totals.steps,
       remeshes(state));
   EXPECT_NEAR(height, full, 0.05);
-  EXPECT_NEAR(state.bodies[2].force, -3000, 1);
-  EXPECT_LT(std::abs(state.bodies[2].velocity), 1e-3);
+  EXPECT_NEAR(state.tools[1].force, -3000, 1);
+  EXPECT_LT(std::abs(state.tools[1].velocity), 1e-3);
   EXPECT_LT(state.totals.max_drift, 1e-3);
   EXPECT_LT(std::abs(facts.energy_imbalance), 1e-4);
   EXPECT_LT(state.totals.max_penetration, 5e-5);
   EXPECT_GT(state.totals.to_tools, 100);
-  EXPECT_NEAR(state.bodies[1].heat_received + state.bodies[2].heat_received, state.totals.to_tools,
+  EXPECT_NEAR(state.tools[0].heat_received + state.tools[1].heat_received, state.totals.to_tools,
               1e-9 * state.totals.to_tools);
   // The work of the plunger all turns to heat, but for what gravity and the last speeds take.
   EXPECT_GT(state.totals.dissipation, 0);
@@ -120,15 +120,14 @@ TEST_F(Pot, a_state_within_a_step_lies_on_its_straight_motion) {
   ASSERT_TRUE(result.converged) << result.reason;
   const State& after = result.state;
   const State state = interpolate(before, after, 1e-3);
-  for (Index n = 0; n < state.bodies[0].mesh.node_count(); ++n)
+  for (Index n = 0; n < state.glass.mesh.node_count(); ++n)
     EXPECT_NEAR(
-        (before.bodies[0].mesh.nodes[n] + 1e-3 * flow::node_velocity(after.velocity, n) - state.bodies[0].mesh.nodes[n])
+        (before.glass.mesh.nodes[n] + 1e-3 * flow::node_velocity(after.glass.velocity, n) - state.glass.mesh.nodes[n])
             .norm(),
         0, 1e-15);
-  EXPECT_NEAR(state.bodies[2].offset, before.bodies[2].offset + 1e-3 * after.bodies[2].velocity, 1e-15);
-  EXPECT_NEAR(
-      (0.75 * before.bodies[0].temperature + 0.25 * after.bodies[0].temperature - state.bodies[0].temperature).norm(),
-      0, 1e-9);
+  EXPECT_NEAR(state.tools[1].offset, before.tools[1].offset + 1e-3 * after.tools[1].velocity, 1e-15);
+  EXPECT_NEAR((0.75 * before.glass.temperature + 0.25 * after.glass.temperature - state.glass.temperature).norm(), 0,
+              1e-9);
   EXPECT_EQ(state.time, 1e-3);
 }
 
@@ -144,20 +143,20 @@ TEST_F(Pot, a_new_mesh_keeps_volume_mass_and_heat) {
   ASSERT_TRUE(remeshed.ok) << remeshed.reason;
   const auto before = glass_facts(scene, state), after = glass_facts(scene, remeshed.state);
   EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
-  EXPECT_NEAR(glass_heat(scene, remeshed.state), glass_heat(scene, state), 1e-11 * state.initial_heat);
+  EXPECT_NEAR(glass_heat(scene, remeshed.state), glass_heat(scene, state), 1e-11 * state.glass.initial_heat);
   EXPECT_NEAR(after.volume, before.volume, 1e-6 * before.volume);
-  EXPECT_GT(remesh::quality(remeshed.state.bodies[0].mesh).min, 0.3);
+  EXPECT_GT(remesh::quality(remeshed.state.glass.mesh).min, 0.3);
   int touching_before = 0, touching_after = 0;
-  for (const Index tool : state.contact.tool) touching_before += tool >= 0;
-  for (const Index tool : remeshed.state.contact.tool) touching_after += tool >= 0;
+  for (const Index tool : state.glass.contact_tool) touching_before += tool >= 0;
+  for (const Index tool : remeshed.state.glass.contact_tool) touching_after += tool >= 0;
   const RemeshStatistics& statistics = remeshed.state.totals.remeshing;
   EXPECT_EQ(statistics.count, (std::array<Index, 3>{0, 1, 0}));
   EXPECT_EQ(statistics.heat, glass_heat(scene, remeshed.state) - glass_heat(scene, state));
   EXPECT_EQ(statistics.max_heat, std::abs(statistics.heat));
   EXPECT_EQ(statistics.volume, after.volume - before.volume);
   EXPECT_EQ(statistics.max_volume, std::abs(statistics.volume));
-  EXPECT_EQ(statistics.min_quality, remesh::quality(remeshed.state.bodies[0].mesh).min);
-  EXPECT_EQ(statistics.min_median, remesh::quality(remeshed.state.bodies[0].mesh).median);
+  EXPECT_EQ(statistics.min_quality, remesh::quality(remeshed.state.glass.mesh).min);
+  EXPECT_EQ(statistics.min_median, remesh::quality(remeshed.state.glass.mesh).median);
   EXPECT_GT(touching_before, 10);
   EXPECT_GT(touching_after, 10);
 }
@@ -200,10 +199,10 @@ TEST_F(Pot, a_tool_that_closes_inside_the_glass_stops_the_run) {
 TEST_F(Pot, naming_a_boundary_leaves_symmetry_and_fixed_boundaries_alone) {
   scene.stages[0].named_boundaries.push_back({"inner", {0, 0.01}, {0.01, 0}});
   const State state = start_stage(scene, initial_state(scene), 0);
-  const auto& mesh = state.bodies[0].mesh;
+  const auto& mesh = state.glass.mesh;
   const Index inner = core::find_boundary(mesh, "inner"), axis = core::find_boundary(mesh, "axis");
   int named = 0, on_axis = 0;
-  for (const auto& edge : mesh.boundary) {
+  for (const auto& edge : mesh.boundary_edges()) {
     named += edge.boundary_id == inner;
     on_axis += edge.boundary_id == axis;
     if (edge.boundary_id == axis) EXPECT_LT(std::abs(mesh.nodes[edge.nodes[2]][0]), 1e-12);

@@ -16,7 +16,7 @@ inline void show(const core::Mesh& mesh, const std::string& name) {
   file.precision(12);
   file << mesh.node_count() << ' ' << mesh.cell_count() << '\n';
   for (const core::Point& x : mesh.nodes) file << x.transpose() << '\n';
-  for (const auto& cell : mesh.cells) {
+  for (const auto& cell : mesh.cells()) {
     for (const core::Index node : cell) file << node << ' ';
     file << '\n';
   }

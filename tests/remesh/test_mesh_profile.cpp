@@ -51,10 +51,10 @@ std::vector<Case> jar() {
 }
 
 void expect_chained(const Mesh& mesh, const Profile& profile) {
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
-    const auto& edge = mesh.boundary[i];
-    EXPECT_EQ(edge.nodes[1], mesh.boundary[(i + 1) % mesh.boundary.size()].nodes[0]);
-    EXPECT_GE(edge.nodes[2], mesh.vertex_count);
+  for (std::size_t i = 0; i < mesh.boundary_edges().size(); ++i) {
+    const auto& edge = mesh.boundary_edges()[i];
+    EXPECT_EQ(edge.nodes[1], mesh.boundary_edges()[(i + 1) % mesh.boundary_edges().size()].nodes[0]);
+    EXPECT_GE(edge.nodes[2], mesh.vertex_count());
     for (const Index node : edge.nodes) {
       double nearest = 1;
       for (const core::Segment& segment : profile.segments)
@@ -62,9 +62,9 @@ void expect_chained(const Mesh& mesh, const Profile& profile) {
           const Point foot = core::point_at(segment, core::closest_parameter(segment, mesh.nodes[node]));
           nearest = std::min(nearest, (foot - mesh.nodes[node]).norm());
         }
-      EXPECT_LT(nearest, 1e-15) << "node off its boundary " << mesh.boundary_names[edge.boundary_id];
+      EXPECT_LT(nearest, 1e-15) << "node off its boundary " << mesh.boundaries()[edge.boundary_id].name;
     }
-    const auto& cell = mesh.cells[edge.cell];
+    const auto& cell = mesh.cells()[edge.cell];
     for (const Index node : edge.nodes) EXPECT_NE(std::find(cell.begin(), cell.end(), node), cell.end());
   }
 }
@@ -83,7 +83,9 @@ TEST(MeshProfile, the_bodies_of_the_jar_are_well_shaped_and_keep_their_volume) {
     EXPECT_GE(q.min, 0.3) << body.name;
     EXPECT_GE(q.median, 0.9) << body.name;
     EXPECT_LT(std::abs(error), 1e-6) << body.name;
-    EXPECT_EQ(mesh.boundary_names, body.profile.boundary_names);
+    std::vector<std::string> names;
+    for (const auto& boundary : mesh.boundaries()) names.push_back(boundary.name);
+    EXPECT_EQ(names, body.profile.boundary_names);
     expect_chained(mesh, body.profile);
   }
 }
@@ -99,11 +101,11 @@ TEST(MeshProfile, edges_are_fine_at_the_contact_boundary_and_grow_away_from_it) 
   const ProfileSizes sizes = sizes_for(profile, "cavity");
   const Mesh mesh = mesh_profile(profile, sizes);
   double finest = 1, coarsest = 0;
-  for (const auto& edge : mesh.boundary) {
+  for (const auto& edge : mesh.boundary_edges()) {
     const double length = (mesh.nodes[edge.nodes[0]] - mesh.nodes[edge.nodes[1]]).norm();
-    if (mesh.boundary_names[edge.boundary_id] == "cavity") EXPECT_LE(length, 1.2 * sizes.contact_size);
-    if (mesh.boundary_names[edge.boundary_id] == "cavity") finest = std::min(finest, length);
-    if (mesh.boundary_names[edge.boundary_id] == "outside") coarsest = std::max(coarsest, length);
+    if (mesh.boundaries()[edge.boundary_id].name == "cavity") EXPECT_LE(length, 1.2 * sizes.contact_size);
+    if (mesh.boundaries()[edge.boundary_id].name == "cavity") finest = std::min(finest, length);
+    if (mesh.boundaries()[edge.boundary_id].name == "outside") coarsest = std::max(coarsest, length);
   }
   EXPECT_GT(finest, 0.4 * sizes.contact_size);
   EXPECT_GT(coarsest, 4e-3);
@@ -118,7 +120,7 @@ TEST(MeshProfile, the_same_profile_gives_the_same_bits) {
   std::rand();
   const Mesh second = mesh_profile(profile, sizes);
   ASSERT_EQ(first.node_count(), second.node_count());
-  EXPECT_EQ(first.cells, second.cells);
+  EXPECT_EQ(first.cells(), second.cells());
   for (Index i = 0; i < first.node_count(); ++i) ASSERT_EQ(first.nodes[i], second.nodes[i]);
 }
 
@@ -133,18 +135,18 @@ TEST(MeshMapped, a_graded_block_has_the_asked_divisions_and_ratio) {
       Pen(5, 0).line(15, 0, "bottom").line(15, 20, "right").line(5, 20, "top").line(5, 0, "left").closed();
   const Mesh mesh = mesh_mapped(block, 5, 8, 1, 10);
   EXPECT_EQ(mesh.cell_count(), 2 * 5 * 8);
-  EXPECT_EQ(mesh.vertex_count, 6 * 9);
+  EXPECT_EQ(mesh.vertex_count(), 6 * 9);
   expect_chained(mesh, block);
   std::vector<double> lengths;
-  for (const auto& edge : mesh.boundary)
-    if (mesh.boundary_names[edge.boundary_id] == "right")
+  for (const auto& edge : mesh.boundary_edges())
+    if (mesh.boundaries()[edge.boundary_id].name == "right")
       lengths.push_back((mesh.nodes[edge.nodes[0]] - mesh.nodes[edge.nodes[1]]).norm());
   ASSERT_EQ(lengths.size(), 8u);
   EXPECT_NEAR(lengths.back() / lengths.front(), 10, 1e-9);
   for (int i = 0; i + 2 < 8; ++i) EXPECT_NEAR(lengths[i + 2] / lengths[i + 1], lengths[i + 1] / lengths[i], 1e-9);
   EXPECT_NEAR(core::volume(mesh, core::Geometry::axisymmetric) / exact_volume(block), 1, 1e-13);
-  for (const auto& edge : mesh.boundary)
-    if (mesh.boundary_names[edge.boundary_id] == "left") EXPECT_EQ(mesh.nodes[edge.nodes[2]][0], 5e-3);
+  for (const auto& edge : mesh.boundary_edges())
+    if (mesh.boundaries()[edge.boundary_id].name == "left") EXPECT_EQ(mesh.nodes[edge.nodes[2]][0], 5e-3);
 }
 
 TEST(MeshMapped, arcs_are_followed_inside_and_out) {

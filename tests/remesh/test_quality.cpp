@@ -50,8 +50,8 @@ TEST(Quality, a_curved_cell_has_the_least_value_of_its_jacobian_at_the_six_nodes
     const auto derivative = core::triangle_shape_derivative(a, b);
     Point along_a = Point::Zero(), along_b = Point::Zero();
     for (int i = 0; i < 6; ++i) {
-      along_a += derivative[i][0] * mesh.nodes[mesh.cells[0][i]];
-      along_b += derivative[i][1] * mesh.nodes[mesh.cells[0][i]];
+      along_a += derivative[i][0] * mesh.nodes[mesh.cells()[0][i]];
+      along_b += derivative[i][1] * mesh.nodes[mesh.cells()[0][i]];
     }
     // Against the equilateral triangle, whose third corner stands over the middle of the first side.
     const Point up = (2 * along_b - along_a) / std::sqrt(3.0);

@@ -47,13 +47,13 @@ Eigen::VectorXd galerkin(const Mesh& mesh, Geometry geometry, const Field& field
   Eigen::VectorXd solution(mesh.node_count()), load = Eigen::VectorXd::Zero(mesh.node_count());
   for (Index n = 0; n < mesh.node_count(); ++n) solution[n] = field.value(mesh.nodes[n]);
   std::vector<bool> given(mesh.nodes.size(), false);
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     for (const Index n : edge.nodes) given[n] = true;
   std::vector<Eigen::Triplet<double>> entries;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (const auto& at : core::triangle_rule(6)) {
       const auto point = core::map_cell_point(mesh, cell, geometry, at);
-      const auto& nodes = mesh.cells[cell];
+      const auto& nodes = mesh.cells()[cell];
       for (int i = 0; i < 6; ++i) {
         if (given[nodes[i]]) continue;
         load[nodes[i]] += point.volume * point.gradient[i].dot(field.gradient(point.position));
@@ -80,7 +80,7 @@ Eigen::VectorXd true_error(const Mesh& mesh, Geometry geometry, const Eigen::Vec
     for (const auto& at : core::triangle_rule(6)) {
       const auto point = core::map_cell_point(mesh, cell, geometry, at);
       Point difference = -field.gradient(point.position);
-      for (int i = 0; i < 6; ++i) difference += nodal[mesh.cells[cell][i]] * point.gradient[i];
+      for (int i = 0; i < 6; ++i) difference += nodal[mesh.cells()[cell][i]] * point.gradient[i];
       error[cell] += point.volume * difference.squaredNorm();
     }
   return error.cwiseSqrt();
@@ -158,7 +158,7 @@ TEST(Recovery, a_rotation_has_no_rate_of_deformation_and_a_squeeze_its_own) {
 
 Criteria wide_criteria(const Mesh& mesh) {
   Criteria criteria{Geometry::planar, 0.1, 0.1, 0.5, 0.5, 1e-3, {}, {}, {}, {}};
-  criteria.straight_boundaries.assign(mesh.boundary_names.size(), false);
+  criteria.straight_boundaries.assign(mesh.boundaries().size(), false);
   criteria.contact.assign(mesh.nodes.size(), false);
   return criteria;
 }

@@ -35,7 +35,7 @@ Mesh deformed(Mesh mesh, const std::function<Point(const Point&)>& map) {
 
 Criteria criteria_for(const Mesh& mesh, double surface_size) {
   Criteria criteria{core::Geometry::axisymmetric, surface_size, 0.1e-3, 4, 0.3, 0.05e-3, {}, {}, {}, {}};
-  for (const std::string& name : mesh.boundary_names) criteria.straight_boundaries.push_back(name == "axis");
+  for (const auto& boundary : mesh.boundaries()) criteria.straight_boundaries.push_back(boundary.name == "axis");
   criteria.contact.assign(mesh.nodes.size(), false);
   criteria.target_skin_size.assign(mesh.nodes.size(), none);
   return criteria;
@@ -72,16 +72,16 @@ void expect_sound(const Mesh& old, const Remeshed& made, const char* name) {
   EXPECT_GE(after.median, 0.9) << name;
   EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13) << name;
   EXPECT_EQ(core::volume(made.mesh, core::Geometry::axisymmetric), made.volume_after);
-  EXPECT_EQ(made.mesh.boundary_names, old.boundary_names);
+  EXPECT_TRUE(made.mesh.boundaries() == old.boundaries());
 }
 
 /// Points where the boundary changes its boundary, in order.
 std::vector<Point> boundary_ends(const Mesh& mesh) {
   std::vector<Point> ends;
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-    if (mesh.boundary[i].boundary_id !=
-        mesh.boundary[(i + mesh.boundary.size() - 1) % mesh.boundary.size()].boundary_id)
-      ends.push_back(mesh.nodes[mesh.boundary[i].nodes[0]]);
+  for (std::size_t i = 0; i < mesh.boundary_edges().size(); ++i)
+    if (mesh.boundary_edges()[i].boundary_id !=
+        mesh.boundary_edges()[(i + mesh.boundary_edges().size() - 1) % mesh.boundary_edges().size()].boundary_id)
+      ends.push_back(mesh.nodes[mesh.boundary_edges()[i].nodes[0]]);
   std::sort(ends.begin(), ends.end(), [](const Point& a, const Point& b) { return a[0] + 2 * a[1] < b[0] + 2 * b[1]; });
   return ends;
 }
@@ -106,7 +106,7 @@ TEST(RemeshGlass, the_axis_stays_the_axis) {
   ASSERT_TRUE(made.ok) << made.reason;
   const Index axis = core::find_boundary(made.mesh, "axis");
   int count = 0;
-  for (const auto& edge : made.mesh.boundary)
+  for (const auto& edge : made.mesh.boundary_edges())
     if (edge.boundary_id == axis)
       for (const Index node : edge.nodes) {
         EXPECT_EQ(made.mesh.nodes[node][0], 0.0);
@@ -124,7 +124,7 @@ TEST(RemeshGlass, a_wall_of_300_micrometres_has_four_elements_across) {
   // Cells met on straight ways through the cylindrical wall, away from rim and dome.
   for (double height = 20e-3; height < 40e-3; height += 0.37e-3) {
     int met = 0;
-    for (const auto& cell : made.mesh.cells) {
+    for (const auto& cell : made.mesh.cells()) {
       double low = 1, high = -1;
       for (int k = 0; k < 3; ++k) {
         const Point& x = made.mesh.nodes[cell[k]];
@@ -155,15 +155,15 @@ TEST(RemeshGlass, contact_nodes_do_not_give_way) {
   const Mesh old = pressed_cup(2);
   Criteria criteria = criteria_for(old, 1.5e-3);
   const Index inner = core::find_boundary(old, "inner"), outer = core::find_boundary(old, "outer");
-  for (const auto& edge : old.boundary)
+  for (const auto& edge : old.boundary_edges())
     if (edge.boundary_id == inner)
       for (const Index node : edge.nodes) criteria.contact[node] = true;
   const Surface surface = resample(old, criteria, size_field(old, criteria));
   const Remeshed made = remesh_glass(old, criteria);
   ASSERT_TRUE(made.ok) << made.reason;
   double moved = 0;
-  for (std::size_t i = 0; i < made.mesh.boundary.size(); ++i) {
-    const auto& edge = made.mesh.boundary[i];
+  for (std::size_t i = 0; i < made.mesh.boundary_edges().size(); ++i) {
+    const auto& edge = made.mesh.boundary_edges()[i];
     if (edge.boundary_id == inner) EXPECT_EQ(made.mesh.nodes[edge.nodes[2]], surface.outline.mids[i]);
     if (edge.boundary_id == outer)
       moved = std::max(moved, (made.mesh.nodes[edge.nodes[2]] - surface.outline.mids[i]).norm());
@@ -181,9 +181,9 @@ TEST(RemeshGlass, thermal_skin_is_refined_and_no_finer_than_allowed) {
   const Remeshed made = remesh_glass(old, criteria);
   expect_sound(old, made, "gob_skin");
   double cold = 1, warm = 1;
-  for (const auto& edge : made.mesh.boundary) {
+  for (const auto& edge : made.mesh.boundary_edges()) {
     const Point &a = made.mesh.nodes[edge.nodes[0]], &b = made.mesh.nodes[edge.nodes[1]];
-    if (made.mesh.boundary_names[edge.boundary_id] == "axis") continue;
+    if (made.mesh.boundaries()[edge.boundary_id].name == "axis") continue;
     if (std::min(a[1], b[1]) > 62e-3) cold = std::min(cold, (a - b).norm());
     if (std::max(a[1], b[1]) < 50e-3) warm = std::min(warm, (a - b).norm());
   }
@@ -200,7 +200,7 @@ TEST(RemeshGlass, a_tool_corner_on_the_surface_gets_a_vertex) {
   const Remeshed made = remesh_glass(old, criteria);
   ASSERT_TRUE(made.ok) << made.reason;
   double nearest = 1;
-  for (Index i = 0; i < made.mesh.vertex_count; ++i) nearest = std::min(nearest, (made.mesh.nodes[i] - on).norm());
+  for (Index i = 0; i < made.mesh.vertex_count(); ++i) nearest = std::min(nearest, (made.mesh.nodes[i] - on).norm());
   EXPECT_LT(nearest, 1e-12);
   expect_sound(old, made, "gob_keep");
 }
@@ -222,7 +222,7 @@ void expect_led_out(const Bulge& bulge) {
                                   .line(0, 0, "axis")
                                   .closed();
   Mesh old = meshed(block, 2.5e-3);
-  for (const auto& edge : old.boundary)
+  for (const auto& edge : old.boundary_edges())
     if ((old.nodes[edge.nodes[0]] - bulge.start).norm() < 1e-9) old.nodes[edge.nodes[2]] = bulge.mid;
   Criteria criteria = criteria_for(old, 1.8e-3);
   criteria.geometry = core::Geometry::planar;
@@ -242,7 +242,7 @@ void expect_led_out(const Bulge& bulge) {
   EXPECT_GE(quality(made.mesh).min, 0.3);
   EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13);
   double nearest = 1;
-  for (Index i = 0; i < made.mesh.vertex_count; ++i)
+  for (Index i = 0; i < made.mesh.vertex_count(); ++i)
     nearest = std::min(nearest, (made.mesh.nodes[i] - bulge.corner).norm());
   EXPECT_LT(nearest, 15e-6);
 }
@@ -263,12 +263,12 @@ TEST(RemeshGlass, an_edge_whose_ends_met_in_a_corner_is_left_out) {
   const Mesh whole = meshed(gob(), 2e-3);
   const Criteria criteria = criteria_for(whole, 2e-3);
   const Index axis = core::find_boundary(whole, "axis");
-  const auto count = static_cast<Index>(whole.boundary.size());
-  const auto on_axis = [&](Index i) { return whole.boundary[(i + count) % count].boundary_id == axis; };
+  const auto count = static_cast<Index>(whole.boundary_edges().size());
+  const auto on_axis = [&](Index i) { return whole.boundary_edges()[(i + count) % count].boundary_id == axis; };
   for (Index i = 0; i < count; ++i) {
     if (on_axis(i)) continue;
     Mesh old = whole;
-    const auto& nodes = old.boundary[i].nodes;
+    const auto& nodes = old.boundary_edges()[i].nodes;
     const int kept = on_axis(i + 1) ? 1 : 0;  // beside the axis the end of the boundary stays
     old.nodes[nodes[1 - kept]] = old.nodes[nodes[kept]];
     const Remeshed made = remesh_glass(old, criteria);
@@ -284,9 +284,9 @@ TEST(RemeshGlass, an_edge_whose_ends_met_in_a_corner_is_left_out) {
 Mesh lapped_gob(double depth) {
   Mesh mesh = meshed(gob(), 2e-3);
   std::size_t at = 0;
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-    if (mesh.nodes[mesh.boundary[i].nodes[0]][0] > mesh.nodes[mesh.boundary[at].nodes[0]][0]) at = i;
-  const auto &before = mesh.boundary[at - 1].nodes, &after = mesh.boundary[at].nodes;
+  for (std::size_t i = 0; i < mesh.boundary_edges().size(); ++i)
+    if (mesh.nodes[mesh.boundary_edges()[i].nodes[0]][0] > mesh.nodes[mesh.boundary_edges()[at].nodes[0]][0]) at = i;
+  const auto &before = mesh.boundary_edges()[at - 1].nodes, &after = mesh.boundary_edges()[at].nodes;
   const Point a = mesh.nodes[before[0]], b = mesh.nodes[after[1]], along = 0.1 * (b - a), middle = 0.5 * (a + b);
   mesh.nodes[after[0]] = middle - Point(depth, 0);
   mesh.nodes[before[2]] = middle - Point(0.5 * depth, 0) + along;
@@ -327,7 +327,7 @@ TEST(RemeshGlass, the_same_mesh_gives_the_same_bits) {
   const std::vector<std::vector<char>> elsewhere(1000, std::vector<char>(137));
   const Remeshed second = remesh_glass(old, criteria_for(old, 1e-3));
   ASSERT_TRUE(first.ok && second.ok);
-  EXPECT_EQ(first.mesh.cells, second.mesh.cells);
+  EXPECT_EQ(first.mesh.cells(), second.mesh.cells());
   ASSERT_EQ(first.mesh.node_count(), second.mesh.node_count());
   for (Index i = 0; i < first.mesh.node_count(); ++i) ASSERT_EQ(first.mesh.nodes[i], second.mesh.nodes[i]);
 }
@@ -362,7 +362,7 @@ TEST(RemeshGlass, a_hundred_remeshes_keep_the_shape_the_volume_and_the_memory) {
   EXPECT_NEAR(core::volume(mesh, core::Geometry::axisymmetric) / start, 1, 1e-12);
   double deviation = 0;
   const core::Profile exact = gob();
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     for (const Index node : edge.nodes) deviation = std::max(deviation, core::distance(exact, mesh.nodes[node]));
   std::printf("surface off the exact gob by %.2e mm\n", 1e3 * deviation);
   EXPECT_LT(deviation, 20e-6);

@@ -42,7 +42,7 @@ double error_l2(const Mesh& mesh, const Eigen::VectorXd& nodal, const Field& fie
     for (const auto& at : core::triangle_rule(6)) {
       const core::CellPoint point = core::map_cell_point(mesh, cell, Geometry::axisymmetric, at);
       double value = -field(point.position);
-      for (int k = 0; k < 6; ++k) value += point.shape[k] * nodal[mesh.cells[cell][k]];
+      for (int k = 0; k < 6; ++k) value += point.shape[k] * nodal[mesh.cells()[cell][k]];
       sum += value * value * point.volume;
       volume += point.volume;
     }
@@ -83,7 +83,7 @@ TEST(Transfer, every_new_node_is_found_where_it_is) {
   for (Index i = 0; i < to.node_count(); ++i) {
     const auto shape = core::triangle_shape(transfer.at[i][0], transfer.at[i][1]);
     Point reached = Point::Zero();
-    for (int k = 0; k < 6; ++k) reached += shape[k] * from.nodes[from.cells[transfer.cell[i]][k]];
+    for (int k = 0; k < 6; ++k) reached += shape[k] * from.nodes[from.cells()[transfer.cell[i]][k]];
     worst = std::max(worst, (reached - to.nodes[i]).norm());
   }
   std::printf("farthest new node from the old body: %.2e mm\n", 1e3 * worst);
@@ -141,14 +141,14 @@ TEST(Transfer, linear_temperatures_stay_linear_and_keep_their_heat) {
   const Mesh from = gob_mesh(2.5e-3), to = again(from, 2e-3);
   const Transfer transfer = make_transfer(from, to);
   for (const Field& field : {Field(smooth), Field(skin)}) {
-    const Eigen::VectorXd old = core::from_vertices(from, sample(from, field).head(from.vertex_count));
+    const Eigen::VectorXd old = core::from_vertices(from, sample(from, field).head(from.vertex_count()));
     const Eigen::VectorXd carried = transfer_conserving(from, to, Geometry::axisymmetric, transfer, old, 1);
     const double before = mean(from, Geometry::axisymmetric, old), after = mean(to, Geometry::axisymmetric, carried);
     std::printf("linear: heat kept to %.1e, L2 error %.2f K, of linear interpolation %.2f K\n", after / before - 1,
                 error_l2(to, carried, field),
-                error_l2(to, core::from_vertices(to, sample(to, field).head(to.vertex_count)), field));
+                error_l2(to, core::from_vertices(to, sample(to, field).head(to.vertex_count())), field));
     EXPECT_NEAR(after / before, 1, 1e-12);
-    EXPECT_LT((carried - core::from_vertices(to, carried.head(to.vertex_count))).lpNorm<Eigen::Infinity>(), 1e-10);
+    EXPECT_LT((carried - core::from_vertices(to, carried.head(to.vertex_count()))).lpNorm<Eigen::Infinity>(), 1e-10);
     EXPECT_LE(carried.maxCoeff(), old.maxCoeff());
     EXPECT_GE(carried.minCoeff(), old.minCoeff());
   }

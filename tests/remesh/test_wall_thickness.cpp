@@ -27,8 +27,8 @@ Mesh mapped_square(Index columns, Index rows, const std::function<Point(double, 
       triangles.push_back({a, c, d});
     }
   Mesh mesh = make_quadratic_mesh(vertices, triangles);
-  mesh.boundary_names = {"bottom", "right", "top", "left"};
-  for (BoundaryEdge& edge : mesh.boundary) {
+  mesh.edit().boundaries = {"bottom", "right", "top", "left"};
+  for (BoundaryEdge& edge : mesh.edit().boundary_edges) {
     const Point& x = mesh.nodes[edge.nodes[2]];
     edge.boundary_id = x[1] == 0 ? 0 : x[0] == 1 ? 1 : x[1] == 1 ? 2 : 3;
   }
@@ -38,7 +38,7 @@ Mesh mapped_square(Index columns, Index rows, const std::function<Point(double, 
 
 std::vector<Index> nodes_of(const Mesh& mesh, Index boundary) {
   std::vector<Index> nodes;
-  for (const BoundaryEdge& edge : mesh.boundary)
+  for (const BoundaryEdge& edge : mesh.boundary_edges())
     if (edge.boundary_id == boundary) nodes.insert(nodes.end(), edge.nodes.begin(), edge.nodes.end());
   return nodes;
 }

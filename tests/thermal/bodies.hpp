@@ -47,8 +47,8 @@ inline core::Mesh rectangle(const std::vector<double>& x, const std::vector<doub
       }
     }
   core::Mesh mesh = core::make_quadratic_mesh(vertices, triangles);
-  mesh.boundary_names = {"bottom", "right", "top", "left"};
-  for (core::BoundaryEdge& edge : mesh.boundary) {
+  mesh.edit().boundaries = {"bottom", "right", "top", "left"};
+  for (core::BoundaryEdge& edge : mesh.edit().boundary_edges) {
     const Point along = mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]];
     const bool level = std::abs(along[0]) > std::abs(along[1]);
     edge.boundary_id = level ? (along[0] > 0 ? bottom : top) : (along[1] > 0 ? right : left);
@@ -61,8 +61,8 @@ inline BodyView body(const core::Mesh& mesh, const Material& material) {
           &mesh,
           material.density,
           &material,
-          std::vector<std::optional<SurfaceExchange>>(mesh.boundary_names.size()),
-          std::vector<std::optional<double>>(mesh.boundary_names.size())};
+          std::vector<std::optional<SurfaceExchange>>(mesh.boundaries().size()),
+          std::vector<std::optional<double>>(mesh.boundaries().size())};
 }
 
 /// Nodal values of a function of position.
@@ -80,7 +80,7 @@ inline double distance(const core::Mesh& mesh, core::Geometry geometry, const Ei
     for (const auto& at : core::triangle_rule(6)) {
       const core::CellPoint point = core::map_cell_point(mesh, c, geometry, at);
       double value = 0;
-      for (int i = 0; i < 6; ++i) value += point.shape[i] * field[mesh.cells[c][i]];
+      for (int i = 0; i < 6; ++i) value += point.shape[i] * field[mesh.cells()[c][i]];
       sum += point.volume * std::pow(value - f(point.position), 2);
       volume += point.volume;
     }
@@ -91,13 +91,13 @@ inline double distance(const core::Mesh& mesh, core::Geometry geometry, const Ei
 inline std::vector<core::InterfacePoint> stack(const core::Mesh& slave, const core::Mesh& master,
                                                core::Geometry geometry) {
   std::vector<core::InterfacePoint> points;
-  for (const core::BoundaryEdge& edge : slave.boundary) {
+  for (const core::BoundaryEdge& edge : slave.boundary_edges()) {
     if (edge.boundary_id != bottom) continue;
     const auto faces = [&](const core::BoundaryEdge& other) {
       return other.boundary_id == top &&
              std::abs(master.nodes[other.nodes[2]][0] - slave.nodes[edge.nodes[2]][0]) < 1e-9;
     };
-    const auto facing = std::find_if(master.boundary.begin(), master.boundary.end(), faces);
+    const auto facing = std::find_if(master.boundary_edges().begin(), master.boundary_edges().end(), faces);
     for (const auto& at : core::edge_rule(3)) {
       const core::EdgePoint on = core::map_edge_point(slave, edge.nodes, geometry, at);
       points.push_back(

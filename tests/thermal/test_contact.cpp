@@ -95,10 +95,10 @@ std::vector<core::InterfacePoint> slid(const std::vector<core::InterfacePoint>& 
                                        int edges) {
   std::vector<core::InterfacePoint> moved = points;
   for (core::InterfacePoint& point : moved)
-    for (std::size_t e = 0; e < lower.boundary.size(); ++e)
-      if (lower.boundary[e].nodes[2] == point.master_nodes[2]) {
-        const auto& to = lower.boundary[e + edges];
-        if (to.boundary_id == lower.boundary[e].boundary_id) point.master_nodes = to.nodes;
+    for (std::size_t e = 0; e < lower.boundary_edges().size(); ++e)
+      if (lower.boundary_edges()[e].nodes[2] == point.master_nodes[2]) {
+        const auto& to = lower.boundary_edges()[e + edges];
+        if (to.boundary_id == lower.boundary_edges()[e].boundary_id) point.master_nodes = to.nodes;
         break;
       }
   return moved;

@@ -15,7 +15,7 @@ using core::Geometry;
 
 /// Largest difference between a mid-side value and the mean of its ends.
 double off_the_line(const core::Mesh& mesh, const Eigen::VectorXd& nodal) {
-  return (nodal - core::from_vertices(mesh, nodal.head(mesh.vertex_count))).lpNorm<Eigen::Infinity>();
+  return (nodal - core::from_vertices(mesh, nodal.head(mesh.vertex_count()))).lpNorm<Eigen::Infinity>();
 }
 
 TEST(LinearTemperature, the_error_falls_with_the_second_power_of_the_element_size_for_varying_properties) {
@@ -46,7 +46,7 @@ TEST(LinearTemperature, the_error_falls_with_the_second_power_of_the_element_siz
 std::vector<core::InterfacePoint> facing(const core::Mesh& slave, const core::Mesh& master, Geometry geometry) {
   const auto edges = [](const core::Mesh& mesh, Index boundary) {
     std::vector<core::BoundaryEdge> found;
-    for (const auto& edge : mesh.boundary)
+    for (const auto& edge : mesh.boundary_edges())
       if (edge.boundary_id == boundary) found.push_back(edge);
     return found;
   };
@@ -104,10 +104,10 @@ TEST(LinearTemperature, the_balance_closes_and_both_integrators_agree) {
   problem.order = 1;
   problem.bodies[0].prescribed[right] = problem.bodies[0].prescribed[top] = std::nullopt;
   problem.bodies[0].exchange[right] = SurfaceExchange{500, 400, 0.8, 400};
-  const std::vector<double> source(6 * mesh.cells.size(), 0.4);
+  const std::vector<double> source(6 * mesh.cells().size(), 0.4);
   problem.bodies[0].source = &source;
   const auto linear = [&](const Eigen::VectorXd& nodal) {
-    return core::from_vertices(mesh, nodal.head(mesh.vertex_count));
+    return core::from_vertices(mesh, nodal.head(mesh.vertex_count()));
   };
   const auto start = linear(sample(mesh, [&](const Point& x) { return v.exact(x, 0); }));
   StepOptions options;

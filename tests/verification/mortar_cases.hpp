@@ -33,7 +33,7 @@ inline core::Mesh mapped(const std::vector<double>& x, const std::vector<double>
 }
 /// With all edges straight.
 inline core::Mesh faceted(core::Mesh mesh) {
-  for (const auto& cell : mesh.cells)
+  for (const auto& cell : mesh.cells())
     for (int i = 0; i < 3; ++i) mesh.nodes[cell[3 + i]] = 0.5 * (mesh.nodes[cell[i]] + mesh.nodes[cell[(i + 1) % 3]]);
   return mesh;
 }
@@ -80,7 +80,7 @@ struct Pair {
   /// Flux into a body, W/m2 at a point with the outward normal there, over the edges of chosen boundaries.
   void add_flux(Index body, const std::vector<Index>& boundaries,
                 const std::function<double(const Point&, const Point&)>& flux) {
-    for (const auto& edge : mesh[body].boundary)
+    for (const auto& edge : mesh[body].boundary_edges())
       if (std::find(boundaries.begin(), boundaries.end(), edge.boundary_id) != boundaries.end())
         for (const auto& rule : core::edge_rule(5)) {
           const auto at = core::map_edge_point(mesh[body], edge.nodes, geometry, rule);

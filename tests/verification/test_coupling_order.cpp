@@ -48,13 +48,13 @@ End after_equal_steps(Scene& scene, int steps) {
   for (int i = 0; i < steps; ++i) {
     auto result = coupled_step(scene, state, dt, workspace);
     EXPECT_TRUE(result.converged) << result.reason;
-    last_force = state.bodies[2].force;
+    last_force = state.tools[1].force;
     state = std::move(result.state);
   }
   double radius = 0;
-  for (const auto& x : state.bodies[0].mesh.nodes) radius = std::max(radius, x[0]);
+  for (const auto& x : state.glass.mesh.nodes) radius = std::max(radius, x[0]);
   // Forces are of the steps' middles.
-  return {state.bodies[0].temperature.mean(), radius, 1.5 * state.bodies[2].force - 0.5 * last_force};
+  return {state.glass.temperature.mean(), radius, 1.5 * state.tools[1].force - 0.5 * last_force};
 }
 
 TEST(Coupling, of_flow_and_heat_is_of_second_order_in_one_coupling_iteration) {

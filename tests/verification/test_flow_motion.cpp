@@ -42,17 +42,17 @@ SqueezeErrors squeeze_errors(double strain_per_step) {
   const State start = initial_state(scene);
   const State end = steps_to(scene, start, 0.85, [&](const State& before, const State& after) {
     // The force of a step is that of its middle.
-    const double height = 0.01 + 0.5 * (before.bodies[2].offset + after.bodies[2].offset);
+    const double height = 0.01 + 0.5 * (before.tools[1].offset + after.tools[1].offset);
     const double exact = 3 * 1e3 * 0.01 * volume / (height * height);
     for (const int tool : {1, 2})
       errors.force = std::max(errors.force, std::abs(std::abs(after.bodies[tool].force) / exact - 1));
     ++heights;
   });
-  const auto& mesh = end.bodies[0].mesh;
+  const auto& mesh = end.glass.mesh;
   double radius = 0;
   for (const auto& x : mesh.nodes) radius = std::max(radius, x[0]);
   errors.radius = radius / (0.02 * std::sqrt(10 / 1.5)) - 1;
-  errors.drift = core::volume(mesh, scene.geometry) / start.initial_volume - 1;
+  errors.drift = core::volume(mesh, scene.geometry) / start.glass.initial_volume - 1;
   std::printf(
       "slipping squeeze to 1.5 mm, strain %.4f a step: force off by %.1e at the worst of %d heights, radius by %.1e, "
       "volume by %.1e\n",
@@ -89,15 +89,15 @@ TEST(Punch, whose_corner_sinks_into_smooth_glass_keeps_the_glass_out_and_its_vol
   const State start = initial_state(scene);
   double weakest = 1e9;
   const State end = steps_to(scene, start, 0.1, [&](const State&, const State& after) {
-    weakest = std::min({weakest, after.bodies[1].force, -after.bodies[2].force});
-    EXPECT_NEAR(after.bodies[1].force, -after.bodies[2].force, 1e-6 * after.bodies[1].force);
+    weakest = std::min({weakest, after.tools[0].force, -after.tools[1].force});
+    EXPECT_NEAR(after.tools[0].force, -after.tools[1].force, 1e-6 * after.tools[0].force);
   });
   double rise = 0;
-  for (const auto& x : end.bodies[0].mesh.nodes) rise = std::max(rise, x[1] - 0.01);
+  for (const auto& x : end.glass.mesh.nodes) rise = std::max(rise, x[1] - 0.01);
   std::printf(
       "punch: %d steps, force %.2f N, glass in the tools at most %.2f um, volume off by %.1e, glass beside it rises "
       "%.2f mm\n",
-      end.totals.steps, end.bodies[1].force, 1e6 * end.totals.max_penetration, end.totals.max_drift, 1e3 * rise);
+      end.totals.steps, end.tools[0].force, 1e6 * end.totals.max_penetration, end.totals.max_drift, 1e3 * rise);
   EXPECT_NEAR(end.time, 0.1, 1e-9);
   EXPECT_GT(weakest, 0);
   EXPECT_LT(end.totals.max_penetration, 5e-6);
@@ -131,7 +131,7 @@ double second_mode(const Point& x) {
 double amplitude(const Scene& scene, const core::Mesh& mesh) {
   const Index surface = core::find_boundary(mesh, "surface");
   double projected = 0, square = 0;
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     if (edge.boundary_id == surface)
       for (const auto& rule : core::edge_rule(4)) {
         const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
@@ -145,9 +145,9 @@ double amplitude(const Scene& scene, const core::Mesh& mesh) {
 /// What is left after `time` of a drop stretched by `first`.
 std::pair<double, double> relax(const Scene& scene, double first, double time) {
   State state = initial_state(scene);
-  auto& mesh = state.bodies[0].mesh;
+  auto& mesh = state.glass.mesh;
   for (auto& x : mesh.nodes) x *= 1 + first * second_mode(x);
-  state.initial_volume = core::volume(mesh, scene.geometry);
+  state.glass.initial_volume = core::volume(mesh, scene.geometry);
   const double before = amplitude(scene, mesh);
   return {before, amplitude(scene, steps_to(scene, state, time).bodies[0].mesh)};
 }

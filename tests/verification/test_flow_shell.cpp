@@ -52,14 +52,14 @@ Scene shell() {
 double radius_error(const core::Mesh& mesh, double radius) {
   const Index inner = core::find_boundary(mesh, "inner");
   double worst = 0;
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     if (edge.boundary_id == inner)
       for (const Index node : edge.nodes) worst = std::max(worst, std::abs(mesh.nodes[node].norm() / radius - 1));
   return worst;
 }
 
 double volume_drift(const Scene& scene, const State& state) {
-  return core::volume(state.bodies[0].mesh, scene.geometry) / state.initial_volume - 1;
+  return core::volume(state.glass.mesh, scene.geometry) / state.glass.initial_volume - 1;
 }
 
 TEST(ShellInflation, doubles_its_inner_radius_in_the_exact_time_with_and_without_surface_tension) {
@@ -70,7 +70,7 @@ TEST(ShellInflation, doubles_its_inner_radius_in_the_exact_time_with_and_without
     const double time = doubling_time(tension);
     scene.stages[0].duration = time;
     const State state = steps_to(scene, initial_state(scene), time);
-    const double worst = radius_error(state.bodies[0].mesh, 2 * inner_radius), drift = volume_drift(scene, state);
+    const double worst = radius_error(state.glass.mesh, 2 * inner_radius), drift = volume_drift(scene, state);
     std::printf("shell, tension %5.1f N/m: inner radius doubled off by %.2e, volume by %.2e (largest %.2e), %d steps\n",
                 tension, worst, drift, state.totals.max_drift, state.totals.steps);
     EXPECT_LT(worst, 5e-4);
@@ -87,7 +87,7 @@ TEST(ShellInflation, is_of_second_order_in_time) {
     scene.accuracy.initial_step = strain / 200;
     scene.output.interval = 1;
     const State state = steps_to(scene, initial_state(scene), 0.12);
-    const double error = radius_error(state.bodies[0].mesh, radius_at(0.12));
+    const double error = radius_error(state.glass.mesh, radius_at(0.12));
     std::printf("shell, strain %.2f a step: %d steps, error %.2e\n", strain, state.totals.steps, error);
     if (last > 0) EXPECT_GT(std::log2(last / error), 1.6);
     last = error;

@@ -22,10 +22,10 @@ struct Range {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
 };
 
-Range contact_temperature(const BodyState& body) {
+Range contact_temperature(const ToolState& body) {
   Range range;
   const Index boundary = core::find_boundary(body.mesh, "contact");
-  for (const auto& edge : body.mesh.boundary)
+  for (const auto& edge : body.mesh.boundary_edges())
     if (edge.boundary_id == boundary)
       for (const Index node : edge.nodes) {
         range.lowest = std::min(range.lowest, body.temperature[node] - celsius);
@@ -67,7 +67,7 @@ void record(const State& state, bool steel_is_slave, Outcome& run) {
   run.glass.push_back(contact_temperature(state.bodies[steel_is_slave]));
   run.steel.push_back(contact_temperature(state.bodies[!steel_is_slave]));
   run.heat = std::abs(state.totals.to_tools);
-  run.imbalance = std::abs(state.bodies[1].heat_received - state.totals.to_tools) / run.heat;
+  run.imbalance = std::abs(state.tools[0].heat_received - state.totals.to_tools) / run.heat;
 }
 
 Outcome run_cylinders(const Meshes& meshes) {
@@ -90,7 +90,8 @@ Outcome run_classical(const Meshes& meshes) {
   Outcome run;
   const auto surface = [&](Index body) {
     const auto& mesh = state.bodies[body].mesh;
-    return contact::make_surface(body, mesh, contact_boundaries(body_of(scene, body), mesh), core::Point::Zero());
+    return contact::make_surface(body, mesh, core::boundaries_of_kind(mesh, BoundaryKind::contact),
+                                 core::Point::Zero());
   };
   const auto points = classical::classical_interface(surface(0), surface(1), scene.geometry);
   for (const double time : output_times) {

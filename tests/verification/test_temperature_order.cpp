@@ -43,9 +43,9 @@ double deviation(Index across, Index along) {
     for (const Index b : {0, 1}) {
       const core::Mesh& mesh = state.bodies[b].mesh;
       const double side = 273.15 + (b ? steel_side : glass_side);
-      for (const auto& edge : mesh.boundary)
+      for (const auto& edge : mesh.boundary_edges())
         for (const Index node : edge.nodes)
-          if (mesh.boundary_names[edge.boundary_id] == "contact")
+          if (mesh.boundaries()[edge.boundary_id].name == "contact")
             worst = std::max(worst, std::abs(state.bodies[b].temperature[node] - side));
     }
   }
@@ -64,15 +64,15 @@ TEST(TemperatureOrder, a_new_glass_mesh_keeps_linear_temperatures_and_their_heat
   Scene scene = bundled("jar");
   scene.accuracy.temperature_order = 1;
   State state = initial_state(scene);
-  const core::Mesh& mesh = state.bodies[0].mesh;
-  for (Index n = 0; n < mesh.node_count(); ++n) state.bodies[0].temperature[n] += 3e4 * mesh.nodes[n][0];
-  state.bodies[0].temperature = core::from_vertices(mesh, state.bodies[0].temperature.head(mesh.vertex_count));
+  const core::Mesh& mesh = state.glass.mesh;
+  for (Index n = 0; n < mesh.node_count(); ++n) state.glass.temperature[n] += 3e4 * mesh.nodes[n][0];
+  state.glass.temperature = core::from_vertices(mesh, state.glass.temperature.head(mesh.vertex_count()));
   const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
   ASSERT_TRUE(remeshed.ok) << remeshed.reason;
-  const auto& glass = remeshed.state.bodies[0];
+  const auto& glass = remeshed.state.glass;
   ASSERT_NE(glass.mesh.node_count(), mesh.node_count());
   EXPECT_NEAR(glass_heat(scene, remeshed.state) / glass_heat(scene, state), 1, 1e-12);
-  const auto linear = core::from_vertices(glass.mesh, glass.temperature.head(glass.mesh.vertex_count));
+  const auto linear = core::from_vertices(glass.mesh, glass.temperature.head(glass.mesh.vertex_count()));
   EXPECT_LT((glass.temperature - linear).lpNorm<Eigen::Infinity>(), 1e-9);
 }
 

@@ -65,7 +65,7 @@ using NodeValues = std::array<VectorizedArrays<core::dim>, 6>;
 [[gnu::always_inline]] inline void gather_nodes(const core::Mesh& mesh, const std::array<Index, batch_size>& cells,
                                                 NodeValues& nodes) {
   for (int i = 0; i < 6; ++i) {
-    const auto node = [&](int c) -> const core::Point& { return mesh.nodes[mesh.cells[cells[c]][i]]; };
+    const auto node = [&](int c) -> const core::Point& { return mesh.nodes[mesh.cells()[cells[c]][i]]; };
     for (int d = 0; d < core::dim; ++d) nodes[i][d] = VectorizedArray{node(0)[d], node(1)[d], node(2)[d], node(3)[d]};
   }
 }
@@ -92,7 +92,7 @@ using NodeValues = std::array<VectorizedArrays<core::dim>, 6>;
   VectorizedArrays<3> own;
   PointValues thickness;
   for (int i = 0; i < 3; ++i) {
-    const auto at = [&](int c) { return (*body.wall_thickness)[body.mesh->cells[cells[c]][i]]; };
+    const auto at = [&](int c) { return (*body.wall_thickness)[body.mesh->cells()[cells[c]][i]]; };
     own[i] = VectorizedArray{at(0), at(1), at(2), at(3)};
   }
   interpolate<3>(cell_shapes<3>().value, own, thickness);

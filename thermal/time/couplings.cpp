@@ -29,12 +29,12 @@ EdgeChain::EdgeChain(const HeatSystem& system) : starting_at_(system.size(), -1)
   Index first_boundary = 0;
   for (std::size_t b = 0; b < system.problem->bodies.size(); ++b) {
     const core::Mesh& mesh = *system.problem->bodies[b].mesh;
-    for (const core::BoundaryEdge& edge : mesh.boundary) {
+    for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
       edges_.push_back(edge_unknowns(system, static_cast<Index>(b), edge.nodes));
       boundary_id_.push_back(first_boundary + edge.boundary_id);
       starting_at_[edges_.back()[0]] = static_cast<Index>(edges_.size()) - 1;
     }
-    first_boundary += static_cast<Index>(mesh.boundary_names.size());
+    first_boundary += static_cast<Index>(mesh.boundaries().size());
   }
 }
 

@@ -35,7 +35,7 @@ std::vector<Index> list_topology(const HeatSystem& system) {
   for (const auto& cell : system.cells)
     topology.insert(topology.end(), cell.begin(), cell.begin() + cell_unknowns(system));
   for (std::size_t b = 0; b < system.problem->bodies.size(); ++b)
-    for (const core::BoundaryEdge& edge : system.problem->bodies[b].mesh->boundary)
+    for (const core::BoundaryEdge& edge : system.problem->bodies[b].mesh->boundary_edges())
       for (const Index unknown : edge_unknowns(system, static_cast<Index>(b), edge.nodes)) topology.push_back(unknown);
   return topology;
 }
@@ -136,7 +136,7 @@ struct Vertices {
 Vertices list_vertices(const HeatSystem& system) {
   Vertices vertices{{}, std::vector<Index>(system.size(), -1)};
   for (std::size_t b = 0; b < system.problem->bodies.size(); ++b)
-    for (Index v = 0; v < system.problem->bodies[b].mesh->vertex_count; ++v) {
+    for (Index v = 0; v < system.problem->bodies[b].mesh->vertex_count(); ++v) {
       vertices.number[system.first_unknown[b] + v] = static_cast<Index>(vertices.unknown.size());
       vertices.unknown.push_back(system.first_unknown[b] + v);
     }

@@ -33,15 +33,15 @@ void constrain_node(core::SymmetricMatrix& matrix, Index node, const core::Tenso
 /// Holds the normal velocity on symmetry and contact, the whole velocity where the tool sticks or the boundary is
 /// fixed.
 void constrain_boundary(const forming::Scene& scene, const forming::State& state, core::SymmetricMatrix& matrix) {
-  const core::Mesh& mesh = state.bodies[0].mesh;
+  const core::Mesh& mesh = state.glass.mesh;
   std::vector<bool> done(mesh.nodes.size(), false);
-  for (const auto& edge : mesh.boundary) {
-    const auto kind = forming::boundary_kind(scene.glass, mesh.boundary_names[edge.boundary_id]);
+  for (const auto& edge : mesh.boundary_edges()) {
+    const auto kind = forming::mesh.boundaries()[edge.boundary_id].kind;
     const core::Point along = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).normalized();
     core::Tensor normal = core::Tensor::Zero();
     normal.col(0) = core::Point(along[1], -along[0]);
     for (const Index node : edge.nodes) {
-      const Index tool = state.contact.tool[node];
+      const Index tool = state.glass.contact_tool[node];
       if (done[node] || (tool < 0 && kind != forming::BoundaryKind::symmetry && kind != forming::BoundaryKind::fixed))
         continue;
       done[node] = true;
@@ -73,20 +73,20 @@ BareFlow::BareFlow() : data_(std::make_unique<Data>()) {}
 BareFlow::~BareFlow() = default;
 
 void BareFlow::Data::assemble(const forming::Scene& scene, const forming::State& state) {
-  const core::Mesh& mesh = state.bodies[0].mesh;
-  const bool known = cells == mesh.cells;
+  const core::Mesh& mesh = state.glass.mesh;
+  const bool known = cells == mesh.cells();
   if (!known) {
     core::Cliques cliques;
     for (Index c = 0; c < mesh.cell_count(); ++c) cliques.add(flow::unknowns_of(mesh, c).data(), flow::cell_unknowns);
-    assembly = core::make_assembly(dim * mesh.node_count() + mesh.vertex_count, cliques);
-    cells = mesh.cells;
+    assembly = core::make_assembly(dim * mesh.node_count() + mesh.vertex_count(), cliques);
+    cells = mesh.cells();
   }
   flow::Problem problem{};
   problem.mesh = &mesh;
   problem.geometry = scene.geometry;
   problem.material = &*scene.glass.flow;
-  problem.temperature = &state.bodies[0].temperature;
-  problem.boundary_conditions.resize(mesh.boundary_names.size());
+  problem.temperature = &state.glass.temperature;
+  problem.boundary_conditions.resize(mesh.boundaries().size());
   const auto geometry = flow::cell_geometry(mesh, scene.geometry);
   const auto local = flow::cell_matrices(problem, geometry, flow::viscosity_field(problem, geometry, {}));
   auto& matrix = assembly.matrix;
@@ -104,7 +104,7 @@ double BareFlow::seconds(const forming::Scene& scene, const forming::State& stat
   const auto& matrix = data_->assembly.matrix;
   Eigen::VectorXd expected(matrix.size);
   for (Index i = 0; i < matrix.size; ++i) expected[i] = 1 + i % 7;
-  expected.tail(state.bodies[0].mesh.vertex_count) *= matrix.value[0];  // pressures weigh as the viscous forces do
+  expected.tail(state.glass.mesh.vertex_count()) *= matrix.value[0];  // pressures weigh as the viscous forces do
   const Eigen::VectorXd rhs = core::multiply(matrix, expected);
   std::array<double, 3> taken;
   Eigen::VectorXd solution;

@@ -88,7 +88,7 @@ void compare(const core::Mesh& old, const remesh::Criteria& criteria) {
     bool same = true;
     for (int i = 0; i < record.repeats; ++i) {
       const remesh::SizeField own = size;  // it remembers what was asked
-      const Made made = make(mesher, outline, old.boundary_names, own);
+      const Made made = make(mesher, outline, old.boundaries(), own);
       seconds.push_back(made.seconds);
       if (!made.meshed.reason.empty()) {
         record.table << record.seen << ',' << mesher.name << ",nan,nan,nan,nan,nan,nan,nan,nan,nan,1,0\n";

@@ -90,7 +90,7 @@ forming::StepResult forming::timed_step(const Scene& scene, const State& state, 
   StepResult result = real_step(scene, state, dt, workspace);
   const double cpu = bench::cpu_seconds() - start;
   const double wall = std::chrono::duration<double>(Clock::now() - wall_start).count();
-  record.table << state.time << ',' << result.converged << ',' << state.bodies[0].mesh.cell_count() << ','
+  record.table << state.time << ',' << result.converged << ',' << state.glass.mesh.cell_count() << ','
                << result.report.flow_solves << ',' << cpu;
   // The report's seconds are those of the wall clock: each part has its share of the CPU time.
   for (const char* part : {"flow", "heat", "contact"}) record.table << ',' << result.report.seconds[part] * cpu / wall;

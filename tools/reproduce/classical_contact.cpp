@@ -22,7 +22,8 @@ using namespace parison::forming;
 std::vector<core::InterfacePoint> couple(const Scene& scene, const State& state) {
   const auto surface = [&](Index body) {
     const auto& mesh = state.bodies[body].mesh;
-    return contact::make_surface(body, mesh, contact_boundaries(body_of(scene, body), mesh), core::Point::Zero());
+    return contact::make_surface(body, mesh, core::boundaries_of_kind(mesh, BoundaryKind::contact),
+                                 core::Point::Zero());
   };
   return classical::classical_interface(surface(0), surface(1), scene.geometry);
 }

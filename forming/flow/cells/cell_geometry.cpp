@@ -17,7 +17,7 @@ struct BatchNodes {
 
   BatchNodes(const core::Mesh& mesh, Index batch) {
     for (Index lane = 0; lane < batch_size; ++lane)
-      of[lane] = &mesh.cells[std::min(batch * batch_size + lane, mesh.cell_count() - 1)];
+      of[lane] = &mesh.cells()[std::min(batch * batch_size + lane, mesh.cell_count() - 1)];
   }
 };
 
@@ -172,7 +172,7 @@ const std::array<std::array<double, 6>, cell_points>& shapes_at_points() {
 BatchVelocity batch_velocity(const core::Mesh& mesh, const CellGeometry& geometry, Index batch,
                              const Eigen::VectorXd& velocity) {
   BatchVelocity result;
-  const auto at = [&](Index lane) -> const std::array<Index, 6>& { return mesh.cells[geometry.cell(batch, lane)]; };
+  const auto at = [&](Index lane) -> const std::array<Index, 6>& { return mesh.cells()[geometry.cell(batch, lane)]; };
   const auto &first = at(0), &second = at(1), &third = at(2), &fourth = at(3);
   for (int i = 0; i < 6; ++i)
     for (int a = 0; a < dim; ++a)

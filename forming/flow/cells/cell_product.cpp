@@ -74,8 +74,8 @@ Index batch_count(const core::Mesh& mesh) {
 std::array<Index, cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell) {
   std::array<Index, cell_unknowns> result;
   for (int i = 0; i < 6; ++i)
-    for (int a = 0; a < dim; ++a) result[dim * i + a] = dim * mesh.cells[cell][i] + a;
-  for (int q = 0; q < 3; ++q) result[cell_velocities + q] = dim * mesh.node_count() + mesh.cells[cell][q];
+    for (int a = 0; a < dim; ++a) result[dim * i + a] = dim * mesh.cells()[cell][i] + a;
+  for (int q = 0; q < 3; ++q) result[cell_velocities + q] = dim * mesh.node_count() + mesh.cells()[cell][q];
   return result;
 }
 
@@ -120,7 +120,7 @@ Eigen::MatrixXd product_and_size(const core::Mesh& mesh, const CellMatrices& cel
 }
 
 Eigen::VectorXd cell_loads(const core::Mesh& mesh, const CellMatrices& cells) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(dim * mesh.node_count() + mesh.vertex_count);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(dim * mesh.node_count() + mesh.vertex_count());
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     const auto where = unknowns_of(mesh, c);
     for (int k = 0; k < cell_unknowns; ++k) load[where[k]] += cells.load_at(c, k);

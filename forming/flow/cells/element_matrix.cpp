@@ -154,7 +154,7 @@ Eigen::ArrayXd temperature_at_points(const core::Mesh& mesh, const Eigen::Vector
   Eigen::ArrayXd result(mesh.cell_count() * cell_points);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     double at_node[6];
-    for (int i = 0; i < 6; ++i) at_node[i] = temperature[mesh.cells[c][i]];
+    for (int i = 0; i < 6; ++i) at_node[i] = temperature[mesh.cells()[c][i]];
     for (int q = 0; q < cell_points; ++q) {
       double sum = 0;
       for (int i = 0; i < 6; ++i) sum += shapes[q][i] * at_node[i];
@@ -195,7 +195,7 @@ CellMatrix CellMatrices::of(Index cell) const {
 std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& geometry,
                                     const Eigen::VectorXd& velocity) {
   const auto& mesh = *problem.mesh;
-  std::vector<double> viscosity(mesh.cells.size() * cell_points);
+  std::vector<double> viscosity(mesh.cells().size() * cell_points);
   Eigen::Map<Eigen::ArrayXd> at_points(viscosity.data(), Index(viscosity.size()));
   if (problem.viscosity) {
     for (Index k = 0; k < at_points.size(); ++k)

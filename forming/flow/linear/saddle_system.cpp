@@ -15,23 +15,23 @@ namespace {
 /// inside.
 std::vector<Index> pressure_places(const core::Mesh& mesh, const std::vector<Index>& place) {
   std::vector<bool> inside(mesh.nodes.size(), true);
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     for (const Index node : edge.nodes) inside[node] = false;
   const Index last = mesh.node_count() - 1;
-  std::vector<Index> first(mesh.vertex_count, last);
-  for (const auto& cell : mesh.cells)
+  std::vector<Index> first(mesh.vertex_count(), last);
+  for (const auto& cell : mesh.cells())
     for (int v = 0; v < 3; ++v)
       for (const Index node : cell)
         if (inside[node]) first[cell[v]] = std::min(first[cell[v]], place[node]);
-  for (Index v = 0; v < mesh.vertex_count; ++v) first[v] = std::max(first[v], place[v]);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) first[v] = std::max(first[v], place[v]);
   return first;
 }
 
 /// All unknowns of a node couple with the same others: the nodes are ordered.
 core::EliminationOrder elimination_order(const core::Mesh& mesh) {
   std::vector<std::array<Index, 2>> edges;
-  edges.reserve(15 * mesh.cells.size());
-  for (const auto& cell : mesh.cells)
+  edges.reserve(15 * mesh.cells().size());
+  for (const auto& cell : mesh.cells())
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < i; ++j) edges.push_back({cell[i], cell[j]});
   const auto nodes = core::minimum_degree_order(mesh.node_count(), edges);
@@ -39,7 +39,7 @@ core::EliminationOrder elimination_order(const core::Mesh& mesh) {
   for (Index k = 0; k < mesh.node_count(); ++k) place[nodes.unknown[k]] = k;
   const std::vector<Index> pressure_place = pressure_places(mesh, place);
   std::vector<std::vector<Index>> pressures(mesh.node_count());
-  for (Index v = 0; v < mesh.vertex_count; ++v) pressures[pressure_place[v]].push_back(dim * mesh.node_count() + v);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) pressures[pressure_place[v]].push_back(dim * mesh.node_count() + v);
   core::EliminationOrder order{{}, 0};
   for (Index k = 0; k < mesh.node_count(); ++k) {
     for (int a = 0; a < dim; ++a) order.unknown.push_back(dim * nodes.unknown[k] + a);
@@ -51,7 +51,7 @@ core::EliminationOrder elimination_order(const core::Mesh& mesh) {
 
 }  // namespace
 
-SaddleSystem::SaddleSystem(const core::Mesh& mesh) : vertices_(mesh.vertex_count) {
+SaddleSystem::SaddleSystem(const core::Mesh& mesh) : vertices_(mesh.vertex_count()) {
   const auto order = elimination_order(mesh);
   std::vector<Index> rank(order.unknown.size());
   for (std::size_t k = 0; k < rank.size(); ++k) rank[order.unknown[k]] = static_cast<Index>(k);
@@ -98,7 +98,7 @@ bool SaddleSystem::factorise(const core::Mesh& mesh, const CellMatrices& cells, 
   auto& matrix = assembly_.matrix;
   std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
-    const auto& nodes = mesh.cells[c];
+    const auto& nodes = mesh.cells()[c];
     if (std::none_of(nodes.begin(), nodes.end(), [&](Index n) { return base_.find(n); }))
       add_cell(cells.batch(c / batch_size), c);
     else

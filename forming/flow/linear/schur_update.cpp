@@ -144,7 +144,7 @@ SchurColumn make_schur_column(const core::Mesh& mesh, const CellMatrices& cells,
   if (!column.fixed) return column;
   std::map<Index, double> force;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
-    const auto& nodes = mesh.cells[c];
+    const auto& nodes = mesh.cells()[c];
     const auto found = std::find(nodes.begin(), nodes.end(), node);
     if (found == nodes.end()) continue;
     const auto where = unknowns_of(mesh, c);

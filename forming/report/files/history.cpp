@@ -22,17 +22,17 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 double energy_imbalance(const Scene& scene, const State& state) {
   const Totals& totals = state.totals;
   const double unexplained =
-      glass_heat(scene, state) - state.initial_heat + totals.to_tools + totals.to_air - totals.dissipation;
-  const double lost = std::abs(totals.to_tools + totals.to_air), round_off = 1e-9 * std::abs(state.initial_heat);
+      glass_heat(scene, state) - state.glass.initial_heat + totals.to_tools + totals.to_air - totals.dissipation;
+  const double lost = std::abs(totals.to_tools + totals.to_air), round_off = 1e-9 * std::abs(state.glass.initial_heat);
   return std::abs(unexplained) / std::max(lost, round_off);
 }
 
 /// Edges that a tool presses at all three nodes.
 double active_contact_area(const Scene& scene, const State& state) {
-  const core::Mesh& mesh = state.bodies[0].mesh;
-  const auto& tool = state.contact.tool;
+  const core::Mesh& mesh = state.glass.mesh;
+  const auto& tool = state.glass.contact_tool;
   double area = 0;
-  for (const core::BoundaryEdge& edge : mesh.boundary) {
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     if (std::any_of(edge.nodes.begin(), edge.nodes.end(), [&](Index node) { return tool.at(node) < 0; })) continue;
     for (const core::EdgeRulePoint& at : core::edge_rule(3))
       area += core::map_edge_point(mesh, edge.nodes, scene.geometry, at).area;
@@ -47,20 +47,20 @@ double weighted_contact_area(const std::vector<core::InterfacePoint>& interface)
 }
 
 double probe_temperature(const Scene& scene, const State& state, std::size_t probe) {
-  const BodyState& body = state.bodies.at(scene.probes[probe].body);
-  if (body.temperature.size() == 0) return none;
-  return sample(body.mesh, body.temperature, state.probes.at(probe));
+  const Index body = scene.probes[probe].body;
+  if (temperature_of(state, body).size() == 0) return none;
+  return sample(mesh_of(state, body), temperature_of(state, body), state.probes.at(probe));
 }
 
 }  // namespace
 
 GlassFacts glass_facts(const Scene& scene, const State& state) {
-  const BodyState& glass = state.bodies[0];
+  const GlassState& glass = state.glass;
   const core::Mesh mass = mass_mesh(state);
   GlassFacts facts;
   facts.volume = core::volume(glass.mesh, scene.geometry);
-  facts.mass = state.density * core::volume(mass, scene.geometry);
-  facts.volume_drift = (facts.volume - state.initial_volume) / state.initial_volume;
+  facts.mass = state.glass.density * core::volume(mass, scene.geometry);
+  facts.volume_drift = (facts.volume - state.glass.initial_volume) / state.glass.initial_volume;
   facts.mean = facts.lowest = facts.highest = none;
   facts.energy_imbalance = 0;
   if (!scene.has_heat()) return facts;
@@ -83,7 +83,7 @@ HistoryRow history_row(const Scene& scene, const State& state, const StepReport&
   row.heat_to_air = state.totals.to_air;
   row.dissipation = state.totals.dissipation;
   row.energy_imbalance = facts.energy_imbalance;
-  const bool has_contact_state = scene.has_flow() && !state.contact.tool.empty();
+  const bool has_contact_state = scene.has_flow() && !state.glass.contact_tool.empty();
   row.contact_area = has_contact_state ? active_contact_area(scene, state) : weighted_contact_area(report.interface);
   row.coupling_iterations = report.coupling_iterations;
   row.flow_solves = report.flow_solves;
@@ -91,8 +91,8 @@ HistoryRow history_row(const Scene& scene, const State& state, const StepReport&
   row.heat_substeps = report.heat_substeps;
   row.limited_by = step_limits[static_cast<std::size_t>(report.limit)];
   for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
-    row.tool_force.push_back(state.bodies.at(tool + 1).force);
-    row.tool_position.push_back(state.bodies[tool + 1].offset);
+    row.tool_force.push_back(state.tools[tool].force);
+    row.tool_position.push_back(state.tools[tool].offset);
   }
   for (std::size_t probe = 0; probe < scene.probes.size(); ++probe)
     row.probe.push_back(probe_temperature(scene, state, probe));

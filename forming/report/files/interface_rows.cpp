@@ -31,9 +31,10 @@ double fraction_of_edge(const core::InterfacePoint& point) {
 class ArcOfPoints {
  public:
   ArcOfPoints(const Scene& scene, const core::Mesh& glass) {
-    std::vector<bool> surface = symmetry_boundaries(scene.glass, glass);
+    std::vector<bool> surface = core::boundaries_of_kind(glass, BoundaryKind::symmetry);
     surface.flip();
-    for (const ChainEdge& edge : walk_surface(glass, surface)) edges_[glass.boundary[edge.edge].nodes[2]] = edge;
+    for (const ChainEdge& edge : walk_surface(glass, surface))
+      edges_[glass.boundary_edges()[edge.edge].nodes[2]] = edge;
   }
   double operator()(const core::InterfacePoint& point) const {
     const ChainEdge& edge = edges_.at(point.slave_nodes[2]);
@@ -58,8 +59,8 @@ bool same_row(const core::InterfacePoint& a, const core::InterfacePoint& b) {
 /// Values have the digits of single precision.
 void add_line(const Scene& scene, const State& state, const core::InterfacePoint& point, double arc,
               fmt::memory_buffer& lines) {
-  const double glass = value_at(state.bodies[0].temperature, point.slave_nodes, point.slave_shape);
-  const double tool = value_at(state.bodies.at(point.master_body).temperature, point.master_nodes, point.master_shape);
+  const double glass = value_at(state.glass.temperature, point.slave_nodes, point.slave_shape);
+  const double tool = value_at(temperature_of(state, point.master_body), point.master_nodes, point.master_shape);
   long clamped_lookups = 0;
   const double h = point_conductance(scene, point, glass, clamped_lookups).h;
   const double celsius = thermal::content_reference;
@@ -80,7 +81,7 @@ std::string interface_header() {
 std::string interface_lines(const Scene& scene, const State& state,
                             const std::vector<core::InterfacePoint>& interface) {
   if (!scene.has_heat()) return {};
-  const ArcOfPoints arc_of(scene, state.bodies[0].mesh);
+  const ArcOfPoints arc_of(scene, state.glass.mesh);
   std::vector<std::pair<double, const core::InterfacePoint*>> points;
   for (const core::InterfacePoint& point : interface)
     if (point.contact_weight > 0) points.push_back({arc_of(point), &point});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <type_traits>
 #include <utility>
 
 #include "core/case/case_error.hpp"
@@ -40,27 +41,29 @@ void add_temperature(const Body& body, const Eigen::VectorXd& temperature, core:
     fields.nodal.push_back({"temperature_C", (temperature.array() - thermal::content_reference).matrix()});
 }
 
-Eigen::VectorXd viscosity_field(const Scene& scene, const BodyState& glass) {
+Eigen::VectorXd viscosity_field(const Scene& scene, const GlassState& glass) {
   return glass.temperature.unaryExpr([&](double temperature) { return scene.glass.flow->viscosity(temperature); });
 }
 
-core::VtuFields glass_fields(const Scene& scene, const State& state) {
-  const BodyState& glass = state.bodies[0];
+core::VtuFields glass_output(const Scene& scene, const State& state) {
+  const GlassState& glass = state.glass;
   core::VtuFields fields;
   fields.time = state.time;
-  add_temperature(scene.glass, glass.temperature, fields);
-  if (!scene.has_flow()) return fields;
-  if (state.velocity.size() > 0) fields.nodal.push_back({"velocity", state.velocity});
-  fields.nodal.push_back({"viscosity_Pa_s", viscosity_field(scene, glass)});
-  if (state.contact.tool.empty()) return fields;
-  fields.nodal.push_back({"contact_pressure_Pa", state.contact.pressure});
-  const Eigen::Map<const Eigen::VectorXi> tool(state.contact.tool.data(), glass.mesh.node_count());
-  fields.nodal.push_back({"tool_in_contact", tool.cast<double>()});
+  for_each_glass_field([&](const auto& field) {
+    const auto& values = glass.*field.values;
+    const bool written = field.output == FieldOutput::celsius ? scene.has_heat() : scene.has_flow();
+    if (field.output == FieldOutput::none || !written) return;
+    const double offset = field.output == FieldOutput::celsius ? thermal::content_reference : 0;
+    using Stored = typename std::decay_t<decltype(values)>::value_type;
+    const Eigen::Map<const Eigen::Array<Stored, Eigen::Dynamic, 1>> stored(values.data(), Index(values.size()));
+    fields.nodal.push_back({field.output_name, (stored.template cast<double>() - offset).matrix()});
+  });
+  if (scene.has_flow()) fields.nodal.push_back({"viscosity_Pa_s", viscosity_field(scene, glass)});
   return fields;
 }
 
 core::VtuFields tool_fields(const Scene& scene, const State& state, Index tool) {
-  const BodyState& body = state.bodies.at(tool + 1);
+  const ToolState& body = state.tools[tool];
   const auto& present = scene.stages.at(state.stage).tools;
   const bool active = std::any_of(present.begin(), present.end(), [&](const StageTool& t) { return t.tool == tool; });
   core::VtuFields fields;
@@ -113,10 +116,11 @@ void ResultFiles::row(const HistoryRow& row) {
 
 void ResultFiles::fields(const State& state, const std::vector<core::InterfacePoint>& interface) {
   if (!output_times_.empty() && state.time == output_times_.back()) return;
-  for (std::size_t body = 0; body < state.bodies.size(); ++body)
-    core::write_vtu(directory_ + '/' + vtu_file(body, output_times_.size()), state.bodies[body].mesh,
-                    body == 0 ? glass_fields(scene_, state) : tool_fields(scene_, state, static_cast<Index>(body) - 1));
-  for (std::size_t body = 0; body < state.bodies.size(); ++body)
+  const auto bodies = static_cast<std::size_t>(body_count(state));
+  for (std::size_t body = 0; body < bodies; ++body)
+    core::write_vtu(directory_ + '/' + vtu_file(body, output_times_.size()), mesh_of(state, static_cast<Index>(body)),
+                    body == 0 ? glass_output(scene_, state) : tool_fields(scene_, state, static_cast<Index>(body) - 1));
+  for (std::size_t body = 0; body < bodies; ++body)
     collections_[body].add(state.time, vtu_file(body, output_times_.size()));
   interface_.append(interface_lines(scene_, state, interface));
   output_times_.push_back(state.time);

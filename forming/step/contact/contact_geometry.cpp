@@ -90,7 +90,7 @@ double fraction_in_contact(double gap, double motion) {
 /// Depth of a point inside a tool where that stands in `state`, m; 0 outside.
 double depth_inside(const PlacedTools& tools, const State& state, Index tool, const Point& x) {
   const auto at = std::find_if(tools.tools.begin(), tools.tools.end(), [&](const auto& t) { return t.index == tool; });
-  return std::max(0.0, -at->gap(x - state.bodies[1 + tool].offset * core::axis_direction()));
+  return std::max(0.0, -at->gap(x - state.tools[tool].offset * core::axis_direction()));
 }
 
 std::vector<Index> active_tools(const Scene& scene, const State& state) {
@@ -101,7 +101,7 @@ std::vector<Index> active_tools(const Scene& scene, const State& state) {
 
 PlacedTools placed_tools(const Scene& scene, const State& state) {
   std::vector<double> offset;
-  for (std::size_t b = 1; b < state.bodies.size(); ++b) offset.push_back(state.bodies[b].offset);
+  for (const ToolState& tool : state.tools) offset.push_back(tool.offset);
   return {scene, active_tools(scene, state), offset};
 }
 
@@ -118,7 +118,7 @@ Point projected_out(const PlacedTools& tools, const Point& x) {
 std::vector<Index> surface_nodes(const core::Mesh& mesh) {
   std::vector<bool> seen(mesh.nodes.size(), false);
   std::vector<Index> nodes;
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     for (const Index node : {edge.nodes[0], edge.nodes[2], edge.nodes[1]})
       if (!seen[node]) {
         seen[node] = true;
@@ -133,7 +133,7 @@ std::vector<flow::ToolMotion> tool_motions(const Scene& scene, const State& stat
   for (const auto& tool : scene.stages[state.stage].tools) {
     auto& motion = motions[tool.tool];
     if (const auto* position = std::get_if<PositionMotion>(&tool.motion))
-      motion.velocity = (position->offset(state.stage_time + dt) - state.bodies[1 + tool.tool].offset) / dt;
+      motion.velocity = (position->offset(state.stage_time + dt) - state.tools[tool.tool].offset) / dt;
     if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) {
       motion.force = force->force;
       motion.speed_limit = force->speed_limit;
@@ -147,10 +147,10 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   const auto motions = tool_motions(scene, state, dt);
   std::vector<double> speed, offset;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    speed.push_back(motions[i].force ? state.bodies[1 + i].velocity : motions[i].velocity);
-    offset.push_back(state.bodies[1 + i].offset + dt * speed.back());
+    speed.push_back(motions[i].force ? state.tools[i].velocity : motions[i].velocity);
+    offset.push_back(state.tools[i].offset + dt * speed.back());
   }
-  const core::Mesh& glass = state.bodies[0].mesh;
+  const core::Mesh& glass = state.glass.mesh;
   const auto tools = active_tools(scene, state);
   const PlacedTools placed(scene, tools, offset);
   const Point axis = core::axis_direction();
@@ -164,7 +164,8 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       fastest = std::max({fastest, std::abs(speed[tool]), motions[tool].force ? motions[tool].speed_limit : 0.0});
     const Point reached = glass.nodes[node] + dt * v;
     for (const auto& [tool, constraint] : node_constraints(placed, reached, near + 2 * dt * fastest)) {
-      const bool tied = scene.tools[tool].friction.law == flow::Friction::Law::grip && state.contact.tool[node] == tool;
+      const bool tied =
+          scene.tools[tool].friction.law == flow::Friction::Law::grip && state.glass.contact_tool[node] == tool;
       const Point relative = v - speed[tool] * axis;
       const double approach = constraint.normal.dot(relative);
       const double gap = constraint.gap - dt * approach;  // at the step's start
@@ -172,7 +173,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       // ahead.
       const double kept = gap < 0 ? depth_inside(placed, state, tool, glass.nodes[node]) : 0.0;
       const double rate = tied ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
-      const double fraction = state.contact.tool[node] == tool ? 1 : fraction_in_contact(gap, dt * approach);
+      const double fraction = state.glass.contact_tool[node] == tool ? 1 : fraction_in_contact(gap, dt * approach);
       candidates.push_back({node, tool, constraint.normal, rate, tied, fraction, relative});
     }
   }
@@ -186,11 +187,11 @@ std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass) {
 }
 
 std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass) {
-  const auto may_touch = contact_boundaries(scene.glass, glass);
+  const auto may_touch = core::boundaries_of_kind(glass, BoundaryKind::contact);
   std::vector<char> seen(glass.nodes.size(), 0);
   std::vector<Index> nodes;
-  nodes.reserve(3 * glass.boundary.size());
-  for (const auto& edge : glass.boundary)
+  nodes.reserve(3 * glass.boundary_edges().size());
+  for (const auto& edge : glass.boundary_edges())
     if (may_touch[edge.boundary_id])
       for (const Index node : edge.nodes)
         if (!std::exchange(seen[node], 1)) nodes.push_back(node);
@@ -200,8 +201,8 @@ std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass) {
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vector<Index>& nodes, Index tool,
                           double reach) {
   const Body& body = scene.tools[tool];
-  const core::Mesh& glass = state.bodies[0].mesh;
-  const Point displacement = state.bodies[1 + tool].offset * core::axis_direction();
+  const core::Mesh& glass = state.glass.mesh;
+  const Point displacement = state.tools[tool].offset * core::axis_direction();
   Eigen::VectorXd gaps = Eigen::VectorXd::Constant(glass.node_count(), std::numeric_limits<double>::infinity());
   contact::ToolGap gap(body.profile, contact_boundaries(body), reach);
   for (const Index node : nodes) gaps[node] = gap(glass.nodes[node] - displacement);
@@ -209,7 +210,7 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vec
 }
 
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach) {
-  return tool_gaps(scene, state, contact_nodes(scene, state.bodies[0].mesh), tool, reach);
+  return tool_gaps(scene, state, contact_nodes(scene, state.glass.mesh), tool, reach);
 }
 
 std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, const State& state) {
@@ -222,9 +223,9 @@ std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, co
 
 void project_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {
   const PlacedTools tools = placed_tools(scene, state);
-  const auto on_line = symmetry_boundaries(scene.glass, mesh);
+  const auto on_line = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   std::vector<bool> fixed(mesh.nodes.size(), false);
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : mesh.boundary_edges())
     if (on_line[edge.boundary_id])
       for (const Index node : edge.nodes) fixed[node] = true;
   for (const Index node : surface_nodes(mesh))
@@ -233,16 +234,16 @@ void project_out_of_tools(const Scene& scene, const State& state, core::Mesh& me
 
 std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead) {
   std::vector<Penetration> found;
-  const core::Mesh& glass = state.bodies[0].mesh;
+  const core::Mesh& glass = state.glass.mesh;
   const auto surface = surface_nodes(glass);
   for (const Index tool : active_tools(scene, state)) {
     const auto& profile = scene.tools[tool].profile;
     const contact::ToolGap gap(profile, contact_boundaries(scene.tools[tool]));
-    const BodyState& body = state.bodies[1 + tool];
+    const ToolState& body = state.tools[tool];
     const Point moved = (body.offset + ahead * body.velocity) * core::axis_direction();
     for (const Index node : surface) {
       Point local = glass.nodes[node] - moved;
-      if (ahead > 0 && scene.has_flow()) local += ahead * flow::node_velocity(state.velocity, node);
+      if (ahead > 0 && scene.has_flow()) local += ahead * flow::node_velocity(state.glass.velocity, node);
       const double depth = core::contains(profile, local) ? -gap(local) : 0;
       if (depth > 0 && std::isfinite(depth)) found.push_back({node, tool, depth});
     }

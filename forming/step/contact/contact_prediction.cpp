@@ -15,7 +15,7 @@ namespace {
 constexpr double at_corner = 1e-5;
 
 bool is_at_corner(const Scene& scene, const State& state, Index tool, Index node) {
-  const Point local = state.bodies[0].mesh.nodes[node] - state.bodies[1 + tool].offset * core::axis_direction();
+  const Point local = state.glass.mesh.nodes[node] - state.tools[tool].offset * core::axis_direction();
   const auto& segments = scene.tools[tool].profile.segments;
   return std::any_of(segments.begin(), segments.end(),
                      [&](const core::Segment& segment) { return (segment.end - local).norm() < at_corner; });
@@ -23,7 +23,7 @@ bool is_at_corner(const Scene& scene, const State& state, Index tool, Index node
 
 }  // namespace
 
-std::vector<bool> likely_contacts(const State& state, const ContactState::Active& active, const flow::Problem& problem,
+std::vector<bool> likely_contacts(const State& state, const ActiveContacts& active, const flow::Problem& problem,
                                   const Eigen::VectorXd& guess) {
   constexpr double near_direction = 0.94;
   std::vector<std::vector<std::size_t>> of_node(problem.mesh->nodes.size());
@@ -36,9 +36,9 @@ std::vector<bool> likely_contacts(const State& state, const ContactState::Active
       return active.tool[i] == candidate.tool && active.normal[i].dot(candidate.normal) > near_direction;
     });
     if (active.node.empty())
-      was = (state.contact.tool[candidate.node] == candidate.tool && candidate.node != last_node) ||
+      was = (state.glass.contact_tool[candidate.node] == candidate.tool && candidate.node != last_node) ||
             (state.last_step == 0 && candidate.rate >= 0);
-    const double tool_speed = state.bodies[1 + candidate.tool].velocity;
+    const double tool_speed = state.tools[candidate.tool].velocity;
     const Point relative = flow::node_velocity(guess, candidate.node) - tool_speed * core::axis_direction();
     likely.push_back(was || (state.last_step > 0 && candidate.normal.dot(relative) < candidate.rate));
     last_node = candidate.node;
@@ -57,7 +57,7 @@ void keep_bounds(const std::vector<flow::ContactCandidate>& bounds, std::vector<
 }
 
 std::vector<flow::ContactCandidate> corner_bounds(const Scene& scene, const State& state) {
-  const auto& [nodes, tools, normals] = state.contact.active;
+  const auto& [nodes, tools, normals] = state.glass.active_contacts;
   std::vector<flow::ContactCandidate> bounds;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     if (nodes[i] != nodes[i - 1] || tools[i] != tools[i - 1] || !is_at_corner(scene, state, tools[i], nodes[i]))

@@ -8,7 +8,7 @@ namespace parison::forming {
 
 /// The candidates that were closed in the last solve, or, where a new mesh or stage knows only the tool of each node,
 /// its nearest one; and those that `guess` would carry through.
-std::vector<bool> likely_contacts(const State& state, const ContactState::Active& active, const flow::Problem& problem,
+std::vector<bool> likely_contacts(const State& state, const ActiveContacts& active, const flow::Problem& problem,
                                   const Eigen::VectorXd& guess);
 
 /// Adds the bounds that point another way than the node's own, beside those.

@@ -29,31 +29,32 @@ struct Films {
 
 bool is_slot(const State& state, Index node, const core::BoundaryEdge& other) {
   return std::any_of(other.nodes.begin(), other.nodes.end(),
-                     [&](Index n) { return state.contact.tool[n] == state.contact.tool[node]; });
+                     [&](Index n) { return state.glass.contact_tool[n] == state.glass.contact_tool[node]; });
 }
 
 /// The films, and the walls that are no thicker than `reach`, m.
 Films find_films(const Scene& scene, const State& state, double reach) {
-  const core::Mesh& mesh = state.bodies[0].mesh;
-  const auto symmetry = symmetry_boundaries(scene.glass, mesh);
+  const core::Mesh& mesh = state.glass.mesh;
+  const auto symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   std::vector<bool> contact(mesh.nodes.size());
-  for (std::size_t n = 0; n < contact.size(); ++n) contact[n] = state.contact.tool[n] >= 0;
+  for (std::size_t n = 0; n < contact.size(); ++n) contact[n] = state.glass.contact_tool[n] >= 0;
   Films films{remesh::surface_wall(mesh, symmetry, reach), {}};
   films.thickness = remesh::film_thickness(mesh, films.wall, symmetry, contact);
   for (Index n = 0; n < mesh.node_count(); ++n)  // what fills a slot of one tool is not pressed thinner
-    if (std::isfinite(films.thickness[n]) && is_slot(state, n, mesh.boundary[films.wall.far_edge[n]]))
+    if (std::isfinite(films.thickness[n]) && is_slot(state, n, mesh.boundary_edges()[films.wall.far_edge[n]]))
       films.thickness[n] = std::numeric_limits<double>::infinity();
   return films;
 }
 
 bool touches_nothing(const State& state) {
-  return std::all_of(state.contact.tool.begin(), state.contact.tool.end(), [](Index tool) { return tool < 0; });
+  return std::all_of(state.glass.contact_tool.begin(), state.glass.contact_tool.end(),
+                     [](Index tool) { return tool < 0; });
 }
 
 /// The tool on the other side of a film's node, -1 for its mirror image.
 Index opposite_tool(const Films& films, const State& state, Index node) {
-  for (const Index n : state.bodies[0].mesh.boundary[films.wall.far_edge[node]].nodes)
-    if (const Index tool = state.contact.tool[n]; tool >= 0) return tool;
+  for (const Index n : state.glass.mesh.boundary_edges()[films.wall.far_edge[node]].nodes)
+    if (const Index tool = state.glass.contact_tool[n]; tool >= 0) return tool;
   return -1;
 }
 
@@ -66,7 +67,7 @@ std::pair<double, Index> thinnest_film(const Scene& scene, const State& state, c
     if (!(thickness < std::min(thinnest.first, limit))) continue;
     if (const Index there = opposite_tool(films, state, n); there >= 0) {
       const Body& tool = scene.tools[there];
-      const Point local = state.bodies[0].mesh.nodes[n] - state.bodies[1 + there].offset * core::axis_direction();
+      const Point local = state.glass.mesh.nodes[n] - state.tools[there].offset * core::axis_direction();
       thickness = std::max(thickness, contact::signed_gap(tool.profile, contact_boundaries(tool), local));
     }
     if (thickness < thinnest.first) thinnest = {thickness, n};
@@ -83,10 +84,10 @@ bool is_driven(const Scene& scene, const State& state, Index tool) {
 
 /// Whether tools that do not give way come nearer to each other at a film's node.
 bool is_crushed(const Scene& scene, const State& state, const Films& films, Index node) {
-  const Index here = state.contact.tool[node], there = opposite_tool(films, state, node);
+  const Index here = state.glass.contact_tool[node], there = opposite_tool(films, state, node);
   const double outward = films.wall.normal[node].dot(core::axis_direction());
-  const double speed = state.bodies[1 + here].velocity;
-  const double closing = outward * ((there < 0 ? -speed : state.bodies[1 + there].velocity) - speed);
+  const double speed = state.tools[here].velocity;
+  const double closing = outward * ((there < 0 ? -speed : state.tools[there].velocity) - speed);
   return closing > static_speed && !is_driven(scene, state, here) && (there < 0 || !is_driven(scene, state, there));
 }
 
@@ -102,10 +103,10 @@ std::string film_failure(const Scene& scene, const State& state) {
   const bool freezes = limit.then == FilmLimit::Then::freeze;
   if (freezes && !is_crushed(scene, state, films, node)) return "";
   const Index there = opposite_tool(films, state, node);
-  const Point middle = state.bodies[0].mesh.nodes[node] - 0.5 * thinnest * films.wall.normal[node];
+  const Point middle = state.glass.mesh.nodes[node] - 0.5 * thinnest * films.wall.normal[node];
   return fmt::format(
       "the glass between {} and {} is {:.4g} mm thick near ({:.2f}, {:.2f}) mm, {} {:.4g} mm{}",
-      scene.tools[state.contact.tool[node]].name, there < 0 ? "its mirror image" : scene.tools[there].name,
+      scene.tools[state.glass.contact_tool[node]].name, there < 0 ? "its mirror image" : scene.tools[there].name,
       1e3 * thinnest, 1e3 * middle[0], 1e3 * middle[1], freezes ? "it is frozen below" : "allowed are films of",
       1e3 * limit.min_thickness, freezes ? ", but the tools come nearer to each other by a given motion" : " and more");
 }
@@ -113,16 +114,16 @@ std::string film_failure(const Scene& scene, const State& state) {
 std::vector<bool> frozen_cells(const Scene& scene, const State& state) {
   const FilmLimit& limit = scene.glass.film;
   if (limit.then != FilmLimit::Then::freeze || touches_nothing(state)) return {};
-  const core::Mesh& mesh = state.bodies[0].mesh;
+  const core::Mesh& mesh = state.glass.mesh;
   const Films films = find_films(scene, state, std::numeric_limits<double>::infinity());
   if (films.thickness.minCoeff() >= limit.min_thickness) return {};
   Eigen::VectorXd nearest = films.wall.thickness;  // inside, that of the nearest surface node: a film there or not
   for (Index n = 0; n < mesh.node_count(); ++n)
     if (std::isfinite(nearest[n])) nearest[n] = films.thickness[n] < limit.min_thickness ? 1 : 0;
   remesh::spread_inward(mesh, nearest);
-  std::vector<bool> frozen(mesh.cells.size());
+  std::vector<bool> frozen(mesh.cells().size());
   for (std::size_t c = 0; c < frozen.size(); ++c)
-    frozen[c] = std::all_of(mesh.cells[c].begin(), mesh.cells[c].end(), [&](Index n) { return nearest[n] == 1; });
+    frozen[c] = std::all_of(mesh.cells()[c].begin(), mesh.cells()[c].end(), [&](Index n) { return nearest[n] == 1; });
   return frozen;
 }
 

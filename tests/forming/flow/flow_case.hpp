@@ -21,7 +21,7 @@ struct FlowProblem {
     material.viscosity.constant = viscosity;
     temperature = Eigen::VectorXd::Constant(mesh.node_count(), 1400.0);
     problem.geometry = geometry;
-    problem.boundary_conditions.resize(mesh.boundary_names.size());
+    problem.boundary_conditions.resize(mesh.boundaries().size());
   }
   BoundaryCondition& boundary(const std::string& name) {
     return problem.boundary_conditions[core::find_boundary(mesh, name)];
@@ -38,8 +38,8 @@ struct FlowProblem {
   Solution solve(const std::vector<bool>& warm = {}) { return Solver(mesh).solve(bound(), warm); }
   std::set<Index> nodes_of(const std::string& name) const {
     std::set<Index> nodes;
-    for (const auto& edge : mesh.boundary)
-      if (mesh.boundary_names[edge.boundary_id] == name) nodes.insert(edge.nodes.begin(), edge.nodes.end());
+    for (const auto& edge : mesh.boundary_edges())
+      if (mesh.boundaries()[edge.boundary_id].name == name) nodes.insert(edge.nodes.begin(), edge.nodes.end());
     return nodes;
   }
   /// Candidates of a tool at all nodes of a boundary, without a gap.
@@ -66,8 +66,8 @@ inline FlowErrors flow_errors(const FlowProblem& flow, const Solution& solution,
       const auto at = core::map_cell_point(flow.mesh, c, flow.problem.geometry, rule);
       Point v = -exact.velocity(at.position);
       double p = -exact.pressure(at.position);
-      for (int i = 0; i < 6; ++i) v += at.shape[i] * node_velocity(solution.velocity, flow.mesh.cells[c][i]);
-      for (int i = 0; i < 3; ++i) p += at.linear[i] * solution.pressure[flow.mesh.cells[c][i]];
+      for (int i = 0; i < 6; ++i) v += at.shape[i] * node_velocity(solution.velocity, flow.mesh.cells()[c][i]);
+      for (int i = 0; i < 3; ++i) p += at.linear[i] * solution.pressure[flow.mesh.cells()[c][i]];
       square_v += at.volume * v.squaredNorm();
       sum_p += at.volume * p;
       square_p += at.volume * p * p;

@@ -35,7 +35,7 @@ std::array<double, 2> layer_errors(const Layers& layers) {
   flow.boundary("top").kind = BoundaryCondition::Kind::symmetry;
   flow.problem.viscosity = [=](const Point& x) { return layers.viscosity(x[1]); };
   flow.problem.force = [](const Point&) { return Point(1, 0); };
-  for (auto& cell : flow.mesh.cells)  // straight sides
+  for (auto& cell : flow.mesh.edit().cells)  // straight sides
     for (int i = 0; i < 3; ++i)
       flow.mesh.nodes[cell[3 + i]] = 0.5 * (flow.mesh.nodes[cell[i]] + flow.mesh.nodes[cell[(i + 1) % 3]]);
   const auto solution = flow.solve();
@@ -98,8 +98,8 @@ TEST(StiffSkin, every_layer_of_a_skin_from_1e12_to_1e2_by_its_temperature_has_it
 
 double free_area(const FlowProblem& flow, const core::Mesh& mesh) {
   double area = 0;
-  for (const auto& edge : mesh.boundary)
-    if (mesh.boundary_names[edge.boundary_id] == "right")
+  for (const auto& edge : mesh.boundary_edges())
+    if (mesh.boundaries()[edge.boundary_id].name == "right")
       for (const auto& rule : core::edge_rule(5))
         area += core::map_edge_point(mesh, edge.nodes, flow.problem.geometry, rule).area;
   return area;
@@ -114,10 +114,10 @@ double loads_power(const FlowProblem& flow, const Solution& solution) {
       const auto at = core::map_cell_point(flow.mesh, c, flow.problem.geometry, rule);
       for (int i = 0; i < 6; ++i)
         power += flow.material.density * flow.problem.gravity * at.volume * at.shape[i] *
-                 node_velocity(solution.velocity, flow.mesh.cells[c][i])[1];
+                 node_velocity(solution.velocity, flow.mesh.cells()[c][i])[1];
     }
-  for (const auto& edge : flow.mesh.boundary)
-    if (flow.mesh.boundary_names[edge.boundary_id] == "right")
+  for (const auto& edge : flow.mesh.boundary_edges())
+    if (flow.mesh.boundaries()[edge.boundary_id].name == "right")
       for (const auto& rule : core::edge_rule(5)) {
         const auto at = core::map_edge_point(flow.mesh, edge.nodes, flow.problem.geometry, rule);
         for (int i = 0; i < 3; ++i)

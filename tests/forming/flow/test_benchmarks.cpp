@@ -20,7 +20,7 @@ constexpr double published_cx = 1.670e-6, published_cx_pressure = 9.778e-3, publ
                  published_kz_pressure = 1.070e-3, published_vi = 0.128;
 
 Index unknowns(const Mesh& mesh) {
-  return core::dim * mesh.node_count() + mesh.vertex_count;
+  return core::dim * mesh.node_count() + mesh.vertex_count();
 }
 
 /// A straight-sided mesh to be made quadratic.
@@ -66,13 +66,13 @@ Triangles united(const std::vector<Mesh>& parts) {
   std::map<std::pair<long, long>, Index> known;
   for (const Mesh& part : parts) {
     std::vector<Index> number;
-    for (Index v = 0; v < part.vertex_count; ++v) {
+    for (Index v = 0; v < part.vertex_count(); ++v) {
       const std::pair place(std::lround(part.nodes[v][0] / same_point), std::lround(part.nodes[v][1] / same_point));
       const auto [at, fresh] = known.insert({place, Index(made.vertices.size())});
       if (fresh) made.vertices.push_back(part.nodes[v]);
       number.push_back(at->second);
     }
-    for (const auto& cell : part.cells) made.cells.push_back({number[cell[0]], number[cell[1]], number[cell[2]]});
+    for (const auto& cell : part.cells()) made.cells.push_back({number[cell[0]], number[cell[1]], number[cell[2]]});
   }
   return made;
 }

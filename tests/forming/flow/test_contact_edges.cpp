@@ -22,11 +22,11 @@ Eigen::VectorXd nodal_reactions(const FlowProblem& flow, const Solution& solutio
   Eigen::VectorXd reaction = -surface_load(flow.mesh, surface_edges(flow.problem), in_contact);
   for (Index c = 0; c < flow.mesh.cell_count(); ++c) {
     Eigen::Matrix<double, cell_unknowns, 1> x;
-    for (int i = 0; i < 6; ++i) x.segment<2>(2 * i) = node_velocity(solution.velocity, flow.mesh.cells[c][i]);
-    for (int i = 0; i < 3; ++i) x[cell_velocities + i] = solution.pressure[flow.mesh.cells[c][i]];
+    for (int i = 0; i < 6; ++i) x.segment<2>(2 * i) = node_velocity(solution.velocity, flow.mesh.cells()[c][i]);
+    for (int i = 0; i < 3; ++i) x[cell_velocities + i] = solution.pressure[flow.mesh.cells()[c][i]];
     const Eigen::Matrix<double, cell_unknowns, 1> force = cells.of(c) * x;
     for (int k = 0; k < cell_velocities; ++k)
-      reaction[2 * flow.mesh.cells[c][k / 2] + k % 2] += force[k] - cells.load_at(c, k);
+      reaction[2 * flow.mesh.cells()[c][k / 2] + k % 2] += force[k] - cells.load_at(c, k);
   }
   return reaction;
 }
@@ -35,7 +35,7 @@ Eigen::VectorXd nodal_reactions(const FlowProblem& flow, const Solution& solutio
 void expect_complementary(const FlowProblem& flow, const Solution& solution) {
   const Eigen::VectorXd reaction = nodal_reactions(flow, solution);
   Eigen::VectorXd shared = reaction;
-  for (const auto& edge : flow.mesh.boundary)
+  for (const auto& edge : flow.mesh.boundary_edges())
     for (int end = 0; end < 2; ++end)
       shared.segment<2>(2 * edge.nodes[end]) += 0.5 * reaction.segment<2>(2 * edge.nodes[2]);
   const double fastest = solution.velocity.lpNorm<Eigen::Infinity>(), strongest = reaction.lpNorm<Eigen::Infinity>();
@@ -208,7 +208,7 @@ TEST(ContactEdges, a_full_cavity_stays_regular_and_its_force_follows_the_plunger
       const double pressure = -force / (M_PI * 1e-4);
       EXPECT_NEAR(solution.tool_force[1], force, -1e-9 * force);
       EXPECT_LT(std::abs(solution.tool_velocity[1]), 1e-4);
-      for (Index n = 0; n < flow.mesh.vertex_count; ++n) EXPECT_NEAR(solution.pressure[n], pressure, 1e-5 * pressure);
+      for (Index n = 0; n < flow.mesh.vertex_count(); ++n) EXPECT_NEAR(solution.pressure[n], pressure, 1e-5 * pressure);
     }
   }
 }
@@ -226,8 +226,8 @@ TEST(ContactEdges, a_full_cavity_leaks_through_its_vent_alone) {
   ASSERT_TRUE(solution.converged) << solution.reason;
   expect_complementary(flow, solution);
   double out = 0;
-  for (const auto& edge : flow.mesh.boundary)
-    if (flow.mesh.boundary_names[edge.boundary_id] == "right")
+  for (const auto& edge : flow.mesh.boundary_edges())
+    if (flow.mesh.boundaries()[edge.boundary_id].name == "right")
       for (const auto& rule : core::edge_rule(3)) {
         const auto at = core::map_edge_point(flow.mesh, edge.nodes, Geometry::axisymmetric, rule);
         for (int i = 0; i < 3; ++i) out += at.area * at.shape[i] * node_velocity(solution.velocity, edge.nodes[i])[0];

@@ -35,7 +35,7 @@ double growth(FlowProblem flow, const Mode& mode) {
   const auto solution = flow.solve();
   EXPECT_TRUE(solution.converged) << solution.reason;
   double projected = 0, square = 0;
-  for (const auto& edge : flow.mesh.boundary) {
+  for (const auto& edge : flow.mesh.boundary_edges()) {
     if (flow.problem.boundary_conditions[edge.boundary_id].kind != BoundaryCondition::Kind::free) continue;
     for (const auto& rule : core::edge_rule(4)) {
       const auto at = core::map_edge_point(flow.mesh, edge.nodes, flow.problem.geometry, rule);
