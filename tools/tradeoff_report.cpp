@@ -84,6 +84,7 @@ std::string as_json(const Results& results, const VariantResult& base,
     json.open_object("");
     json.add("part", part.name);
     json.add("in_scene", part.in_scene);
+    json.add("number", part.number);
     json.add("thickness", part.thickness);
     json.add("heat", part.heat);
     json.close();

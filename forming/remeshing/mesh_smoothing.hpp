@@ -5,8 +5,8 @@
 
 namespace parison::forming {
 
-/// Carries the shift of the surface nodes since `from` into the mesh, where it fades: inner nodes follow the mean of
-/// the cells around them.
+/// Laplacian smoothing of a displacement: spreads the displacement of the surface nodes since `from` into the mesh;
+/// each inner node takes the mean of the cells around it.
 void smooth_displacement(const core::Mesh& from, core::Mesh& mesh);
 
 /// Moves the surface along its normals until the mesh has the volume `target`, m3, to round-off: the part that no tool

@@ -25,17 +25,19 @@ using core::dim;
 
 namespace {
 
-/// From the end of a stretch that a stage names to the surface of the glass, m.
+/// Largest distance from the ends of a boundary that a stage names to the surface of the glass, m.
 constexpr double max_end_distance = 5e-3;
 
-/// A new node this near to a tool, next to an old node that touched it, touches it.
+/// A new surface node is in contact where its gap is smaller than this, m, and the nearest old node was in contact.
 constexpr double touching = 2e-5;
-/// A surface node nearer to a tool than this will soon touch: it wants the resolution of a thermal skin.
+/// Surface nodes nearer to a tool than this, m, will be in contact soon: they get the edge length of the thermal
+/// boundary layer.
 constexpr double contact_proximity = 1.0e-3;
-/// Smallest edge of all, of the skin size.
+/// Smallest edge length of the mesh over numerics.skin_size.
 constexpr double min_edge_fraction = 0.5;
 
-/// Edge length in each cell with which the gradient of temperature and the rate of deformation keep the wanted error.
+/// Edge length in each cell, m, at which the recovered error of the temperature gradient and of the strain rate equals
+/// numerics.solution_error (Zienkiewicz and Zhu 1992).
 std::vector<double> solution_target_sizes(const Scene& scene, const State& state) {
   const core::Mesh& mesh = state.glass.mesh;
   std::vector<double> target_sizes(mesh.cells().size(), std::numeric_limits<double>::infinity());
@@ -77,7 +79,8 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   return result;
 }
 
-/// The old surface node nearest to a new one, among those of the old cell it lies in; among all where that has none.
+/// The old surface node nearest to a new one: among the nodes of the old cell that holds it or, where none of them lies
+/// on the surface, among all.
 Index nearest_surface_node(const core::Mesh& from, const std::vector<bool>& on_surface, Index cell, const Point& x) {
   Index best = -1;
   const auto consider = [&](Index node) {
@@ -90,7 +93,8 @@ Index nearest_surface_node(const core::Mesh& from, const std::vector<bool>& on_s
   return best;
 }
 
-/// The tool that the old surface node nearest to each new one touches, where the new one is near that tool too.
+/// The tool in contact with each new surface node: that of the nearest old surface node, where the new node's gap is
+/// small too.
 std::vector<Index> carried_contact(const Scene& scene, const State& old, const remesh::Transfer& transfer,
                                    const core::Mesh& mesh) {
   const core::Mesh& from = old.glass.mesh;
@@ -109,8 +113,8 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const r
   return tools;
 }
 
-/// Lifts the new surface out of the tools and gives the mesh the old volume; the inside follows where cells suffer.
-/// False where that folds the mesh.
+/// Projects the new surface out of the tools and restores the old volume; inner nodes follow by Laplacian smoothing
+/// where the quality drops. False where cells are inverted.
 bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
   constexpr double acceptable = 0.9;  // of the quality as meshed
   const core::Mesh made = mesh;
@@ -126,7 +130,8 @@ bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
   return min_quality > 0;
 }
 
-/// The temperature on the new mesh, within the old extremes and with the heat content of the old one.
+/// The temperature on the new mesh by L2 projection, limited to the old extremes, with the heat content of the old
+/// mesh.
 void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   const Eigen::VectorXd& temperature = state.glass.temperature;
@@ -185,7 +190,7 @@ void accumulate_change(double change, double& sum, double& largest) {
   largest = std::max(largest, std::abs(change));
 }
 
-/// How far the new temperatures go beyond the old ones, K; 0 where they do not.
+/// By how much the new temperatures exceed the range of the old ones, K; 0 where they do not.
 double transfer_overshoot(const State& state, const State& next) {
   const Eigen::VectorXd &old = state.glass.temperature, &now = next.glass.temperature;
   return std::max({0.0, now.maxCoeff() - old.maxCoeff(), old.minCoeff() - now.minCoeff()});
@@ -224,7 +229,7 @@ NearestEdge nearest_edge(const core::Mesh& mesh, const std::vector<bool>& may_to
   return nearest;
 }
 
-/// Names the edges that may touch tools from the surface node nearest `from` to the one nearest `to`.
+/// Gives the contact edges between the surface nodes nearest to `from` and `to` a boundary of their own.
 void name_boundary(const NamedBoundary& named, const std::vector<bool>& may_touch, core::Mesh& mesh) {
   Index boundary_id = core::find_boundary(mesh, named.name);
   if (boundary_id < 0) {

@@ -7,8 +7,9 @@
 
 namespace parison::forming {
 
-/// Where the outline that the active tools give the glass turns sharply, m: corners of their contact boundaries, into
-/// the glass or away from it, and places where two of them meet; without those that another tool covers.
+/// Points at which the surface that the active tools offer to the glass has a corner, m: corners of their contact
+/// boundaries, convex or re-entrant, and junctions of two tools, except those covered by another tool. New meshes have
+/// nodes there.
 std::vector<core::Point> tool_corners(const Scene& scene, const State& state);
 
 }  // namespace parison::forming

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "forming/scene/accuracy.hpp"
+#include "forming/scene/calibration.hpp"
 
 namespace parison::forming {
 namespace {
@@ -21,12 +22,8 @@ constexpr double spacing = 1.0 / (profile_points - 1);
 /// From the difference of both runs to the error of the finer one, by the order that the convergence study of the
 /// presets showed.
 double richardson() {
-  return 1 / (std::pow(coarsening_factor, error_model().thickness.order) - 1);
+  return 1 / (std::pow(coarsening_factor, calibration().error_law.thickness.order) - 1);
 }
-
-/// What two runs may agree on by chance, over the error expected of the wall in the mean. The law is that of the case
-/// that errs most.
-constexpr double chance_in_mean = 0.1, chance_at_worst = 0.3, chance_in_time = 0.2;
 
 bool is_heat(const Quantity& quantity) {
   return quantity.name.rfind("heat_", 0) == 0;
@@ -156,13 +153,16 @@ ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const 
     quantity.error = std::max({richardson() * std::abs(other->value - quantity.value), chance, resolution * size});
     if (is_heat(quantity))
       quantity.error = std::max(quantity.error, scatter * expected.heat / double(alike.sizes.size()) * size);
-    if (is_time(quantity)) quantity.error = std::max(quantity.error, chance_in_time * expected.thickness * size);
+    if (is_time(quantity))
+      quantity.error = std::max(quantity.error, calibration().error_bars.chance_in_time * expected.thickness * size);
   }
   add_thinnest(bars.quantities, coarse_run);
   const ProfileDifference profile = compare_profiles(coarse_run.profile, run.profile);
   // Not a number where there is no wall, or no tool receives heat.
-  bars.profile_mean = std::max({richardson() * profile.mean, chance_in_mean * expected.thickness, resolution});
-  bars.profile_max = std::max({richardson() * profile.largest, chance_at_worst * expected.thickness, resolution});
+  bars.profile_mean =
+      std::max({richardson() * profile.mean, calibration().error_bars.chance_in_mean * expected.thickness, resolution});
+  bars.profile_max = std::max(
+      {richardson() * profile.largest, calibration().error_bars.chance_at_worst * expected.thickness, resolution});
   bars.heat = std::max({richardson() * heat_difference(coarse_run, run), scatter * expected.heat, resolution});
   return bars;
 }

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "core/case/case_error.hpp"
+#include "forming/scene/calibration.hpp"
 
 namespace parison::forming {
 namespace {
@@ -103,11 +104,6 @@ const std::vector<Setting>& settings() {
   return all;
 }
 
-const ErrorModel& error_model() {
-  static const ErrorModel model{{0.014, 1.17}, {0.0012, 1.16}};
-  return model;
-}
-
 Accuracy accuracy_at(double level) {
   const std::size_t nearest = nearest_preset(level), from = level < 1 ? 0 : 1;
   Accuracy accuracy{};
@@ -131,11 +127,12 @@ Accuracy coarsened(Accuracy accuracy, double factor) {
 }
 
 double expected_error(double level) {
-  return std::max(error_model().thickness.at(level), error_model().heat.at(level));
+  return std::max(calibration().error_law.thickness.at(level), calibration().error_law.heat.at(level));
 }
 
 double level_for(double target) {
-  return std::max(law_level(error_model().thickness, target), law_level(error_model().heat, target));
+  return std::max(law_level(calibration().error_law.thickness, target),
+                  law_level(calibration().error_law.heat, target));
 }
 
 AccuracyChoice read_accuracy(const std::string& text) {

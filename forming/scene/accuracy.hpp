@@ -71,18 +71,7 @@ std::string coarsened_text(const std::string& text, double factor);
 /// The presets draft, standard and fine, or what another text asks for.
 Accuracy accuracy_preset(const std::string& text);
 
-/// An error of the accuracy level: at_draft * 2^(-order * level), as a share.
-struct ErrorLaw {
-  double at_draft, order;
-  double at(double level) const { return at_draft * std::exp2(-order * level); }
-};
-/// Mean error of the wall thickness, measured on the bundled container that errs most (the bottle; the order is the
-/// jar's), and error of the heat into tools. `tools/bench targets` holds runs against it.
-struct ErrorModel {
-  ErrorLaw thickness, heat;
-};
-const ErrorModel& error_model();
-/// The larger of both errors.
+/// The larger of the errors of wall thickness and heat that the calibration expects at a level, as a fraction.
 double expected_error(double level);
 /// The level that keeps both within the target.
 double level_for(double target);

@@ -10,13 +10,14 @@ namespace parison::forming {
 
 namespace {
 
-constexpr double max_growth = 1.5, max_slow_growth = 3.0;
-constexpr double slow_fraction = 0.1;  ///< of its allowance: a step that used less may grow faster
-constexpr double aim = 0.9;            ///< of what a step may do
-constexpr double repeat_above = 3.0;   ///< times what a step should do
+/// Largest factors by which a step may grow on the one before, in general and in slow phases, in which a step used less
+/// than `slow_fraction` of what it may change.
+constexpr double max_growth = 1.5, max_slow_growth = 3.0, slow_fraction = 0.1;
+constexpr double safety_factor = 0.9;  ///< of the step that would change just as much as a step may
+constexpr double reject_above = 3.0;   ///< times what a step may change
 constexpr double same_time = 1e-9;     ///< s
 
-/// How much of its allowance a step used, and of which.
+/// What a step changed over what it may change (strain, temperature or motion, whichever is largest), and which it was.
 std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) {
   return std::max(
       {std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
@@ -39,14 +40,14 @@ ProposedStep propose_step(const Scene& scene, const StepReport& report, double a
   const auto [used, by] = load(scene, report);
   ProposedStep proposed{(used < slow_fraction ? max_slow_growth : max_growth) * std::max(report.dt, allowed),
                         StepLimit::growth};
-  if (used > 0 && report.dt * aim / used < proposed.dt) proposed = {report.dt * aim / used, by};
+  if (used > 0 && report.dt * safety_factor / used < proposed.dt) proposed = {report.dt * safety_factor / used, by};
   if (proposed.dt > scene.accuracy.max_step) proposed = {scene.accuracy.max_step, StepLimit::max_step};
   proposed.dt = std::max(proposed.dt, scene.accuracy.min_step);
   return proposed;
 }
 
 bool rejected_by_error_control(const Scene& scene, const StepReport& report) {
-  return load(scene, report).first > repeat_above;
+  return load(scene, report).first > reject_above;
 }
 
 double clip_step_to_event(const Scene& scene, const State& state, double proposed) {

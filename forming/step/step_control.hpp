@@ -12,15 +12,15 @@ struct ProposedStep {
   StepLimit limit;
 };
 
-/// Step that the next step may have, from what the last one did to the mesh and the surface temperature; `allowed`, s,
-/// is what that one was allowed, before it was shortened to land on a given time.
+/// The length of the next step, from what the last one changed (strain, surface temperature, predictor against
+/// corrector); `allowed`, s, is the length that was proposed for the last one before it was clipped to an event.
 ProposedStep propose_step(const Scene& scene, const StepReport& report, double allowed);
 
-/// Whether a step did so much more than it should that it is to be repeated shorter.
+/// Whether a step changed three times more than it may, so that it is rejected and repeated shorter.
 bool rejected_by_error_control(const Scene& scene, const StepReport& report);
 
-/// `proposed`, shortened so that the stage's end is met exactly and no sliver is left before it; where nothing flows,
-/// the next output time as well (the heat integrator's own steps do not care).
+/// The proposed step, s, clipped so that the stage's end is met exactly and no very short step is left before it. Where
+/// nothing flows it is clipped to the next output time too; the heat integrator's own steps do not depend on that.
 double clip_step_to_event(const Scene& scene, const State& state, double proposed);
 
 /// Output times after `from` and not after `to`, s, in order.

@@ -6,8 +6,9 @@
 
 namespace parison::forming {
 
-/// Accumulates the work of a step of dt from `start` with the velocities and forces of `flow`. Gravity, air and surface
-/// are taken from where the step really carries the glass, not from the equations that the flow solved.
+/// Adds to `work`, J, the work of a step of length dt, s, from `start` with the velocities and forces of `flow`. The
+/// work of gravity, air pressure and surface tension is computed from the positions before and after the step,
+/// independently of the flow equations, so that the balance tests them.
 void accumulate_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work);
 
 /// Work done on the glass that is neither lost nor stored in its surface, relative to what was lost; NaN where nothing

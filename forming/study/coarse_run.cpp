@@ -9,6 +9,7 @@
 #include "core/io/json_read.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/scene/calibration.hpp"
 
 namespace parison::forming {
 namespace {
@@ -24,7 +25,7 @@ bool is_complete(const std::string& directory) {
 ExpectedErrors expected_errors(const Scene& scene) {
   if (!scene.is_of_error_law()) return {};
   const double level = scene.accuracy_choice.effective_level();
-  return {error_model().thickness.at(level), error_model().heat.at(level)};
+  return {calibration().error_law.thickness.at(level), calibration().error_law.heat.at(level)};
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "forming/report/quantities.hpp"
-#include "forming/scene/accuracy.hpp"
+#include "forming/scene/calibration.hpp"
 #include "forming/study/convergence_study.hpp"
 
 namespace parison::forming {

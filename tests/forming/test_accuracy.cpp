@@ -8,6 +8,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/scene/calibration.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "forming/study/coarse_run.hpp"
@@ -86,7 +87,7 @@ TEST(Accuracy, AProfileIsComparedAwayFromWhereTheWallEnds) {
 }
 
 TEST(Accuracy, ABarHoldsErrorsOfTheStudiesAndOfSecondOrderAndIsAtMostFiveTimesAsWide) {
-  for (const double order : {error_model().thickness.order, 2.0}) {
+  for (const double order : {calibration().error_law.thickness.order, 2.0}) {
     const double grows = std::pow(coarsening_factor, order);
     Quantities run{{{"heat_a", "J", 101, 101}, {"heat_b", "J", 50.8, 50.8}, {"time_a", "s", 1.02, 1}}, {}};
     Quantities coarse_run{{{"heat_a", "J", 100 + grows, 100},

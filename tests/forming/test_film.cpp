@@ -137,7 +137,7 @@ TEST(Film, a_disc_squeezed_to_300_micrometres_pushes_back_as_theory_says_and_end
 }
 
 TEST(Film, a_frozen_film_stops_the_tool_that_presses_on_it_and_is_not_crushed_by_one_that_does_not_give_way) {
-  const std::string frozen = with_film(R"({ thinnest = "0.5 mm", then = "freeze" })");
+  const std::string frozen = with_film(R"({ min_thickness = "0.5 mm", then = "freeze" })");
   Scene scene;
   const RunOutcome given = pressed(frozen, scene);
   EXPECT_NE(given.facts.reason.find("frozen below 0.5 mm"), std::string::npos) << given.facts.reason;

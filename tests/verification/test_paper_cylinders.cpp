@@ -89,7 +89,7 @@ Outcome run_classical(const Meshes& meshes) {
   Workspace workspace;
   Outcome run;
   const auto surface = [&](Index body) {
-    const auto& mesh = state.bodies[body].mesh;
+    const auto& mesh = mesh_of(state, body);
     return contact::make_surface(body, mesh, core::boundaries_of_kind(mesh, BoundaryKind::contact),
                                  core::Point::Zero());
   };

@@ -41,12 +41,12 @@ double deviation(Index across, Index along) {
       state = std::move(result.state);
     }
     for (const Index b : {0, 1}) {
-      const core::Mesh& mesh = state.bodies[b].mesh;
+      const core::Mesh& mesh = mesh_of(state, b);
       const double side = 273.15 + (b ? steel_side : glass_side);
       for (const auto& edge : mesh.boundary_edges())
         for (const Index node : edge.nodes)
           if (mesh.boundaries()[edge.boundary_id].name == "contact")
-            worst = std::max(worst, std::abs(state.bodies[b].temperature[node] - side));
+            worst = std::max(worst, std::abs(temperature_of(state, b)[node] - side));
     }
   }
   return worst;

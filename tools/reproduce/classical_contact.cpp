@@ -21,7 +21,7 @@ using namespace parison::forming;
 
 std::vector<core::InterfacePoint> couple(const Scene& scene, const State& state) {
   const auto surface = [&](Index body) {
-    const auto& mesh = state.bodies[body].mesh;
+    const auto& mesh = mesh_of(state, body);
     return contact::make_surface(body, mesh, core::boundaries_of_kind(mesh, BoundaryKind::contact),
                                  core::Point::Zero());
   };

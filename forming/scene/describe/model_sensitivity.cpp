@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "forming/scene/calibration.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "thermal/properties.hpp"
 
@@ -17,24 +18,10 @@ constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
 constexpr double earth = 9.81;                       ///< m/s2
 constexpr ContainerGlass container_glass;
 
-/// What a part did in the study of the jar at draft, and the number it had there.
-struct Measured {
-  double number, thickness, heat;
-};
-constexpr double jar_lasts = 9.3;  ///< s
-constexpr Measured radiation_measured{0.56, 0.234, 0.211};
-constexpr Measured thin_wall_measured{0.08, 0.105, 0.125};
-constexpr Measured emission_measured{13, 0.086, 0.063};
-constexpr Measured air_measured{0.34, 0.0135, 0.0093};
-constexpr Measured warming_measured{0.62, 0.055, 0.063};
-constexpr Measured tension_measured{0.19, 0.0073, 3.7e-4};
-constexpr Measured gravity_measured{11, 0.159, 0.0128};
-constexpr Measured slip_measured{1, 0.27, 0.035};
-/// Tools on both sides leave the wall little freedom and cover it: what changes it, and the heat of its open surface,
-/// in the study of the tumbler over those of the jar.
-constexpr double pressed_fraction = 0.02, pressed_open = 0.1;
-/// Heat into the tools over the strain of glass that nothing forms, in the README's short example.
-constexpr double heat_of_strain = 0.008;
+/// What was measured of a part, by its name.
+const MeasuredPart& measured(const char* part) {
+  return calibration().model_parts.parts.at(part);
+}
 
 double lasting(const Scene& scene) {
   double whole = 0;
@@ -82,7 +69,7 @@ struct Estimator {
     parts.push_back({name, in_scene, number_name, number, scene.has_flow() ? std::min(1.0, thickness) : 0,
                      scene.has_heat() ? std::min(1.0, heat) : 0});
   }
-  void scale(const char* name, bool in_scene, const char* number_name, double number, const Measured& jar) {
+  void scale(const char* name, bool in_scene, const char* number_name, double number, const MeasuredPart& jar) {
     const double ratio = number / jar.number;
     add(name, in_scene, number_name, number, freedom * ratio * jar.thickness, ratio * jar.heat);
   }
@@ -94,7 +81,7 @@ double weight(const Estimator& e) {
 
 /// Glass that nothing forms changes its shape no more than its weight draws it out.
 double freedom_of(const Estimator& e) {
-  if (e.shape == Shaped::pressed) return pressed_fraction;
+  if (e.shape == Shaped::pressed) return calibration().model_shapes.pressed_freedom;
   if (e.shape == Shaped::blown || !e.scene.has_flow()) return 1;
   return std::min(1.0, hot_strain(weight(e), lasting(e.scene), *e.numbers.viscosity));
 }
@@ -125,16 +112,17 @@ void add_friction(Estimator& e) {
   }
   if (placed == 0) return;
   if (slipping > 0)
-    e.scale("friction on tools", false, "share of tools that slip", slipping / placed, slip_measured);
+    e.scale("friction on tools", false, "share of tools that slip", slipping / placed, measured("friction on tools"));
   else
-    e.scale("friction on tools", true, "share of tools that hold", 1, slip_measured);
+    e.scale("friction on tools", true, "share of tools that hold", 1, measured("friction on tools"));
 }
 
 /// A stress beside those that form the glass.
-void add_stress(Estimator& e, const char* name, bool in_scene, double stress, const Measured& jar) {
+void add_stress(Estimator& e, const char* name, bool in_scene, double stress, const MeasuredPart& jar) {
   const double strain = hot_strain(stress, lasting(e.scene), *e.numbers.viscosity);
   constexpr const char* number_name = "strain it would make in hot glass";
-  if (e.shape == Shaped::unformed) return e.add(name, in_scene, number_name, strain, strain, heat_of_strain * strain);
+  if (e.shape == Shaped::unformed)
+    return e.add(name, in_scene, number_name, strain, strain, calibration().model_shapes.heat_of_strain * strain);
   // What forms the jar, and its cooling, hold most of the strain back; where a pressure forms the glass alone it counts
   // beside that.
   double pressure = 0;
@@ -150,8 +138,9 @@ void add_flow(Estimator& e) {
   const bool heavy =
       std::any_of(e.scene.stages.begin(), e.scene.stages.end(), [](const Stage& s) { return s.gravity != 0; });
   add_stress(e, "surface tension", tense,
-             (tense ? flow.surface_tension : container_glass.surface_tension) / e.numbers.length, tension_measured);
-  add_stress(e, "gravity", heavy, weight(e), gravity_measured);
+             (tense ? flow.surface_tension : container_glass.surface_tension) / e.numbers.length,
+             measured("surface tension"));
+  add_stress(e, "gravity", heavy, weight(e), measured("gravity"));
   add_friction(e);
   // Inertia delays the flow by the time in which the slowest motion across a wall dies out, here a
   // slab held on both sides; no run measures what that changes at most.
@@ -222,7 +211,7 @@ double gain(const Scene& scene, const Exchange& more, const Exchange& less) {
 
 /// Parts that act through the heat between glass and tools; what nothing forms has no more to change it than the exact
 /// solution says.
-void add_exchange(Estimator& e, const char* name, bool in_scene, double more_heat, const Measured& jar) {
+void add_exchange(Estimator& e, const char* name, bool in_scene, double more_heat, const MeasuredPart& jar) {
   constexpr const char* number_name = "of the heat between half-spaces";
   if (e.shape != Shaped::unformed) return e.scale(name, in_scene, number_name, more_heat, jar);
   e.add(name, in_scene, number_name, more_heat, e.freedom * more_heat / jar.number * jar.thickness, more_heat);
@@ -245,17 +234,17 @@ void add_surface(Estimator& e, double conductivity) {
     h = std::max(h, stage.air.h), air = stage.air.air_temperature, around = stage.air.ambient_temperature;
   }
   if (!open) return;
-  const double hot = e.scene.glass.initial_temperature, lasts = lasting(e.scene) / jar_lasts;
-  const auto cooling = [&](const char* name, bool in_scene, double flux, Measured jar) {
-    jar.heat *= lasts * (e.shape == Shaped::pressed ? pressed_open : 1);
+  const double hot = e.scene.glass.initial_temperature, lasts = lasting(e.scene) / calibration().model_parts.duration;
+  const auto cooling = [&](const char* name, bool in_scene, double flux, MeasuredPart jar) {
+    jar.heat *= lasts * (e.shape == Shaped::pressed ? calibration().model_shapes.pressed_open_heat : 1);
     e.scale(name, in_scene, "its Biot number", std::abs(flux) * e.numbers.length / (conductivity * hot), jar);
   };
   const bool emits = e.scene.glass.emissivity > 0;
   cooling("emission to around", emits,
           4 * stefan_boltzmann * (emits ? e.scene.glass.emissivity : container_glass.emissivity) *
               (std::pow(hot, 4) - std::pow(around, 4)),
-          emission_measured);
-  cooling("cooling by air", h > 0, (h > 0 ? h : container_glass.air) * (hot - air), air_measured);
+          measured("emission to around"));
+  cooling("cooling by air", h > 0, (h > 0 ? h : container_glass.air) * (hot - air), measured("cooling by air"));
 }
 
 void add_heat(Estimator& e) {
@@ -266,11 +255,11 @@ void add_heat(Estimator& e) {
     const double more = gain(e.scene, {limited}, {alone});
     // Of the heat that the scene gives: what it would lose without, or gain with.
     add_exchange(e, "internal radiation", radiation.has_value(), radiation ? more / (1 + more) : more,
-                 radiation_measured);
+                 measured("internal radiation"));
     if (radiation)
       add_exchange(e, "thin-wall limit", radiation->thin_wall, gain(e.scene, {unlimited}, {limited}),
-                   thin_wall_measured);
-    add_exchange(e, "warming of tools", true, gain(e.scene, {own, true}, {own}), warming_measured);
+                   measured("thin-wall limit"));
+    add_exchange(e, "warming of tools", true, gain(e.scene, {own, true}, {own}), measured("warming of tools"));
   }
   add_surface(e, alone);
 }
@@ -291,10 +280,10 @@ std::string describe_sensitivity(const Scene& scene) {
   if (parts.empty()) return {};
   const double asked = scene.accuracy_choice.target.value_or(expected_error(scene.accuracy_choice.effective_level()));
   const char* shape = shaped(scene, dimensionless_numbers(scene)) == Shaped::unformed ? "shape" : "thickness";
-  std::string text =
-      "\nwhat a part of the model changes, roughly: from one number each, by the studies of the bundled jar and "
-      "tumbler\n"
-      "(`parison tradeoff CASE --only model` measures most of them)\n";
+  std::string text = fmt::format(
+      "\nwhat a part of the model changes, roughly: from one number each, as measured on {} (commit {}, {})\n"
+      "(`parison tradeoff CASE --only model` measures most of them)\n",
+      calibration().model_parts.by.case_name, calibration().model_parts.by.commit, calibration().model_parts.by.date);
   for (const PartSensitivity& part : parts) {
     text += fmt::format("  {:<20}{:<9}", part.name, part.in_scene ? "in" : "left out");
     if (scene.has_flow()) text += fmt::format("{} {:>6.2g} %, ", shape, 100 * part.thickness);

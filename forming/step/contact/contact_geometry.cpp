@@ -19,11 +19,12 @@ using core::dim;
 
 namespace {
 
-/// Gaps beyond this are not worth a candidate unless a node moves further in the step, m.
+/// Nodes farther from a tool than this become contact candidates only if they can move that far within the step, m.
 constexpr double near = 1e-3;
-/// A node found inside a tool is led out over at least this time, s: at once, it would ask a full cavity to burst.
+/// Penetrated nodes are moved to the surface over 20 ms; moving them within one step would overpressurise a full
+/// cavity.
 constexpr double recovery_time = 20e-3;
-/// A node nearer than this to a tool touches it, m.
+/// A node whose gap is smaller than this is in contact from the start of the step, m.
 constexpr double touching = 1e-9;
 
 struct ToolConstraint {
@@ -31,7 +32,7 @@ struct ToolConstraint {
   contact::GapConstraint constraint;
 };
 
-/// The active tools as they stand with `offset` (one for each tool of the scene), and where they meet.
+/// The active tools at the offsets given (m, one for each tool of the scene), and the junctions where they meet.
 struct PlacedTools {
   struct Tool {
     Index index;
@@ -58,7 +59,8 @@ struct PlacedTools {
   }
 };
 
-/// The nearest constraints of a node over all active tools: the union of the tools counts.
+/// The constraints of a node with the smallest gaps, at most core::dim. The glass sees the union of the active tools,
+/// so constraints of different tools with nearly the same normal count once.
 std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Point& x, double reach) {
   std::vector<ToolConstraint> found;
   for (const auto& tool : tools.tools)
@@ -81,13 +83,14 @@ std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Poi
   return kept;
 }
 
-/// Share of a step in which a node touches a tool that it reaches from a gap with a motion along the tool's normal.
+/// Fraction of a step during which a node is in contact, from its gap at the step's start and its displacement along
+/// the tool's normal (negative towards the tool), both m.
 double fraction_in_contact(double gap, double motion) {
   if (gap <= touching) return 1;
   return motion < 0 ? std::max(0.0, 1 + gap / motion) : 0;
 }
 
-/// Depth of a point inside a tool where that stands in `state`, m; 0 outside.
+/// Penetration depth of a point in a tool at its position in `state`, m; 0 outside.
 double depth_inside(const PlacedTools& tools, const State& state, Index tool, const Point& x) {
   const auto at = std::find_if(tools.tools.begin(), tools.tools.end(), [&](const auto& t) { return t.index == tool; });
   return std::max(0.0, -at->gap(x - state.tools[tool].offset * core::axis_direction()));
@@ -105,7 +108,8 @@ PlacedTools placed_tools(const Scene& scene, const State& state) {
   return {scene, active_tools(scene, state), offset};
 }
 
-/// A point moved out of the tools it lies in.
+/// The projection of a point onto the surface of the tools that contain it; points outside all tools are returned as
+/// they are.
 Point projected_out(const PlacedTools& tools, const Point& x) {
   Point out = x;
   for (const auto& [tool, constraint] : node_constraints(tools, x, near))
@@ -169,8 +173,8 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       const Point relative = v - speed[tool] * axis;
       const double approach = constraint.normal.dot(relative);
       const double gap = constraint.gap - dt * approach;  // at the step's start
-      // Only what is inside at the start may still be partly inside at the end; round a corner the flat bound may lie
-      // ahead.
+      // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew
+      // there, because next to a corner the linearised gap can be negative for a node that is outside.
       const double kept = gap < 0 ? depth_inside(placed, state, tool, glass.nodes[node]) : 0.0;
       const double rate = tied ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
       const double fraction = state.glass.contact_tool[node] == tool ? 1 : fraction_in_contact(gap, dt * approach);

@@ -14,8 +14,9 @@ std::vector<Index> surface_nodes(const core::Mesh& mesh);
 /// How the active tools move over the next dt; one entry for each tool of the scene.
 std::vector<flow::ToolMotion> tool_motions(const Scene& scene, const State& state, double dt);
 
-/// Contact candidates of all surface nodes with all active tools: the gap at the positions that `velocity` (two per
-/// node, m/s) and the tools' present velocities would reach after dt, made a bound on the velocity. Second order in dt.
+/// Contact candidates of all surface nodes with all active tools (Signorini conditions on the velocity). The gap is
+/// evaluated at the positions that `velocity` (core::dim per node, m/s) and the tools' present velocities would reach
+/// after dt, s, and linearised there: second order in dt.
 std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const State& state,
                                                        const Eigen::VectorXd& velocity, double dt);
 
@@ -31,13 +32,14 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vec
                           double reach);
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach);
 
-/// Moves a point that lies inside an active tool out to its surface; leaves others to the bit.
+/// A function that projects points inside an active tool onto its surface and returns all others unchanged.
 std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, const State& state);
 
-/// Moves the surface nodes of `mesh` that lie inside an active tool out to its surface.
+/// Projects the surface nodes of `mesh` that lie inside an active tool onto its surface; nodes of symmetry boundaries
+/// stay.
 void project_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh);
 
-/// Bounds of a node whose normals are closer than this (cosine) count as one.
+/// Constraints of a node whose normals differ by less than 3 degrees (this is the cosine) count as one.
 inline constexpr double same_direction = 0.9986;
 
 /// A glass node inside an active tool.
@@ -45,7 +47,7 @@ struct Penetration {
   Index node, tool;
   double depth;  ///< from the contact boundaries, m
 };
-/// All of them after a time `ahead` with the present velocities.
+/// All penetrations after a time `ahead`, s, with the present velocities.
 std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead);
 
 /// Depth of the deepest glass node inside an active tool, m.

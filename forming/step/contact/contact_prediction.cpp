@@ -11,7 +11,7 @@ using core::dim;
 
 namespace {
 
-/// A node nearer than this to the end of a segment is at its corner, m.
+/// A node nearer than this to the end of a segment of a tool's outline lies on its corner, m.
 constexpr double at_corner = 1e-5;
 
 bool is_at_corner(const Scene& scene, const State& state, Index tool, Index node) {

@@ -6,16 +6,17 @@
 
 namespace parison::forming {
 
-/// The candidates that were closed in the last solve, or, where a new mesh or stage knows only the tool of each node,
-/// its nearest one; and those that `guess` would carry through.
+/// Initial guess of the active set for the flow solve, a flag for each candidate: contacts that were active in the last
+/// solve (after a remesh or at a stage's start, when only the tool of each node is known, the node's first candidate
+/// with that tool), and candidates that the velocity `guess`, m/s, would violate.
 std::vector<bool> likely_contacts(const State& state, const ActiveContacts& active, const flow::Problem& problem,
                                   const Eigen::VectorXd& guess);
 
-/// Adds the bounds that point another way than the node's own, beside those.
+/// Adds to the candidates of each node those of `bounds` whose normals differ from all that the node has.
 void keep_bounds(const std::vector<flow::ContactCandidate>& bounds, std::vector<flow::ContactCandidate>& candidates);
 
-/// Both sides of the corners of tools in which the last step left nodes: a hollow so flat that it counts as smooth
-/// shows a node only the nearer one.
+/// Candidates for both sides of the re-entrant corners in which the last step left nodes. The search by distance
+/// returns only the nearer side where the corner is so flat that it counts as smooth.
 std::vector<flow::ContactCandidate> corner_bounds(const Scene& scene, const State& state);
 
 }  // namespace parison::forming

@@ -17,9 +17,9 @@ namespace parison::forming {
 
 namespace {
 
-/// Landing on the thinnest film itself is allowed, relative.
+/// Relative tolerance on the smallest film thickness: a film of just that thickness is allowed.
 constexpr double film_tolerance = 1e-3;
-/// Tools that come nearer to each other more slowly than this stand, m/s.
+/// Tools whose relative speed is smaller than this count as standing, m/s.
 constexpr double static_speed = 1e-6;
 
 struct Films {
@@ -32,7 +32,7 @@ bool is_slot(const State& state, Index node, const core::BoundaryEdge& other) {
                      [&](Index n) { return state.glass.contact_tool[n] == state.glass.contact_tool[node]; });
 }
 
-/// The films, and the walls that are no thicker than `reach`, m.
+/// The films, and the wall thickness where it is at most `reach`, m.
 Films find_films(const Scene& scene, const State& state, double reach) {
   const core::Mesh& mesh = state.glass.mesh;
   const auto symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
@@ -40,7 +40,7 @@ Films find_films(const Scene& scene, const State& state, double reach) {
   for (std::size_t n = 0; n < contact.size(); ++n) contact[n] = state.glass.contact_tool[n] >= 0;
   Films films{remesh::surface_wall(mesh, symmetry, reach), {}};
   films.thickness = remesh::film_thickness(mesh, films.wall, symmetry, contact);
-  for (Index n = 0; n < mesh.node_count(); ++n)  // what fills a slot of one tool is not pressed thinner
+  for (Index n = 0; n < mesh.node_count(); ++n)  // glass in a slot of a single tool cannot be pressed thinner
     if (std::isfinite(films.thickness[n]) && is_slot(state, n, mesh.boundary_edges()[films.wall.far_edge[n]]))
       films.thickness[n] = std::numeric_limits<double>::infinity();
   return films;
@@ -58,8 +58,8 @@ Index opposite_tool(const Films& films, const State& state, Index node) {
   return -1;
 }
 
-/// The thinnest film and its node. The tools' distance counts: at the rim the glass may touch them not all along its
-/// edges.
+/// The thinnest film below `limit`, m, and its node. The distance between the tools is what counts, because near its
+/// rim a film touches them only along part of its edges.
 std::pair<double, Index> thinnest_film(const Scene& scene, const State& state, const Films& films, double limit) {
   std::pair<double, Index> thinnest{std::numeric_limits<double>::infinity(), -1};
   for (Index n = 0; n < films.thickness.size(); ++n) {
@@ -82,7 +82,7 @@ bool is_driven(const Scene& scene, const State& state, Index tool) {
   });
 }
 
-/// Whether tools that do not give way come nearer to each other at a film's node.
+/// Whether tools with a prescribed motion approach each other at a film's node, so that the film cannot stop them.
 bool is_crushed(const Scene& scene, const State& state, const Films& films, Index node) {
   const Index here = state.glass.contact_tool[node], there = opposite_tool(films, state, node);
   const double outward = films.wall.normal[node].dot(core::axis_direction());
@@ -117,7 +117,8 @@ std::vector<bool> frozen_cells(const Scene& scene, const State& state) {
   const core::Mesh& mesh = state.glass.mesh;
   const Films films = find_films(scene, state, std::numeric_limits<double>::infinity());
   if (films.thickness.minCoeff() >= limit.min_thickness) return {};
-  Eigen::VectorXd nearest = films.wall.thickness;  // inside, that of the nearest surface node: a film there or not
+  Eigen::VectorXd nearest =
+      films.wall.thickness;  // 1 on films, 0 on other walls; inside, the value of the nearest surface node
   for (Index n = 0; n < mesh.node_count(); ++n)
     if (std::isfinite(nearest[n])) nearest[n] = films.thickness[n] < limit.min_thickness ? 1 : 0;
   remesh::spread_inward(mesh, nearest);

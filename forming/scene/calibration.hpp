@@ -1,0 +1,56 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <string>
+
+namespace parison::forming {
+
+/// Where measured figures come from: the program that gave them, when, and on which case.
+struct MeasuredBy {
+  std::string commit, date, case_name;
+};
+
+/// An error that falls with the accuracy level: at_draft * 2^(-order * level), as a fraction.
+struct ErrorLaw {
+  double at_draft, order;
+  double at(double level) const;
+};
+
+/// What a part of the model changed where it was measured, and the dimensionless number that it had there.
+struct MeasuredPart {
+  double number;
+  double thickness, heat;  ///< change of the wall thickness in the mean and of the heat into the tools, as fractions
+};
+
+/// Figures measured on bundled cases, from which errors and the effects of model parts are estimated on others. They
+/// stand in forming/scene/calibration.json, which `tools/bench --save` writes and the build takes into the program.
+struct Calibration {
+  struct {
+    MeasuredBy by;
+    ErrorLaw thickness, heat;  ///< of the wall in the mean, of the heat into the tools
+  } error_law;
+  struct {
+    MeasuredBy by;
+    double duration;  ///< of the case, s
+    std::map<std::string, MeasuredPart> parts;
+  } model_parts;
+  struct {
+    MeasuredBy by;
+    double pressed_freedom;    ///< what changes a wall between tools on both sides, over what changes a blown one
+    double pressed_open_heat;  ///< heat of its open surface likewise
+    double heat_of_strain;     ///< change of the heat into the tools over the strain of glass that nothing forms
+  } model_shapes;
+  struct {
+    MeasuredBy by;
+    /// What two runs may agree on by chance, over the error expected of the wall in the mean.
+    double chance_in_mean, chance_at_worst, chance_in_time;
+  } error_bars;
+};
+
+/// Reads a calibration; throws std::runtime_error that names the entry where one is missing.
+Calibration read_calibration(const std::string& json);
+
+/// That of this program.
+const Calibration& calibration();
+
+}  // namespace parison::forming
