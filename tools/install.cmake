@@ -23,8 +23,9 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME parison)
 set(CPACK_PACKAGE_CONTACT "The Parison developers <parison@example.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulator of the forming of glass containers")
-set(CPACK_PACKAGE_DESCRIPTION "Parison computes how a gob of hot glass becomes a container: viscous flow of the glass, heat in
-glass and tools, and the thermal contact between them, on an axisymmetric or planar section. The bundled cases are found by
+set(CPACK_PACKAGE_DESCRIPTION "Parison computes how a gob of hot glass becomes a container: viscous
+flow of the glass, heat in glass and tools, and the thermal contact between
+them, on an axisymmetric or planar section. The bundled cases are found by
 name: parison run jar.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
