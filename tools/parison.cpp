@@ -16,6 +16,7 @@
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/study/coarse_run.hpp"
+#include "tools/bundled_cases.hpp"
 #include "tools/coarse_run.hpp"
 #include "tools/fit_law.hpp"
 #include "tools/stop_request.hpp"
@@ -24,6 +25,7 @@
 namespace {
 
 constexpr int run_failed = 1, case_wrong = 2;
+constexpr const char* what_a_case_is = "folder that holds a case.toml, a case file, or the name of a bundled case";
 
 using Overrides = std::vector<std::string>;
 
@@ -94,10 +96,15 @@ int resume(const std::string& output, const std::string& path, bool error_bars) 
                 error_bars ? &coarse_run : nullptr);
 }
 
+int list_cases() {
+  fmt::print("{}", parison::tools::bundled_cases_table());
+  return 0;
+}
+
 CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {
   auto* command =
       app.add_subcommand("tradeoff", "run a convergence study of settings and model parts: error against CPU time");
-  command->add_option("case", trade.case_path, "folder that holds a case.toml, or a case file")->required();
+  command->add_option("case", trade.case_path, what_a_case_is)->required()->transform(parison::tools::find_case);
   command->add_option("--output", trade.output,
                       "folder of the study; what has run there is not run again [results/tradeoff_NAME]");
   command->add_option(
@@ -118,6 +125,18 @@ CLI::App* add_tradeoff(CLI::App& app, parison::tools::TradeoffRequest& trade) {
   return command;
 }
 
+CLI::App* add_fit_law(CLI::App& app, parison::tools::FitLawRequest& fit) {
+  auto* command = app.add_subcommand("fit-law", "fit the pressure-viscosity law to measurements");
+  command->add_option("data", fit.data, "CSV file: p and h, or q, T_glass and T_tool; eta or T_glass")->required();
+  command->add_option("--fix", fit.fixed, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--case", fit.case_path, "case whose glass gives the viscosity at T_glass")
+      ->transform(parison::tools::find_case);
+  command->add_flag("--relative", fit.relative, "weigh residuals as shares: for scatter that grows with the value");
+  return command;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -129,7 +148,7 @@ int main(int argc, char** argv) {
   bool error_bars = false;
   const auto with_case = [&](const char* name, const char* what) {
     auto* command = app.add_subcommand(name, what);
-    command->add_option("case", path, "folder that holds a case.toml, or a case file")->required();
+    command->add_option("case", path, what_a_case_is)->required()->transform(parison::tools::find_case);
     command->add_option("--accuracy", accuracy, "draft, standard, fine, or an error such as 0.5%")
         ->capture_default_str();
     command->add_option("--set", overrides, "KEY=VALUE in place of the case file's value; may be repeated")
@@ -142,22 +161,18 @@ int main(int argc, char** argv) {
   run_command->add_flag("--error-bars", error_bars, "estimate the error of each result by a coarse run");
   auto* resume_command = app.add_subcommand("resume", "continue a run from its last checkpoint");
   resume_command->add_option("results", output, "folder with the results of the run")->required();
-  resume_command->add_option("--case", path, "the case, where it has moved");
+  resume_command->add_option("--case", path, "the case, where it has moved")->transform(parison::tools::find_case);
   resume_command->add_flag("--error-bars", error_bars, "as for run; on a run that has completed too");
   auto* check_command = with_case("check", "read a case and say what it needs");
   parison::tools::TradeoffRequest trade;
   auto* trade_command = add_tradeoff(app, trade);
   parison::tools::FitLawRequest fit;
-  auto* fit_command = app.add_subcommand("fit-law", "fit the pressure-viscosity law to measurements");
-  fit_command->add_option("data", fit.data, "CSV file: p and h, or q, T_glass and T_tool; eta or T_glass")->required();
-  fit_command->add_option("--fix", fit.fixed, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
-      ->take_all()
-      ->allow_extra_args(false);
-  fit_command->add_option("--case", fit.case_path, "case whose glass gives the viscosity at T_glass");
-  fit_command->add_flag("--relative", fit.relative, "weigh residuals as shares: for scatter that grows with the value");
+  auto* fit_command = add_fit_law(app, fit);
+  auto* cases_command = app.add_subcommand("cases", "list the bundled cases");
   parison::core::use_one_blas_thread();
   try {
     app.parse(argc, argv);
+    if (cases_command->parsed()) return list_cases();
     if (fit_command->parsed()) return parison::tools::fit_law(fit);
     if (trade_command->parsed()) return parison::tools::tradeoff(trade);
     if (resume_command->parsed()) return resume(output, path, error_bars);

@@ -12,6 +12,7 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "forming/study/tradeoff.hpp"
+#include "tools/bundled_cases.hpp"
 #include "tools/run_timing.hpp"
 
 namespace parison::tools {
@@ -193,12 +194,11 @@ std::string error_laws(const Results& results) {
   return text.empty() ? text : text + '\n';
 }
 
-/// Where the program was built from its source its script stands one folder up; elsewhere it is named.
+/// By the script that comes with the program.
 void plot(const std::string& folder) {
-  namespace fs = std::filesystem;
-  const fs::path script = fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "tools/plot_tradeoff.py";
+  const std::filesystem::path script = shared_file("tools/plot_tradeoff.py");
   const std::string command = fmt::format("/usr/bin/python3 -B '{}' '{}'", script.string(), folder);
-  if (!fs::exists(script) || std::system((command + " 2>/dev/null").c_str()) != 0)
+  if (script.empty() || std::system((command + " 2>/dev/null").c_str()) != 0)
     fmt::print("No plot was made: it needs python3-matplotlib; then tools/plot_tradeoff.py {} makes it.\n", folder);
 }
 

@@ -51,7 +51,7 @@ struct Mumps {
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
 
-  int& control(int number) { return instance.icntl[number - 1]; }
+  int& control(int entry) { return instance.icntl[entry - 1]; }
   int run(int job) {
     instance.job = job;
     dmumps_c(&instance);

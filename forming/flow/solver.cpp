@@ -85,7 +85,7 @@ struct Superposed {
 Superposed superpose(const Problem& problem, const CellMatrices& cells, const Constraints& constraints,
                      const Eigen::VectorXd& load, Eigen::MatrixXd correction, const Iterate& iterate) {
   const core::Mesh& mesh = *problem.mesh;
-  const Index velocities = dim * mesh.node_count(), driven = iterate.driven.size();
+  const Index velocities = dim * mesh.node_count(), driven = Index(iterate.driven.size());
   Superposed result{std::move(correction), {}};
   result.reaction = product(mesh, cells, result.unknowns, constrained_batches(mesh, constraints)).topRows(velocities);
   result.reaction.col(0) += iterate.force.head(velocities) - load.head(velocities);

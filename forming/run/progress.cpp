@@ -51,8 +51,8 @@ void print_progress(Progress& run, const StepReport& report) {
 
 void write_fields(Progress& run, const State& state) {
   const auto start = Clock::now();
-  using Interface = std::vector<core::InterfacePoint>;
-  run.files.fields(state, run.scene.has_heat() ? thermal_interface(run.scene, state) : Interface{});
+  run.files.fields(state,
+                   run.scene.has_heat() ? thermal_interface(run.scene, state) : std::vector<core::InterfacePoint>{});
   account(run, "output", start);
 }
 

@@ -277,7 +277,7 @@ void warn(Progress& run) {
                     "of all: skins too thin for the mesh; a smaller numerics.skin_size helps",
                     totals.overshoot, 100 * totals.overshoot / span));
   if (const long locked = run.outcome.facts.solver_statistics.locked_contacts;
-      locked > locked_limit * double(totals.steps))
+      double(locked) > locked_limit * double(totals.steps))
     warnings.push_back(fmt::format(
         "in all steps together {} contacts stayed closed although they pull, as they kept opening and closing",
         locked));

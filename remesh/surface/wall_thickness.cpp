@@ -35,7 +35,7 @@ class EdgeGrid {
     Point high = low_;
     for (const Point& x : mesh.nodes) low_ = low_.cwiseMin(x), high = high.cwiseMax(x);
     const Point extent = high - low_;
-    bin_ = std::max(std::sqrt(extent.prod() / (4.0 * mesh.boundary_edges().size())), extent.maxCoeff() / 500);
+    bin_ = std::max(std::sqrt(extent.prod() / (4.0 * double(mesh.boundary_edges().size()))), extent.maxCoeff() / 500);
     low_.array() -= bin_;
     count_ = {static_cast<int>(extent[0] / bin_) + 3, static_cast<int>(extent[1] / bin_) + 3};
     first_.assign(static_cast<std::size_t>(count_[0]) * count_[1], -1);

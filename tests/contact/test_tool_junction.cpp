@@ -28,7 +28,7 @@ struct RingAndBlank {
   Outline ring, blank;
 };
 
-TEST(ToolJoint, ToolsThatMeetHaveOneJointAndToolsApartNone) {
+TEST(ToolJoint, tools_that_meet_have_one_joint_and_tools_apart_none) {
   const RingAndBlank tools(1.5);
   const auto joints = tool_joints(tools.placed());
   ASSERT_EQ(joints.size(), 1u);
@@ -37,7 +37,7 @@ TEST(ToolJoint, ToolsThatMeetHaveOneJointAndToolsApartNone) {
   EXPECT_TRUE(tool_joints(tools.placed(1e-3)).empty());
 }
 
-TEST(ToolJoint, APointInTheWedgeOfAHollowJointIsSentOutByBothTools) {
+TEST(ToolJoint, a_point_in_the_wedge_of_a_hollow_joint_is_sent_out_by_both_tools) {
   const RingAndBlank tools(1.5);
   const auto placed = tools.placed();
   const auto joint = tool_joints(placed).front();
@@ -53,7 +53,7 @@ TEST(ToolJoint, APointInTheWedgeOfAHollowJointIsSentOutByBothTools) {
   }
 }
 
-TEST(ToolJoint, AHollowJointKeepsAPointOfOneWallBehindTheOtherToo) {
+TEST(ToolJoint, a_hollow_joint_keeps_a_point_of_one_wall_behind_the_other_too) {
   const RingAndBlank tools(1.5);
   const auto joint = tool_joints(tools.placed()).front();
   const auto found = joint_constraints(joint, Point(31e-3, 13.9e-3), 1e-3);  // on the ring
@@ -62,7 +62,7 @@ TEST(ToolJoint, AHollowJointKeepsAPointOfOneWallBehindTheOtherToo) {
   EXPECT_NEAR(found[0].constraint.gap, -0.1e-3 * 1.5 / std::hypot(1.5, 6.0) * -1, 1e-9);
 }
 
-TEST(ToolJoint, AJointThatSticksOutKeepsGlassAwayByItsPoint) {
+TEST(ToolJoint, a_joint_that_sticks_out_keeps_glass_away_by_its_point) {
   const RingAndBlank tools(-1.5);
   const auto joint = tool_joints(tools.placed()).front();
   const Point x(30.9e-3, 14.005e-3);
@@ -72,14 +72,14 @@ TEST(ToolJoint, AJointThatSticksOutKeepsGlassAwayByItsPoint) {
   EXPECT_TRUE(joint_constraints(joint, Point(30.9e-3, 13.9e-3), 1e-3).empty());  // the ring's own
 }
 
-TEST(ToolJoint, BeyondReachNothingIsConstrained) {
+TEST(ToolJoint, beyond_reach_nothing_is_constrained) {
   const RingAndBlank tools(1.5);
   const auto joint = tool_joints(tools.placed()).front();
   EXPECT_TRUE(joint_constraints(joint, Point(30e-3, 12e-3), 1e-3).empty());
 }
 
 /// A ring, r > 31 mm, that stands on a plate through which it does not pass.
-TEST(ToolJoint, GlassALittleInsideAPlateStaysInsideTheRingThatStandsOnIt) {
+TEST(ToolJoint, glass_a_little_inside_a_plate_stays_inside_the_ring_that_stands_on_it) {
   const Outline ring = Pen(Point(56e-3, 0)).free({56e-3, 14e-3}).free({31e-3, 14e-3}).contact({31e-3, 0}).close();
   const Outline plate = Pen(Point(56e-3, 0)).contact({0, 0}).free({0, -25e-3}).free({56e-3, -25e-3}).close();
   const auto placed = [&](double lift) {

@@ -31,14 +31,14 @@ std::string complaint(const std::string& file, Action action) {
   return "";
 }
 
-TEST(CaseFile, AFolderStandsForItsCaseToml) {
+TEST(CaseFile, a_folder_stands_for_its_case_toml) {
   const auto path = write_case("a = 1\n");
   const auto folder = std::filesystem::path(path).parent_path().string();
   EXPECT_EQ(read_case_file(folder).path, path);
   EXPECT_EQ(read_case_file(path).directory, folder);
 }
 
-TEST(CaseFile, EveryValueKnowsItsLineAndItsKeys) {
+TEST(CaseFile, every_value_knows_its_line_and_its_keys) {
   const auto file =
       read_case_file(write_case("a = 1\n\n[b]\nlength = '2 mm'\nlist = [\n  'x',\n  'y']\n[[c]]\nd.e = true\n"));
   const CaseTable root(file.root, {"a", "b", "c"});
@@ -53,7 +53,7 @@ TEST(CaseFile, EveryValueKnowsItsLineAndItsKeys) {
   EXPECT_DOUBLE_EQ(quantity(root.get("a"), dimension::none), 1);
 }
 
-TEST(CaseFile, AnUnknownKeyIsRefusedWithTheNearestKnownOne) {
+TEST(CaseFile, an_unknown_key_is_refused_with_the_nearest_known_one) {
   const auto path = write_case("[stage]\nname = 'press'\nduraton = '1 s'\n");
   const auto file = read_case_file(path);
   EXPECT_EQ(complaint(path,
@@ -63,7 +63,7 @@ TEST(CaseFile, AnUnknownKeyIsRefusedWithTheNearestKnownOne) {
             "3: stage.duraton: unknown key (did you mean \"duration\"?), allowed are name, duration, tools");
 }
 
-TEST(CaseFile, AMissingKeyIsNamedAtItsTable) {
+TEST(CaseFile, a_missing_key_is_named_at_its_table) {
   const auto path = write_case("\n[stage]\nname = 'press'\n");
   const auto file = read_case_file(path);
   const CaseTable stage(file.root.items[0], {"name", "duration"});
@@ -72,7 +72,7 @@ TEST(CaseFile, AMissingKeyIsNamedAtItsTable) {
             "2: stage.duration: missing, the table that starts here needs the key \"duration\"");
 }
 
-TEST(CaseFile, BrokenTomlIsACaseErrorAtItsLine) {
+TEST(CaseFile, broken_toml_is_a_case_error_at_its_line) {
   for (const char* broken : {"[[[x", "[[[x]]]", "[", "[[", "[[x", "[]", "[x]]", "= 1", "a", "a =", "a = [", "a = {",
                              "a = '", "a = \"\"\"", "a = 1 b = 2", ".a = 1", "a. = 1", "a = 1\na = 2", "a = 0x"}) {
     const auto path = write_case(std::string("case = 'x'\n") + broken);
@@ -82,12 +82,12 @@ TEST(CaseFile, BrokenTomlIsACaseErrorAtItsLine) {
   }
 }
 
-TEST(CaseFile, BytesThatAreNoTextAreACaseError) {
+TEST(CaseFile, bytes_that_are_no_text_are_a_case_error) {
   const auto path = write_case("case = 'x'\n\xff\xfe");
   EXPECT_NE(complaint(path, [&] { read_case_file(path); }).find(", allowed is TOML"), std::string::npos);
 }
 
-TEST(CaseFile, AnIdentifierHasOnlyLettersDigitsUnderscoreAndHyphen) {
+TEST(CaseFile, an_identifier_has_only_letters_digits_underscore_and_hyphen) {
   const auto path = write_case("a = 'blow_mould-2'\nb = 'blow mould'\nc = ''\nd = 'm\u00fcller'\ne = '../x'\n");
   const auto file = read_case_file(path);
   const CaseTable root(file.root, {"a", "b", "c", "d", "e"});
@@ -97,7 +97,7 @@ TEST(CaseFile, AnIdentifierHasOnlyLettersDigitsUnderscoreAndHyphen) {
   for (const char* key : {"c", "d", "e"}) EXPECT_THROW(identifier(root.get(key)), CaseError) << key;
 }
 
-TEST(CaseFile, AWrongKindOfValueIsNamed) {
+TEST(CaseFile, a_wrong_kind_of_value_is_named) {
   const auto path = write_case("a = 5\nb = [1]\nc = 'x'\nd = 2.5\n");
   const auto file = read_case_file(path);
   const CaseTable root(file.root, {"a", "b", "c", "d"});
@@ -111,7 +111,7 @@ TEST(CaseFile, AWrongKindOfValueIsNamed) {
   EXPECT_EQ(complaint(path, [&] { choice(root.get("c"), {"y", "z"}); }), "3: c: \"x\" was found, allowed are y, z");
 }
 
-TEST(CaseFile, SignsAreChecked) {
+TEST(CaseFile, signs_are_checked) {
   const auto path = write_case("a = '-5 mm'\nb = '-300 degC'\nc = 0\n");
   const auto file = read_case_file(path);
   const CaseTable root(file.root, {"a", "b", "c"});
@@ -125,7 +125,7 @@ TEST(CaseFile, SignsAreChecked) {
   EXPECT_NE(complaint(path, [&] { positive(root.get("c"), dimension::none); }), "");
 }
 
-TEST(CaseFile, ATableOfQuantitiesInterpolatesAndHasToRise) {
+TEST(CaseFile, a_table_of_quantities_interpolates_and_has_to_rise) {
   const auto path = write_case(
       "a = [['20 degC', '850 J/kg/K'],\n['120 degC', '950 J/kg/K']]\nb = [['20 degC', '1 m'],\n"
       "['10 degC', '1 m']]\nc = '3 m'\n");
@@ -137,7 +137,7 @@ TEST(CaseFile, ATableOfQuantitiesInterpolatesAndHasToRise) {
             "4: b: \"10 degC\" does not lie above the entry before, allowed are rising entries");
 }
 
-TEST(CaseFile, BrokenTomlAndMissingFilesAreCaseErrors) {
+TEST(CaseFile, broken_toml_and_missing_files_are_case_errors) {
   const auto path = write_case("a = 1\nb = = 2\n");
   EXPECT_EQ(complaint(path, [&] { read_case_file(path); }).substr(0, 2), "2:");
   const auto absent = path + ".none";
@@ -145,7 +145,7 @@ TEST(CaseFile, BrokenTomlAndMissingFilesAreCaseErrors) {
             "1: no such file, allowed is a case file or a folder that holds a case.toml");
 }
 
-TEST(CaseFile, TheNearestWordIsFoundAndAFarOneIsNot) {
+TEST(CaseFile, the_nearest_word_is_found_and_a_far_one_is_not) {
   const std::vector<std::string> words = {"density", "viscosity", "conductivity"};
   EXPECT_EQ(nearest("viscocity", words), "viscosity");
   EXPECT_EQ(nearest("densty", words), "density");

@@ -32,7 +32,7 @@ Mesh bent_mesh() {
   return tests::structured(5, 3, [](double s, double t) { return Point(0.01 + 0.02 * s + 0.004 * t * t, 0.03 * t); });
 }
 
-TEST(Vtu, AFileReadBackHasTheQuadraticCellsAndThePointsAndFieldsInSinglePrecision) {
+TEST(Vtu, a_file_read_back_has_the_quadratic_cells_and_the_points_and_fields_in_single_precision) {
   const Mesh mesh = bent_mesh();
   VtuFields fields;
   fields.time = 0.375;
@@ -68,7 +68,7 @@ TEST(Vtu, AFileReadBackHasTheQuadraticCellsAndThePointsAndFieldsInSinglePrecisio
   EXPECT_EQ(grid.GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.375);
 }
 
-TEST(Vtu, TheMiddleOfAnEdgeInTheFileIsWhereTheQuadraticEdgeRuns) {
+TEST(Vtu, the_middle_of_an_edge_in_the_file_is_where_the_quadratic_edge_runs) {
   const Mesh mesh = bent_mesh();
   const std::string path = new_folder() + "/glass.vtu";
   write_vtu(path, mesh, {});
@@ -87,7 +87,7 @@ TEST(Vtu, TheMiddleOfAnEdgeInTheFileIsWhereTheQuadraticEdgeRuns) {
   }
 }
 
-TEST(Vtu, ValuesBeyondSinglePrecisionAreItsLargest) {
+TEST(Vtu, values_beyond_single_precision_are_its_largest) {
   const Mesh mesh = bent_mesh();
   VtuFields fields;
   fields.nodal.push_back({"viscosity_Pa_s", Eigen::VectorXd::Constant(mesh.node_count(), 1e200)});
@@ -105,7 +105,7 @@ TEST(Vtu, ValuesBeyondSinglePrecisionAreItsLargest) {
   EXPECT_TRUE(std::isnan(read.GetArray("none")->GetTuple1(3)));
 }
 
-TEST(Vtu, AFullDiskAndAMissingFolderAreToldWithThePath) {
+TEST(Vtu, a_full_disk_and_a_missing_folder_are_told_with_the_path) {
   const std::string folder = new_folder();
   for (const auto& [path, reason] : {std::pair<std::string, std::string>{"/dev/full", "No space left on device"},
                                      {folder + "/absent/glass.vtu", "No such file or directory"}})
@@ -117,7 +117,7 @@ TEST(Vtu, AFullDiskAndAMissingFolderAreToldWithThePath) {
     }
 }
 
-TEST(Pvd, TheCollectionIsCompleteAfterEveryAddition) {
+TEST(Pvd, the_collection_is_complete_after_every_addition) {
   const std::string path = new_folder() + "/glass.pvd";
   PvdCollection collection(path);
   for (int i = 0; i < 3; ++i) {
@@ -130,7 +130,7 @@ TEST(Pvd, TheCollectionIsCompleteAfterEveryAddition) {
   }
 }
 
-TEST(Hdf5, ValuesComeBackToTheBit) {
+TEST(Hdf5, values_come_back_to_the_bit) {
   const std::string path = new_folder() + "/values.h5";
   const std::vector<double> doubles{0.1, -0.0, 5e-324, std::numeric_limits<double>::infinity(), 1 / 3.0, 1e300};
   const std::vector<int> integers{-1, 0, std::numeric_limits<int>::max()};
@@ -166,7 +166,7 @@ TEST(Hdf5, ValuesComeBackToTheBit) {
   EXPECT_FALSE(group.has("texts"));
 }
 
-TEST(Hdf5, WhatIsMissingIsNamed) {
+TEST(Hdf5, what_is_missing_is_named) {
   const std::string path = new_folder() + "/values.h5";
   write_hdf5(path, [](Hdf5Group& file) { file.write("a", 1.0); });
   const Hdf5Group file = open_hdf5(path);
@@ -181,7 +181,7 @@ TEST(Hdf5, WhatIsMissingIsNamed) {
   EXPECT_THROW(open_hdf5(path + ".absent"), std::runtime_error);
 }
 
-TEST(Hdf5, AnIncompleteFileIsNoHdf5FileAndTheSameContentMakesTheSameFile) {
+TEST(Hdf5, an_incomplete_file_is_no_hdf5_file_and_the_same_content_makes_the_same_file) {
   const std::string path = new_folder() + "/values.h5";
   const auto fill = [](Hdf5Group& file) { file.create("inner").write("a", std::vector<double>(1000, 0.1)); };
   write_hdf5(path, fill);
@@ -194,7 +194,7 @@ TEST(Hdf5, AnIncompleteFileIsNoHdf5FileAndTheSameContentMakesTheSameFile) {
   EXPECT_FALSE(is_hdf5(path + ".absent"));
 }
 
-TEST(GrowingFile, ItGoesOnWhereItWasAndCutsOffTheRest) {
+TEST(GrowingFile, it_goes_on_where_it_was_and_cuts_off_the_rest) {
   const std::string path = new_folder() + "/rows.csv";
   {
     GrowingFile file(path, 0);
@@ -216,7 +216,7 @@ std::string complaint_of_opening(const std::string& path, std::int64_t size) {
   return "";
 }
 
-TEST(GrowingFile, AShorterFileAndASecondWriterAreRefused) {
+TEST(GrowingFile, a_shorter_file_and_a_second_writer_are_refused) {
   const std::string path = new_folder() + "/rows.csv";
   write_text(path, "one\n");
   EXPECT_EQ(complaint_of_opening(path, 5), path + ": 4 bytes were found, it once had 5");
@@ -226,7 +226,7 @@ TEST(GrowingFile, AShorterFileAndASecondWriterAreRefused) {
   EXPECT_EQ(read_text(path), "one\n");
 }
 
-TEST(ReplaceFile, AFailedWriteLeavesTheOldFileAndNothingBeside) {
+TEST(ReplaceFile, a_failed_write_leaves_the_old_file_and_nothing_beside) {
   const std::string folder = new_folder(), path = folder + "/text";
   write_text(path, "old");
   const auto write = [](const std::string& temporary) {
@@ -238,7 +238,7 @@ TEST(ReplaceFile, AFailedWriteLeavesTheOldFileAndNothingBeside) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
 }
 
-TEST(Json, TextIsEscapedNumbersKeepTheirDigitsAndNanIsNull) {
+TEST(Json, text_is_escaped_numbers_keep_their_digits_and_nan_is_null) {
   JsonWriter json;
   json.add("quote \" and \\", std::string("line\nbreak \x01"));
   json.add("third", 1 / 3.0);
@@ -268,7 +268,7 @@ TEST(Json, TextIsEscapedNumbersKeepTheirDigitsAndNanIsNull) {
 )");
 }
 
-TEST(Json, WhatWasWrittenIsReadBackInItsOrderAndATornTextIsRefused) {
+TEST(Json, what_was_written_is_read_back_in_its_order_and_a_torn_text_is_refused) {
   JsonWriter json;
   json.add("third", 1 / 3.0);
   json.add("nan", std::nan(""));
@@ -299,7 +299,7 @@ TEST(Json, WhatWasWrittenIsReadBackInItsOrderAndATornTextIsRefused) {
   }
 }
 
-TEST(Files, AReplacedFileIsTheOldOneUntilTheNewOneIsComplete) {
+TEST(Files, a_replaced_file_is_the_old_one_until_the_new_one_is_complete) {
   const std::string path = new_folder() + "/a.txt";
   replace_file(path, "old");
   replace_file(path, [&](const std::string& temporary) {
@@ -314,12 +314,12 @@ TEST(Files, AReplacedFileIsTheOldOneUntilTheNewOneIsComplete) {
   EXPECT_THROW(write_text(new_folder() + "/absent/a.txt", "x"), std::runtime_error);
 }
 
-TEST(Files, CsvFieldsAreQuotedWhereTheyNeedIt) {
+TEST(Files, csv_fields_are_quoted_where_they_need_it) {
   EXPECT_EQ(csv_text("press"), "press");
   EXPECT_EQ(csv_text("press, then \"blow\""), "\"press, then \"\"blow\"\"\"");
 }
 
-TEST(Files, TheFingerprintIsFnv1a) {
+TEST(Files, the_fingerprint_is_fnv1a) {
   EXPECT_EQ(fingerprint(""), 0xcbf29ce484222325u);
   EXPECT_EQ(fingerprint("a"), 0xaf63dc4c8601ec8cu);
   EXPECT_EQ(fingerprint("foobar"), 0x85944171f73967e8u);

@@ -14,7 +14,7 @@ struct Pair {
   double si;
 };
 
-TEST(Units, QuantitiesBecomeSi) {
+TEST(Units, quantities_become_si) {
   const Pair pairs[] = {{"1150 degC", dimension::temperature, 1423.15},
                         {"-20 degC", dimension::temperature, 253.15},
                         {"300 K", dimension::temperature, 300},
@@ -56,7 +56,7 @@ TEST(Units, QuantitiesBecomeSi) {
   }
 }
 
-TEST(Units, AnotherDimensionIsNamedAlongWithTheAllowedOne) {
+TEST(Units, another_dimension_is_named_along_with_the_allowed_one) {
   EXPECT_EQ(parse_quantity("5 mm", dimension::pressure).problem,
             "\"5 mm\" is a length, allowed is a pressure such as \"0.35 bar\"");
   EXPECT_EQ(parse_quantity("5", dimension::time).problem,
@@ -65,13 +65,13 @@ TEST(Units, AnotherDimensionIsNamedAlongWithTheAllowedOne) {
             "\"5 kg.m\" is a quantity in kg m, allowed is a length such as \"2.5 mm\"");
 }
 
-TEST(Units, AScaleTemperatureIsNoDifference) {
+TEST(Units, a_scale_temperature_is_no_difference) {
   EXPECT_EQ(parse_quantity("40 degC", dimension::temperature_difference).problem,
             "\"40 degC\" is a temperature on a scale, allowed is a temperature difference such as \"40 K\"");
   EXPECT_NE(parse_quantity("5 W/m2/degC", dimension::conductance).problem, "");
 }
 
-TEST(Units, WhatIsNoQuantityIsRefused) {
+TEST(Units, what_is_no_quantity_is_refused) {
   for (const char* text : {"", "mm", "abc", "nan mm", "inf mm", "1e999 mm", "5 furlong", "5 mm2x", "5 m/", "5 /s",
                            "5 m^", "5 m99", "5 mmm"})
     EXPECT_NE(parse_quantity(text, dimension::length).problem, "") << text;

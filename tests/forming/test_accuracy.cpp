@@ -24,7 +24,7 @@ Scene bundled(const std::string& name, const std::string& accuracy, const std::v
   return read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/" + name, accuracy, overrides);
 }
 
-TEST(Accuracy, ThePresetsAreThreePointsOfOneScale) {
+TEST(Accuracy, the_presets_are_three_points_of_one_scale) {
   for (const auto& [name, level] : {std::pair{"draft", 0}, std::pair{"standard", 1}, std::pair{"fine", 2}})
     for (const Setting& setting : settings())
       EXPECT_EQ(accuracy_preset(name).*setting.value, setting.levels[level]) << setting.key;
@@ -32,7 +32,7 @@ TEST(Accuracy, ThePresetsAreThreePointsOfOneScale) {
               1e-15);
 }
 
-TEST(Accuracy, AFinerLevelIsNowhereCoarser) {
+TEST(Accuracy, a_finer_level_is_nowhere_coarser) {
   for (double level = -2; level < 3; level += 0.1) {
     const Accuracy coarse = accuracy_at(level), fine = accuracy_at(level + 0.1);
     for (const Setting& setting : settings())
@@ -45,7 +45,7 @@ TEST(Accuracy, AFinerLevelIsNowhereCoarser) {
   }
 }
 
-TEST(Accuracy, ASmallerTargetIsAFinerLevelWhoseExpectedErrorItIs) {
+TEST(Accuracy, a_smaller_target_is_a_finer_level_whose_expected_error_it_is) {
   double last = -10;
   for (const double target : {0.04, 0.02, 0.01, 0.005, 0.0025}) {
     const double level = level_for(target);
@@ -59,7 +59,7 @@ TEST(Accuracy, ASmallerTargetIsAFinerLevelWhoseExpectedErrorItIs) {
     EXPECT_THROW(read_accuracy(text), core::CaseError) << text;
 }
 
-TEST(Accuracy, ACoarserSceneHasCoarserMeshesOfItsOwnToo) {
+TEST(Accuracy, a_coarser_scene_has_coarser_meshes_of_its_own_too) {
   const Scene scene = bundled("shell_inflation", "draft"), coarse = bundled("shell_inflation", "draft coarser 2");
   EXPECT_NEAR(coarse.accuracy.strain_per_step, 2 * scene.accuracy.strain_per_step, 1e-12);
   EXPECT_EQ(coarse.glass.mesh.mapped->along_second, scene.glass.mesh.mapped->along_second / 2);
@@ -67,7 +67,7 @@ TEST(Accuracy, ACoarserSceneHasCoarserMeshesOfItsOwnToo) {
   EXPECT_EQ(*read_accuracy(coarsened_text("1%", 1.5)).target, 0.01);
 }
 
-TEST(Accuracy, EachSettingSaysWhoChoseIt) {
+TEST(Accuracy, each_setting_says_who_chose_it) {
   const std::string text = describe_scene(bundled("shell_inflation", "1%", {"numerics.passes=3"}));
   const auto line = [&](const char* key) { return text.substr(text.find(std::string("  ") + key + ' '), 60); };
   EXPECT_NE(line("passes").find("--set"), std::string::npos);
@@ -75,7 +75,7 @@ TEST(Accuracy, EachSettingSaysWhoChoseIt) {
   EXPECT_NE(line("surface_size").find("target"), std::string::npos);
 }
 
-TEST(Accuracy, AProfileIsComparedAwayFromWhereTheWallEnds) {
+TEST(Accuracy, a_profile_is_compared_away_from_where_the_wall_ends) {
   std::vector<double> a(profile_points, 2.0), b = a;
   for (int i = 0; i < 40; ++i) a[i] = NAN;
   a[41] = 20;  // beside the end: left aside
@@ -86,7 +86,7 @@ TEST(Accuracy, AProfileIsComparedAwayFromWhereTheWallEnds) {
   EXPECT_TRUE(std::isnan(compare_profiles({}, b).mean));
 }
 
-TEST(Accuracy, ABarHoldsErrorsOfTheStudiesAndOfSecondOrderAndIsAtMostFiveTimesAsWide) {
+TEST(Accuracy, a_bar_holds_errors_of_the_studies_and_of_second_order_and_is_at_most_five_times_as_wide) {
   for (const double order : {calibration().error_law.thickness.order, 2.0}) {
     const double grows = std::pow(coarsening_factor, order);
     Quantities run{{{"heat_a", "J", 101, 101}, {"heat_b", "J", 50.8, 50.8}, {"time_a", "s", 1.02, 1}}, {}};
@@ -105,7 +105,7 @@ TEST(Accuracy, ABarHoldsErrorsOfTheStudiesAndOfSecondOrderAndIsAtMostFiveTimesAs
   }
 }
 
-TEST(Accuracy, ATooSmallDifferenceDoesNotMakeABarNarrowerThanWhatIsKnownBeforehand) {
+TEST(Accuracy, a_too_small_difference_does_not_make_a_bar_narrower_than_what_is_known_beforehand) {
   const Quantities run{{{"heat_a", "J", 100, 100}, {"heat_b", "J", 50, 50}}, {}};
   EXPECT_NEAR(error_bars(run, run).quantities.values[0].error, 1e-4 * std::sqrt(100 * 150), 1e-12);
   EXPECT_GT(error_bars(run, run, {0, 0.01}).quantities.values[0].error, 0.01 * 150 / 2);
@@ -116,7 +116,7 @@ TEST(Accuracy, ATooSmallDifferenceDoesNotMakeABarNarrowerThanWhatIsKnownBeforeha
   EXPECT_GE(bars.profile_max, 3e-3);
 }
 
-TEST(Accuracy, BarsOfASmallSceneHoldTheErrorAgainstAFinerRun) {
+TEST(Accuracy, bars_of_a_small_scene_hold_the_error_against_a_finer_run) {
   const std::string folder = std::string(PARISON_BINARY_DIR) + "/test_dial_bars";
   fs::remove_all(folder);
   const auto results = [&](const char* accuracy, const std::string& directory, ErrorBars* bars) {
@@ -147,7 +147,7 @@ VariantResult variant(const char* accuracy, double cpu, double error) {
   return result;
 }
 
-TEST(Accuracy, TheBestLineAndTheErrorLawAreFound) {
+TEST(Accuracy, the_best_line_and_the_error_law_are_found) {
   const auto law = [](double level) { return 0.02 * (std::exp2(-1.5 * level) - std::exp2(-1.5 * 2)); };
   std::vector<VariantResult> results = {variant("fine", 1000, 0), variant("draft coarser 2", 1, law(-1)),
                                         variant("draft", 10, law(0)), variant("standard", 100, law(1))};
@@ -163,7 +163,7 @@ TEST(Accuracy, TheBestLineAndTheErrorLawAreFound) {
   EXPECT_NEAR(found.at_draft, 0.02, 5e-4);
 }
 
-TEST(Accuracy, ALeftOutPartThatMattersIsWarnedOf) {
+TEST(Accuracy, a_left_out_part_that_matters_is_warned_of) {
   const Scene jar = bundled("jar", "draft");
   EXPECT_EQ(describe_sensitivity(jar).find("warning"), std::string::npos);
   const Scene fast = bundled("shell_inflation", "draft", {"material.liquid.viscosity.value=1 Pa.s"});
@@ -174,13 +174,13 @@ const PartSensitivity& part(const std::vector<PartSensitivity>& parts, const std
   return *std::find_if(parts.begin(), parts.end(), [&](const PartSensitivity& p) { return p.name == name; });
 }
 
-TEST(Accuracy, HeldToolsBringStandingGlassTheHeatOfTheExactSolution) {
+TEST(Accuracy, held_tools_bring_standing_glass_the_heat_of_the_exact_solution) {
   // Two half-spaces, h 5000, 10 s, crystal glass on steel, by hand: 1.808 over 1.523.
   const auto parts = model_sensitivity(bundled("contact_cylinders", "draft"));
   EXPECT_NEAR(part(parts, "warming of tools").heat, 0.187, 0.002);
 }
 
-TEST(Accuracy, WhatToolsPressOnBothSidesHasAWallOfTheirs) {
+TEST(Accuracy, what_tools_press_on_both_sides_has_a_wall_of_theirs) {
   const auto blown = model_sensitivity(bundled("jar", "draft")),
              pressed = model_sensitivity(bundled("tumbler", "draft"));
   for (const char* name :
@@ -189,7 +189,7 @@ TEST(Accuracy, WhatToolsPressOnBothSidesHasAWallOfTheirs) {
   EXPECT_GT(part(pressed, "internal radiation").heat, 0.1);
 }
 
-TEST(Accuracy, WhatHasNoTimeChangesNothingAndToolsThatStandPressNothing) {
+TEST(Accuracy, what_has_no_time_changes_nothing_and_tools_that_stand_press_nothing) {
   const std::string sag =
       small_scene.substr(0, small_scene.find("[[stage]]\nname = \"press\"")) + "gravity = \"-9.81 m/s2\"\n";
   const auto at = [&](const char* duration, const std::string& more = "", const char* h = "2000") {
@@ -207,7 +207,7 @@ TEST(Accuracy, WhatHasNoTimeChangesNothingAndToolsThatStandPressNothing) {
   for (const auto& p : at("10 s", "", "1e-6")) EXPECT_TRUE(std::isfinite(p.heat) && p.heat < 1.001) << p.name;
 }
 
-TEST(Accuracy, PartsThatACaseSwitchesOffAreWarnedOf) {
+TEST(Accuracy, parts_that_a_case_switches_off_are_warned_of) {
   std::vector<std::string> slip{"material.container_glass.radiation.thin_wall=false", "air.h=0 W/m2/K"};
   for (const char* tool : {"ring", "plate", "blank", "plunger", "blow_mould"})
     slip.push_back(fmt::format("tool.{}.friction=slip", tool));
@@ -217,19 +217,19 @@ TEST(Accuracy, PartsThatACaseSwitchesOffAreWarnedOf) {
   EXPECT_FALSE(part(model_sensitivity(bundled("jar", "draft", slip)), "cooling by air").in_scene);
 }
 
-TEST(Accuracy, ACaseThatMapsItsMeshIsHeldAgainstAFinerOne) {
+TEST(Accuracy, a_case_that_maps_its_mesh_is_held_against_a_finer_one) {
   const Scene cylinders = bundled("contact_cylinders", "fine"),
               finer = bundled("contact_cylinders", usual_reference(cylinders));
   EXPECT_GT(finer.glass.mesh.mapped->along_second, cylinders.glass.mesh.mapped->along_second);
   EXPECT_EQ(usual_reference(bundled("jar", "draft")), "fine");
 }
 
-TEST(Accuracy, BothEndsOfTheTargetsThatTheErrorNamesAreTaken) {
+TEST(Accuracy, both_ends_of_the_targets_that_the_error_names_are_taken) {
   for (const char* text : {"0.13%", "7%"}) EXPECT_NO_THROW(read_accuracy(text)) << text;
   for (const char* text : {"0.129%", "7.01%"}) EXPECT_THROW(read_accuracy(text), core::CaseError) << text;
 }
 
-TEST(Accuracy, SettingsThatMakeNoSenseAreRefused) {
+TEST(Accuracy, settings_that_make_no_sense_are_refused) {
   for (const char* text : {"elements_across=0.1", "max_cells=1", "surface_size=1 m", "strain_per_step=10",
                            "tool_growth=100", "quality_floor=0.95", "solution_error=-0.1"}) {
     EXPECT_THROW(bundled("jar", "draft", {std::string("numerics.") + text}), core::CaseError) << text;
@@ -243,7 +243,7 @@ TEST(Accuracy, SettingsThatMakeNoSenseAreRefused) {
   }
 }
 
-TEST(Accuracy, ATargetIsHeldMissedOrOnlyExpected) {
+TEST(Accuracy, a_target_is_held_missed_or_only_expected) {
   const Scene scene = bundled("jar", "1%");
   for (const auto& [bar, verdict] :
        {std::pair{0.009, "met"}, std::pair{0.03, "expected, not proved"}, std::pair{0.06, "probably missed"}}) {
@@ -257,7 +257,7 @@ TEST(Accuracy, ATargetIsHeldMissedOrOnlyExpected) {
   EXPECT_NE(error_table(scene, none).find("heat into tools): not to be told"), std::string::npos);
 }
 
-TEST(Accuracy, TheStudyOfTheJarHasAVariantForEachPartOfItsModel) {
+TEST(Accuracy, the_study_of_the_jar_has_a_variant_for_each_part_of_its_model) {
   std::vector<Variant> study = standard_study(bundled("jar", "draft"), "fine");
   EXPECT_EQ(base_variant(study, "draft"), "draft");
   for (const char* name : {"standard", "mesh_x2", "passes_2", "temperature_order_1", "no_radiation", "no_thin_wall",

@@ -104,7 +104,7 @@ RunFacts some_facts() {
   return facts;
 }
 
-TEST(Checkpoint, AStateComesBackToTheBit) {
+TEST(Checkpoint, a_state_comes_back_to_the_bit) {
   const Scene scene = scene_of(small_scene);
   const State state = busy_state(scene);
   const std::string folder = tests::new_folder();
@@ -132,7 +132,7 @@ TEST(Checkpoint, AStateComesBackToTheBit) {
   EXPECT_EQ(facts.solver_statistics.limited_by.back(), 3);
 }
 
-TEST(Checkpoint, AFingerprintTellsStatesApartThatDifferInOneBit) {
+TEST(Checkpoint, a_fingerprint_tells_states_apart_that_differ_in_one_bit) {
   const State state = busy_state(scene_of(small_scene));
   State other = state;
   other.tools[0].temperature[5] = std::nextafter(other.tools[0].temperature[5], 0);
@@ -142,7 +142,7 @@ TEST(Checkpoint, AFingerprintTellsStatesApartThatDifferInOneBit) {
   EXPECT_NE(fingerprint(other), fingerprint(state));
 }
 
-TEST(Checkpoint, TheLastTwoAreKeptAndTheEarlierOneServesWhereTheLastIsBroken) {
+TEST(Checkpoint, the_last_two_are_kept_and_the_earlier_one_serves_where_the_last_is_broken) {
   const Scene scene = scene_of(small_scene);
   const std::string folder = tests::new_folder();
   for (const double time : {0.25, 0.5, 0.75}) {
@@ -166,7 +166,7 @@ std::string complaint_of_reading(const std::string& path, const Scene& scene) {
   return "";
 }
 
-TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
+TEST(Checkpoint, one_of_another_case_file_accuracy_or_version_is_refused_with_a_sentence) {
   const Scene scene = scene_of(small_scene);
   const std::string folder = tests::new_folder();
   write_checkpoint(folder, scene, {{initial_state(scene), {}}, {}});
@@ -196,7 +196,7 @@ TEST(Checkpoint, OneOfAnotherCaseFileAccuracyOrVersionIsRefusedWithASentence) {
       path + ": a checkpoint whose state holds other values was found, allowed is one of this version of the program");
 }
 
-TEST(Checkpoint, TheCaseSaysHowOftenTheyAreWritten) {
+TEST(Checkpoint, the_case_says_how_often_they_are_written) {
   const std::string own = small_scene + "[output]\ncheckpoint_interval = \"2 min\"\ncheckpoint_steps = 7\n";
   EXPECT_EQ(scene_of(own).output.checkpoint_interval, 120);
   EXPECT_EQ(scene_of(own).output.checkpoint_steps, 7);
@@ -206,7 +206,7 @@ TEST(Checkpoint, TheCaseSaysHowOftenTheyAreWritten) {
   EXPECT_NE(complaint_about(never).find("output.checkpoint_steps: "), std::string::npos) << complaint_about(never);
 }
 
-TEST(Checkpoint, AnOutlineInAFileOfItsOwnBelongsToTheCase) {
+TEST(Checkpoint, an_outline_in_a_file_of_its_own_belongs_to_the_case) {
   const std::string text = replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"outline.csv\"");
   const auto outline = [&](const char* radius) {
     core::write_text(write_scene(text) + "/outline.csv",

@@ -40,7 +40,7 @@ std::vector<std::string> fields_of(const std::string& line) {
   return fields;
 }
 
-TEST(History, TheColumnsAreThoseOfTheReadme) {
+TEST(History, the_columns_are_those_of_the_readme) {
   EXPECT_EQ(history_header(scene_of(small_scene)),
             "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
             "contact_area_m2,plate_force_N,plunger_force_N,plate_position_m,plunger_position_m,centre_C,coupling_"
@@ -48,7 +48,7 @@ TEST(History, TheColumnsAreThoseOfTheReadme) {
             "contact_changes,heat_substeps,limited_by\n");
 }
 
-TEST(History, ARowSaysWhatTheStateHolds) {
+TEST(History, a_row_says_what_the_state_holds) {
   const Scene scene = scene_of(small_scene);
   State state = initial_state(scene);
   state.time = 0.25;
@@ -71,7 +71,7 @@ TEST(History, ARowSaysWhatTheStateHolds) {
   EXPECT_EQ(fields[19], "event");
 }
 
-TEST(History, TheContactAreaIsThatOfTheEdgesPressedAtAllTheirNodes) {
+TEST(History, the_contact_area_is_that_of_the_edges_pressed_at_all_their_nodes) {
   const Scene scene = scene_of(small_scene);
   State state = initial_state(scene);
   for (std::size_t i = 0; i < state.glass.mesh.nodes.size(); ++i)
@@ -79,7 +79,7 @@ TEST(History, TheContactAreaIsThatOfTheEdgesPressedAtAllTheirNodes) {
   EXPECT_NEAR(history_row(scene, state, {}).contact_area, M_PI * 0.02 * 0.02, 1e-12);
 }
 
-TEST(History, TheImbalanceIsTheHeatThatNoEntryExplains) {
+TEST(History, the_imbalance_is_the_heat_that_no_entry_explains) {
   const Scene scene = scene_of(small_scene);
   State state = initial_state(scene);
   EXPECT_EQ(glass_facts(scene, state).energy_imbalance, 0);
@@ -95,7 +95,7 @@ TEST(History, TheImbalanceIsTheHeatThatNoEntryExplains) {
   EXPECT_NEAR(glass_facts(scene, state).energy_imbalance, 0.05 / 1.2, 1e-9);
 }
 
-TEST(ResultFiles, AnEarlierResultFolderIsRefusedAndLeftAsItIs) {
+TEST(ResultFiles, an_earlier_result_folder_is_refused_and_left_as_it_is) {
   const Scene scene = scene_of(small_scene);
   const std::string folder = absent_folder();
   { ResultFiles files(scene, folder); }
@@ -110,7 +110,7 @@ TEST(ResultFiles, AnEarlierResultFolderIsRefusedAndLeftAsItIs) {
   EXPECT_THROW(ResultFiles(scene, folder + "/history.csv"), core::CaseError);
 }
 
-TEST(ResultFiles, EveryOutputHasAFileForEachBodyAndRepeatsAreLeftOut) {
+TEST(ResultFiles, every_output_has_a_file_for_each_body_and_repeats_are_left_out) {
   const Scene scene = scene_of(small_scene);
   State state = initial_state(scene);
   const std::string folder = absent_folder();
@@ -128,7 +128,7 @@ TEST(ResultFiles, EveryOutputHasAFileForEachBodyAndRepeatsAreLeftOut) {
   }
 }
 
-TEST(ResultFiles, HistoryRowsAreOnTheDiskAtOnce) {
+TEST(ResultFiles, history_rows_are_on_the_disk_at_once) {
   const Scene scene = scene_of(small_scene);
   const State state = initial_state(scene);
   const std::string folder = absent_folder();
@@ -137,7 +137,7 @@ TEST(ResultFiles, HistoryRowsAreOnTheDiskAtOnce) {
   EXPECT_EQ(lines_of(core::read_text(folder + "/history.csv")).size(), 2u);
 }
 
-TEST(InterfaceRows, TheyRunAlongTheContactWithBothTemperaturesAndTheFlux) {
+TEST(InterfaceRows, they_run_along_the_contact_with_both_temperatures_and_the_flux) {
   const Scene scene = scene_of(small_scene);
   const State state = initial_state(scene);
   const auto lines = lines_of(interface_lines(scene, state, thermal_interface(scene, state)));
@@ -168,7 +168,7 @@ TEST(InterfaceRows, TheyRunAlongTheContactWithBothTemperaturesAndTheFlux) {
   EXPECT_LE(static_cast<long>(lines.size()), 4 * on_plate);
 }
 
-TEST(ThicknessProfile, AShellHasItsThicknessAndItsOuterAreaEverywhere) {
+TEST(ThicknessProfile, a_shell_has_its_thickness_and_its_outer_area_everywhere) {
   const Scene scene = case_of("shell_inflation");
   const auto rows = thickness_profile(scene, initial_state(scene));
   double area = 0, arc = -1;
@@ -187,7 +187,7 @@ TEST(ThicknessProfile, AShellHasItsThicknessAndItsOuterAreaEverywhere) {
   for (const double thickness : {range.lowest, range.mean, range.highest}) EXPECT_NEAR(thickness, 0.005, 5e-6);
 }
 
-TEST(ThicknessProfile, BothTemperaturesOfALinearFieldAreFound) {
+TEST(ThicknessProfile, both_temperatures_of_a_linear_field_are_found) {
   const Scene scene = case_of("contact_cylinders");
   State state = initial_state(scene);
   GlassState& glass = state.glass;
@@ -204,7 +204,7 @@ TEST(ThicknessProfile, BothTemperaturesOfALinearFieldAreFound) {
   EXPECT_GT(bottom, 20);
 }
 
-TEST(ThicknessProfile, OnlyTheWallInFrontOfALoadedBoundaryCounts) {
+TEST(ThicknessProfile, only_the_wall_in_front_of_a_loaded_boundary_counts) {
   std::vector<ThicknessRow> rows(3);
   rows[0] = {0, {0, 0}, 2e-3, 0, 0, 1e-4, true};
   rows[1] = {1, {0, 0}, 4e-3, 0, 0, 3e-4, true};
@@ -215,7 +215,7 @@ TEST(ThicknessProfile, OnlyTheWallInFrontOfALoadedBoundaryCounts) {
   EXPECT_NEAR(range.mean, 3.5e-3, 1e-15);
 }
 
-TEST(ThicknessProfile, AnEndFaceLooksAlongTheWallAndDoesNotCount) {
+TEST(ThicknessProfile, an_end_face_looks_along_the_wall_and_does_not_count) {
   std::string text =
       replaced("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\" },",
                "{ name = \"end\", path = \"(27, 0) (31, 0) mm\", condition = \"contact\" },"
@@ -252,7 +252,7 @@ RunFacts some_facts() {
   return run;
 }
 
-TEST(Summary, TheFileIsValidJsonWithTheNamesOfTheReadme) {
+TEST(Summary, the_file_is_valid_json_with_the_names_of_the_readme) {
   const Scene scene = case_of("contact_cylinders");
   const std::string folder = absent_folder();
   ResultFiles files(scene, folder);
@@ -308,7 +308,7 @@ TEST(Summary, TheFileIsValidJsonWithTheNamesOfTheReadme) {
             "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_C,T_outer_C");
 }
 
-TEST(Summary, TheShareOfTheSurfaceNearToolsIsThatOfTheFaceInContact) {
+TEST(Summary, the_share_of_the_surface_near_tools_is_that_of_the_face_in_contact) {
   const Scene scene = case_of("contact_cylinders");
   const State state = initial_state(scene);
   const Summary summary = summarise(scene, state, some_facts(), thickness_profile(scene, state));
@@ -317,14 +317,14 @@ TEST(Summary, TheShareOfTheSurfaceNearToolsIsThatOfTheFaceInContact) {
   EXPECT_LE(summary.outer_within_02mm, 0.2555);
 }
 
-TEST(Summary, AThicknessThatNoRowGivesIsNotANumberInTheTable) {
+TEST(Summary, a_thickness_that_no_row_gives_is_not_a_number_in_the_table) {
   const Scene scene = case_of("contact_cylinders");
   const State state = initial_state(scene);
   const std::string table = summary_table(scene, state, summarise(scene, state, some_facts(), {}));
   EXPECT_NE(table.find("wall thickness        n/a\n"), table.npos) << table;
 }
 
-TEST(Summary, TheTableNamesToolsStagesAndTheReasonOfAStop) {
+TEST(Summary, the_table_names_tools_stages_and_the_reason_of_a_stop) {
   const Scene scene = case_of("contact_cylinders");
   const State state = initial_state(scene);
   RunFacts run = some_facts();

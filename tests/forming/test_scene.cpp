@@ -22,7 +22,7 @@ double revolved_volume(const core::Profile& profile) {
   return volume;
 }
 
-TEST(Scene, TheContactCylindersCarryHeatAndDoNotFlow) {
+TEST(Scene, the_contact_cylinders_carry_heat_and_do_not_flow) {
   const auto scene = read_scene(cases + "contact_cylinders", "standard");
   EXPECT_TRUE(scene.has_heat());
   EXPECT_FALSE(scene.has_flow());
@@ -35,7 +35,7 @@ TEST(Scene, TheContactCylindersCarryHeatAndDoNotFlow) {
   EXPECT_NEAR(core::signed_area(scene.tools[0].profile), 20e-3 * 30e-3, 1e-15);
 }
 
-TEST(Scene, TheShellFlowsAndCarriesNoHeat) {
+TEST(Scene, the_shell_flows_and_carries_no_heat) {
   const auto scene = read_scene(cases + "shell_inflation/case.toml", "draft");
   EXPECT_FALSE(scene.has_heat());
   EXPECT_TRUE(scene.has_flow());
@@ -44,7 +44,7 @@ TEST(Scene, TheShellFlowsAndCarriesNoHeat) {
   EXPECT_NEAR(core::signed_area(scene.glass.profile), M_PI / 4 * (15e-3 * 15e-3 - 10e-3 * 10e-3), 1e-15);
 }
 
-TEST(Scene, TheJarIsAGobOf220GramsAmongFiveTools) {
+TEST(Scene, the_jar_is_a_gob_of_220_grams_among_five_tools) {
   const auto scene = read_scene(cases + "jar", "draft");
   EXPECT_TRUE(scene.has_heat() && scene.has_flow());
   EXPECT_NEAR(2400 * revolved_volume(scene.glass.profile), 0.2196, 1e-5);
@@ -60,7 +60,7 @@ TEST(Scene, TheJarIsAGobOf220GramsAmongFiveTools) {
   EXPECT_DOUBLE_EQ(temperature_range(scene).max_temperature, 1150 + 273.15);
 }
 
-TEST(Scene, TheJarsCavityIsFullWhenThePlungerStandsAt92Millimetres) {
+TEST(Scene, the_jars_cavity_is_full_when_the_plunger_stands_at_92_millimetres) {
   const auto scene = read_scene(cases + "jar", "draft");
   std::vector<core::Point> cavity;
   const auto volume_below = [](const Body& body, const std::string& boundary, double offset) {
@@ -80,7 +80,7 @@ TEST(Scene, TheJarsCavityIsFullWhenThePlungerStandsAt92Millimetres) {
   EXPECT_NEAR(full, revolved_volume(scene.glass.profile), 5e-8);
 }
 
-TEST(Scene, TheBundledExpectationsAreReadable) {
+TEST(Scene, the_bundled_expectations_are_readable) {
   for (const char* name : {"contact_cylinders", "shell_inflation", "jar"}) {
     const auto file = core::read_case_file(cases + name + "/expect.toml");
     const core::CaseTable root(file.root, {"expect"});
@@ -93,7 +93,7 @@ TEST(Scene, TheBundledExpectationsAreReadable) {
   }
 }
 
-TEST(Scene, AClockwiseOutlineIsTurnedAndItsBoundariesStayWithTheirLines) {
+TEST(Scene, a_clockwise_outline_is_turned_and_its_boundaries_stay_with_their_lines) {
   const std::string axis = "(0, 0) mm\", condition = \"symmetry\"";
   const std::string surface = "(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\"";
   const auto scene = scene_of(replaced(surface, "(0, 0) (0, 10) mm\", condition = \"symmetry\"",
@@ -107,7 +107,7 @@ TEST(Scene, AClockwiseOutlineIsTurnedAndItsBoundariesStayWithTheirLines) {
   }
 }
 
-TEST(Scene, AnOutlineMayComeFromACsvFile) {
+TEST(Scene, an_outline_may_come_from_a_csv_file) {
   const auto text = replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"outline.csv\"");
   std::ofstream(write_scene(text) + "/outline.csv") << "r_mm,z_cm\n0,0\n20,0\n20,1\n0,1\n";
   EXPECT_NEAR(core::signed_area(scene_of(text).glass.profile), 2e-4, 1e-15);
@@ -115,7 +115,7 @@ TEST(Scene, AnOutlineMayComeFromACsvFile) {
   EXPECT_NE(complaint_about(text).find("outline.csv:3: glass.boundary_edges().csv: "), std::string::npos);
 }
 
-TEST(Scene, ArcsMeetLinesAndTheAxisExactly) {
+TEST(Scene, arcs_meet_lines_and_the_axis_exactly) {
   const auto scene = scene_of(replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm",
                                        "arc centre (0, 20) mm radius 20 mm from -90 deg to 90 deg",
                                        replaced("position = \"10 mm\"", "position = \"40 mm\"")));
@@ -127,7 +127,7 @@ TEST(Scene, ArcsMeetLinesAndTheAxisExactly) {
   EXPECT_NEAR(revolved_volume(scene.glass.profile), 4.0 / 3 * M_PI * 8e-6, 1e-10);
 }
 
-TEST(Scene, AStagesAirReplacesTheAirOfTheCase) {
+TEST(Scene, a_stages_air_replaces_the_air_of_the_case) {
   const auto text = replaced(
       "[[stage]]", "[air]\ntemperature = \"50 degC\"\nh = \"20 W/m2/K\"\nambient = \"20 degC\"\n[[stage]]",
       replaced("gravity", "air = { temperature = \"90 degC\", h = \"7 W/m2/K\", ambient = \"1 degC\" }\ngravity"));
@@ -137,7 +137,7 @@ TEST(Scene, AStagesAirReplacesTheAirOfTheCase) {
   EXPECT_DOUBLE_EQ(scene.stages[1].air.air_temperature, 363.15);
 }
 
-TEST(Scene, NumericsOverrideTheAccuracyLevel) {
+TEST(Scene, numerics_override_the_accuracy_level) {
   const auto scene =
       scene_of(small_scene + "[numerics]\nsurface_size = \"0.7 mm\"\npasses = 3\ntemperature_order = 1\n");
   const auto preset = accuracy_preset("draft");
@@ -148,7 +148,7 @@ TEST(Scene, NumericsOverrideTheAccuracyLevel) {
   EXPECT_DOUBLE_EQ(scene.accuracy.skin_size, preset.skin_size);
 }
 
-TEST(Scene, EachTurnOfTheAccuracyLevelIsFinerInEverything) {
+TEST(Scene, each_turn_of_the_accuracy_level_is_finer_in_everything) {
   const auto draft = accuracy_preset("draft"), standard = accuracy_preset("standard"), fine = accuracy_preset("fine");
   for (auto member : {&Accuracy::surface_size, &Accuracy::skin_size, &Accuracy::tool_contact_size,
                       &Accuracy::strain_per_step, &Accuracy::temperature_tolerance, &Accuracy::max_step}) {
@@ -158,7 +158,7 @@ TEST(Scene, EachTurnOfTheAccuracyLevelIsFinerInEverything) {
   EXPECT_THROW(accuracy_preset("rough"), core::CaseError);
 }
 
-TEST(Scene, EveryConductanceLawIsRead) {
+TEST(Scene, every_conductance_law_is_read) {
   const std::string constant = "law = \"constant\"\nh = \"2000 W/m2/K\"";
   const auto full = scene_of(replaced(constant,
                                       "law = \"pressure-viscosity\"\nh0 = \"500 W/m2/K\"\nh1 = \"20 kW/m2/K\"\n"
@@ -180,7 +180,7 @@ TEST(Scene, EveryConductanceLawIsRead) {
                 ": interface.h: 1 members were found, allowed is one for each of the 2 pressures");
 }
 
-TEST(Scene, EveryConditionOfABoundaryIsRead) {
+TEST(Scene, every_condition_of_a_boundary_is_read) {
   const std::string rest = "path = \"(15, 20) (0, 20) mm\", condition = \"insulated\"";
   const auto cooled = scene_of(replaced(rest,
                                         "path = \"(15, 20) (0, 20) mm\", condition.cooled = { h = \"200 W/m2/K\", "

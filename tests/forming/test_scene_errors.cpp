@@ -11,29 +11,29 @@ void expect_complaint(const std::string& from, const std::string& to, const std:
   EXPECT_EQ(complaint_about(replaced(from, to)), std::to_string(line_of(from)) + ": " + rest);
 }
 
-TEST(SceneErrors, TheSmallSceneItselfIsFine) {
+TEST(SceneErrors, the_small_scene_itself_is_fine) {
   EXPECT_EQ(complaint_about(small_scene), "");
 }
 
-TEST(SceneErrors, UnknownKey) {
+TEST(SceneErrors, unknown_key) {
   expect_complaint("duration = \"2 s\"", "duraton = \"2 s\"",
                    "stage.duraton: unknown key (did you mean \"duration\"?), allowed are name, duration, end_speed, "
                    "gravity, tools, motion, pressure, air, name_boundary");
 }
 
-TEST(SceneErrors, NavierFrictionWithoutItsCoefficient) {
+TEST(SceneErrors, navier_friction_without_its_coefficient) {
   const auto message = complaint_about(replaced("friction = \"slip\"", "friction = \"navier\""));
   EXPECT_NE(message.find("tool.friction: \"navier\" lacks its coefficient, allowed is { law = \"navier\""),
             message.npos)
       << message;
 }
 
-TEST(SceneErrors, WrongUnit) {
+TEST(SceneErrors, wrong_unit) {
   expect_complaint("duration = \"2 s\"", "duration = \"2 mm\"",
                    "stage.duration: \"2 mm\" is a length, allowed is a time such as \"0.9 s\"");
 }
 
-TEST(SceneErrors, MissingCsvFile) {
+TEST(SceneErrors, missing_csv_file) {
   const auto message = complaint_about(replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"none.csv\""));
   EXPECT_EQ(message.rfind(std::to_string(line_of("(0, 0) (20, 0)")) + ": glass.boundary_edges().csv: no file \"", 0),
             0u)
@@ -41,11 +41,11 @@ TEST(SceneErrors, MissingCsvFile) {
   EXPECT_NE(message.find("none.csv\", allowed is a CSV file beside the case file"), std::string::npos) << message;
 }
 
-TEST(SceneErrors, MissingCaseFile) {
+TEST(SceneErrors, missing_case_file) {
   EXPECT_THROW(read_scene("no/such/case", "draft"), core::CaseError);
 }
 
-TEST(SceneErrors, SelfCrossingProfile) {
+TEST(SceneErrors, self_crossing_profile) {
   expect_complaint("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"",
                    "{ name = \"surface\", path = \"(0, 0) (20, 10) (20, 0) (0, 10) mm\"",
                    "glass.boundary_edges(): the outline crosses itself (boundary \"surface\" meets boundary "
@@ -53,13 +53,13 @@ TEST(SceneErrors, SelfCrossingProfile) {
                    "allowed is an outline that meets itself nowhere");
 }
 
-TEST(SceneErrors, ProfileBeyondTheAxis) {
+TEST(SceneErrors, profile_beyond_the_axis) {
   expect_complaint("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"",
                    "{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (-1, 10) mm\"",
                    "glass.boundary_edges(): (-1, 10) mm lies beyond the axis, allowed are radii from zero");
 }
 
-TEST(SceneErrors, ToolOverlappingTheGlassAtTheStart) {
+TEST(SceneErrors, tool_overlapping_the_glass_at_the_start) {
   const auto message = complaint_about(replaced("(30, 0) (0, 0) mm", "(30, 1) (0, 1) mm"));
   const auto expected =
       std::to_string(line_of("[[tool]]")) + ": tool: \"plate\" overlaps the glass at the start by 1 mm, ";
@@ -67,34 +67,34 @@ TEST(SceneErrors, ToolOverlappingTheGlassAtTheStart) {
   EXPECT_EQ(complaint_about(replaced("(30, 0) (0, 0) mm", "(30, 0.0009) (0, 0.0009) mm")), "");
 }
 
-TEST(SceneErrors, ToolInsideTheGlassIsFoundByItsOwnPoints) {
+TEST(SceneErrors, tool_inside_the_glass_is_found_by_its_own_points) {
   const auto pin = replaced("(30, 0) (0, 0) mm", "(1, 0) (0.01, 3) (0, 3) mm", replaced("(30, -10) mm", "(1, -10) mm"));
   EXPECT_EQ(complaint_about(pin).rfind(std::to_string(line_of("[[tool]]")) + ": tool: \"plate\" overlaps", 0), 0u);
 }
 
-TEST(SceneErrors, AToolThatIsAbsentFromTheFirstStageMayOverlap) {
+TEST(SceneErrors, a_tool_that_is_absent_from_the_first_stage_may_overlap) {
   EXPECT_EQ(complaint_about(replaced("position = \"10 mm\"", "position = \"5 mm\"")), "");
 }
 
-TEST(SceneErrors, StageNamingAnAbsentTool) {
+TEST(SceneErrors, stage_naming_an_absent_tool) {
   expect_complaint("tools = [\"plate\", \"plunger\"]\nmotion", "tools = [\"plate\", \"plungr\"]\nmotion",
                    "stage.tools: \"plungr\" was found (did you mean \"plunger\"?), allowed are plate, plunger");
 }
 
-TEST(SceneErrors, MotionOfAToolNotInPlace) {
+TEST(SceneErrors, motion_of_a_tool_not_in_place) {
   const auto text = replaced("tools = [\"plate\", \"plunger\"]\nmotion", "tools = [\"plate\"]\nmotion");
   EXPECT_EQ(complaint_about(text), std::to_string(line_of("motion.plunger")) +
                                        ": stage.motion.plunger: a motion of \"plunger\", which is not in place, "
                                        "allowed are the stage's tools: plate");
 }
 
-TEST(SceneErrors, PressureOnAnUnknownBoundary) {
+TEST(SceneErrors, pressure_on_an_unknown_boundary) {
   expect_complaint("pressure.surface", "pressure.surfaces",
                    "stage.pressure.surfaces: \"surfaces\" was found (did you mean \"surface\"?), allowed are surface");
   expect_complaint("pressure.surface", "pressure.axis", "stage.pressure.axis: \"axis\" was found, allowed are surface");
 }
 
-TEST(SceneErrors, ANamedStretchCountsFromItsStageOn) {
+TEST(SceneErrors, a_named_stretch_counts_from_its_stage_on) {
   const std::string named = "name_boundary = [{ name = \"inner\", from = \"(0, 10) mm\", to = \"(20, 10) mm\" }]\n";
   const auto late = replaced("duration = \"1 s\"\n", "duration = \"1 s\"\npressure.inner = \"1 bar\"\n",
                              replaced("gravity", named + "gravity"));
@@ -106,7 +106,7 @@ TEST(SceneErrors, ANamedStretchCountsFromItsStageOn) {
             "");
 }
 
-TEST(SceneErrors, NegativeProperties) {
+TEST(SceneErrors, negative_properties) {
   expect_complaint("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }",
                    "viscosity = { law = \"constant\", value = \"-1e4 Pa.s\" }",
                    "material.soft.viscosity.value: \"-1e4 Pa.s\" was found, allowed is a viscosity such as "
@@ -122,7 +122,7 @@ TEST(SceneErrors, NegativeProperties) {
                    "\"5000 W/m2/K\", above zero");
 }
 
-TEST(SceneErrors, GlassAndToolThatCanTouchWithoutAnInterface) {
+TEST(SceneErrors, glass_and_tool_that_can_touch_without_an_interface) {
   const auto text = replaced("tools = [\"plate\", \"plunger\"]\nlaw", "tools = [\"plate\"]\nlaw");
   const auto stage = text.rfind("[[stage]]");
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(stage), '\n');
@@ -131,12 +131,12 @@ TEST(SceneErrors, GlassAndToolThatCanTouchWithoutAnInterface) {
                                        "no interface; allowed is an [[interface]] that names the tool");
 }
 
-TEST(SceneErrors, ProbeOutsideItsBody) {
+TEST(SceneErrors, probe_outside_its_body) {
   expect_complaint("point = \"(0, 5) mm\"", "point = \"(0, 11) mm\"",
                    "probe.point: \"(0, 11) mm\" lies outside \"glass\", allowed are points inside or on its outline");
 }
 
-TEST(SceneErrors, OpenSurfacesThatRadiateNeedAir) {
+TEST(SceneErrors, open_surfaces_that_radiate_need_air) {
   const auto text = replaced("[material.iron]", "emissivity = 0.9\n[material.iron]");
   EXPECT_EQ(complaint_about(text),
             std::to_string(line_of("[[stage]]", text)) +
@@ -144,19 +144,19 @@ TEST(SceneErrors, OpenSurfacesThatRadiateNeedAir) {
                 "for the case or air in each stage");
 }
 
-TEST(SceneErrors, RepeatedNames) {
+TEST(SceneErrors, repeated_names) {
   expect_complaint("name = \"plunger\"", "name = \"plate\"",
                    "tool.name: \"plate\" was found twice, allowed are different names");
 }
 
-TEST(SceneErrors, LoadsOnGlassThatDoesNotFlow) {
+TEST(SceneErrors, loads_on_glass_that_does_not_flow) {
   const auto text = replaced("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }\n", "");
   EXPECT_EQ(
       complaint_about(text).rfind(std::to_string(line_of("motion.plunger", text)) + ": stage.motion.plunger.force", 0),
       0u);
 }
 
-TEST(SceneErrors, TextThatIsNoPath) {
+TEST(SceneErrors, text_that_is_no_path) {
   expect_complaint("(0, 0) (20, 0) (20, 10) (0, 10) mm", "(0, 0) (20) mm",
                    "glass.boundary_edges().path: \"(20)\" has 1 coordinates, allowed are 2");
   const auto message = complaint_about(replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm", "0, 0 to 20, 0"));
@@ -164,7 +164,7 @@ TEST(SceneErrors, TextThatIsNoPath) {
             std::string::npos);
 }
 
-TEST(SceneErrors, AnOutputIntervalIsAtLeastAMicrosecond) {
+TEST(SceneErrors, an_output_interval_is_at_least_a_microsecond) {
   const auto interval = [](const std::string& value) {
     return complaint_about(small_scene + "[output]\ninterval = \"" + value + "\"\n");
   };
@@ -175,7 +175,7 @@ TEST(SceneErrors, AnOutputIntervalIsAtLeastAMicrosecond) {
   EXPECT_EQ(interval("1 us"), "");
 }
 
-TEST(SceneErrors, SizesThatWouldGiveTooManyCells) {
+TEST(SceneErrors, sizes_that_would_give_too_many_cells) {
   const auto glass = [](const std::string& mesh) {
     return complaint_about(replaced("temperature = \"1000 degC\"", "temperature = \"1000 degC\"\nmesh = " + mesh));
   };
@@ -197,7 +197,7 @@ TEST(SceneErrors, SizesThatWouldGiveTooManyCells) {
   EXPECT_EQ(numerics("tool_contact_size = \"1 um\""), "numerics.tool_contact_size: 0.001 mm");
 }
 
-TEST(SceneErrors, AMappedMeshOfTooManyDivisions) {
+TEST(SceneErrors, a_mapped_mesh_of_too_many_divisions) {
   const auto text = replaced(
       "{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\" }",
       "{ name = \"a\", path = \"(0, 0) (20, 0) mm\", condition = \"contact\" }, { name = \"b\", path = \"(20, 10) "
@@ -211,7 +211,7 @@ TEST(SceneErrors, AMappedMeshOfTooManyDivisions) {
                                        "250000 in all");
 }
 
-TEST(SceneErrors, NumericsThatContradictEachOther) {
+TEST(SceneErrors, numerics_that_contradict_each_other) {
   const auto numerics = [](const std::string& entry) {
     const auto message = complaint_about(small_scene + "[numerics]\n" + entry + "\n");
     return message.substr(message.find(' ') + 1);
@@ -227,7 +227,7 @@ TEST(SceneErrors, NumericsThatContradictEachOther) {
   EXPECT_EQ(numerics("initial_step = \"10 us\"\nmax_step = \"0.1 ms\""), "");
 }
 
-TEST(SceneErrors, ABoundaryAlongTheAxisIsASymmetry) {
+TEST(SceneErrors, a_boundary_along_the_axis_is_a_symmetry) {
   expect_complaint(
       "{ name = \"axis\", path = \"(0, 0) mm\", condition = \"symmetry\" }",
       "{ name = \"axis\", path = \"(0, 0) mm\", condition = \"insulated\" }",
@@ -239,7 +239,7 @@ TEST(SceneErrors, ABoundaryAlongTheAxisIsASymmetry) {
   EXPECT_EQ(complaint_about(replaced("symmetry", "insulated", replaced("axisymmetric", "planar"))), "");
 }
 
-TEST(SceneErrors, NamesThatCouldBeNoFileNames) {
+TEST(SceneErrors, names_that_could_be_no_file_names) {
   const auto refused = [](const std::string& from, const std::string& to) {
     const auto message = complaint_about(replaced(from, to));
     const std::string end = " was found, allowed are names of letters, digits, _ and -";
@@ -257,7 +257,7 @@ TEST(SceneErrors, NamesThatCouldBeNoFileNames) {
                    "tool.name: \"glass\" was found, allowed is any other name for a tool");
 }
 
-TEST(SceneErrors, AStretchIsNamedOnce) {
+TEST(SceneErrors, a_stretch_is_named_once) {
   const std::string named = "{ name = \"inner\", from = \"(0, 10) mm\", to = \"(20, 10) mm\" }";
   const std::string one = "duration = \"1 s\"\n", two = "duration = \"2 s\"\n";
   const auto twice = replaced(one, one + "name_boundary = [" + named + ",\n" + named + "]\n");
@@ -267,12 +267,12 @@ TEST(SceneErrors, AStretchIsNamedOnce) {
   EXPECT_NE(complaint_about(later).find("stage \"rest\" names \"inner\" already"), std::string::npos);
 }
 
-TEST(SceneErrors, AForceOfZero) {
+TEST(SceneErrors, a_force_of_zero) {
   expect_complaint("force = \"-5 N\"", "force = \"0 N\"",
                    "stage.motion.plunger.force: \"0 N\" was found, allowed is a force other than zero");
 }
 
-TEST(SceneErrors, CsvFilesWithoutHeadingOrRows) {
+TEST(SceneErrors, csv_files_without_heading_or_rows) {
   const auto text = replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"points.csv\"");
   const auto file = write_scene(text) + "/points.csv";
   const auto complaint = [&](const std::string& rows) {
@@ -290,7 +290,7 @@ TEST(SceneErrors, CsvFilesWithoutHeadingOrRows) {
                                     "\", allowed is a heading such as r_mm,z_mm and rows of numbers");
 }
 
-TEST(SceneErrors, AConductanceThatNeedsAPressureOnGlassThatDoesNotFlow) {
+TEST(SceneErrors, a_conductance_that_needs_a_pressure_on_glass_that_does_not_flow) {
   auto text = replaced("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }\n", "");
   for (const char* law : {"pressure-viscosity", "table"}) {
     const auto changed = replaced("tools = [\"plate\", \"plunger\"]\nlaw = \"constant\"",
@@ -301,7 +301,7 @@ TEST(SceneErrors, AConductanceThatNeedsAPressureOnGlassThatDoesNotFlow) {
   }
 }
 
-TEST(SceneErrors, AToolThatCarriesNoHeatBesideGlassThatDoes) {
+TEST(SceneErrors, a_tool_that_carries_no_heat_beside_glass_that_does) {
   const std::string dense = "[material.dense]\ndensity = \"7800 kg/m3\"\n[glass]\n";
   const std::string text = replaced("[glass]\n", dense);
   const auto message = complaint_about(
@@ -309,7 +309,7 @@ TEST(SceneErrors, AToolThatCarriesNoHeatBesideGlassThatDoes) {
   EXPECT_NE(message.find("tool.material: \"dense\" has no conductivity and heat_capacity"), message.npos) << message;
 }
 
-TEST(SceneErrors, AToolWithTheThinWallLimitOfTheGlass) {
+TEST(SceneErrors, a_tool_with_the_thin_wall_limit_of_the_glass) {
   const std::string clear = R"([material.clear]
 density = "2400 kg/m3"
 heat_capacity = "1300 J/kg/K"
@@ -327,7 +327,7 @@ radiation = { refractive_index = 1.5, absorption = "50 1/m", thin_wall = true }
   EXPECT_EQ(complaint_about(replaced("thin_wall = true", "thin_wall = false", used)), "");
 }
 
-TEST(SceneErrors, AToolOutOfPlaceStandsInTheAirToo) {
+TEST(SceneErrors, a_tool_out_of_place_stands_in_the_air_too) {
   const auto message = complaint_about(replaced("path = \"(15, 20) (0, 20) mm\", condition = \"insulated\"",
                                                 "path = \"(15, 20) (0, 20) mm\", condition = \"air\""));
   EXPECT_EQ(
@@ -337,7 +337,7 @@ TEST(SceneErrors, AToolOutOfPlaceStandsInTheAirToo) {
           "each stage");
 }
 
-TEST(SceneErrors, MoreToolsDrivenByForcesThanAStageBears) {
+TEST(SceneErrors, more_tools_driven_by_forces_than_a_stage_bears) {
   std::string text = small_scene, tools, place, motions;
   for (int i = 0; i < 4; ++i) {
     const std::string name = "p" + std::to_string(i), low = std::to_string(40 + 10 * i),
@@ -359,7 +359,7 @@ TEST(SceneErrors, MoreToolsDrivenByForcesThanAStageBears) {
       << message;
 }
 
-TEST(SceneErrors, AMotionThatStartsAwayFromItsTool) {
+TEST(SceneErrors, a_motion_that_starts_away_from_its_tool) {
   const std::string moved = replaced("motion.plunger = { force = \"-5 N\", speed_limit = \"10 mm/s\" }",
                                      "motion.plunger = { offset = [[\"0 s\", \"12 mm\"], [\"1 s\", \"9 mm\"]] }");
   const auto message = complaint_about(moved);

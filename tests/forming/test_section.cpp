@@ -81,13 +81,13 @@ std::string pairs(const std::vector<std::pair<int, std::string>>& groups) {
   return text + "0\nENDSEC\n0\nEOF\n";
 }
 
-TEST(Section, TheBlankOfTheJarFromStepAndDxfIsThatOfThePoints) {
+TEST(Section, the_blank_of_the_jar_from_step_and_dxf_is_that_of_the_points) {
   const core::Profile wanted = blank_of(blank_points);
   expect_same_outline(blank_of(drawing(bundled("blank.step"), round_the_inside)), wanted);
   expect_same_outline(blank_of(drawing(bundled("blank.dxf"), dxf_blank)), wanted);
 }
 
-TEST(Section, PolylinesWithBulgesGiveTheArcsOfTheBlankWhicheverWayTheyAreDrawn) {
+TEST(Section, polylines_with_bulges_give_the_arcs_of_the_blank_whichever_way_they_are_drawn) {
   char exact[40];
   std::snprintf(exact, sizeof exact, "%.17g", std::tan(M_PI / 8));
   const core::Profile wanted = blank_of(blank_points);
@@ -114,7 +114,7 @@ TEST(Section, PolylinesWithBulgesGiveTheArcsOfTheBlankWhicheverWayTheyAreDrawn) 
   expect_same_outline(blank_of(drawing(file_beside_case("old.dxf", old), "unit = \"cm\", ")), wanted);
 }
 
-TEST(Section, ASectionMayBeDrawnInAnyCoordinatePlane) {
+TEST(Section, a_section_may_be_drawn_in_any_coordinate_plane) {
   const core::Profile wanted = blank_of(blank_points);
   namespace occ = gmsh::model::occ;
   const auto plane = [&](const std::string& name, const std::function<void(double, double)>& point) {
@@ -133,7 +133,7 @@ TEST(Section, ASectionMayBeDrawnInAnyCoordinatePlane) {
   EXPECT_NE(complaint_about(with_blank(oblique)).find("oblique.step\" lie in no coordinate plane"), std::string::npos);
 }
 
-TEST(Section, AStretchMayBeginAndEndWithinACurve) {
+TEST(Section, a_stretch_may_begin_and_end_within_a_curve) {
   const core::Profile cut = blank_of("[" + drawing(bundled("blank.step"), "via = \"(30, 18) mm\", ", "(27.5, 84) mm") +
                                      ", { file = \"" + bundled("blank.dxf") +
                                      "\", unit = \"mm\", layer = \"BLANK\", from = \"(27.5, 84) mm\", via = \"(10, 98) "
@@ -143,7 +143,7 @@ TEST(Section, AStretchMayBeginAndEndWithinACurve) {
   EXPECT_NEAR(core::signed_area(cut), core::signed_area(whole), 1e-12);
 }
 
-TEST(Section, AClosedOutlineIsWalkedEitherWayOrAllRound) {
+TEST(Section, a_closed_outline_is_walked_either_way_or_all_round) {
   file_beside_case("plate.dxf", pairs({{0, "LWPOLYLINE"},
                                        {70, "1"},
                                        {10, "0"},
@@ -178,7 +178,7 @@ struct Refused {
   std::string path, sentence;
 };
 
-TEST(Section, WhatIsNoSectionIsRefusedWithASentence) {
+TEST(Section, what_is_no_section_is_refused_with_a_sentence) {
   const auto dxf = [](const std::string& name, const std::vector<std::pair<int, std::string>>& groups) {
     return drawing(file_beside_case(name, pairs(groups)), "unit = \"mm\", ");
   };

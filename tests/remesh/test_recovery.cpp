@@ -174,7 +174,7 @@ struct Adapted {
     std::sort(squares.rbegin(), squares.rend());
     double left = 0.5 * error.squaredNorm(), count = 0;
     for (; left > 0; ++count) left -= squares[static_cast<std::size_t>(count)];
-    return count / squares.size();
+    return count / static_cast<double>(squares.size());
   }
 };
 

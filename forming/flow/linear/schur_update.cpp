@@ -60,7 +60,7 @@ struct DenseSystem {
   std::vector<const SchurColumn*> schur_columns;
 
   Index count() const { return static_cast<Index>(schur_columns.size()); }
-  Index known() const { return columns.cols(); }
+  Index known() const { return static_cast<Index>(columns.cols()); }
 
   Eigen::RowVectorXd velocity(Index node, const Point& along) const {
     Eigen::RowVectorXd row(count() + known());
@@ -195,7 +195,7 @@ struct Loading {
 
 /// At the nodes that are held as in the base; the changed ones have handles.
 void load_constrained_nodes(const ConstraintChange& update, const std::vector<NodeChange>& changed, Loading& loading) {
-  const Index driven = update.from.driven.size(), first = 1 + driven;
+  const Index driven = Index(update.from.driven.size()), first = 1 + driven;
   std::vector<bool> constraint_changed(update.constraints.index_of.size(), false),
       friction_changed = constraint_changed;
   for (const auto& change : changed)
@@ -246,7 +246,7 @@ bool Corrector::refactorise(const core::Mesh& mesh, const CellMatrices& cells, c
 Eigen::MatrixXd Corrector::base_solution(const ConstraintChange& update, const CellMatrices& cells,
                                          const std::vector<NodeChange>& changed,
                                          const std::vector<SchurColumn*>& wanted) const {
-  const Index first = 1 + update.from.driven.size();
+  const Index first = 1 + Index(update.from.driven.size());
   const bool with_additional = additional_solution_.size() < additional_rhs_.size();
   const Index all = first + Index(wanted.size()) + with_additional;
   Loading loading{Eigen::MatrixXd::Zero(system_.size(), first), Eigen::MatrixXd::Zero(system_.size(), all)};
@@ -292,7 +292,7 @@ std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const 
   const Eigen::VectorXd residual = unbalanced(problem, constraints, load, from);
   const ConstraintChange update{problem, system_.base(), constraints, residual, from};
   Eigen::MatrixXd columns = base_solution(update, cells, changed, wanted);
-  const Index known = 1 + from.driven.size();
+  const Index known = 1 + Index(from.driven.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i]->response = columns.col(known + Index(i));
   if (const Index last = known + Index(wanted.size()); columns.cols() > last) additional_solution_ = columns.col(last);
   columns.conservativeResize(Eigen::NoChange, known);

@@ -1,0 +1,19 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <string>
+
+namespace parison::tools {
+
+/// A file or folder of share/parison (`cases`, `tools`) of the running program, installed or in its build folder; empty
+/// where there is none.
+std::filesystem::path shared_file(const std::string& name);
+
+/// The path as given where it exists or is more than a name, else that of the bundled case of this name.
+/// A name of neither is refused with the names there are.
+std::string find_case(const std::string& given);
+
+/// A line for each bundled case, its name and the title of its README, and where they stand.
+std::string bundled_cases_table();
+
+}  // namespace parison::tools
