@@ -15,6 +15,7 @@
 #include "forming/step/contact/contact_prediction.hpp"
 #include "forming/step/contact/film.hpp"
 #include "forming/step/predictor.hpp"
+#include "forming/step/volume_conservation.hpp"
 #include "forming/step/work.hpp"
 
 namespace parison::forming {
@@ -22,9 +23,6 @@ namespace parison::forming {
 using core::dim;
 
 namespace {
-
-/// Time over which the flow takes back a drift of the glass volume, at least one step, s.
-constexpr double volume_recovery_time = 5e-3;
 
 /// Flow coupling iterations in one step, at the most.
 constexpr int max_coupling_iterations = 4;
@@ -57,40 +55,6 @@ struct FlowPass {
   flow::Solution solution;
 };
 
-/// What the glass would gain in volume, m3, by moving straight at `velocity` for dt, beside what that velocity's
-/// divergence in the step's middle tells.
-double volume_missed(const Scene& scene, const core::Mesh& start, const core::Mesh& middle,
-                     const Eigen::VectorXd& velocity, double dt) {
-  core::Mesh end = start;
-  for (Index n = 0; n < end.node_count(); ++n) end.nodes[n] += dt * flow::node_velocity(velocity, n);
-  double divergence_volume = 0;
-  for (const auto& edge : middle.boundary_edges())
-    for (const auto& rule : core::edge_rule(3)) {
-      const auto at = core::map_edge_point(middle, edge.nodes, scene.geometry, rule);
-      for (int i = 0; i < 3; ++i)
-        divergence_volume += dt * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(velocity, edge.nodes[i]));
-    }
-  return core::volume(end, scene.geometry) - core::volume(start, scene.geometry) - divergence_volume;
-}
-
-/// div v that leaves the glass its first volume at the step's end, 1/s.
-double target_volume_rate(const Scene& scene, const State& state, const core::Mesh& middle,
-                          const MidpointPredictor& predictor, double dt) {
-  const core::Mesh& start = state.glass.mesh;
-  const double missed = predictor.trusted ? volume_missed(scene, start, middle, predictor.velocity, dt) : 0;
-  const double excess = core::volume(start, scene.geometry) - state.glass.initial_volume;
-  return -(excess / std::max(dt, volume_recovery_time) + missed / dt) / state.glass.initial_volume;
-}
-
-/// What makes the glass end the step with the volume that `target_volume_rate` is after.
-auto volume_correction(const Scene& scene, const State& state, double dt) {
-  const double excess = core::volume(state.glass.mesh, scene.geometry) - state.glass.initial_volume;
-  const double target = state.glass.initial_volume + excess * (1 - std::min(1.0, dt / volume_recovery_time));
-  return [&scene, &state, dt, target](const Eigen::VectorXd& velocity, const Eigen::VectorXd& dilatation_mode) {
-    return dilatation_rate(scene, state, velocity, dilatation_mode, dt, target).value_or(0);
-  };
-}
-
 /// Flow of the step seen from its middle.
 FlowPass solve_flow(const Scene& scene, const State& state, const ActiveContacts& active,
                     const MidpointPredictor& predictor, double dt, Workspace& workspace) {
@@ -102,8 +66,9 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ActiveContacts
   problem.temperature = &predictor.temperature;
   problem.frozen = frozen_cells(scene, state);
   problem.gravity = scene.stages[state.stage].gravity;
-  problem.volume_rate = target_volume_rate(scene, state, middle, predictor, dt);
-  problem.volume_correction = volume_correction(scene, state, dt);
+  problem.dilatation_rate =
+      prescribed_dilatation_rate(scene, state, middle, predictor.trusted ? &predictor.velocity : nullptr, dt);
+  problem.with_dilatation_mode = true;
   problem.boundary_conditions = boundary_conditions(scene, state);
   problem.tools = tool_motions(scene, state, dt);
   problem.candidates = contact_candidates(scene, state, predictor.velocity, dt);
@@ -111,7 +76,9 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ActiveContacts
   keep_bounds(corner_bounds(scene, state), problem.candidates);
   const auto warm = likely_contacts(state, active, problem, predictor.velocity);
   if (!workspace.flow) workspace.flow.emplace(middle);
-  auto solution = workspace.flow->solve(problem, warm);
+  auto equilibrium = workspace.flow->find_equilibrium(problem, warm);
+  correct_volume(scene, state, dt, equilibrium);
+  auto solution = flow::evaluate(problem, std::move(equilibrium));
   return {std::move(problem.candidates), std::move(solution)};
 }
 
