@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/cells/cell_product.hpp"
-#include "forming/flow/constraints.hpp"
-#include "forming/flow/contact_forces.hpp"
+#include "forming/flow/contact/constraints.hpp"
+#include "forming/flow/contact/contact_forces.hpp"
 
 namespace parison::flow {
 

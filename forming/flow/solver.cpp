@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "forming/flow/active_set.hpp"
+#include "forming/flow/contact/active_set.hpp"
 #include "forming/flow/linear/schur_update.hpp"
 
 namespace parison::flow {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/indefinite.hpp"
 #include "forming/flow/cells/cell_product.hpp"
-#include "forming/flow/constraints.hpp"
+#include "forming/flow/contact/constraints.hpp"
 
 namespace parison::flow {
 

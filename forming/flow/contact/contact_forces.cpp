@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/flow/contact_forces.hpp"
+#include "forming/flow/contact/contact_forces.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/flow/active_set.hpp"
+#include "forming/flow/contact/active_set.hpp"
 
 #include <algorithm>
 #include <cmath>

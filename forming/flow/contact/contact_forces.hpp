@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/flow/constraints.hpp"
+#include "forming/flow/contact/constraints.hpp"
 
 namespace parison::flow {
 
