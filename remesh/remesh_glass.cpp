@@ -3,12 +3,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "core/mesh/element.hpp"
 #include "remesh/surface/curve.hpp"
 #include "remesh/surface/lap.hpp"
+#include "remesh/surface/restore_volume.hpp"
 
 namespace parison::remesh {
 
@@ -18,57 +17,21 @@ using core::Point;
 
 namespace {
 
-constexpr double volume_tolerance = 2e-15;  ///< relative, at which the shift stops
-constexpr double max_defect = 0.01;         ///< relative volume a resampling may miss
-constexpr double max_lap = 1e-3;            ///< of the volume, in the notch of a lap that is closed
-/// Where the free surface would have to move by more than `max_free_shift` the whole one moves, if that is by less than
-/// `max_whole_shift`, m.
-constexpr double max_free_shift = 20e-6, max_whole_shift = 3e-6;
+constexpr double max_defect = 0.01;  ///< relative volume a resampling may miss
+constexpr double max_lap = 1e-3;     ///< of the volume, in the notch of a lap that is closed
 
-/// Unit normals at the surface nodes that may give way, at contacts too where wanted, zero elsewhere.
-std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface, bool contacts) {
+/// The resampled surface as it may be shifted, along its normals as meshed: fixed points stay.
+MovableSurface movable_surface(const Mesh& mesh, const Surface& surface) {
   const auto count = static_cast<std::size_t>(surface.outline.edge_count());
   const auto place = [&](Index node) { return node < mesh.vertex_count() ? node : node - mesh.vertex_count() + count; };
-  std::vector<Point> directions(mesh.nodes.size(), Point::Zero());
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
-    constexpr std::array<double, 3> ends{0, 1, 0.5};
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t at = place(edge.nodes[k]);
-      if (surface.fixed[at] || (!contacts && surface.contact[at])) continue;
-      directions[edge.nodes[k]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {ends[k], 1}).normal;
-    }
-  }
-  for (Point& direction : directions)
-    if (direction.norm() > 0) direction.normalize();
-  return directions;
-}
-
-/// Volume swept per metre of shift, m2.
-double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<Point>& directions) {
-  double area = 0;
+  auto normals = surface_normals(mesh, std::vector<bool>(mesh.boundaries().size(), true));
+  std::vector<bool> contact(mesh.nodes.size(), false);
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
-    for (const core::EdgeRulePoint& at : core::edge_rule(4)) {
-      const core::EdgePoint point = core::map_edge_point(mesh, edge.nodes, geometry, at);
-      for (int k = 0; k < 3; ++k) area += point.area * point.shape[k] * point.normal.dot(directions[edge.nodes[k]]);
+    for (const Index node : edge.nodes) {
+      if (surface.fixed[place(node)]) normals[node].setZero();
+      contact[node] = surface.contact[place(node)];
     }
-  return area;
-}
-
-double restore_volume(Mesh& mesh, const Surface& surface, core::Geometry geometry, double target) {
-  double now = core::volume(mesh, geometry);
-  const std::vector<Point> free = shift_directions(mesh, surface, false), all = shift_directions(mesh, surface, true);
-  const double missed = std::abs(target - now), open = swept_area(mesh, geometry, free);
-  const bool everywhere =
-      open <= 0 || (missed > max_free_shift * open && missed < max_whole_shift * swept_area(mesh, geometry, all));
-  const std::vector<Point>& directions = everywhere ? all : free;
-  for (int pass = 0; pass < 4 && std::abs(now - target) > volume_tolerance * target; ++pass) {
-    const double area = swept_area(mesh, geometry, directions);
-    if (!(area > 0)) break;
-    const double shift = (target - now) / area;
-    for (std::size_t i = 0; i < directions.size(); ++i) mesh.nodes[i] += shift * directions[i];
-    now = core::volume(mesh, geometry);
-  }
-  return now;
+  return {[normals](const Mesh&) { return normals; }, [contact](const Mesh&) { return contact; }, {}, 2e-15, 4};
 }
 
 std::string describe(const Point& x) {
@@ -107,7 +70,8 @@ Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria) {
     result.reason = fmt::format("the resampled surface misses the glass volume by {:.2g} %", 100 * missed);
     return result;
   }
-  result.volume_after = restore_volume(result.mesh, surface, criteria.geometry, result.volume_before);
+  result.volume_after =
+      restore_volume(movable_surface(result.mesh, surface), criteria.geometry, result.volume_before, result.mesh);
   result.ok = true;
   return result;
 }

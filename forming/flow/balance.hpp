@@ -1,52 +1,53 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/cells/cell_product.hpp"
-#include "forming/flow/constraints.hpp"
-#include "forming/flow/contact_forces.hpp"
+#include "forming/flow/contact/constraints.hpp"
+#include "forming/flow/contact/contact_forces.hpp"
 
 namespace parison::flow {
 
-/// One iteration's outcome, all tools' velocities known.
-struct Instant {
+/// How glass and tools respond to a load: velocities and pressures of the glass (one per unknown, m/s and Pa), forces
+/// of the candidates, velocities of all tools along the axis, m/s.
+struct Response {
   Eigen::VectorXd unknowns;
   ContactForces forces;
   std::vector<double> tool_velocity;
 };
 
-/// Superposes `solution`, whose column 0 belongs to driven tools at rest and column 1 + k to each m/s of driven tool k,
-/// with the nodal `reaction` likewise, so that the driven tools are in balance or at their speed limits.
-Instant balance_tools(const Problem& problem, const std::vector<NodeConstraint>& constraints,
-                      const Eigen::MatrixXd& solution, const Eigen::MatrixXd& reaction);
-
-/// What friction takes where the glass slides along tools, W.
-double friction_power(const Constraints& constraints, const Instant& instant);
-
-/// Of glass that lands on tools within a step, W. A node moves freely until it lands and rests from then on, so the
-/// tool does no work on it; the means of force and velocity over the step do, and that is what the mean velocities
-/// dissipate too little.
-double impact_power(const Problem& problem, const std::vector<bool>& active, const ContactForces& forces);
-
-/// What it takes to lead the volume back against the pressure, W, less what tools give to nodes that they lead out of
-/// themselves; `volume_load` is the wanted change of volume, m3/s, per vertex.
-double correction_power(const Problem& problem, const std::vector<bool>& active, const ContactForces& forces,
-                        const Eigen::VectorXd& pressure, const Eigen::VectorXd& volume_load);
-
-/// Velocities, pressures and the velocities of the driven tools, with K x.
+/// The iterate of Newton's method: velocities and pressures x, the velocities of the driven tools, and the forces K x.
 struct Iterate {
   Eigen::VectorXd x, force;
   Eigen::VectorXd driven;  ///< m/s, in the order of driven_tools
 };
 
-/// The batches of cells with a held node: all that pull at these.
+/// Solutions of the linear equations from which any velocity of the driven tools is superposed: column 0 with these
+/// tools at rest, column 1 + k for each m/s of driven tool k. Rows: unknowns; nodal reactions at constrained nodes, N,
+/// two per node.
+struct ToolSuperposition {
+  Eigen::MatrixXd unknowns, reaction;
+};
+
+/// The iterate plus its correction (columns as in ToolSuperposition, column 0 with the driven tools at the iterate's
+/// velocities), as columns for the driven tools at rest and for each m/s of them. `cells` are the matrices that gave
+/// the correction.
+ToolSuperposition superpose(const Problem& problem, const CellMatrices& cells, const Constraints& constraints,
+                            const Eigen::VectorXd& load, Eigen::MatrixXd correction, const Iterate& iterate);
+
+/// Superposes the columns so that every driven tool is in force balance or at its speed limit.
+Response balance_tools(const Problem& problem, const std::vector<NodeConstraint>& constraints,
+                       const ToolSuperposition& columns);
+
+/// Batches of cells with a constrained node: the only ones that contribute to reactions.
 std::vector<Index> constrained_batches(const core::Mesh& mesh, const Constraints& constraints);
 
-/// Load minus K x minus friction, N and m3/s; at held coordinates it contains the reaction.
-Eigen::VectorXd unbalanced(const Problem& problem, const Constraints& constraints, const Eigen::VectorXd& load,
-                           const Iterate& iterate);
+/// Residual load - K x - friction, N and m3/s per unknown; at constrained coordinates it contains the reaction.
+Eigen::VectorXd residual(const Problem& problem, const Constraints& constraints, const Eigen::VectorXd& load,
+                         const Iterate& iterate);
 
-/// Computes K x anew and returns the largest unbalanced force against the products that make it up (the componentwise
-/// backward error of Oettli and Prager, by which solvers decide on refinement: M. Arioli, J. Demmel, I. Duff, 1989).
-double imbalance(const Problem& problem, const CellMatrices& cells, const Constraints& constraints,
-                 const Eigen::VectorXd& load, Iterate& iterate);
+/// Evaluates K x into the iterate and returns its componentwise backward error max |r_i| / (|K| |x| + |load|)_i (W.
+/// Oettli, W. Prager, 1964, Numer. Math. 6, 405-409; as criterion of iterative refinement: M. Arioli, J. Demmel, I.
+/// Duff, 1989, SIAM J. Matrix Anal. Appl. 10, 165-190). |K| is the sum of the cells' absolute values.
+double backward_error(const Problem& problem, const CellMatrices& cells, const Constraints& constraints,
+                      const Eigen::VectorXd& load, Iterate& iterate);
 
 }  // namespace parison::flow

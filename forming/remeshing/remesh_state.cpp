@@ -14,6 +14,7 @@
 #include "forming/remeshing/tool_corners.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/volume_conservation.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/remesh_glass.hpp"
 #include "remesh/sizing/recovery.hpp"

@@ -15,6 +15,7 @@
 #include "forming/step/contact/contact_prediction.hpp"
 #include "forming/step/contact/film.hpp"
 #include "forming/step/predictor.hpp"
+#include "forming/step/volume_conservation.hpp"
 #include "forming/step/work.hpp"
 
 namespace parison::forming {
@@ -23,20 +24,17 @@ using core::dim;
 
 namespace {
 
-/// Time over which the flow takes back a drift of the glass volume, at least one step, s.
-constexpr double volume_recovery_time = 5e-3;
-
-/// Flow coupling iterations in one step, at the most.
+/// Largest number of flow solves in one step.
 constexpr int max_coupling_iterations = 4;
 
-/// Of the tolerance of motion, in a stage's first step: it is predicted at rest.
+/// Factor on the motion tolerance in the first step of a stage, which is predicted from rest.
 constexpr double initial_fraction = 0.1;
 
-/// What a coupling iteration may leave deeper in a tool than the step found it, m; and what the last coupling iteration
-/// may.
+/// Penetration into a tool, m, above which another coupling iteration is made, and increase of the penetration above
+/// which the step is rejected after the last one.
 constexpr double max_depth = 1e-6, max_last_depth = 4e-6;
 
-/// Steps no longer than this, of the first step of a stage, are taken with whatever depth they leave.
+/// Steps no longer than this share of a stage's first step are accepted whatever the penetration.
 constexpr double min_step_ratio = 0.1;
 
 std::vector<flow::BoundaryCondition> boundary_conditions(const Scene& scene, const State& state) {
@@ -52,46 +50,13 @@ std::vector<flow::BoundaryCondition> boundary_conditions(const Scene& scene, con
   return conditions;
 }
 
+/// The flow of one coupling iteration with the contact candidates that it was solved for.
 struct FlowPass {
   std::vector<flow::ContactCandidate> candidates;
   flow::Solution solution;
 };
 
-/// What the glass would gain in volume, m3, by moving straight at `velocity` for dt, beside what that velocity's
-/// divergence in the step's middle tells.
-double volume_missed(const Scene& scene, const core::Mesh& start, const core::Mesh& middle,
-                     const Eigen::VectorXd& velocity, double dt) {
-  core::Mesh end = start;
-  for (Index n = 0; n < end.node_count(); ++n) end.nodes[n] += dt * flow::node_velocity(velocity, n);
-  double divergence_volume = 0;
-  for (const auto& edge : middle.boundary_edges())
-    for (const auto& rule : core::edge_rule(3)) {
-      const auto at = core::map_edge_point(middle, edge.nodes, scene.geometry, rule);
-      for (int i = 0; i < 3; ++i)
-        divergence_volume += dt * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(velocity, edge.nodes[i]));
-    }
-  return core::volume(end, scene.geometry) - core::volume(start, scene.geometry) - divergence_volume;
-}
-
-/// div v that leaves the glass its first volume at the step's end, 1/s.
-double target_volume_rate(const Scene& scene, const State& state, const core::Mesh& middle,
-                          const MidpointPredictor& predictor, double dt) {
-  const core::Mesh& start = state.glass.mesh;
-  const double missed = predictor.trusted ? volume_missed(scene, start, middle, predictor.velocity, dt) : 0;
-  const double excess = core::volume(start, scene.geometry) - state.glass.initial_volume;
-  return -(excess / std::max(dt, volume_recovery_time) + missed / dt) / state.glass.initial_volume;
-}
-
-/// What makes the glass end the step with the volume that `target_volume_rate` is after.
-auto volume_correction(const Scene& scene, const State& state, double dt) {
-  const double excess = core::volume(state.glass.mesh, scene.geometry) - state.glass.initial_volume;
-  const double target = state.glass.initial_volume + excess * (1 - std::min(1.0, dt / volume_recovery_time));
-  return [&scene, &state, dt, target](const Eigen::VectorXd& velocity, const Eigen::VectorXd& dilatation_mode) {
-    return dilatation_rate(scene, state, velocity, dilatation_mode, dt, target).value_or(0);
-  };
-}
-
-/// Flow of the step seen from its middle.
+/// Solves the flow on the predicted mesh in the middle of the step, and corrects its volume.
 FlowPass solve_flow(const Scene& scene, const State& state, const ActiveContacts& active,
                     const MidpointPredictor& predictor, double dt, Workspace& workspace) {
   const core::Mesh middle = midpoint_mesh(scene, state, predictor.velocity, dt);
@@ -102,8 +67,9 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ActiveContacts
   problem.temperature = &predictor.temperature;
   problem.frozen = frozen_cells(scene, state);
   problem.gravity = scene.stages[state.stage].gravity;
-  problem.volume_rate = target_volume_rate(scene, state, middle, predictor, dt);
-  problem.volume_correction = volume_correction(scene, state, dt);
+  problem.dilatation_rate =
+      prescribed_dilatation_rate(scene, state, middle, predictor.trusted ? &predictor.velocity : nullptr, dt);
+  problem.with_dilatation_mode = true;
   problem.boundary_conditions = boundary_conditions(scene, state);
   problem.tools = tool_motions(scene, state, dt);
   problem.candidates = contact_candidates(scene, state, predictor.velocity, dt);
@@ -111,11 +77,13 @@ FlowPass solve_flow(const Scene& scene, const State& state, const ActiveContacts
   keep_bounds(corner_bounds(scene, state), problem.candidates);
   const auto warm = likely_contacts(state, active, problem, predictor.velocity);
   if (!workspace.flow) workspace.flow.emplace(middle);
-  auto solution = workspace.flow->solve(problem, warm);
+  auto equilibrium = workspace.flow->find_equilibrium(problem, warm);
+  correct_volume(scene, state, dt, equilibrium);
+  auto solution = flow::evaluate(problem, std::move(equilibrium));
   return {std::move(problem.candidates), std::move(solution)};
 }
 
-/// Puts the velocities and the contact into the state.
+/// Stores velocities, contacts and tool forces in the state.
 void store_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
   const auto& [candidates, solution] = pass;
   state.glass.velocity = solution.velocity;
@@ -153,8 +121,8 @@ void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::
     state.probes[inside[i]] += dt * moving.row(static_cast<Index>(i)).transpose();
 }
 
-/// rho rate L^2 / eta: L twice the volume over the surface (a wall's thickness), the viscosity that which the
-/// dissipation shows at the mean rate of deformation.
+/// Reynolds number rho rate L^2 / eta: L is twice the volume over the surface (the thickness of a wall), eta the
+/// viscosity that gives the dissipation at the mean rate of deformation.
 double reynolds(const Scene& scene, const flow::Solution& solution, const core::Mesh& mesh) {
   double dissipation = 0, surface = 0;
   for (const double w : solution.dissipation) dissipation += w;
@@ -168,11 +136,11 @@ double reynolds(const Scene& scene, const flow::Solution& solution, const core::
   return dissipation > 0 ? scene.glass.flow->density * rate * length * length / viscosity : 0;
 }
 
-/// How deep the velocities carry glass into a tool, beyond what `before` holds, m; where that is too deep the next
-/// coupling iteration will see other bounds. Those of this coupling iteration are then kept beside them, so that a node
-/// does not go to and fro in a hollow of the tools.
-double depth_gained(const Scene& scene, const State& before, double dt, const FlowPass& pass, const State& updated,
-                    MidpointPredictor& predictor) {
+/// Increase of the largest penetration by the velocities, m; 0 where the penetration is allowed. The next coupling
+/// iteration has other candidates; those of nodes that penetrate too deep are added to them, so that such a node does
+/// not alternate between two tools in a re-entrant corner.
+double penetration_gained(const Scene& scene, const State& before, double dt, const FlowPass& pass,
+                          const State& updated, MidpointPredictor& predictor) {
   std::vector<bool> deep(before.glass.mesh.nodes.size(), false);
   const double known = max_penetration(scene, before), allowed = std::max(max_depth, known);
   double found_depth = known;
@@ -185,7 +153,8 @@ double depth_gained(const Scene& scene, const State& before, double dt, const Fl
   return found_depth > allowed ? found_depth - known : 0;
 }
 
-/// Which tool a step drives into a boundary of the glass without contact; empty where none is.
+/// A sentence that names the tool which a step drives into a boundary of the glass without contact; empty where there
+/// is none.
 std::string collision_without_contact(const Scene& scene, const State& before, const State& updated, double dt) {
   const core::Mesh& glass = before.glass.mesh;
   const auto may_touch = touching_nodes(scene, glass);
@@ -201,9 +170,9 @@ std::string collision_without_contact(const Scene& scene, const State& before, c
   return "";
 }
 
-/// By which another velocity moves the mid-step mesh, m: the most of a linear field with the same root mean square over
-/// the nodes, so that a few at an edge of contact do not decide. A shift along the axis changes no shape and does not
-/// count.
+/// Difference of the midpoint meshes that two velocities give, m: sqrt(3) times the root mean square over the nodes,
+/// which is the largest value of a linear field, so that a few nodes at an edge of contact do not decide. A translation
+/// along the axis changes no shape and does not count.
 double predictor_corrector_difference(const Eigen::VectorXd& velocity, const Eigen::VectorXd& predicted, double dt) {
   const Eigen::VectorXd change = 0.5 * dt * (velocity - predicted);
   const double nodes = double(change.size()) / dim;
@@ -213,8 +182,8 @@ double predictor_corrector_difference(const Eigen::VectorXd& velocity, const Eig
   return std::sqrt(3 * std::max(0.0, change.squaredNorm() / nodes - shift * shift));
 }
 
-/// One coupling iteration: velocities of the glass and the tools by the flow, seen from the middle as it is predicted,
-/// which is predicted anew. An unsuccessful solve is told in `result.reason`.
+/// One coupling iteration: the flow on the predicted midpoint mesh gives the velocities of glass and tools, and these
+/// the next prediction. `result.reason` tells why a solve failed.
 std::optional<flow::Solution> flow_iteration(const Scene& scene, const State& state, MidpointPredictor& predictor,
                                              double dt, Workspace& workspace, StepResult& result, double& gained) {
   auto pass = solve_flow(scene, state, result.state.glass.active_contacts, predictor, dt, workspace);
@@ -231,14 +200,14 @@ std::optional<flow::Solution> flow_iteration(const Scene& scene, const State& st
   result.report.strain = pass.solution.high_rate * dt;
   result.report.predictor_corrector_difference =
       predictor_corrector_difference(result.state.glass.velocity, predictor.velocity, dt);
-  gained = depth_gained(scene, state, dt, pass, result.state, predictor);
+  gained = penetration_gained(scene, state, dt, pass, result.state, predictor);
   predictor.velocity = result.state.glass.velocity;
   predictor.trusted = true;
   return std::move(pass.solution);
 }
 
-/// Viscous heat at the quadrature points, W: what landings and corrections put into the glass, all but solid glass
-/// above all, was done by nobody and heats nothing.
+/// Viscous heat at the quadrature points, W: the dissipation without that of impacts and corrections, to which no
+/// physical work corresponds. It matters in nearly solid glass.
 std::vector<double> heating(flow::Solution solution) {
   std::vector<double> heat = std::move(solution.dissipation);
   const double whole = std::accumulate(heat.begin(), heat.end(), 0.0);

@@ -4,7 +4,7 @@
 
 namespace parison::forming {
 
-/// The middle of a step as it is known before the step is solved.
+/// The middle of a step as predicted before the step is solved.
 struct MidpointPredictor {
   Eigen::VectorXd velocity, temperature;  ///< of the glass nodes, m/s, K
   bool trusted = false;  ///< the velocity: it comes from a coupling iteration, or a smooth motion predicts it
@@ -12,9 +12,9 @@ struct MidpointPredictor {
       bounds;  ///< of earlier coupling iterations, for nodes that later bounds did not keep out
 };
 
-/// Velocities, contact and work of a step by the flow, put into `result`: swept until the mesh in the step's middle
-/// settles and the contact holds. `predictor` ends as the last coupling iteration left it; an unsuccessful solve is
-/// told in `result.reason`.
+/// Velocities, contact and work of a step, stored in `result`: the flow is solved on the midpoint mesh of its own
+/// velocities, in fixed-point iterations until that mesh has converged and the contact holds. `predictor` is left as
+/// the last iteration made it; `result.reason` tells why the step failed.
 bool iterate_until_converged(const Scene& scene, const State& state, MidpointPredictor& predictor, double dt,
                              Workspace& workspace, StepResult& result);
 

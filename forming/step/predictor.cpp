@@ -2,8 +2,10 @@
 #include "forming/step/predictor.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "forming/flow/problem.hpp"
+#include "forming/step/volume_conservation.hpp"
 
 namespace parison::forming {
 
@@ -13,9 +15,6 @@ namespace {
 
 /// The motion is smooth where the last acceleration told the next change of velocity to this share.
 constexpr double smooth = 0.5;
-
-/// Of the change of volume that dilatation is to make, the least that it does make where the glass has room for it.
-constexpr double min_response = 0.5;
 
 }  // namespace
 
@@ -39,31 +38,11 @@ Eigen::VectorXd predicted_velocity(const State& state, double ahead) {
   return velocity;
 }
 
-std::optional<double> dilatation_rate(const Scene& scene, const State& state, const Eigen::VectorXd& velocity,
-                                      const Eigen::VectorXd& dilatation_mode, double dt, double target) {
-  const core::Mesh& start = state.glass.mesh;
-  core::Mesh end = start;
-  const auto volume_with = [&](double rate) {
-    for (const auto& edge : start.boundary_edges())
-      for (const Index n : edge.nodes)
-        end.nodes[n] =
-            start.nodes[n] + dt * (flow::node_velocity(velocity, n) + rate * flow::node_velocity(dilatation_mode, n));
-    return core::volume(end, scene.geometry);
-  };
-  const double without = volume_with(0), trial = (target - without) / (dt * target);
-  if (trial == 0) return 0;
-  const double with = volume_with(trial), derivative = (with - without) / trial;
-  if (derivative < min_response * dt * target) return std::nullopt;
-  return trial + (target - with) / derivative;
-}
-
 core::Mesh midpoint_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& midpoint_velocity, double dt) {
   core::Mesh mesh = state.glass.mesh;
   Eigen::VectorXd mean = midpoint_velocity;  // over the first half of the step
   if (state.moves_smoothly) mean -= 0.25 * dt * state.glass.acceleration;
-  if (const auto rate =
-          dilatation_rate(scene, state, mean, state.glass.dilatation_mode, 0.5 * dt, state.glass.initial_volume))
-    mean += *rate * state.glass.dilatation_mode;
+  mean = volume_conserving(scene, state, std::move(mean), 0.5 * dt);
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += 0.5 * dt * flow::node_velocity(mean, n);
   return mesh;
 }

@@ -1,7 +1,5 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <optional>
-
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 
@@ -14,11 +12,6 @@ Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, do
 /// Velocity of the glass nodes `ahead` after the state, from the last two steps while that serves; what touches a tool
 /// does not go on into it.
 Eigen::VectorXd predicted_velocity(const State& state, double ahead);
-
-/// How much of `dilatation_mode`, 1/s, makes the glass end a time dt of straight motion at `velocity` with the volume
-/// `target`, m3; nothing where it has no room to swell or the dilatation is unknown.
-std::optional<double> dilatation_rate(const Scene& scene, const State& state, const Eigen::VectorXd& velocity,
-                                      const Eigen::VectorXd& dilatation_mode, double dt, double target);
 
 /// Where the glass stands in the middle of a step with velocity `midpoint_velocity` there, to third order in the step;
 /// its volume is the first.

@@ -11,6 +11,7 @@
 #include "forming/step/predictor.hpp"
 #include "forming/step/surface_temperature.hpp"
 #include "forming/step/thermal_interface.hpp"
+#include "forming/step/volume_conservation.hpp"
 #include "remesh/mesher/quality.hpp"
 
 namespace parison::forming {
@@ -123,10 +124,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   after.totals.clamped_lookups = workspace.clamped_lookups;
   if (!workspace.static_stage)
     after.totals.max_penetration = std::max(after.totals.max_penetration, max_penetration(scene, after));
-  if (scene.has_flow()) {
-    const double drift = core::volume(after.glass.mesh, scene.geometry) / after.glass.initial_volume - 1;
-    after.totals.max_drift = std::max(after.totals.max_drift, std::abs(drift));
-  }
+  if (scene.has_flow()) after.totals.max_drift = std::max(after.totals.max_drift, std::abs(volume_drift(scene, after)));
   result.report.dt = dt;
   // Where everything stands still the heat integrator alone decides on its steps.
   if (scene.has_heat() && !workspace.static_stage)

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/flow/problem.hpp"
+#include "forming/flow/solution.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 

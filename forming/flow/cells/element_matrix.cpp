@@ -233,9 +233,10 @@ CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry,
   return cells;
 }
 
-void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
-                          const Eigen::VectorXd& velocity, Solution& solution) {
-  solution.dissipation.resize(viscosity.size());
+Dissipation dissipation(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
+                        const Eigen::VectorXd& velocity) {
+  Dissipation result;
+  result.power.resize(viscosity.size());
   std::vector<std::pair<double, double>> squared_and_volume(viscosity.size());
   double total = 0, sum = 0;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
@@ -247,14 +248,15 @@ void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, 
       for (Index lane = 0; lane < here; ++lane) {
         const std::size_t k = std::size_t(batch * batch_size + lane) * cell_points + q;
         squared_and_volume[k] = {squared[lane], at.volume[lane]};
-        solution.dissipation[k] = 2 * viscosity[k] * squared[lane] * at.volume[lane];
+        result.power[k] = 2 * viscosity[k] * squared[lane] * at.volume[lane];
         total += at.volume[lane];
         sum += 2 * squared[lane] * at.volume[lane];
       }
     }
   }
-  solution.mean_rate = std::sqrt(sum / total);
-  solution.high_rate = exceeded_rate(std::move(squared_and_volume), high_rate_fraction * total);
+  result.mean_rate = std::sqrt(sum / total);
+  result.high_rate = exceeded_rate(std::move(squared_and_volume), high_rate_fraction * total);
+  return result;
 }
 
 using core::dim;

@@ -41,9 +41,17 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
 /// drift that counts.
 CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity);
 
-/// 2 eta D:D dV at each quadrature point, W, and the mean and the high rate of deformation, 1/s.
-void evaluate_dissipation(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
-                          const Eigen::VectorXd& velocity, Solution& solution);
+/// The rate of deformation is singular at corners of tools; `high_rate` is what this share of the volume exceeds.
+inline constexpr double high_rate_fraction = 0.02;
+
+/// Viscous dissipation and rates of deformation sqrt(2 D:D) of a flow.
+struct Dissipation {
+  std::vector<double> power;  ///< 2 eta D:D dV at each quadrature point, W, cells x cell_points
+  double mean_rate = 0;       ///< root mean square over the volume, 1/s
+  double high_rate = 0;       ///< exceeded in `high_rate_fraction` of the volume, 1/s
+};
+Dissipation dissipation(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
+                        const Eigen::VectorXd& velocity);
 
 /// Adds to the cells' matrices what the viscous forces change by through the Carreau factor, at a velocity that gives
 /// `viscosity`: 8 d eta/d(rate^2) (D:dD)(D:dD'). The matrices stay symmetric, and positive where the law's exponent is.

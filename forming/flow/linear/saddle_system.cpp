@@ -10,9 +10,9 @@ using core::dim;
 
 namespace {
 
-/// For each vertex the node after which its pressure is eliminated, by place in the order. Before any velocity that it
-/// drives is out, its pivot would be next to nothing, and nodes of the boundary may all be held: so it waits for one
-/// inside.
+/// For each vertex the place in the elimination order after which its pressure is eliminated. The pivot of a pressure
+/// nearly vanishes before a velocity that it acts on has been eliminated, and those at the boundary may all be
+/// constrained, so it waits for the first interior node around.
 std::vector<Index> pressure_places(const core::Mesh& mesh, const std::vector<Index>& place) {
   std::vector<bool> inside(mesh.nodes.size(), true);
   for (const auto& edge : mesh.boundary_edges())
@@ -27,7 +27,7 @@ std::vector<Index> pressure_places(const core::Mesh& mesh, const std::vector<Ind
   return first;
 }
 
-/// All unknowns of a node couple with the same others: the nodes are ordered.
+/// Minimum degree order of the nodes: all unknowns of a node couple with the same others, so they are ordered together.
 core::EliminationOrder elimination_order(const core::Mesh& mesh) {
   std::vector<std::array<Index, 2>> edges;
   edges.reserve(15 * mesh.cells().size());

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/indefinite.hpp"
 #include "forming/flow/cells/cell_product.hpp"
-#include "forming/flow/constraints.hpp"
+#include "forming/flow/contact/constraints.hpp"
 
 namespace parison::flow {
 
-/// The saddle-point system of one mesh topology: the cells' matrices, and a factorisation for one way of holding the
-/// nodes in a pattern that is kept, with its analysis. Unknowns: two velocities per node, then the pressures at the
-/// vertices.
+/// The saddle-point matrix of one mesh topology with the constraints of one active set (the base) eliminated, and its
+/// factorisation. Sparsity pattern and symbolic factorisation are kept. Unknowns: two velocities per node, then one
+/// pressure per vertex.
 class SaddleSystem {
  public:
   explicit SaddleSystem(const core::Mesh& mesh);
@@ -16,12 +16,14 @@ class SaddleSystem {
   Index size() const { return assembly_.matrix.size; }
   Index velocities() const { return size() - vertices_; }
 
-  /// Factorises for nodes held as `base` with the cells' matrices; false when a pivot vanishes.
+  /// Assembles the cell matrices in the local bases of the constraints `base` and factorises; false where a pivot
+  /// vanishes.
   [[nodiscard]] bool factorise(const core::Mesh& mesh, const CellMatrices& cells, const Constraints& base);
   bool factorised() const { return factorised_; }
   void forget() { factorised_ = false; }
   const Constraints& base() const { return base_; }
-  /// Solves in coordinates for forces in coordinates; velocities that the base holds come out zero.
+  /// Solves for right-hand sides in Cartesian coordinates, one per column; velocities that the base fixes come out
+  /// zero.
   Eigen::MatrixXd solve(Eigen::MatrixXd rhs) const;
 
  private:
@@ -31,7 +33,7 @@ class SaddleSystem {
   core::Assembly assembly_;
   core::IndefiniteSolver linear_;
   Index vertices_;
-  std::vector<Index> diagonal_;  ///< places of the diagonal entries
+  std::vector<Index> diagonal_;  ///< places of the diagonal entries among the matrix's values
   bool factorised_ = false;
   Constraints base_;
 };

@@ -13,7 +13,7 @@ using core::dim;
 
 namespace {
 
-/// A drag that changed by less, relatively, is the same.
+/// Relative change of a tangential stiffness that is ignored.
 constexpr double same_stiffness = 1e-9;
 
 core::Tensor basis_of(const NodeConstraint* constraint) {
@@ -24,7 +24,7 @@ bool fixes(const NodeConstraint* constraint, int axis) {
   return constraint && constraint->fixed[axis];
 }
 
-/// Drag along the last column of the frame, N.s/m.
+/// Tangential stiffness of friction along the last column of the local basis, N.s/m.
 double tangential_stiffness_of(const Constraints& constraints, Index node) {
   const NodeConstraint* constraint = constraints.find(node);
   return constraint && constraint->friction_tool >= 0 ? constraints.tangential_stiffness[node] : 0.0;
@@ -39,12 +39,12 @@ bool same_equalities(const NodeConstraint* a, const NodeConstraint* b) {
   return true;
 }
 
-/// Whether a tool holds the node's normal velocity and nothing else.
+/// Whether the normal velocity is fixed and nothing else, without friction.
 bool slides(const NodeConstraint& constraint) {
   return fixes(&constraint, 0) && !fixes(&constraint, 1) && constraint.friction_tool < 0;
 }
 
-/// Whether one coordinate tells all that changed at a node.
+/// Whether the normal coordinate alone describes the change at a node.
 bool only_normal(const NodeConstraint* before, const NodeConstraint* now, const SchurColumns& schur_columns) {
   if (before) return !now && slides(*before);
   if (!slides(*now)) return false;
@@ -52,8 +52,9 @@ bool only_normal(const NodeConstraint* before, const NodeConstraint* now, const 
   return known == schur_columns.end() || known->second.direction == now->basis.col(0);
 }
 
-/// What the unknowns of the dense system (forces at free, velocities at fixed coordinates) and the known columns do, as
-/// rows of coefficients: first the unknowns', then the columns'.
+/// The dense system for the changed coordinates. Its unknowns are forces at coordinates that the base leaves free and
+/// velocities at those that it fixes. Rows of coefficients: first those of the unknowns, then those of the known
+/// columns.
 struct DenseSystem {
   const ConstraintChange& update;
   const Eigen::MatrixXd& columns;
@@ -62,6 +63,7 @@ struct DenseSystem {
   Index count() const { return static_cast<Index>(schur_columns.size()); }
   Index known() const { return static_cast<Index>(columns.cols()); }
 
+  /// Velocity of a node along a direction.
   Eigen::RowVectorXd velocity(Index node, const Point& along) const {
     Eigen::RowVectorXd row(count() + known());
     for (Index h = 0; h < count(); ++h) row[h] = along.dot(node_velocity(schur_columns[h]->response, node));
@@ -69,6 +71,7 @@ struct DenseSystem {
     return row;
   }
 
+  /// External force at the coordinate of column h.
   Eigen::RowVectorXd force(Index h) const {
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(count() + known());
     if (!schur_columns[h]->fixed) {
@@ -83,7 +86,7 @@ struct DenseSystem {
     return row;
   }
 
-  /// The velocity along a coordinate that is fixed now: zero when it is the given one.
+  /// Velocity along a coordinate that is fixed now minus the prescribed one, to be zero.
   Eigen::RowVectorXd fixed(const NodeConstraint& now, int axis) const {
     const Point along = now.basis.col(axis);
     Eigen::RowVectorXd row = velocity(now.node, along), value = now.given.row(axis);
@@ -92,7 +95,8 @@ struct DenseSystem {
     return row;
   }
 
-  /// The force along a coordinate that is free now: zero in balance. `first` is the handle of the change's first axis.
+  /// Force along a coordinate that is free now, to be zero, friction included. `first` is the column of the change's
+  /// first axis.
   Eigen::RowVectorXd free(const NodeChange& change, int axis, Index first) const {
     const NodeConstraint *before = update.base.find(change.node), *now = update.constraints.find(change.node);
     const Point along =
@@ -177,23 +181,21 @@ bool add_schur_correction(const ConstraintChange& update, const std::vector<Node
   return true;
 }
 
-using core::dim;
-
 namespace {
 
-/// More new back-substitutions than this cost more than a factorisation, with 2 k triangles as with 40 k.
+/// More back-substitutions than this cost more than a factorisation, with 2000 triangles as with 40000 (measured).
 constexpr std::size_t max_new_schur_columns = 40;
-/// Handles that are there cost the dense system alone.
+/// Columns that are known cost the dense system alone.
 constexpr std::size_t max_schur_columns = 100;
-/// Of a velocity: nearer to the given one than this is round-off.
+/// Difference from the prescribed velocity, relative to the node's, that counts as round-off.
 constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
 
-/// The base's velocities that are given and the forces on it, a column for the residual and one for each driven tool.
+/// Prescribed velocities and forces of the base, a column for the residual and one for each m/s of each driven tool.
 struct Loading {
   Eigen::MatrixXd given, force;
 };
 
-/// At the nodes that are held as in the base; the changed ones have handles.
+/// Sets the loading at the nodes whose constraints are those of the base; the changed nodes have Schur columns.
 void load_constrained_nodes(const ConstraintChange& update, const std::vector<NodeChange>& changed, Loading& loading) {
   const Index driven = Index(update.from.driven.size()), first = 1 + driven;
   std::vector<bool> constraint_changed(update.constraints.index_of.size(), false),
@@ -243,10 +245,10 @@ bool Corrector::refactorise(const core::Mesh& mesh, const CellMatrices& cells, c
   return true;
 }
 
-Eigen::MatrixXd Corrector::base_solution(const ConstraintChange& update, const CellMatrices& cells,
-                                         const std::vector<NodeChange>& changed,
-                                         const std::vector<SchurColumn*>& wanted) const {
-  const Index first = 1 + Index(update.from.driven.size());
+Eigen::MatrixXd Corrector::base_solutions(const ConstraintChange& update, const CellMatrices& cells,
+                                          const std::vector<NodeChange>& changed,
+                                          const std::vector<SchurColumn*>& wanted) const {
+  const Index first = 1 + update.from.driven.size();
   const bool with_additional = additional_solution_.size() < additional_rhs_.size();
   const Index all = first + Index(wanted.size()) + with_additional;
   Loading loading{Eigen::MatrixXd::Zero(system_.size(), first), Eigen::MatrixXd::Zero(system_.size(), all)};
@@ -266,33 +268,37 @@ Eigen::MatrixXd Corrector::base_solution(const ConstraintChange& update, const C
   return solution;
 }
 
+bool Corrector::select_columns(const Constraints& constraints, std::vector<NodeChange>& changed,
+                               std::vector<std::pair<Index, int>>& missing) const {
+  if (!system_.factorised()) return false;
+  auto found = changed_nodes(system_.base(), constraints, schur_columns_);
+  std::vector<std::pair<Index, int>> without_column;
+  std::size_t needed = 0;
+  for (const auto& change : found)
+    for (int a = change.first_axis(); a < change.end_axis(); ++a, ++needed)
+      if (!schur_columns_.count({change.node, a})) without_column.push_back({change.node, a});
+  if (without_column.size() > max_new_schur_columns || needed > max_schur_columns) return false;
+  changed = std::move(found);
+  missing = std::move(without_column);
+  return true;
+}
+
 std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const CellMatrices& cells,
                                                   const Constraints& constraints, const Eigen::VectorXd& load,
                                                   const Iterate& from) {
   const auto& mesh = *problem.mesh;
   std::vector<NodeChange> changed;
-  std::vector<std::pair<Index, int>> unknown;  // coordinates of changed nodes without a handle
-  std::size_t needed = 0;
-  if (system_.factorised()) {
-    changed = changed_nodes(system_.base(), constraints, schur_columns_);
-    for (const auto& change : changed)
-      for (int a = change.first_axis(); a < change.end_axis(); ++a, ++needed)
-        if (!schur_columns_.count({change.node, a})) unknown.push_back({change.node, a});
-  }
-  if (!system_.factorised() || unknown.size() > max_new_schur_columns || needed > max_schur_columns) {
-    changed.clear();
-    unknown.clear();
-    if (!refactorise(mesh, cells, constraints)) return std::nullopt;
-  }
+  std::vector<std::pair<Index, int>> missing;
+  if (!select_columns(constraints, changed, missing) && !refactorise(mesh, cells, constraints)) return std::nullopt;
   std::vector<SchurColumn*> wanted;
-  for (const auto& coordinate : unknown) {
+  for (const auto& coordinate : missing) {
     auto schur_column = make_schur_column(mesh, cells, system_.base(), constraints, schur_columns_, coordinate);
     wanted.push_back(&schur_columns_.emplace(coordinate, std::move(schur_column)).first->second);
   }
-  const Eigen::VectorXd residual = unbalanced(problem, constraints, load, from);
+  const Eigen::VectorXd residual = flow::residual(problem, constraints, load, from);
   const ConstraintChange update{problem, system_.base(), constraints, residual, from};
-  Eigen::MatrixXd columns = base_solution(update, cells, changed, wanted);
-  const Index known = 1 + Index(from.driven.size());
+  Eigen::MatrixXd columns = base_solutions(update, cells, changed, wanted);
+  const Index known = 1 + from.driven.size();
   for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i]->response = columns.col(known + Index(i));
   if (const Index last = known + Index(wanted.size()); columns.cols() > last) additional_solution_ = columns.col(last);
   columns.conservativeResize(Eigen::NoChange, known);
@@ -308,7 +314,8 @@ std::optional<Eigen::VectorXd> Corrector::additional_solution(const Problem& pro
   for (auto& constraint : at_rest.nodes) constraint.given.setZero();
   const Index driven = Index(driven_tools(problem).size());
   const Iterate rest{Eigen::VectorXd::Zero(system_.size()), {}, Eigen::VectorXd::Zero(driven)};
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(system_.size(), 1 + driven);  // those of the tools are not asked for
+  Eigen::MatrixXd columns =
+      Eigen::MatrixXd::Zero(system_.size(), 1 + driven);  // the columns of the tools are not needed
   columns.col(0) = additional_solution_;
   if (!add_schur_correction({problem, system_.base(), at_rest, additional_rhs_, rest}, changed, schur_columns_,
                             columns))

@@ -8,38 +8,40 @@
 
 namespace parison::flow {
 
-/// A coordinate of a node that is held otherwise than in a factorisation, the base: the base's answer to a unit force
-/// (free there) or velocity (fixed there).
+/// A nodal coordinate whose constraint differs from that of the factorised matrix (the base), with the solution of the
+/// base for a unit force (where the base leaves it free) or a unit velocity (where the base fixes it) along it.
 struct SchurColumn {
   Index node;
-  int axis;
-  bool fixed;
-  Point direction;
-  Eigen::VectorXd response;
-  std::vector<std::pair<Index, double>> stiffness;  ///< K direction, where fixed
+  int axis;                                         ///< column of the node's local basis
+  bool fixed;                                       ///< in the base
+  Point direction;                                  ///< unit
+  Eigen::VectorXd response;                         ///< one entry per unknown
+  std::vector<std::pair<Index, double>> stiffness;  ///< nonzero entries of K direction, where fixed
 };
+/// By node and axis.
 using SchurColumns = std::map<std::pair<Index, int>, SchurColumn>;
 
-/// A node that is held otherwise than in the base.
+/// A node whose constraint differs from that of the base.
 struct NodeChange {
-  enum class Kind { whole, normal, friction } kind;  ///< normal: what slides along a tool leaves it or lands there
+  /// whole: all coordinates; normal: frictionless contact opened or closed; friction: the tangential stiffness alone.
+  enum class Kind { whole, normal, friction } kind;
   Index node;
 
-  /// The coordinates that count: from the first to before the end.
+  /// The coordinates concerned: from the first to before the end.
   int first_axis() const { return kind == Kind::friction ? core::dim - 1 : 0; }
   int end_axis() const { return kind == Kind::normal ? 1 : core::dim; }
 };
-/// `schur_columns` are those that the base has answered already.
+/// The nodes whose constraints differ; `schur_columns` are those with a known response.
 std::vector<NodeChange> changed_nodes(const Constraints& base, const Constraints& constraints,
                                       const SchurColumns& schur_columns);
 
-/// The handle of a coordinate beside those that are there, its response not yet known. Where the base leaves the node
-/// free the coordinates are those in which it is held now.
+/// The column of one more coordinate, its response not yet computed. Where the base leaves the node free its
+/// coordinates are those of the present constraint.
 SchurColumn make_schur_column(const core::Mesh& mesh, const CellMatrices& cells, const Constraints& base,
                               const Constraints& constraints, const SchurColumns& schur_columns,
                               std::pair<Index, int> coordinate);
 
-/// Two ways of holding the nodes, and what is out of balance.
+/// From the constraints of the base to the present ones, with the residual of the iterate `from`.
 struct ConstraintChange {
   const Problem& problem;
   const Constraints &base, &constraints;
@@ -47,45 +49,52 @@ struct ConstraintChange {
   const Iterate& from;
 };
 
-/// Adds to `columns`, the base's answers, what the changed nodes do (the Schur complement of these); false when it is
-/// singular.
+/// Corrects `columns`, solutions with the constraints of the base, for the changed nodes: solves the dense Schur
+/// complement for the forces at coordinates that the base leaves free and the velocities at those that it fixes. False
+/// where it is singular.
 bool add_schur_correction(const ConstraintChange& update, const std::vector<NodeChange>& changed,
                           const SchurColumns& schur_columns, Eigen::MatrixXd& columns);
 
-/// Solves with a kept factorisation for nodes that are held otherwise than there. Each such node costs one
-/// back-substitution per coordinate, once, and a small dense system per solve (the Schur complement of the changed
-/// nodes).
+/// Solves the linear equations of consecutive active sets with one factorisation, by the Schur-complement method of
+/// active sets (P. Gill, W. Murray, M. Saunders, M. Wright, 1990, in Reliable Numerical Computation, Oxford, 113-138):
+/// each coordinate whose constraint has changed since the factorisation costs one back-substitution, once, and one row
+/// of a small dense system in every solve.
 class Corrector {
  public:
   explicit Corrector(const core::Mesh& mesh) : system_(mesh) {}
 
-  /// What brings `from` to balance with nodes held as `constraints`: column 0 with the driven tools at their
-  /// velocities, column 1 + k for each m/s of driven tool k. Factorises anew where too much has changed; empty when the
-  /// matrix is singular.
+  /// The correction that brings `from` to equilibrium with the given constraints, a row per unknown: column 0 with the
+  /// driven tools at their velocities, column 1 + k for each m/s of driven tool k. Refactorises where too much has
+  /// changed; nothing where the matrix is singular.
   std::optional<Eigen::MatrixXd> correct(const Problem& problem, const CellMatrices& cells,
                                          const Constraints& constraints, const Eigen::VectorXd& load,
                                          const Iterate& from);
-  /// Starts with other cells: the next correction factorises. `additional_rhs` is a load that is answered too; it may
-  /// be empty.
+  /// Starts another problem: the next correction factorises. `additional_rhs` is a further right-hand side to solve
+  /// for, one entry per unknown or empty.
   void start(Eigen::VectorXd additional_rhs);
-  /// The cells are others now.
+  /// Discards the factorisation, because the cell matrices have changed.
   void forget();
-  /// What the load beside does with nodes held as in the last correction, but given no velocity.
+  /// Solution for the additional right-hand side with the constraints of the last correction, all prescribed velocities
+  /// zero.
   std::optional<Eigen::VectorXd> additional_solution(const Problem& problem, const Constraints& constraints) const;
-  int factorisations = 0;  ///< so far
+  int factorisations = 0;  ///< since `start`
 
  private:
-  /// Factorises with the nodes held as `constraints`.
+  /// Lists the changed nodes and their coordinates without a known column; false, and the lists empty, where it is
+  /// cheaper to refactorise.
+  [[nodiscard]] bool select_columns(const Constraints& constraints, std::vector<NodeChange>& changed,
+                                    std::vector<std::pair<Index, int>>& missing) const;
+  /// Factorises with the given constraints as the base; false where the matrix is singular.
   [[nodiscard]] bool refactorise(const core::Mesh& mesh, const CellMatrices& cells, const Constraints& constraints);
-  /// The base's answers to the residual and to each driven tool, those of the `wanted` handles behind them, and the one
-  /// to the load beside where that has none.
-  Eigen::MatrixXd base_solution(const ConstraintChange& update, const CellMatrices& cells,
-                                const std::vector<NodeChange>& changed, const std::vector<SchurColumn*>& wanted) const;
+  /// Solutions of the base, a row per unknown: for the residual, for each m/s of each driven tool, for the `wanted`
+  /// columns, and last for the additional right-hand side unless that is known.
+  Eigen::MatrixXd base_solutions(const ConstraintChange& update, const CellMatrices& cells,
+                                 const std::vector<NodeChange>& changed, const std::vector<SchurColumn*>& wanted) const;
 
   SaddleSystem system_;
   SchurColumns schur_columns_;
   std::vector<Index> constrained_batches_;                ///< of the base
-  Eigen::VectorXd additional_rhs_, additional_solution_;  ///< the latter the base's, once it has been found
+  Eigen::VectorXd additional_rhs_, additional_solution_;  ///< the solution with the constraints of the base, once known
 };
 
 }  // namespace parison::flow

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "forming/flow/constraints.hpp"
+#include "forming/flow/contact/constraints.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {

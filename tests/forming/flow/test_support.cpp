@@ -5,7 +5,7 @@
 
 #include "../scene_text.hpp"
 #include "flow_case.hpp"
-#include "forming/flow/constraints.hpp"
+#include "forming/flow/contact/constraints.hpp"
 
 namespace parison::flow {
 namespace {

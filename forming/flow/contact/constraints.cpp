@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/flow/constraints.hpp"
+#include "forming/flow/contact/constraints.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -15,15 +15,15 @@ using core::dim;
 
 namespace {
 
-/// Two normals closer than this (sine of the angle) count as one.
+/// Two normals with a smaller sine of the angle between them count as parallel.
 constexpr double parallel = 0.05;
 
-/// The nodes that have equalities, and which of these is a node's; -1 where it has none.
+/// The equality constraints of all nodes.
 struct NodeEqualityMap {
-  std::vector<Index> of_node;
+  std::vector<Index> of_node;  ///< place of each node in `equalities`, -1 where it has none
   std::vector<NodeEqualities> equalities;
 
-  /// Adds an equality that is independent of those that the node has.
+  /// Adds an equality to a node, unless it depends on those that the node has already.
   void add(Index node, const NodeEquality& equality) {
     if (of_node[node] < 0) {
       of_node[node] = static_cast<Index>(equalities.size());
@@ -53,6 +53,18 @@ void add_boundary_equalities(const Problem& problem, NodeEqualityMap& nodes) {
   }
 }
 
+/// The tangential constraint of a sticking contact. Before it lands within the step the node slides freely.
+NodeEquality sticking(const Problem& problem, const ContactCandidate& candidate) {
+  const Point tangent = perpendicular(candidate.normal);
+  NodeEquality side{tangent, (1 - candidate.contact_fraction) * candidate.approach_velocity.dot(tangent),
+                    candidate.tool, -1};
+  const ToolMotion& tool = problem.tools[candidate.tool];
+  if (!tool.force) side.value += tool.velocity * tangent.dot(core::axis_direction());
+  return side;
+}
+
+/// Local basis and prescribed velocity of a node with the given equalities. One equality: the basis is its normal and
+/// tangent; two: the basis is Cartesian and the whole velocity is prescribed.
 NodeConstraint make_node_constraint(const Problem& problem, Index node, const NodeEqualities& equalities,
                                     const std::vector<Index>& driven) {
   NodeConstraint result;
@@ -65,12 +77,7 @@ NodeConstraint make_node_constraint(const Problem& problem, Index node, const No
     result.basis.col(1) = perpendicular(rows[0].normal);
     const Index tool = rows[0].tool;
     if (tool >= 0 && sticks(problem, problem.candidates[rows[0].candidate])) {
-      const auto& candidate = problem.candidates[rows[0].candidate];
-      NodeEquality side{result.basis.col(1),
-                        (1 - candidate.contact_fraction) * candidate.approach_velocity.dot(result.basis.col(1)), tool,
-                        -1};
-      if (!problem.tools[tool].force) side.value += problem.tools[tool].velocity * side.normal.dot(axis);
-      rows.push_back(side);
+      rows.push_back(sticking(problem, problem.candidates[rows[0].candidate]));
     } else if (tool >= 0 && problem.tools[tool].friction.law == Friction::Law::navier) {
       result.friction_tool = tool;
     }
@@ -84,8 +91,10 @@ NodeConstraint make_node_constraint(const Problem& problem, Index node, const No
     if (k != driven.end()) values(i, 1 + (k - driven.begin())) = rows[i].normal.dot(axis);
     result.fixed[i] = true;
   }
-  if (rows.size() == dim) values = (normals.inverse() * values).eval();  // the velocity itself
-  if (rows.size() == dim) result.basis = core::Tensor::Identity();
+  if (rows.size() == dim) {
+    values = (normals.inverse() * values).eval();
+    result.basis = core::Tensor::Identity();
+  }
   result.given = values;
   return result;
 }
@@ -131,7 +140,7 @@ Constraints make_constraints(const Problem& problem, const std::vector<bool>& ac
 
 namespace {
 
-/// Whether anything resists a translation of the glass along coordinate `axis`.
+/// Whether any constraint resists a translation of the glass along coordinate `axis`.
 bool resists(const std::vector<NodeConstraint>& constraints, int axis) {
   constexpr double counts = 1e-3;
   return std::any_of(constraints.begin(), constraints.end(), [&](const NodeConstraint& constraint) {
@@ -143,8 +152,9 @@ bool resists(const std::vector<NodeConstraint>& constraints, int axis) {
   });
 }
 
-/// Closes the candidate that a glass pushed by `load` along `axis` would meet first; false when there is none.
-bool close_first_met(const Problem& problem, int axis, double load, std::vector<bool>& active) {
+/// Adds the candidate to the active set that glass under a force `load` along `axis` would meet first; false where
+/// there is none.
+bool activate_first_met(const Problem& problem, int axis, double load, std::vector<bool>& active) {
   int best = -1;
   for (std::size_t i = 0; i < active.size(); ++i) {
     const auto& candidate = problem.candidates[i];
@@ -163,34 +173,32 @@ bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bo
     if (resists(constraints.nodes, axis)) continue;
     double force = 0;
     for (Index n = 0; n < problem.mesh->node_count(); ++n) force += load[dim * n + axis];
-    if (!close_first_met(problem, axis, force, active)) return false;
+    if (!activate_first_met(problem, axis, force, active)) return false;
     constraints = make_constraints(problem, active);
   }
   return true;
 }
 
-using core::dim;
-
 namespace {
 
-/// Held weaker than this, as the square of a speed, counts as free.
-constexpr double weakest = 1e-8;
+/// Eigenvalues of the constrained motions below this, relative, count as zero.
+constexpr double zero_eigenvalue = 1e-8;
 
-/// Rigid motions of a plane body: along both axes, and around its middle scaled to its size.
+/// Rigid-body motions of a plane body: translations along both axes, and rotation about its centre scaled by its size.
 constexpr int motions = dim + 1;
 using Motion = Eigen::Matrix<double, motions, 1>;
 
-/// The plane body seen from its middle.
-struct Frame {
+/// Rigid-body motions of a body about its centre.
+struct RigidBody {
   Point middle = Point::Zero();
-  double size = 0;
+  double size = 0;  ///< largest distance from the centre, m
 
-  explicit Frame(const core::Mesh& mesh) {
+  explicit RigidBody(const core::Mesh& mesh) {
     for (const auto& x : mesh.nodes) middle += x / double(mesh.nodes.size());
     for (const auto& x : mesh.nodes) size = std::max(size, (x - middle).norm());
   }
-  /// Speed at x along a direction under each motion.
-  Motion speeds(const Point& x, const Point& direction) const {
+  /// Velocity component at x along a direction under each motion, m/s.
+  Motion velocities(const Point& x, const Point& direction) const {
     const Point arm = (x - middle) / size;
     Motion row;
     row << direction, arm[0] * direction[1] - arm[1] * direction[0];
@@ -198,12 +206,14 @@ struct Frame {
   }
 };
 
+/// Sum over all possible constraints of the outer products of their velocity components: its null space are the free
+/// motions.
 Eigen::Matrix<double, motions, motions> constrained_motions(const Problem& problem) {
   const core::Mesh& mesh = *problem.mesh;
-  const Frame frame(mesh);
+  const RigidBody body(mesh);
   Eigen::Matrix<double, motions, motions> sum = Eigen::Matrix<double, motions, motions>::Zero();
   const auto constrain = [&](Index node, const Point& direction) {
-    const Motion row = frame.speeds(mesh.nodes[node], direction);
+    const Motion row = body.velocities(mesh.nodes[node], direction);
     sum += row * row.transpose();
   };
   for (const auto& edge : mesh.boundary_edges()) {
@@ -218,7 +228,7 @@ Eigen::Matrix<double, motions, motions> constrained_motions(const Problem& probl
   for (const auto& candidate : problem.candidates) {
     constrain(candidate.node, candidate.normal);
     if (problem.tools[candidate.tool].friction.law != Friction::Law::slip)
-      constrain(candidate.node, Point(-candidate.normal[1], candidate.normal[0]));
+      constrain(candidate.node, perpendicular(candidate.normal));
   }
   return sum;
 }
@@ -231,10 +241,10 @@ std::string free_motion(const Problem& problem) {
            ", which no tool, symmetry plane or fixed boundary prevents";
   };
   const auto constrained = constrained_motions(problem);
-  if (core::hoop(problem.geometry, Point::Ones()) != 0)  // rings only move along the axis
-    return constrained(dim - 1, dim - 1) > weakest ? "" : sentence("move along the axis");
+  if (core::hoop(problem.geometry, Point::Ones()) != 0)  // an axisymmetric body only moves along its axis
+    return constrained(dim - 1, dim - 1) > zero_eigenvalue ? "" : sentence("move along the axis");
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, motions, motions>> modes(constrained);
-  if (modes.eigenvalues()[0] > weakest * std::max(1.0, modes.eigenvalues()[motions - 1])) return "";
+  if (modes.eigenvalues()[0] > zero_eigenvalue * std::max(1.0, modes.eigenvalues()[motions - 1])) return "";
   Index axis = 0;
   modes.eigenvectors().col(0).cwiseAbs().maxCoeff(&axis);
   return sentence(axis == dim ? "turn" : axis == dim - 1 ? "move along the axis" : "move sideways");

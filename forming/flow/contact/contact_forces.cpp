@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/flow/contact_forces.hpp"
+#include "forming/flow/contact/contact_forces.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -37,16 +37,16 @@ ContactForces contact_forces(const Problem& problem, const std::vector<NodeConst
 
 namespace {
 
-/// Per node the sum of the active candidates' values.
-Eigen::VectorXd to_nodes(const Problem& problem, const std::vector<bool>& active,
-                         const Eigen::VectorXd& per_candidate) {
+/// Sum of the active candidates' values at each node.
+Eigen::VectorXd sum_at_nodes(const Problem& problem, const std::vector<bool>& active,
+                             const Eigen::VectorXd& per_candidate) {
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(problem.mesh->node_count());
   for (std::size_t i = 0; i < problem.candidates.size(); ++i)
     if (active[i]) nodal[problem.candidates[i].node] += per_candidate[i];
   return nodal;
 }
 
-/// Adds half of each mid-side value to its edge's ends.
+/// Adds half of each mid-side value to the vertices of its edge.
 Eigen::VectorXd distribute_mid_sides(const core::Mesh& mesh, const Eigen::VectorXd& nodal) {
   Eigen::VectorXd shared = nodal;
   for (const auto& edge : mesh.boundary_edges())
@@ -65,7 +65,7 @@ std::vector<bool> nodes_in_contact(const Problem& problem, const std::vector<boo
 
 Eigen::VectorXd lumped_forces(const Problem& problem, const std::vector<bool>& active,
                               const Eigen::VectorXd& normal_force) {
-  return distribute_mid_sides(*problem.mesh, to_nodes(problem, active, normal_force));
+  return distribute_mid_sides(*problem.mesh, sum_at_nodes(problem, active, normal_force));
 }
 
 Eigen::VectorXd contact_pressure(const Problem& problem, const std::vector<bool>& active,

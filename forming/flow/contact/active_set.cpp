@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/flow/active_set.hpp"
+#include "forming/flow/contact/active_set.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,40 +11,42 @@ using core::dim;
 
 namespace {
 
-/// Slower than this into a tool is round-off to a run of seconds, m/s.
+/// Velocities into a tool below this count as round-off, m/s: over seconds they penetrate nanometres.
 constexpr double velocity_round_off = 1e-8;
-/// A contact released this often in one solve stays closed: the set would cycle.
+/// A contact opened this often in one solve is locked in the active set, which would cycle otherwise.
 constexpr int max_releases = 3;
-/// A node whose slip turned round this often takes the secant of its friction.
+/// A node whose slip changed its sign this often takes the secant of the friction law.
 constexpr int max_reversals = 3;
-/// Slope of Coulomb's limit against its secant: none would leave glass unheld that slides everywhere.
+/// Tangential stiffness at Coulomb's limit relative to that of the secant. The tangent itself is zero and would make
+/// the matrix singular where all contacts slide.
 constexpr double min_stiffness_ratio = 1e-3;
 
 }  // namespace
 
-std::vector<bool> initial_active_set(const Problem& problem, const std::vector<bool>& warm) {
+std::vector<bool> initial_active_set(const Problem& problem, const std::vector<bool>& guess) {
   std::vector<bool> active(problem.candidates.size(), false);
   for (std::size_t i = 0; i < active.size(); ++i)
-    active[i] = problem.candidates[i].tied || (warm.empty() ? problem.candidates[i].rate >= 0 : bool(warm[i]));
+    active[i] = problem.candidates[i].tied || (guess.empty() ? problem.candidates[i].rate >= 0 : bool(guess[i]));
   return active;
 }
 
-ActiveSetChange update_active_set(const Problem& problem, const Instant& instant, std::vector<bool>& active,
+ActiveSetChange update_active_set(const Problem& problem, const Response& response, std::vector<bool>& active,
                                   std::vector<int>& releases) {
-  const Eigen::VectorXd lumped = lumped_forces(problem, active, instant.forces.normal);
-  const double force_noise = 1e-6 * instant.forces.normal.lpNorm<Eigen::Infinity>();
+  const Eigen::VectorXd lumped = lumped_forces(problem, active, response.forces.normal);
+  const double force_noise = 1e-6 * response.forces.normal.lpNorm<Eigen::Infinity>();
   const double speed_noise =
-      1e-9 * instant.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + velocity_round_off;
+      1e-9 * response.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + velocity_round_off;
   const Point axis = core::axis_direction();
   ActiveSetChange change;
   for (std::size_t i = 0; i < active.size(); ++i) {
     const auto& candidate = problem.candidates[i];
     if (active[i]) {
       if (candidate.tied) continue;
-      // A vertex carries its neighbours' share: its own quadratic weight may vanish or oscillate.
-      const double force = candidate.node < problem.mesh->vertex_count() && instant.forces.normal[i] < 0
+      // At a vertex in tension the sign is that of the lumped force: the consistent force of a quadratic shape function
+      // may vanish or oscillate there.
+      const double force = candidate.node < problem.mesh->vertex_count() && response.forces.normal[i] < 0
                                ? lumped[candidate.node]
-                               : instant.forces.normal[i];
+                               : response.forces.normal[i];
       if (force >= -force_noise) continue;
       if (releases[i] >= max_releases) {
         ++change.locked;
@@ -55,7 +57,7 @@ ActiveSetChange update_active_set(const Problem& problem, const Instant& instant
       ++change.changed;
     } else {
       const Point relative =
-          node_velocity(instant.unknowns, candidate.node) - instant.tool_velocity[candidate.tool] * axis;
+          node_velocity(response.unknowns, candidate.node) - response.tool_velocity[candidate.tool] * axis;
       if (candidate.normal.dot(relative) >= candidate.rate - speed_noise) continue;
       active[i] = true;
       ++change.changed;
@@ -65,7 +67,7 @@ ActiveSetChange update_active_set(const Problem& problem, const Instant& instant
 }
 
 void add_friction(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area,
-                  const Instant* last, Sliding& sliding, Constraints& constraints) {
+                  const Response* last, CoulombSliding& sliding, Constraints& constraints) {
   for (const auto& constraint : constraints.nodes) {
     if (constraint.friction_tool < 0) continue;
     const Index node = constraint.node, i = constraint.equalities[0].candidate;

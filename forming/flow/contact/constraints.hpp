@@ -8,15 +8,16 @@
 
 namespace parison::flow {
 
-/// One equality on a node's velocity: normal.v = value + sum over driven tools of coefficient x V.
+/// An equality constraint of a node's velocity v: normal.v = value + normal.axis V, with the velocity V of the tool
+/// where that is driven by force.
 struct NodeEquality {
-  Point normal;
-  double value = 0;
+  Point normal;          ///< unit
+  double value = 0;      ///< m/s
   Index tool = -1;       ///< Problem::tools index, -1 for symmetry planes and fixed boundaries
   Index candidate = -1;  ///< Problem::candidates index, -1 likewise
 };
 
-/// The equalities of one node, kept in place: at most dim, independent.
+/// The equality constraints of one node: at most dim, linearly independent.
 struct NodeEqualities {
   std::array<NodeEquality, core::dim> list;
   std::size_t count = 0;
@@ -28,52 +29,55 @@ struct NodeEqualities {
   const NodeEquality* end() const { return list.data() + count; }
 };
 
-/// Tools driven by force at a time, at the most.
+/// Largest number of tools driven by force at a time.
 inline constexpr int max_driven_tools = 4;
-/// Coordinates of a velocity: column 0 constant, column 1 + k per m/s of driven tool k.
+/// Prescribed components of a nodal velocity, m/s: column 0 constant, column 1 + k per m/s of driven tool k.
 using GivenVelocity =
     Eigen::Matrix<double, core::dim, Eigen::Dynamic, Eigen::ColMajor, core::dim, 1 + max_driven_tools>;
 
-/// A node with equalities, in the frame of its columns: v = frame u, u[i] given where fixed[i].
+/// A constrained node, in its local basis: v = basis u, with u[i] prescribed where fixed[i].
 struct NodeConstraint {
   Index node;
-  core::Tensor basis = core::Tensor::Identity();
+  core::Tensor basis = core::Tensor::Identity();  ///< orthonormal columns
   std::array<bool, core::dim> fixed{};
-  GivenVelocity given;
+  GivenVelocity given;  ///< the prescribed u
   NodeEqualities equalities;
-  Index friction_tool = -1;  ///< Navier friction acts along the last column of the frame
+  Index friction_tool = -1;  ///< tool with friction along the last column of the basis, -1 without
 };
 
-/// How the nodes are held with one set of closed contacts.
+/// The constrained nodes with one active set.
 struct Constraints {
   std::vector<NodeConstraint> nodes;
-  std::vector<Index> index_of;  ///< per node, -1 where free
-  /// Per node, along the last column of the frame where friction acts: friction = drag x slip + pull, N.s/m and N.
+  std::vector<Index> index_of;  ///< place of each node in `nodes`, -1 where it is free
+  /// Friction force of each node with a friction tool, linear in the slip: stiffness x slip + load, N.s/m and N.
   Eigen::VectorXd tangential_stiffness, tangential_load;
 
+  /// The constraint of a node, null where it is free.
   const NodeConstraint* find(Index node) const { return index_of[node] < 0 ? nullptr : &nodes[index_of[node]]; }
 };
 
-/// A direction along a surface: its normal turned left.
+/// The tangent of a surface: its normal turned left.
 inline Point perpendicular(const Point& normal) {
   return {-normal[1], normal[0]};
 }
 
-/// Whether a contact holds the glass along the tool's surface.
+/// Whether an active contact prevents slip along the tool.
 bool sticks(const Problem& problem, const ContactCandidate& candidate);
 
 /// Tools whose velocity is an unknown, as indices into Problem::tools.
 std::vector<Index> driven_tools(const Problem& problem);
 
-/// The nodes held by symmetry, fixed boundaries and the active candidates; no friction yet.
+/// Constraints of symmetry planes, fixed boundaries and the active candidates, without friction (`add_friction`).
 Constraints make_constraints(const Problem& problem, const std::vector<bool>& active);
 
-/// Sees to it that no translation is left free, closing the contact that the glass would fall on under `load`; false
-/// when it would fall for ever. Radial motion of a ring is no translation.
+/// Prevents rigid translations: where no constraint resists one, the contact on which the glass would fall under `load`
+/// (N, two per node) is added to the active set and the constraints are rebuilt. False where there is no such contact.
+/// An axisymmetric body can only translate along its axis.
 bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Constraints& constraints);
 
-/// A rigid motion of the glass that nothing can hold, as a sentence; empty where there is none. Symmetry planes, fixed
-/// boundaries and every candidate count, closed or not: tools that stick or rub hold sideways as well.
+/// A sentence that names a rigid-body motion of the glass which nothing can prevent; empty where there is none.
+/// Symmetry planes, fixed boundaries and all candidates count, active or not; tools with friction resist sideways
+/// motion as well.
 std::string free_motion(const Problem& problem);
 
 }  // namespace parison::flow

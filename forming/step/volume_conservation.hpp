@@ -1,0 +1,42 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/flow/solution.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+/// Conservation of the glass volume. The flow equations conserve it at an instant; straight motion over a finite step
+/// and remeshing do not. All that restores it is here:
+///   1. the flow equations get a right-hand side div v that offsets the error as far as it can be predicted;
+///   2. their solution gets a multiple of its dilatation mode, so that the step ends with the wanted volume;
+///   3. the predicted mesh in the middle of a step gets one as well, of the mode of the last step;
+///   4. a new mesh gets its volume by a shift of its surface.
+
+/// Volume that a step of length dt shall end with, m3: the initial volume; a larger error is reduced over several
+/// steps.
+double target_volume(const Scene& scene, const State& state, double dt);
+
+/// The prescribed div v of a step, 1/s, from the volume error at its start and, where `velocity` is given, the error
+/// that straight motion with it over dt makes. `midpoint` is the mesh on which the flow is solved.
+double prescribed_dilatation_rate(const Scene& scene, const State& state, const core::Mesh& midpoint,
+                                  const Eigen::VectorXd* velocity, double dt);
+
+/// Adds so much of its dilatation mode to the flow that the step of length dt ends with the volume `target_volume`.
+/// Leaves it unchanged where the mode is missing or hardly changes the volume.
+void correct_volume(const Scene& scene, const State& state, double dt, flow::Equilibrium& equilibrium);
+
+/// The velocity (two per node, m/s) with so much of the state's last dilatation mode that straight motion over dt leads
+/// to the initial volume; unchanged where the mode is unknown or hardly changes the volume.
+Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen::VectorXd velocity, double dt);
+
+/// Shifts the surface of a new glass mesh along its normals until the mesh has the volume `target`, m3, to round-off:
+/// the part that no tool touches, by the same distance everywhere and not into a tool; the whole surface, contacts as
+/// well, where no part is free or the free part is so small that it would move far, for what is below a few micrometres
+/// there.
+void restore_volume(const Scene& scene, const State& state, double target, core::Mesh& mesh);
+
+/// Volume of the glass relative to its initial one, minus 1.
+double volume_drift(const Scene& scene, const State& state);
+
+}  // namespace parison::forming
