@@ -56,21 +56,4 @@ CellPoint map_cell_point(const Mesh& mesh, Index cell, Geometry geometry, const 
 EdgePoint map_edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, Geometry geometry,
                          const EdgeRulePoint& at);
 
-/// The quadratic map of a cell: its chords from vertex 0 and how far each mid-side node lies off its chord's middle.
-struct CellMap {
-  Point origin, u, v;
-  std::array<Point, 3> mid_side_offset;
-};
-CellMap cell_map(const Mesh& mesh, Index cell);
-
-/// Reference coordinates (a, b) of x by Newton from its place in the chords' triangle; they leave [0,1] when x is
-/// outside.
-std::array<double, 2> invert(const CellMap& map, const Point& x);
-/// Several places at once.
-using BatchArray = Eigen::Array<double, 8, 1>;
-/// The same for the places (x, y); they share the number of Newton's steps.
-std::array<BatchArray, 2> invert(const CellMap& map, const BatchArray& x, const BatchArray& y);
-/// The same in a cell of a mesh.
-std::array<double, 2> invert_cell_map(const Mesh& mesh, Index cell, const Point& x);
-
 }  // namespace parison::core

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/mesh/cell_map.hpp"
 #include "core/mesh/element.hpp"
 #include "remesh/transfer/overlay.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/cell_map.hpp"
 #include "core/mesh/element.hpp"
 
 namespace parison::remesh {
@@ -127,12 +128,6 @@ bool is_straight(const core::CellMap& map) {
                      [&](const Point& offset) { return offset.norm() <= straight * map.u.norm(); });
 }
 
-/// Reference coordinates of x in the triangle of a cell's chords.
-std::array<double, 2> in_chords(const core::CellMap& map, const Point& x) {
-  const double area = cross(map.u, map.v);
-  return {cross(x - map.origin, map.v) / area, cross(map.u, x - map.origin) / area};
-}
-
 /// A convex region in which an old cell's field is used.
 struct Region {
   Polygon polygon;
@@ -230,7 +225,7 @@ class Overlay {
       if (fraction < negligible) continue;
       for (const core::TriangleRulePoint& at : core::triangle_rule(straight_ ? 5 : 6)) {
         const Point x = o + at.a * u + at.b * v;
-        const auto [a, b] = in_chords(map_, x);
+        const auto [a, b] = core::chord_coordinates(map_, x);
         if (straight_) {
           points_.push_back({x, at.weight * cross(u, v) * core::depth(geometry_, x), core::triangle_shape(a, b)});
         } else {
@@ -243,18 +238,19 @@ class Overlay {
   }
 
   void add_points(Index old, std::array<double, 6>& sum) const {
-    constexpr std::size_t width = core::BatchArray::SizeAtCompileTime;
-    for (std::size_t first = 0; first < points_.size(); first += width) {
-      core::BatchArray x, y;
-      for (std::size_t i = 0; i < width; ++i) {  // the last again where there are no more
-        const Point& position = points_[std::min(first + i, points_.size() - 1)].position;
-        x[i] = position[0];
-        y[i] = position[1];
-      }
-      const auto [a, b] = core::invert(old_maps_[old], x, y);
-      for (std::size_t i = 0; i < std::min(width, points_.size() - first); ++i) {
+    constexpr int width = core::point_batches * core::batch_size;
+    const int count = static_cast<int>(points_.size());
+    for (int first = 0; first < count; first += width) {
+      core::PointBatches x, reference;
+      for (int i = 0; i < width; ++i)  // the last again where there are no more
+        for (int d = 0; d < core::dim; ++d)
+          x[i / core::batch_size][d][i % core::batch_size] = points_[std::min(first + i, count - 1)].position[d];
+      core::invert(old_maps_[old], x, reference);
+      for (int i = 0; i < std::min(width, count - first); ++i) {
         const IntegrationPoint& at = points_[first + i];
-        const double value = at.volume * old_value(old, {a[i], b[i]}, at.position);
+        const auto& [a, b] = reference[i / core::batch_size];
+        const int lane = i % core::batch_size;
+        const double value = at.volume * old_value(old, {a[lane], b[lane]}, at.position);
         for (int k = 0; k < 6; ++k) sum[k] += at.shape[k] * value;
       }
     }
