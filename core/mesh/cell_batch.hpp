@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quadratic triangles four at a time, one in each lane of a vector register, as the cell batches of deal.II's and
-// ExaDG's MatrixFree (Kronbichler & Kormann 2012). A lane computes what a scalar loop would: the results are the same
+// Quadratic triangles four at a time, one in each lane of a vector register, like the cell batches of MatrixFree in
+// deal.II (Kronbichler & Kormann 2012). Each lane does the operations of a scalar loop, so the results have the same
 // bits on every processor. All functions are inlined into their callers, which may be compiled for several instruction
 // sets (target_clones); vectors are passed by reference because their calling convention differs between those.
 #include <algorithm>

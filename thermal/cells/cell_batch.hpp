@@ -34,14 +34,15 @@ inline double interpolate(const Eigen::VectorXd& values, const core::Index* unkn
   return shape[0] * values[unknowns[0]] + shape[1] * values[unknowns[1]] + shape[2] * values[unknowns[2]];
 }
 
-/// What depends on neither temperature nor unknowns in a group of cells, at their quadrature points; nothing for cells
-/// that a body's last group lacks.
+/// The part of the heat equations of a batch of cells that does not depend on temperature, at the points of
+/// triangle_rule(4). Zero in the lanes that hold no cell of their own.
 struct CellBatch {
-  PointValues aa, ab, bb;  ///< present volume times the products of the gradients of the reference coordinates a, b, m
+  PointValues aa, ab, bb;  ///< metric of conduction: volume times grad a . grad a, grad a . grad b, grad b . grad b, m
   PointValues mass;        ///< kg
   PointValues thin_wall;   ///< factor on the Rosseland conductivity
 };
 struct BodyView;
+/// The batches of a body's cells.
 std::vector<CellBatch> make_batches(const BodyView& body, core::Geometry geometry);
 
 }  // namespace parison::thermal

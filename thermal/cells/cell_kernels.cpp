@@ -6,18 +6,19 @@ namespace parison::thermal {
 
 namespace {
 
+/// Derivatives with respect to the reference coordinates.
 struct Gradient {
   PointValues along_a, along_b;
 };
 
-/// Calls work(laws, groups of that body, first of them) for each body.
+/// Calls work(laws of the body, batch, number of the batch in the system) for each batch of each body.
 template <typename Work>
 [[gnu::always_inline]] inline void for_each_batch(const HeatSystem& system, const Work& work) {
   for (const BodyLaws& laws : system.bodies)
     for (Index g = 0; g < laws.batch_count(); ++g) work(laws, (*laws.cells)[g], laws.first_batch + g);
 }
 
-/// Metric times gradient.
+/// Metric times gradient: minus the heat flow for a conductivity of 1.
 [[gnu::always_inline]] inline void set_flow(const CellBatch& cells, const Gradient& T, Gradient& flow) {
   for (int q = 0; q < 6; ++q) {
     flow.along_a[q] = cells.aa[q] * T.along_a[q] + cells.ab[q] * T.along_b[q];
@@ -25,6 +26,7 @@ template <typename Work>
   }
 }
 
+/// Temperature and its gradient at the quadrature points.
 template <int N>
 [[gnu::always_inline]] inline void set_at_points(const UnknownValues<N>& own, PointValues& at, Gradient& gradient) {
   const CellShapes<N>& shapes = cell_shapes<N>();
