@@ -71,7 +71,7 @@ using MappedPoint = core::MappedPoint<VectorizedArray>;
   const core::Depth depth(geometry);
   std::vector<CellBatch> batches(core::batch_count(count));
   BatchIndices<6> nodes;
-  for (std::size_t b = 0; b < batches.size(); ++b) {
+  for (Index b = 0; b < core::batch_count(count); ++b) {
     const int lanes = core::filled_lanes(count, b);
     const VectorizedArray filled{1, double(lanes > 1), double(lanes > 2), double(lanes > 3)};
     core::set_nodes(body.mesh->cells(), b, nodes);
