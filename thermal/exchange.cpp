@@ -266,7 +266,7 @@ void apply_exchange(const HeatSystem& system, const Linearisation& linearisation
       out.head<3>() += slave[i] * system.interface.shape.col(i).head<3>();
       out.tail<3>() += master[i] * system.interface.shape.col(i).tail<3>();
     }
-    scatter<6>(out, segment.unknowns, result);
+    for (int i = 0; i < 6; ++i) result[segment.unknowns[i]] += out[i];
   }
 }
 

@@ -99,7 +99,7 @@ template <typename Law>
 [[gnu::always_inline]] inline void Conductivity::set_values(const PointValues& temperature,
                                                             const PointValues& thin_wall, PointValues& values) const {
   if (phonon_.x.size() == 1)
-    for (VectorizedArray& value : values.own) value = VectorizedArray{} + phonon_.y[0];
+    for (VectorizedArray& value : values) value = VectorizedArray{} + phonon_.y[0];
   else
     detail::set_each(
         temperature, [this](double T) { return phonon_(T); }, values);
@@ -133,7 +133,7 @@ template <typename Law>
   if (capacity_.x.size() > 1)
     return detail::set_each(
         temperature, [this](double T) { return (*this)(T).c; }, values);
-  for (VectorizedArray& value : values.own) value = VectorizedArray{} + capacity_.y[0];
+  for (VectorizedArray& value : values) value = VectorizedArray{} + capacity_.y[0];
 }
 
 /// Heat flux out of a surface and its slope.

@@ -26,15 +26,15 @@ std::shared_ptr<const Batches> batches_of(const BodyView& body, core::Geometry g
 /// Unknowns of a body's cells, one by one and by groups.
 void add_unknowns(HeatSystem& system, const core::Mesh& mesh, Index first_unknown) {
   const int used = system.problem->order == 2 ? 6 : 3;
-  const Index count = mesh.cell_count();
   for (const auto& nodes : mesh.cells()) {
     auto& unknowns = system.cells.emplace_back();
     for (int i = 0; i < used; ++i) unknowns[i] = first_unknown + nodes[i];
   }
-  for (Index first = 0; first < count; first += batch_size) {
-    BatchUnknowns& unknowns = system.batches.emplace_back();
-    for (int c = 0; c < batch_size; ++c)
-      for (int i = 0; i < used; ++i) unknowns[i][c] = first_unknown + mesh.cells()[std::min(first + c, count - 1)][i];
+  for (Index batch = 0; batch < core::batch_count(mesh.cell_count()); ++batch) {
+    BatchIndices<6>& unknowns = system.batches.emplace_back();
+    core::set_nodes(mesh.cells(), batch, unknowns);
+    for (int i = 0; i < used; ++i)
+      for (Index& unknown : unknowns[i]) unknown += first_unknown;
   }
 }
 

@@ -32,7 +32,7 @@ struct HeatSystem {
   std::vector<Index> first_unknown;  ///< of each body; the last entry is the number of unknowns
   std::vector<BodyLaws> bodies;
   std::vector<std::array<Index, 6>> cells;  ///< their unknowns; the first three alone in a problem of order 1
-  std::vector<BatchUnknowns> batches;       ///< the same of all bodies' groups
+  std::vector<BatchIndices<6>> batches;     ///< the same batch by batch
   Eigen::VectorXd source;                   ///< of volume into each unknown, W
   Eigen::VectorXd body_source;              ///< of volume in each body, W
   std::vector<HeatEdge> edges;

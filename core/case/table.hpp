@@ -4,11 +4,13 @@
 
 namespace parison::core {
 
-/// Piecewise linear function, its ends held; one entry makes a constant.
+/// Piecewise linear function, constant beyond its first and last entry; one entry makes a constant. Units are those of
+/// x and y, the x rise.
 struct Table {
   std::vector<double> x, y;
 
   double operator()(double at) const;
+  /// dy/dx, that of the interval to the right at an entry; zero beyond the ends.
   double derivative(double at) const;
   /// Integral from x.front() to `at` (from 0 for a constant).
   double integral(double at) const;

@@ -10,14 +10,15 @@ namespace parison::core {
 std::string read_text(const std::string& path);
 void write_text(const std::string& path, const std::string& text);
 
-/// Has `write` make a file under a temporary name and gives it its own: a reader sees the old file or the new one.
+/// Replaces a file atomically: `write` makes it under a temporary name, then it is renamed. A reader sees the old file
+/// or the new one.
 void replace_file(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 void replace_file(const std::string& path, const std::string& text);
 
 /// Returns when the file, or what a folder lists, is on the disk (fsync).
 void sync_to_disk(const std::string& path);
 
-/// A text file that grows at its end; one process at a time holds it.
+/// A text file that is appended to; one process at a time may hold it.
 class GrowingFile {
  public:
   /// Opens it with its first `size` bytes, cutting off what follows; 0 makes it where there is none.

@@ -7,7 +7,7 @@
 
 namespace parison::core {
 
-/// Gathers JSON in order; numbers keep every digit, NaN and infinity become null.
+/// Builds a JSON text with its keys in the order of addition; numbers keep every digit, NaN and infinity become null.
 class JsonWriter {
  public:
   JsonWriter();

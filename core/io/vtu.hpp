@@ -28,8 +28,8 @@ struct VtuFields {
 /// Writes quadratic triangles to a .vtu file: binary, values in single precision.
 void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields);
 
-/// A ParaView collection: the files of a time series. The whole file is written at each addition, so it opens at any
-/// time.
+/// A ParaView collection (.pvd): the files of a time series. It is written whole at each addition, so that it can be
+/// opened during a run.
 class PvdCollection {
  public:
   struct Entry {

@@ -6,9 +6,10 @@
 
 namespace parison::core {
 
-/// CHOLMOD on a symmetric matrix; the analysis serves until the pattern changes. Positive definite: LL', supernodal
-/// unless the order is given. Quasi-definite (a saddle point whose second block is negative definite): simplicial LDL'
-/// without pivoting.
+/// Factorisation of a symmetric sparse matrix by CHOLMOD (Chen, Davis, Hager & Rajamanickam 2008); the symbolic
+/// analysis serves until the pattern changes. Positive definite: LL', supernodal unless the order is given.
+/// Quasi-definite (a saddle point whose second block is negative definite, Vanderbei 1995): simplicial LDL' without
+/// pivoting.
 class Cholesky {
  public:
   enum class Form { positive_definite, quasi_definite };
@@ -18,7 +19,7 @@ class Cholesky {
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
 
-  /// Symbolic analysis (AMD).
+  /// Symbolic analysis with approximate minimum degree (AMD, Amestoy, Davis & Duff 1996).
   void analyse(const SymmetricMatrix& matrix);
   /// The same with a given order of elimination; the factor is simplicial.
   void analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order);
@@ -27,6 +28,7 @@ class Cholesky {
   void analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order);
   /// Numeric factorisation; false when the matrix is not positive definite, or a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
+  /// Solution for one right-hand side of `size` entries, or for each column of several.
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
   Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& rhs) const;
 

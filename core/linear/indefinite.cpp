@@ -63,8 +63,7 @@ struct Mumps {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
 };
 
-/// What MUMPS cannot do, for want of memory as a rule, ends the run with a sentence; codes are those of its users'
-/// guide, section 8.
+/// Throws where MUMPS reports an error, mostly for want of memory; the codes are those of its users' guide, section 8.
 void require(int status) {
   constexpr int real_workspace = -5, integer_workspace = -7, memory = -13;
   if (status == real_workspace || status == integer_workspace || status == memory)
@@ -73,7 +72,7 @@ void require(int status) {
   if (status < 0) throw std::runtime_error(fmt::format("the flow's matrix cannot be factorised (MUMPS {})", status));
 }
 
-/// Factors that give every positive diagonal entry 1 and every other row, so scaled, the length 1.
+/// Scaling D of D A D: every positive diagonal entry becomes 1, and every row without one gets the length 1.
 Eigen::VectorXd row_scale(const SymmetricMatrix& matrix) {
   Eigen::VectorXd scale = Eigen::VectorXd::Zero(matrix.size), length = scale;
   for (Index j = 0; j < matrix.size; ++j)

@@ -6,8 +6,10 @@
 
 namespace parison::core {
 
-/// LDL' of a symmetric quasi-definite matrix (a regularised saddle point), minimum degree; the analysis serves until
-/// the pattern changes. CHOLMOD where the fill is small, MUMPS with pivoting where dense blocks pay.
+/// LDL' factorisation of a symmetric quasi-definite matrix (a regularised saddle point), ordered by minimum degree; the
+/// symbolic analysis serves until the pattern changes. CHOLMOD factorises where the fill is small, MUMPS (Amestoy,
+/// Duff, L'Excellent & Koster 2001) with pivoting where its dense blocks pay. Throws std::runtime_error where memory
+/// does not suffice.
 class IndefiniteSolver {
  public:
   IndefiniteSolver();
@@ -23,7 +25,7 @@ class IndefiniteSolver {
                        Library library = Library::automatic);
   /// Numeric factorisation; false when a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
-  /// Solves for each column of rhs.
+  /// Solution for each column of the right-hand side, size x columns.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
 
  private:

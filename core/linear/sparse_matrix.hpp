@@ -8,7 +8,8 @@
 
 namespace parison::core {
 
-/// Groups of unknowns that couple with one another (the unknowns of an element, of an interface point).
+/// Cliques of the matrix graph: groups of unknowns that all couple with one another, as those of an element or of an
+/// interface point.
 struct Cliques {
   std::vector<Index> start{0};  ///< clique c holds unknowns[start[c]] ... unknowns[start[c+1]-1]
   std::vector<Index> unknowns;
@@ -27,16 +28,19 @@ struct SymmetricMatrix {
   std::vector<double> value;
 };
 
-/// Where the entries of each clique's dense matrix go: for clique c, the packed lower triangle by rows
+/// Position in SymmetricMatrix::value of the entries of each clique's dense matrix: for clique c, the packed lower
+/// triangle by rows
 /// ((0,0) (1,0) (1,1) (2,0) ...) from offset[c].
 struct Scatter {
   std::vector<Index> offset, position;
 };
 
+/// A matrix and where the cliques are added to it.
 struct Assembly {
   SymmetricMatrix matrix;  ///< values zero
   Scatter scatter;
 };
+/// Symbolic assembly: the pattern of the sum over all cliques, size x size.
 Assembly make_assembly(Index size, const Cliques& cliques, Triangle triangle = Triangle::lower);
 
 /// Adds the dense symmetric matrix of a clique; `local` is row-major count x count, its lower triangle is read.
@@ -45,14 +49,14 @@ void add_clique(SymmetricMatrix& matrix, const Scatter& scatter, Index clique, I
 /// Full symmetric product A x.
 Eigen::VectorXd multiply(const SymmetricMatrix& matrix, const Eigen::VectorXd& x);
 
-/// The unknowns in the order of their elimination, and about how many operations a factorisation takes.
+/// The unknowns in the order of their elimination, and an estimate of the floating-point operations of a factorisation.
 struct EliminationOrder {
   std::vector<Index> unknown;
   double operations;
 };
 
-/// Order in which to eliminate the unknowns of a graph with little fill: approximate minimum degree. An edge may be
-/// named more than once and in either direction.
+/// Fill-reducing order of the unknowns of a graph by approximate minimum degree (Amestoy, Davis & Duff 1996). An edge
+/// may be named more than once and in either direction.
 EliminationOrder minimum_degree_order(Index size, const std::vector<std::array<Index, 2>>& edges);
 
 /// The same for a matrix. Unknowns with one pattern are ordered as one vertex and follow one another by their numbers.

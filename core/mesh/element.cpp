@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/mesh/cell_batch.hpp"
+
 namespace parison::core {
 
 namespace {
@@ -109,25 +111,20 @@ double hoop(Geometry geometry, const Point& x) {
 }
 
 CellPoint map_cell_point(const Mesh& mesh, Index cell, Geometry geometry, const TriangleRulePoint& at) {
+  CellShapes<6, 1> shapes;
+  set_shapes(at.a, at.b, 0, shapes);
   const auto& nodes = mesh.cells()[cell];
-  const auto derivative = triangle_shape_derivative(at.a, at.b);
-  CellPoint point;
-  point.shape = triangle_shape(at.a, at.b);
-  point.linear = {1 - at.a - at.b, at.a, at.b};
-  point.position = Point::Zero();
-  Tensor jacobian = Tensor::Zero();
-  for (int i = 0; i < 6; ++i) {
-    const Point& x = mesh.nodes[nodes[i]];
-    point.position += point.shape[i] * x;
-    jacobian.col(0) += derivative[i][0] * x;
-    jacobian.col(1) += derivative[i][1] * x;
-  }
-  const double determinant = jacobian(0, 0) * jacobian(1, 1) - jacobian(0, 1) * jacobian(1, 0);
-  const double s = 1 / determinant;
+  std::array<std::array<double, 6>, dim> x;
   for (int i = 0; i < 6; ++i)
-    point.gradient[i] = {s * (jacobian(1, 1) * derivative[i][0] - jacobian(1, 0) * derivative[i][1]),
-                         s * (-jacobian(0, 1) * derivative[i][0] + jacobian(0, 0) * derivative[i][1])};
-  point.volume = at.weight * determinant * depth(geometry, point.position);
+    for (int a = 0; a < dim; ++a) x[a][i] = mesh.nodes[nodes[i]][a];
+  MappedPoint<double> mapped;
+  map_point(shapes, 0, x, mapped);
+  CellPoint point;
+  for (int i = 0; i < 6; ++i) point.shape[i] = shapes.value(0, i);
+  point.linear = {1 - at.a - at.b, at.a, at.b};
+  point.position = {mapped.position[0], mapped.position[1]};
+  set_gradients(shapes, 0, mapped, point.gradient);
+  point.volume = at.weight * mapped.determinant * depth(geometry, point.position);
   return point;
 }
 
@@ -147,71 +144,6 @@ EdgePoint map_edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, Geo
   point.normal = {point.tangent[1], -point.tangent[0]};
   point.area = at.weight * jacobian * depth(geometry, point.position);
   return point;
-}
-
-CellMap cell_map(const Mesh& mesh, Index cell) {
-  const auto& n = mesh.cells()[cell];
-  const auto at = [&](int k) -> const Point& { return mesh.nodes[n[k]]; };
-  return {at(0),
-          at(1) - at(0),
-          at(2) - at(0),
-          {at(3) - 0.5 * (at(0) + at(1)), at(4) - 0.5 * (at(1) + at(2)), at(5) - 0.5 * (at(2) + at(0))}};
-}
-
-namespace {
-
-/// A change of the reference coordinates that Newton's next step squares.
-constexpr double tolerance = 1e-7;
-
-}  // namespace
-
-std::array<BatchArray, 2> invert(const CellMap& map, const BatchArray& x, const BatchArray& y) {
-  const auto& [m, n, p] = map.mid_side_offset;
-  const Point &u = map.u, &v = map.v;
-  const double area = u[0] * v[1] - u[1] * v[0];
-  const BatchArray target_x = x - map.origin[0], target_y = y - map.origin[1];
-  BatchArray a = (target_x * v[1] - target_y * v[0]) / area, b = (u[0] * target_y - u[1] * target_x) / area;
-  for (int iteration = 0; iteration < 30; ++iteration) {
-    const BatchArray c = 1 - a - b, ca = 4 * c * a, ab = 4 * a * b, bc = 4 * b * c;
-    const BatchArray residual_x = target_x - a * u[0] - b * v[0] - ca * m[0] - ab * n[0] - bc * p[0];
-    const BatchArray residual_y = target_y - a * u[1] - b * v[1] - ca * m[1] - ab * n[1] - bc * p[1];
-    const BatchArray c_a = 4 * (c - a), c_b = 4 * (c - b), a4 = 4 * a, b4 = 4 * b;
-    const BatchArray along_ax = u[0] + c_a * m[0] + b4 * (n[0] - p[0]),
-                     along_ay = u[1] + c_a * m[1] + b4 * (n[1] - p[1]);
-    const BatchArray along_bx = v[0] + c_b * p[0] + a4 * (n[0] - m[0]),
-                     along_by = v[1] + c_b * p[1] + a4 * (n[1] - m[1]);
-    const BatchArray scale = 1 / (along_ax * along_by - along_ay * along_bx);
-    const BatchArray da = scale * (residual_x * along_by - residual_y * along_bx);
-    const BatchArray db = scale * (along_ax * residual_y - along_ay * residual_x);
-    a += da;
-    b += db;
-    const double change = (da.abs() + db.abs()).maxCoeff();
-    if (change < tolerance || !((a.abs() + b.abs()).maxCoeff() < 1e3)) break;
-  }
-  return {a, b};
-}
-
-std::array<double, 2> invert(const CellMap& map, const Point& x) {
-  const auto cross = [](const Point& p, const Point& q) { return p[0] * q[1] - p[1] * q[0]; };
-  const auto& [m, n, p] = map.mid_side_offset;
-  const Point target = x - map.origin;
-  const double area = cross(map.u, map.v);
-  double a = cross(target, map.v) / area, b = cross(map.u, target) / area;
-  for (int iteration = 0; iteration < 30; ++iteration) {
-    const double c = 1 - a - b;
-    const Point residual = target - a * map.u - b * map.v - 4 * (c * a * m + a * b * n + b * c * p);
-    const Point along_a = map.u + 4 * ((c - a) * m + b * (n - p)), along_b = map.v + 4 * ((c - b) * p + a * (n - m));
-    const double scale = 1 / cross(along_a, along_b);
-    const double da = scale * cross(residual, along_b), db = scale * cross(along_a, residual);
-    a += da;
-    b += db;
-    if (std::abs(da) + std::abs(db) < tolerance || !(std::abs(a) < 1e3 && std::abs(b) < 1e3)) break;
-  }
-  return {a, b};
-}
-
-std::array<double, 2> invert_cell_map(const Mesh& mesh, Index cell, const Point& x) {
-  return invert(cell_map(mesh, cell), x);
 }
 
 }  // namespace parison::core

@@ -15,7 +15,8 @@ struct EdgeRulePoint {
   double s, weight;
 };
 
-/// Symmetric Gauss rule on the reference triangle, exact to `degree` (2, 4, 5 or 6).
+/// Symmetric rule on the reference triangle (Strang & Fix 1973, Radon 1948, Dunavant 1985), exact for polynomials up to
+/// `degree` (at most 6).
 const std::vector<TriangleRulePoint>& triangle_rule(int degree);
 /// Gauss-Legendre rule on [0, 1] with `points` points (1 to 5), exact to degree 2 points - 1.
 const std::vector<EdgeRulePoint>& edge_rule(int points);
@@ -49,28 +50,13 @@ struct EdgePoint {
 
 /// Circumference 2 pi r of the ring through x, or 1 m.
 double depth(Geometry geometry, const Point& x);
-/// 1/r at x for axisymmetric scenes (the hoop term), 0 for planar ones.
+/// 1/r at x for axisymmetric scenes (the hoop strain rate is v_r / r), 0 for planar ones.
 double hoop(Geometry geometry, const Point& x);
 
+/// Maps a point of the reference triangle into a cell.
 CellPoint map_cell_point(const Mesh& mesh, Index cell, Geometry geometry, const TriangleRulePoint& at);
+/// Maps a point of the reference edge onto an edge, given by its nodes first, last, mid-side.
 EdgePoint map_edge_point(const Mesh& mesh, const std::array<Index, 3>& edge, Geometry geometry,
                          const EdgeRulePoint& at);
-
-/// The quadratic map of a cell: its chords from vertex 0 and how far each mid-side node lies off its chord's middle.
-struct CellMap {
-  Point origin, u, v;
-  std::array<Point, 3> mid_side_offset;
-};
-CellMap cell_map(const Mesh& mesh, Index cell);
-
-/// Reference coordinates (a, b) of x by Newton from its place in the chords' triangle; they leave [0,1] when x is
-/// outside.
-std::array<double, 2> invert(const CellMap& map, const Point& x);
-/// Several places at once.
-using BatchArray = Eigen::Array<double, 8, 1>;
-/// The same for the places (x, y); they share the number of Newton's steps.
-std::array<BatchArray, 2> invert(const CellMap& map, const BatchArray& x, const BatchArray& y);
-/// The same in a cell of a mesh.
-std::array<double, 2> invert_cell_map(const Mesh& mesh, Index cell, const Point& x);
 
 }  // namespace parison::core

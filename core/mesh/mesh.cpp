@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "core/mesh/element.hpp"
+#include "core/mesh/cell_batch.hpp"
 
 namespace parison::core {
 
@@ -31,49 +31,51 @@ std::vector<BoundaryEdge> chained(const std::vector<BoundaryEdge>& edges) {
   return result;
 }
 
-/// Shape functions and their derivatives at the points of a rule, which are the same in all cells.
-template <int Points>
-struct RuleShapes {
-  Eigen::Matrix<double, Points, 6> value, along_a, along_b;
-  Eigen::Array<double, Points, 1> weight;
+/// Shape functions at the points of a rule, and their weights.
+template <int points>
+struct Rule {
+  CellShapes<6, points> shapes;
+  std::array<double, points> weight;
 
-  explicit RuleShapes(int degree) {
+  explicit Rule(int degree) {
     const auto& rule = triangle_rule(degree);
-    assert(rule.size() == Points);
-    for (int q = 0; q < Points; ++q) {
-      const auto shape = triangle_shape(rule[q].a, rule[q].b);
-      const auto derivative = triangle_shape_derivative(rule[q].a, rule[q].b);
-      for (int k = 0; k < 6; ++k) {
-        value(q, k) = shape[k];
-        along_a(q, k) = derivative[k][0];
-        along_b(q, k) = derivative[k][1];
-      }
+    assert(rule.size() == points);
+    for (int q = 0; q < points; ++q) {
+      set_shapes(rule[q].a, rule[q].b, q, shapes);
       weight[q] = rule[q].weight;
     }
   }
 };
 
-/// Weights times measures of the rule's points in a cell.
-template <int Points>
-Eigen::Array<double, Points, 1> measures(const RuleShapes<Points>& rule, const Mesh& mesh,
-                                         const std::array<Index, 6>& cell, Geometry geometry) {
-  using Values = Eigen::Array<double, Points, 1>;
-  Eigen::Matrix<double, 6, 1> x, y;
-  for (int k = 0; k < 6; ++k) x[k] = mesh.nodes[cell[k]][0], y[k] = mesh.nodes[cell[k]][1];
-  const Values xa = rule.along_a * x, ya = rule.along_a * y, xb = rule.along_b * x, yb = rule.along_b * y;
-  const Values at_x = rule.value * x, at_y = rule.value * y;
-  Values result = rule.weight * (xa * yb - xb * ya);
-  for (int q = 0; q < Points; ++q) result[q] *= depth(geometry, {at_x[q], at_y[q]});
-  return result;
-}
+/// Weight times measure, m3, and the value of a field at the points of a rule, [point], in the cells of a batch.
+template <int points>
+struct FieldAtPoints {
+  std::array<VectorizedArray, points> measure, value;
 
-/// Values of a field at the rule's points in a cell.
-template <int Points>
-Eigen::Array<double, Points, 1> values_at(const RuleShapes<Points>& rule, const Eigen::VectorXd& nodal,
-                                          const std::array<Index, 6>& cell) {
-  Eigen::Matrix<double, 6, 1> own;
-  for (int k = 0; k < 6; ++k) own[k] = nodal[cell[k]];
-  return rule.value * own;
+  FieldAtPoints(const Rule<points>& rule, const Mesh& mesh, const Depth& depth, const Eigen::VectorXd& nodal,
+                Index batch) {
+    BatchIndices<6> nodes;
+    NodeVectors x;
+    UnknownValues<6> at_nodes;
+    MappedPoint<VectorizedArray> at;
+    set_nodes(mesh.cells(), batch, nodes);
+    gather(mesh.nodes.front().data(), nodes, x);
+    gather(nodal.data(), nodes, at_nodes);
+    for (int q = 0; q < points; ++q) {
+      map_point(rule.shapes, q, x, at);
+      depth.set(at.position[0], measure[q]);
+      measure[q] *= rule.weight[q] * at.determinant;
+      interpolate(rule.shapes.value, q, at_nodes, value[q]);
+    }
+  }
+};
+
+/// Numbers at the points of one cell of a batch.
+template <std::size_t points>
+Eigen::Array<double, static_cast<int>(points), 1> in_lane(const std::array<VectorizedArray, points>& values, int lane) {
+  Eigen::Array<double, static_cast<int>(points), 1> own;
+  for (std::size_t q = 0; q < points; ++q) own[q] = values[q][lane];
+  return own;
 }
 
 }  // namespace
@@ -157,24 +159,30 @@ double volume(const Mesh& mesh, Geometry geometry) {
 
 double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal,
                 const std::function<double(double)>& function) {
-  static const RuleShapes<6> rule(4);
+  static const Rule<6> rule(4);
+  const Depth depth(geometry);
   double sum = 0;
-  for (const auto& cell : mesh.cells()) {
-    const auto measure = measures(rule, mesh, cell, geometry), value = values_at(rule, nodal, cell);
-    for (int q = 0; q < 6; ++q) sum += measure[q] * function(value[q]);
+  for (Index batch = 0; batch < batch_count(mesh.cell_count()); ++batch) {
+    const FieldAtPoints field(rule, mesh, depth, nodal, batch);
+    for (int lane = 0; lane < filled_lanes(mesh.cell_count(), batch); ++lane)
+      for (int q = 0; q < 6; ++q) sum += field.measure[q][lane] * function(field.value[q][lane]);
   }
   return sum;
 }
 
 double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal) {
-  static const RuleShapes<12> rule(6);
+  static const Rule<12> rule(6);
+  const Depth depth(geometry);
   const double base = nodal[0];  // a uniform field has its own value as the mean
   const Eigen::VectorXd excess = nodal.array() - base;
   double content = 0, volume = 0;
-  for (const auto& cell : mesh.cells()) {
-    const auto measure = measures(rule, mesh, cell, geometry);
-    content += (measure * values_at(rule, excess, cell)).sum();
-    volume += measure.sum();
+  for (Index batch = 0; batch < batch_count(mesh.cell_count()); ++batch) {
+    const FieldAtPoints field(rule, mesh, depth, excess, batch);
+    for (int lane = 0; lane < filled_lanes(mesh.cell_count(), batch); ++lane) {
+      const auto measure = in_lane(field.measure, lane);
+      content += (measure * in_lane(field.value, lane)).sum();
+      volume += measure.sum();
+    }
   }
   return base + content / volume;
 }

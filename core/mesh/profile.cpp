@@ -100,22 +100,28 @@ Profile reversed(const Profile& profile) {
   return result;
 }
 
+namespace {
+
+/// Contribution of a segment to the winding number of an outline about x: its chord counts where it crosses the ray
+/// from x to the right, and an arc also where x lies between it and its chord.
+int winding(const Segment& segment, const Point& x) {
+  const Point &a = segment.start, &b = segment.end;
+  const bool rises = a[1] <= x[1] && x[1] < b[1], falls = b[1] <= x[1] && x[1] < a[1];
+  const bool in_circle = segment.is_arc && (x - segment.centre).squaredNorm() < segment.radius * segment.radius;
+  if (!rises && !falls && !in_circle) return 0;
+  const double side = cross(b - a, x - a);
+  const bool left = side > 0 || (side == 0 && a[1] == b[1] && a[0] < b[0]);
+  int turns = rises && left ? 1 : falls && !left ? -1 : 0;
+  const bool turns_left = segment.to > segment.from;  // then the arc lies on the right of its chord
+  if (in_circle && turns_left != left) turns += turns_left ? 1 : -1;
+  return turns;
+}
+
+}  // namespace
+
 bool contains(const Profile& profile, const Point& x) {
-  // Turns of the chords round x, counted where they cross the level of x on its right; arcs contribute the sliver
-  // between arc and chord.
   int turns = 0;
-  for (const auto& segment : profile.segments) {
-    const Point &a = segment.start, &b = segment.end;
-    const bool rises = a[1] <= x[1] && x[1] < b[1], falls = b[1] <= x[1] && x[1] < a[1];
-    const bool in_circle = segment.is_arc && (x - segment.centre).squaredNorm() < segment.radius * segment.radius;
-    if (!rises && !falls && !in_circle) continue;
-    const double side = cross(b - a, x - a);
-    const bool left = side > 0 || (side == 0 && a[1] == b[1] && a[0] < b[0]);
-    if (rises && left) ++turns;
-    if (falls && !left) --turns;
-    const bool turns_left = segment.to > segment.from;  // then it bulges to the right of its chord
-    if (in_circle && turns_left != left) turns += turns_left ? 1 : -1;
-  }
+  for (const auto& segment : profile.segments) turns += winding(segment, x);
   return turns > 0;
 }
 

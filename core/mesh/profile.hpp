@@ -31,6 +31,7 @@ Point point_at(const Segment& segment, double t);
 Point tangent_at(const Segment& segment, double t);
 /// Outward unit normal (to the right of the tangent, away from the body).
 Point normal_at(const Segment& segment, double t);
+/// Arc length, m.
 double length(const Segment& segment);
 /// Parameter t of the point of the segment closest to x, in [0, 1].
 double closest_parameter(const Segment& segment, const Point& x);
@@ -42,11 +43,11 @@ double beyond_end(const Segment& segment, const Point& x);
 
 /// Signed area of the cross-section, m2; positive when counterclockwise.
 double signed_area(const Profile& profile);
-/// The same outline walked the other way round.
+/// The outline in the opposite direction.
 Profile reversed(const Profile& profile);
-/// Whether x lies inside the outline.
+/// Whether x lies inside the outline, by its winding number about x.
 bool contains(const Profile& profile, const Point& x);
-/// Distance from x to a segment, m, or `known` where that is less.
+/// Distance from x to a segment, m, at most `known`.
 double distance(const Segment& segment, const Point& x, double known);
 /// Distance from x to the outline, m.
 double distance(const Profile& profile, const Point& x);

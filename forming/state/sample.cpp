@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/mesh/cell_map.hpp"
 #include "core/mesh/element.hpp"
 #include "remesh/transfer/overlay.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 remesh::CellGrid::Found find_inside(const core::Mesh& mesh, const core::Point& x) {
   remesh::CellGrid::Found found;
   for (Index cell = 0; cell < mesh.cell_count() && found.cell < 0; ++cell) {
-    const remesh::Box box = remesh::cell_box(mesh, cell);
+    const core::Box box = remesh::cell_box(mesh, cell);
     if (!box.meets({x, x})) continue;
     const auto at = core::invert_cell_map(mesh, cell, x);
     if (std::min({at[0], at[1], 1 - at[0] - at[1]}) >= 0) found = {cell, at, 0};

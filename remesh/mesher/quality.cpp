@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/mesh/element.hpp"
+#include "core/mesh/cell_map.hpp"
 #include "remesh/mesher/triangulate.hpp"
 
 namespace parison::remesh {

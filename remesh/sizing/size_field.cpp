@@ -20,25 +20,24 @@ using core::Point;
 namespace {
 
 constexpr int bins_along = 64;
-constexpr int block = 8;  ///< bins along a block
+constexpr int block = 8;             ///< bins along a block
+constexpr double bin_radius = 0.75;  ///< of a circle around a bin, a little more than half its diagonal, of its edge
 
 }  // namespace
 
 SizeField::SizeField(std::vector<SizeSource> sources, double growth, double largest)
-    : sources_(std::move(sources)), growth_(growth), largest_(largest), low_(Point::Zero()) {
+    : sources_(std::move(sources)), growth_(growth), largest_(largest) {
   if (sources_.empty()) return;
-  Point high = sources_[0].at;
-  low_ = high;
+  core::Box box{sources_[0].at, sources_[0].at};
   for (const SizeSource& source : sources_) {
-    low_ = low_.cwiseMin(source.at);
-    high = high.cwiseMax(source.at);
+    box.low = box.low.cwiseMin(source.at);
+    box.high = box.high.cwiseMax(source.at);
   }
-  const Point extent = high - low_;
-  bin_ = std::max(extent.maxCoeff() / bins_along, largest_ * 1e-6);
-  columns_ = static_cast<int>(extent[0] / bin_) + 1;
-  rows_ = static_cast<int>(extent[1] / bin_) + 1;
-  bins_.resize(static_cast<std::size_t>(columns_) * rows_);
-  blocks_.resize(static_cast<std::size_t>(columns_ / block + 1) * (rows_ / block + 1));
+  const double size = std::max((box.high - box.low).maxCoeff() / bins_along, largest_ * 1e-6);
+  bins_ = {box, size};
+  blocks_ = {box, block * size};
+  in_bin_.resize(bins_.size());
+  in_block_.resize(blocks_.size());
   all_.resize(sources_.size());
   std::iota(all_.begin(), all_.end(), 0);
 }
@@ -57,30 +56,27 @@ std::vector<int> SizeField::candidates(const std::vector<int>& among, const Poin
   return result;
 }
 
-const std::vector<int>& SizeField::block_of(int column, int row) const {
-  column /= block, row /= block;
-  auto& list = blocks_[static_cast<std::size_t>(row) * (columns_ / block + 1) + column];
-  if (list.empty()) list = candidates(all_, low_ + bin_ * block * Point(column + 0.5, row + 0.5), 0.75 * bin_ * block);
+const std::vector<int>& SizeField::candidates_in_block(const Point& x) const {
+  const core::UniformGrid::Bin bin = blocks_.bin_at(x);
+  auto& list = in_block_[blocks_.index(bin)];
+  if (list.empty()) list = candidates(all_, blocks_.centre(bin), bin_radius * blocks_.bin_size());
   return list;
 }
 
 double SizeField::finest(const Point& x) const {
   double size = largest_;
   if (sources_.empty()) return size;
-  const auto place = [&](int axis, int count) {
-    return std::clamp(static_cast<int>(std::floor((x[axis] - low_[axis]) / bin_)), 0, count - 1);
-  };
-  const int column = place(0, columns_), row = place(1, rows_);
-  const Point centre = low_ + bin_ * Point(column + 0.5, row + 0.5);
-  const double radius = 0.75 * bin_;
+  const core::UniformGrid::Bin bin = bins_.bin_at(x);
+  const Point centre = bins_.centre(bin);
+  const double radius = bin_radius * bins_.bin_size();
   const auto least = [&](const std::vector<int>& list) {
     for (const int i : list) size = std::min(size, target_size(sources_[i], (sources_[i].at - x).norm()));
     return size;
   };
   if ((x - centre).norm() > radius) return least(candidates(all_, x, 0));
-  auto& list = bins_[static_cast<std::size_t>(row) * columns_ + column];
+  auto& list = in_bin_[bins_.index(bin)];
   if (list.empty()) {
-    list = candidates(block_of(column, row), centre, radius);
+    list = candidates(candidates_in_block(centre), centre, radius);
     if (list.empty()) list.push_back(0);
   }
   return least(list);

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/mesh/point.hpp"
+#include "core/mesh/uniform_grid.hpp"
 
 namespace parison::remesh {
 
@@ -28,15 +28,14 @@ class SizeField {
   double finest(const core::Point& x) const;
   double target_size(const SizeSource& source, double distance) const;
   std::vector<int> candidates(const std::vector<int>& among, const core::Point& centre, double radius) const;
-  const std::vector<int>& block_of(int column, int row) const;
+  const std::vector<int>& candidates_in_block(const core::Point& x) const;
 
   std::vector<SizeSource> sources_;
   double growth_, largest_, coarsening_factor_ = 1;
-  core::Point low_;
-  double bin_ = 1;
-  int columns_ = 0, rows_ = 0;
-  std::vector<int> all_;
-  mutable std::vector<std::vector<int>> blocks_, bins_;  ///< sources that can matter there, filled when first asked for
+  std::vector<int> all_;  ///< numbers of the sources
+  core::UniformGrid bins_, blocks_;
+  /// Sources that can matter in each bin and each block, filled when first asked for.
+  mutable std::vector<std::vector<int>> in_bin_, in_block_;
 };
 
 /// Arc lengths 0 = s_0 < ... < s_n = length such that each division holds the same integral of 1/size, at most about 1.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/mesh/element.hpp"
+#include "core/mesh/uniform_grid.hpp"
 
 namespace parison::remesh {
 
@@ -27,73 +28,42 @@ Point edge_derivative(const Mesh& mesh, const std::array<Index, 3>& edge, double
   return d[0] * mesh.nodes[edge[0]] + d[1] * mesh.nodes[edge[1]] + d[2] * mesh.nodes[edge[2]];
 }
 
-/// Boundary edges in square bins, for rays.
-class EdgeGrid {
+/// Finds where rays leave a body.
+class BoundaryRays {
  public:
-  explicit EdgeGrid(const Mesh& mesh) : mesh_(mesh) {
-    low_ = mesh.nodes[0];
-    Point high = low_;
-    for (const Point& x : mesh.nodes) low_ = low_.cwiseMin(x), high = high.cwiseMax(x);
-    const Point extent = high - low_;
-    bin_ = std::max(std::sqrt(extent.prod() / (4.0 * double(mesh.boundary_edges().size()))), extent.maxCoeff() / 500);
-    low_.array() -= bin_;
-    count_ = {static_cast<int>(extent[0] / bin_) + 3, static_cast<int>(extent[1] / bin_) + 3};
-    first_.assign(static_cast<std::size_t>(count_[0]) * count_[1], -1);
-    entries_.reserve(4 * mesh.boundary_edges().size());
-    for (Index i = static_cast<Index>(mesh.boundary_edges().size()) - 1; i >= 0; --i) insert(i);
-  }
+  explicit BoundaryRays(const Mesh& mesh) : mesh_(mesh), edges_(grid_over(mesh), edge_boxes(mesh)) {}
 
   struct Hit {
-    double distance = infinity;
+    double distance = infinity;  ///< m
     Index edge = -1;
   };
 
-  /// First edge at which the ray from a node leaves the body; edges of that node do not count, nor need those beyond
-  /// reach.
+  /// First edge at which the ray along a unit vector from a node leaves the body; edges of that node do not count.
+  /// Edges beyond `reach`, m, may be missed.
   Hit first_exit(Index from, const Point& direction, double reach) const {
-    const Point start = mesh_.nodes[from];
-    std::array<int, 2> at, step;
-    Point next, stride;
-    for (int k = 0; k < 2; ++k) {
-      at[k] = static_cast<int>((start[k] - low_[k]) / bin_);
-      step[k] = direction[k] > 0 ? 1 : -1;
-      stride[k] = direction[k] != 0 ? bin_ / std::abs(direction[k]) : infinity;
-      const double wall = low_[k] + bin_ * (at[k] + (direction[k] > 0 ? 1 : 0));
-      next[k] = direction[k] != 0 ? (wall - start[k]) / direction[k] : infinity;
-    }
     Hit hit;
-    while (at[0] >= 0 && at[0] < count_[0] && at[1] >= 0 && at[1] < count_[1]) {
-      for (Index k = first_[static_cast<std::size_t>(at[1]) * count_[0] + at[0]]; k >= 0; k = entries_[k].next)
-        try_edge(from, direction, entries_[k].edge, hit);
-      const int k = next[0] < next[1] ? 0 : 1;
-      if (std::min(hit.distance, reach) <= next[k]) break;
-      next[k] += stride[k];
-      at[k] += step[k];
-    }
+    edges_.grid().for_each_bin(mesh_.nodes[from], direction, [&](const core::UniformGrid::Bin& bin, double exit) {
+      for (const Index edge : edges_.boxes_in(bin)) try_edge(from, direction, edge, hit);
+      return std::min(hit.distance, reach) > exit;
+    });
     return hit;
   }
 
  private:
-  /// An edge in a bin, and the entry of the next there.
-  struct Entry {
-    Index edge, next;
-  };
+  static core::UniformGrid grid_over(const Mesh& mesh) {
+    const core::Box box = core::bounding_box(mesh.nodes);
+    const Point extent = box.high - box.low;
+    const double size =
+        std::max(std::sqrt(extent.prod() / (4.0 * mesh.boundary_edges().size())), extent.maxCoeff() / 500);
+    return {{box.low.array() - size, box.high.array() + size}, size};
+  }
 
-  void insert(Index i) {
-    const auto& edge = mesh_.boundary_edges()[i].nodes;
-    Point low = mesh_.nodes[edge[0]], high = low;
-    for (const Index node : edge) low = low.cwiseMin(mesh_.nodes[node]), high = high.cwiseMax(mesh_.nodes[node]);
-    const double margin = 0.1 * (high - low).maxCoeff();
-    std::array<int, 2> first, last;
-    for (int k = 0; k < 2; ++k) {
-      first[k] = std::clamp(static_cast<int>((low[k] - margin - low_[k]) / bin_), 0, count_[k] - 1);
-      last[k] = std::clamp(static_cast<int>((high[k] + margin - low_[k]) / bin_), 0, count_[k] - 1);
-    }
-    for (int y = first[1]; y <= last[1]; ++y)
-      for (int x = first[0]; x <= last[0]; ++x) {
-        Index& head = first_[static_cast<std::size_t>(y) * count_[0] + x];
-        entries_.push_back({i, std::exchange(head, static_cast<Index>(entries_.size()))});
-      }
+  static std::vector<core::Box> edge_boxes(const Mesh& mesh) {
+    std::vector<core::Box> boxes;
+    boxes.reserve(mesh.boundary_edges().size());
+    for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+      boxes.push_back(core::bounding_box(mesh, edge.nodes, 0.1));
+    return boxes;
   }
 
   void try_edge(Index from, const Point& direction, Index i, Hit& hit) const {
@@ -114,11 +84,7 @@ class EdgeGrid {
   }
 
   const Mesh& mesh_;
-  Point low_;
-  double bin_;
-  std::array<int, 2> count_;
-  std::vector<Index> first_;  ///< entry of each bin, -1 where it is empty
-  std::vector<Entry> entries_;
+  core::BoxGrid edges_;
 };
 
 /// Sum of the outward unit normals of the edges that meet at each node; zero away from the free and contact surface.
@@ -206,7 +172,7 @@ void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
 }
 
 Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries, double reach) {
-  const EdgeGrid grid(mesh);
+  const BoundaryRays rays(mesh);
   Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
             surface_normals(mesh, symmetry_boundaries)};
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
@@ -214,7 +180,7 @@ Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries
       if (symmetry_boundaries[edge.boundary_id] || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6)
         continue;
       wall.normal[node].normalize();
-      const EdgeGrid::Hit hit = grid.first_exit(node, -wall.normal[node], reach);
+      const BoundaryRays::Hit hit = rays.first_exit(node, -wall.normal[node], reach);
       if (hit.edge < 0) continue;
       wall.far_edge[node] = hit.edge;
       wall.thickness[node] =

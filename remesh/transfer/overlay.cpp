@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/cell_map.hpp"
 #include "core/mesh/element.hpp"
 
 namespace parison::remesh {
@@ -25,57 +26,58 @@ std::array<double, 2> clamp_to_cell(const std::array<double, 2>& at) {
 
 }  // namespace
 
-Box cell_box(const Mesh& mesh, Index cell) {
-  Box box{mesh.nodes[mesh.cells()[cell][0]], mesh.nodes[mesh.cells()[cell][0]]};
-  for (const Index node : mesh.cells()[cell]) {
-    box.low = box.low.cwiseMin(mesh.nodes[node]);
-    box.high = box.high.cwiseMax(mesh.nodes[node]);
-  }
-  const Point margin = Point::Constant(0.1 * (box.high - box.low).maxCoeff());
-  return {box.low - margin, box.high + margin};
+namespace {
+
+core::UniformGrid grid_over(const Mesh& mesh) {
+  const core::Box box = core::bounding_box(mesh.nodes);
+  const Point extent = box.high - box.low;
+  return {box, std::max(std::sqrt(extent.prod() / mesh.cell_count()), extent.maxCoeff() / 1000)};
 }
 
-CellGrid::CellGrid(const Mesh& mesh) : mesh_(mesh) {
-  low_ = mesh.nodes[0];
-  Point high = low_;
-  for (const Point& x : mesh.nodes) low_ = low_.cwiseMin(x), high = high.cwiseMax(x);
-  const Point extent = high - low_;
-  bin_ = std::max(std::sqrt(extent.prod() / mesh.cell_count()), extent.maxCoeff() / 1000);
-  for (int k = 0; k < core::dim; ++k) count_[k] = static_cast<int>(extent[k] / bin_) + 1;
-  bins_.resize(static_cast<std::size_t>(count_[0]) * count_[1]);
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-    boxes_.push_back(cell_box(mesh, cell));
-    for (int j = place(boxes_[cell].low, 1); j <= place(boxes_[cell].high, 1); ++j)
-      for (int i = place(boxes_[cell].low, 0); i <= place(boxes_[cell].high, 0); ++i)
-        bins_[static_cast<std::size_t>(j) * count_[0] + i].push_back(cell);
-  }
+std::vector<core::Box> cell_boxes(const Mesh& mesh) {
+  std::vector<core::Box> boxes;
+  boxes.reserve(mesh.cells().size());
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) boxes.push_back(cell_box(mesh, cell));
+  return boxes;
 }
 
-int CellGrid::place(const Point& x, int axis) const {
-  return std::clamp(static_cast<int>(std::floor((x[axis] - low_[axis]) / bin_)), 0, count_[axis] - 1);
+}  // namespace
+
+core::Box cell_box(const Mesh& mesh, Index cell) {
+  return core::bounding_box(mesh, mesh.cells()[cell], 0.1);
 }
+
+CellGrid::CellGrid(const Mesh& mesh) : mesh_(mesh), cells_(grid_over(mesh), cell_boxes(mesh)) {}
 
 CellGrid::Found CellGrid::find(const Point& x) const {
-  const int column = place(x, 0), row = place(x, 1);
+  const core::UniformGrid& grid = cells_.grid();
+  const core::UniformGrid::Bin centre = grid.bin_at(x);
   Found best;
-  const Box here{x, x};
-  for (const Index cell : bins_[static_cast<std::size_t>(row) * count_[0] + column])
-    if (boxes_[cell].meets(here) && try_cell(cell, x, best)) return best;
-  for (int ring = 0; ring <= std::max(count_[0], count_[1]); ++ring) {
-    for (int j = std::max(0, row - ring); j <= std::min(count_[1] - 1, row + ring); ++j)
-      for (int i = std::max(0, column - ring); i <= std::min(count_[0] - 1, column + ring); ++i) {
-        if (std::max(std::abs(i - column), std::abs(j - row)) < ring) continue;
-        for (const Index cell : bins_[static_cast<std::size_t>(j) * count_[0] + i])
-          if (try_cell(cell, x, best)) return best;
-      }
-    if (best.cell >= 0 && best.miss <= ring * bin_) break;
+  for (const Index cell : cells_.boxes_in(centre))
+    if (cells_.box(cell).meets({x, x}) && try_cell(cell, x, best)) return best;
+  for (int ring = 0; ring <= std::max(grid.count()[0], grid.count()[1]); ++ring) {
+    if (try_ring(centre, ring, x, best)) return best;
+    if (best.cell >= 0 && best.miss <= ring * grid.bin_size()) break;
   }
   return best;
 }
 
+/// Tries the cells in the bins `ring` columns or rows away from one; true when one holds the point.
+bool CellGrid::try_ring(const core::UniformGrid::Bin& centre, int ring, const Point& x, Found& best) const {
+  const core::UniformGrid& grid = cells_.grid();
+  for (int row = std::max(0, centre[1] - ring); row <= std::min(grid.count()[1] - 1, centre[1] + ring); ++row)
+    for (int column = std::max(0, centre[0] - ring); column <= std::min(grid.count()[0] - 1, centre[0] + ring);
+         ++column) {
+      if (std::max(std::abs(column - centre[0]), std::abs(row - centre[1])) < ring) continue;
+      for (const Index cell : cells_.boxes_in({column, row}))
+        if (try_cell(cell, x, best)) return true;
+    }
+  return false;
+}
+
 /// Keeps the cell when it is nearer than the best so far; true when it holds the point.
 bool CellGrid::try_cell(Index cell, const Point& x, Found& best) const {
-  const Box& box = boxes_[cell];
+  const core::Box& box = cells_.box(cell);
   if ((x - x.cwiseMax(box.low).cwiseMin(box.high)).norm() >= best.miss) return false;
   const auto at = core::invert_cell_map(mesh_, cell, x);
   if (!std::isfinite(at[0] + at[1])) return false;
@@ -91,19 +93,6 @@ bool CellGrid::try_cell(Index cell, const Point& x, Found& best) const {
   if (miss < best.miss) best = {cell, clamped, miss};
   return false;
 }
-
-void CellGrid::near(const Box& box, std::vector<Index>& cells) const {
-  cells.clear();
-  for (int j = place(box.low, 1); j <= place(box.high, 1); ++j)
-    for (int i = place(box.low, 0); i <= place(box.high, 0); ++i)
-      for (const Index cell : bins_[static_cast<std::size_t>(j) * count_[0] + i])
-        if (boxes_[cell].meets(box) && std::find(cells.begin(), cells.end(), cell) == cells.end())
-          cells.push_back(cell);
-}
-
-using core::Index;
-using core::Mesh;
-using core::Point;
 
 namespace {
 
@@ -139,21 +128,15 @@ bool is_straight(const core::CellMap& map) {
                      [&](const Point& offset) { return offset.norm() <= straight * map.u.norm(); });
 }
 
-/// Reference coordinates of x in the triangle of a cell's chords.
-std::array<double, 2> in_chords(const core::CellMap& map, const Point& x) {
-  const double area = cross(map.u, map.v);
-  return {cross(x - map.origin, map.v) / area, cross(map.u, x - map.origin) / area};
-}
-
 /// A convex region in which an old cell's field is used.
 struct Region {
   Polygon polygon;
   Index cell;
-  Box box;
+  core::Box box;
 };
 
-Box box_of(const Polygon& polygon) {
-  Box box{polygon.corner[0], polygon.corner[0]};
+core::Box box_of(const Polygon& polygon) {
+  core::Box box{polygon.corner[0], polygon.corner[0]};
   for (int i = 1; i < polygon.count; ++i) {
     box.low = box.low.cwiseMin(polygon.corner[i]);
     box.high = box.high.cwiseMax(polygon.corner[i]);
@@ -200,7 +183,7 @@ class Overlay {
     for (int k = 0; k < 3; ++k) triangle.add(to_.nodes[to_.cells()[cell][k]]);
     const double whole = cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
     std::array<double, 6> sum{};
-    const Box box = box_of(triangle);
+    const core::Box box = box_of(triangle);
     const Point margin = Point::Constant(0.05 * (box.high - box.low).maxCoeff());
     grid_.near({box.low - margin, box.high + margin}, near_);
     for (const Index old : near_) {
@@ -242,7 +225,7 @@ class Overlay {
       if (fraction < negligible) continue;
       for (const core::TriangleRulePoint& at : core::triangle_rule(straight_ ? 5 : 6)) {
         const Point x = o + at.a * u + at.b * v;
-        const auto [a, b] = in_chords(map_, x);
+        const auto [a, b] = core::chord_coordinates(map_, x);
         if (straight_) {
           points_.push_back({x, at.weight * cross(u, v) * core::depth(geometry_, x), core::triangle_shape(a, b)});
         } else {
@@ -255,18 +238,19 @@ class Overlay {
   }
 
   void add_points(Index old, std::array<double, 6>& sum) const {
-    constexpr std::size_t width = core::BatchArray::SizeAtCompileTime;
-    for (std::size_t first = 0; first < points_.size(); first += width) {
-      core::BatchArray x, y;
-      for (std::size_t i = 0; i < width; ++i) {  // the last again where there are no more
-        const Point& position = points_[std::min(first + i, points_.size() - 1)].position;
-        x[i] = position[0];
-        y[i] = position[1];
-      }
-      const auto [a, b] = core::invert(old_maps_[old], x, y);
-      for (std::size_t i = 0; i < std::min(width, points_.size() - first); ++i) {
+    constexpr int width = core::point_batches * core::batch_size;
+    const int count = static_cast<int>(points_.size());
+    for (int first = 0; first < count; first += width) {
+      core::PointBatches x, reference;
+      for (int i = 0; i < width; ++i)  // the last again where there are no more
+        for (int d = 0; d < core::dim; ++d)
+          x[i / core::batch_size][d][i % core::batch_size] = points_[std::min(first + i, count - 1)].position[d];
+      core::invert(old_maps_[old], x, reference);
+      for (int i = 0; i < std::min(width, count - first); ++i) {
         const IntegrationPoint& at = points_[first + i];
-        const double value = at.volume * old_value(old, {a[i], b[i]}, at.position);
+        const auto& [a, b] = reference[i / core::batch_size];
+        const int lane = i % core::batch_size;
+        const double value = at.volume * old_value(old, {a[lane], b[lane]}, at.position);
         for (int k = 0; k < 6; ++k) sum[k] += at.shape[k] * value;
       }
     }

@@ -4,19 +4,11 @@
 #include <limits>
 #include <vector>
 
-#include "core/mesh/mesh.hpp"
+#include "core/mesh/uniform_grid.hpp"
 
 namespace parison::remesh {
 
-/// Axis-parallel box.
-struct Box {
-  core::Point low, high;
-  bool meets(const Box& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-};
-
-/// The cells of a mesh in square bins, to find the one around a point or those near a box.
+/// Finds the cell around a point, or those near a box.
 class CellGrid {
  public:
   explicit CellGrid(const core::Mesh& mesh);
@@ -29,23 +21,19 @@ class CellGrid {
   /// The cell that holds x, or else the nearest one.
   Found find(const core::Point& x) const;
 
-  /// Cells whose boxes meet the given one.
-  void near(const Box& box, std::vector<core::Index>& cells) const;
+  /// Sets `cells` to those whose boxes meet the given one.
+  void near(const core::Box& box, std::vector<core::Index>& cells) const { cells_.find(box, cells); }
 
  private:
-  int place(const core::Point& x, int axis) const;
   bool try_cell(core::Index cell, const core::Point& x, Found& best) const;
+  bool try_ring(const core::UniformGrid::Bin& centre, int ring, const core::Point& x, Found& best) const;
 
   const core::Mesh& mesh_;
-  core::Point low_;
-  double bin_;
-  std::array<int, core::dim> count_;
-  std::vector<std::vector<core::Index>> bins_;
-  std::vector<Box> boxes_;
+  core::BoxGrid cells_;
 };
 
 /// Box of a cell's nodes, widened by a tenth of its size.
-Box cell_box(const core::Mesh& mesh, core::Index cell);
+core::Box cell_box(const core::Mesh& mesh, core::Index cell);
 
 /// int N_i T dV over the new mesh, T the old nodal field: exact overlay of the old and new triangles (cells clipped by
 /// their chords, old boundary cells widened outward so that nothing is left out); each common part is integrated

@@ -7,6 +7,7 @@
 #include "core/linear/cholesky.hpp"
 #include "core/linear/indefinite.hpp"
 #include "core/linear/sparse_matrix.hpp"
+#include "core/mesh/cell_map.hpp"
 #include "core/mesh/element.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/profile.hpp"

@@ -6,18 +6,19 @@ namespace parison::thermal {
 
 namespace {
 
+/// Derivatives with respect to the reference coordinates.
 struct Gradient {
   PointValues along_a, along_b;
 };
 
-/// Calls work(laws, groups of that body, first of them) for each body.
+/// Calls work(laws of the body, batch, number of the batch in the system) for each batch of each body.
 template <typename Work>
 [[gnu::always_inline]] inline void for_each_batch(const HeatSystem& system, const Work& work) {
   for (const BodyLaws& laws : system.bodies)
     for (Index g = 0; g < laws.batch_count(); ++g) work(laws, (*laws.cells)[g], laws.first_batch + g);
 }
 
-/// Metric times gradient.
+/// Metric times gradient: minus the heat flow for a conductivity of 1.
 [[gnu::always_inline]] inline void set_flow(const CellBatch& cells, const Gradient& T, Gradient& flow) {
   for (int q = 0; q < 6; ++q) {
     flow.along_a[q] = cells.aa[q] * T.along_a[q] + cells.ab[q] * T.along_b[q];
@@ -25,12 +26,13 @@ template <typename Work>
   }
 }
 
+/// Temperature and its gradient at the quadrature points.
 template <int N>
-[[gnu::always_inline]] inline void set_at_points(const VectorizedArrays<N>& own, PointValues& at, Gradient& gradient) {
+[[gnu::always_inline]] inline void set_at_points(const UnknownValues<N>& own, PointValues& at, Gradient& gradient) {
   const CellShapes<N>& shapes = cell_shapes<N>();
-  interpolate<N>(shapes.value, own, at);
-  interpolate<N>(shapes.derivative_a, own, gradient.along_a);
-  interpolate<N>(shapes.derivative_b, own, gradient.along_b);
+  core::interpolate(shapes.value, own, at);
+  core::interpolate(shapes.derivative_a, own, gradient.along_a);
+  core::interpolate(shapes.derivative_b, own, gradient.along_b);
 }
 
 template <int N>
@@ -38,18 +40,18 @@ template <int N>
                                                 const Eigen::VectorXd* rate, Response& response) {
   const CellShapes<N>& shapes = cell_shapes<N>();
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
-    const BatchUnknowns& unknowns = system.batches[g];
-    VectorizedArrays<N> own{}, content{}, power{};
+    const BatchIndices<6>& unknowns = system.batches[g];
+    UnknownValues<N> own{}, content{}, power{};
     PointValues at, stored, k;
     Gradient gradient, flow;
-    gather<N>(temperature, unknowns, own);
+    core::gather(temperature.data(), unknowns, own);
     set_at_points<N>(own, at, gradient);
     laws.conductivity.set_values(at, cells.thin_wall, k);
     set_flow(cells, gradient, flow);
     if (rate) {
       PointValues change;
-      gather<N>(*rate, unknowns, own);
-      interpolate<N>(shapes.value, own, change);
+      core::gather(rate->data(), unknowns, own);
+      core::interpolate(shapes.value, own, change);
       laws.enthalpy.set_capacities(at, stored);
       for (int q = 0; q < 6; ++q) stored[q] *= change[q];
     } else {
@@ -60,11 +62,11 @@ template <int N>
       flow.along_a[q] *= -k[q];
       flow.along_b[q] *= -k[q];
     }
-    collect<N>(shapes.value, stored, content);
-    collect<N>(shapes.derivative_a, flow.along_a, power);
-    collect<N>(shapes.derivative_b, flow.along_b, power);
-    scatter<N>(content, unknowns, response.content);
-    scatter<N>(power, unknowns, response.power);
+    core::integrate(shapes.value, stored, content);
+    core::integrate(shapes.derivative_a, flow.along_a, power);
+    core::integrate(shapes.derivative_b, flow.along_b, power);
+    core::scatter(content, unknowns, batch_size, response.content.data());
+    core::scatter(power, unknowns, batch_size, response.power.data());
   };
   for_each_batch(system, work);
 }
@@ -73,10 +75,10 @@ template <int N>
 [[gnu::always_inline]] inline void linearise_of_order(const HeatSystem& system, const Eigen::VectorXd& temperature,
                                                       std::vector<BatchDerivatives>& batches) {
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
-    VectorizedArrays<N> own{};
+    UnknownValues<N> own{};
     PointValues at, dk_dT;
     Gradient gradient, flow;
-    gather<N>(temperature, system.batches[g], own);
+    core::gather(temperature.data(), system.batches[g], own);
     set_at_points<N>(own, at, gradient);
     set_flow(cells, gradient, flow);
     BatchDerivatives& derivatives = batches[g];
@@ -98,10 +100,10 @@ template <int N>
                                                   const Eigen::VectorXd& change, Eigen::VectorXd& result) {
   const CellShapes<N>& shapes = cell_shapes<N>();
   const auto work = [&](const BodyLaws&, const CellBatch& cells, Index g) __attribute__((always_inline)) {
-    VectorizedArrays<N> own{}, sum{};
+    UnknownValues<N> own{}, sum{};
     PointValues at;
     Gradient gradient, flow;
-    gather<N>(change, system.batches[g], own);
+    core::gather(change.data(), system.batches[g], own);
     set_at_points<N>(own, at, gradient);
     set_flow(cells, gradient, flow);
     const BatchDerivatives& derivatives = batches[g];
@@ -110,10 +112,10 @@ template <int N>
       flow.along_b[q] = step * (derivatives.conductivity[q] * flow.along_b[q] + derivatives.flow_b[q] * at[q]);
       at[q] *= derivatives.capacity[q];
     }
-    collect<N>(shapes.value, at, sum);
-    collect<N>(shapes.derivative_a, flow.along_a, sum);
-    collect<N>(shapes.derivative_b, flow.along_b, sum);
-    scatter<N>(sum, system.batches[g], result);
+    core::integrate(shapes.value, at, sum);
+    core::integrate(shapes.derivative_a, flow.along_a, sum);
+    core::integrate(shapes.derivative_b, flow.along_b, sum);
+    core::scatter(sum, system.batches[g], batch_size, result.data());
   };
   for_each_batch(system, work);
 }
@@ -123,13 +125,13 @@ template <int N>
                                                      const Eigen::VectorXd& temperature, double step) {
   const auto& [value, derivative_a, derivative_b] = cell_shapes<N>();
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
-    VectorizedArrays<N> own{};
+    UnknownValues<N> own{};
     PointValues at, heat_capacity, conductivity;
-    gather<N>(temperature, system.batches[g], own);
-    interpolate<N>(value, own, at);
+    core::gather(temperature.data(), system.batches[g], own);
+    core::interpolate(value, own, at);
     laws.enthalpy.set_capacities(at, heat_capacity);
     laws.conductivity.set_values(at, cells.thin_wall, conductivity);
-    std::array<VectorizedArrays<N>, N> local{};  // lower triangle
+    std::array<UnknownValues<N>, N> local{};  // lower triangle
     for (int q = 0; q < 6; ++q) {
       const VectorizedArray capacity = heat_capacity[q] * cells.mass[q], k = step * conductivity[q];
       const VectorizedArray aa = k * cells.aa[q], ab = k * cells.ab[q], bb = k * cells.bb[q];

@@ -9,37 +9,30 @@ using core::dim;
 
 namespace {
 
-using BatchVector = std::array<BatchArray, cell_unknowns>;
+using BatchVector = core::UnknownValues<cell_unknowns>;
 
-/// The unknowns of the cells of a batch; those that stand in for missing cells are left out when forces are added.
-struct BatchUnknowns {
-  std::array<std::array<Index, cell_unknowns>, batch_size> of;
-  Index count;
-
-  BatchUnknowns(const core::Mesh& mesh, Index batch)
-      : count(std::min(batch_size, mesh.cell_count() - batch * batch_size)) {
-    for (Index lane = 0; lane < batch_size; ++lane)
-      of[lane] = unknowns_of(mesh, std::min(batch * batch_size + lane, mesh.cell_count() - 1));
+/// Unknowns of the cells of a batch.
+core::BatchIndices<cell_unknowns> batch_unknowns(const core::Mesh& mesh, Index batch) {
+  core::BatchIndices<cell_unknowns> result;
+  for (int lane = 0; lane < batch_size; ++lane) {
+    const auto unknowns = unknowns_of(mesh, core::cell_in_lane(mesh.cell_count(), batch, lane));
+    for (int k = 0; k < cell_unknowns; ++k) result[k][lane] = unknowns[k];
   }
-};
-
-/// The unknowns' numbers, put together where they are used: vectors that were stored in parts are slow to load.
-[[gnu::always_inline]] inline void gather(const BatchUnknowns& unknowns, const double* x, VectorizedArray* in) {
-  for (int k = 0; k < cell_unknowns; ++k)
-    in[k] = VectorizedArray{x[unknowns.of[0][k]], x[unknowns.of[1][k]], x[unknowns.of[2][k]], x[unknowns.of[3][k]]};
+  return result;
 }
 
-[[gnu::target_clones("avx2", "default")]] void multiply_batch(const BatchArray* matrix, const BatchUnknowns& unknowns,
+[[gnu::target_clones("avx2", "default")]] void multiply_batch(const VectorizedArray* matrix,
+                                                              const core::BatchIndices<cell_unknowns>& unknowns,
                                                               const double* x, BatchVector& out) {
-  VectorizedArray in[cell_unknowns];
-  gather(unknowns, x, in);
+  BatchVector in;
+  core::gather(x, unknowns, in);
   for (int i = 0; i < cell_unknowns; ++i) {
     VectorizedArray row{};
     for (int j = 0; j < i; ++j, ++matrix) {
-      row += vectorized(*matrix) * in[j];
-      vectorized(out[j]) += vectorized(*matrix) * in[i];
+      row += *matrix * in[j];
+      out[j] += *matrix * in[i];
     }
-    vectorized(out[i]) = row + vectorized(*matrix++) * in[i];
+    out[i] = row + *matrix++ * in[i];
   }
 }
 
@@ -47,26 +40,24 @@ struct BatchUnknowns {
   size = x < 0 ? -x : x;
 }
 
-/// The product of numbers without sign.
-[[gnu::target_clones("avx2", "default")]] void multiply_sizes(const BatchArray* matrix, const BatchUnknowns& unknowns,
+/// The product of the absolute values, |K| |x|.
+[[gnu::target_clones("avx2", "default")]] void multiply_sizes(const VectorizedArray* matrix,
+                                                              const core::BatchIndices<cell_unknowns>& unknowns,
                                                               const double* x, BatchVector& out) {
-  VectorizedArray in[cell_unknowns], size[cell_unknowns], entry;
-  gather(unknowns, x, in);
+  BatchVector in, size;
+  VectorizedArray entry;
+  core::gather(x, unknowns, in);
   for (int i = 0; i < cell_unknowns; ++i) {
     absolute_value(in[i], size[i]);
     VectorizedArray row{};
     for (int j = 0; j < i; ++j, ++matrix) {
-      absolute_value(vectorized(*matrix), entry);
+      absolute_value(*matrix, entry);
       row += entry * size[j];
-      vectorized(out[j]) += entry * size[i];
+      out[j] += entry * size[i];
     }
-    absolute_value(vectorized(*matrix++), entry);
-    vectorized(out[i]) = row + entry * size[i];
+    absolute_value(*matrix++, entry);
+    out[i] = row + entry * size[i];
   }
-}
-
-Index batch_count(const core::Mesh& mesh) {
-  return (mesh.cell_count() + batch_size - 1) / batch_size;
 }
 
 }  // namespace
@@ -80,7 +71,7 @@ std::array<Index, cell_unknowns> unknowns_of(const core::Mesh& mesh, Index cell)
 }
 
 Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::MatrixXd& x) {
-  std::vector<Index> all(batch_count(mesh));
+  std::vector<Index> all(core::batch_count(mesh.cell_count()));
   std::iota(all.begin(), all.end(), 0);
   return product(mesh, cells, x, all);
 }
@@ -92,12 +83,12 @@ Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const
   for (Index column = 0; column < x.cols(); ++column)
     if (!x.col(column).isZero(0)) columns.push_back(column);
   for (const Index batch : batches) {
-    const BatchUnknowns unknowns(mesh, batch);
+    const auto unknowns = batch_unknowns(mesh, batch);
+    const int lanes = core::filled_lanes(mesh.cell_count(), batch);
     for (const Index column : columns) {
       BatchVector out;
       multiply_batch(cells.batch(batch), unknowns, x.col(column).data(), out);
-      for (Index lane = 0; lane < unknowns.count; ++lane)
-        for (int k = 0; k < cell_unknowns; ++k) result(unknowns.of[lane][k], column) += out[k][lane];
+      core::scatter(out, unknowns, lanes, result.col(column).data());
     }
   }
   return result;
@@ -105,16 +96,14 @@ Eigen::MatrixXd product(const core::Mesh& mesh, const CellMatrices& cells, const
 
 Eigen::MatrixXd product_and_size(const core::Mesh& mesh, const CellMatrices& cells, const Eigen::VectorXd& x) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.size(), 2);
-  for (Index batch = 0; batch < batch_count(mesh); ++batch) {
-    const BatchUnknowns unknowns(mesh, batch);
+  for (Index batch = 0; batch < core::batch_count(mesh.cell_count()); ++batch) {
+    const auto unknowns = batch_unknowns(mesh, batch);
+    const int lanes = core::filled_lanes(mesh.cell_count(), batch);
     BatchVector out, size;
     multiply_batch(cells.batch(batch), unknowns, x.data(), out);
     multiply_sizes(cells.batch(batch), unknowns, x.data(), size);
-    for (Index lane = 0; lane < unknowns.count; ++lane)
-      for (int k = 0; k < cell_unknowns; ++k) {
-        result(unknowns.of[lane][k], 0) += out[k][lane];
-        result(unknowns.of[lane][k], 1) += size[k][lane];
-      }
+    core::scatter(out, unknowns, lanes, result.col(0).data());
+    core::scatter(size, unknowns, lanes, result.col(1).data());
   }
   return result;
 }

@@ -21,9 +21,9 @@ constexpr double bulk_ratio = 1e10;
 
 /// Viscosity, weights and body force at one quadrature point of a batch.
 struct PointWeights {
-  BatchArray viscous, compliance;     ///< viscosity and compliance, each times the volume
-  BatchArray ring;                    ///< twice the viscous weight over r squared
-  std::array<BatchArray, dim> force;  ///< N
+  VectorizedArray viscous, compliance;     ///< viscosity and compliance, each times the volume
+  VectorizedArray ring;                    ///< twice the viscous weight over r squared
+  std::array<VectorizedArray, dim> force;  ///< N
 };
 using BatchWeights = std::array<PointWeights, cell_points>;
 
@@ -33,14 +33,14 @@ BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry,
   BatchWeights weights;
   for (int q = 0; q < cell_points; ++q) {
     const auto& at = geometry.at(batch, q);
-    BatchArray eta;
-    for (Index lane = 0; lane < batch_size; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
+    VectorizedArray eta;
+    for (int lane = 0; lane < batch_size; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
     weights[q].viscous = eta * at.volume;
     weights[q].ring = 2 * weights[q].viscous * at.hoop * at.hoop;
     weights[q].compliance = at.volume / (bulk_ratio * eta);
     for (int a = 0; a < dim; ++a) weights[q].force[a] = weight[a] * at.volume;
     if (!problem.force) continue;
-    for (Index lane = 0; lane < batch_size; ++lane) {
+    for (int lane = 0; lane < batch_size; ++lane) {
       const Point more = problem.force(geometry.position(geometry.cell(batch, lane), q));
       for (int a = 0; a < dim; ++a) weights[q].force[a][lane] += more[a] * at.volume[lane];
     }
@@ -48,21 +48,18 @@ BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry,
   return weights;
 }
 
-/// Shape functions at the quadrature points, and products of them; of nodes i and j <= i at packed(i, j).
+/// Shape functions at the quadrature points, (point, node), and their products of nodes i and j <= i at packed(i, j).
 struct Shapes {
-  double value[6][cell_points], product[21][cell_points], linear[3][cell_points], linear_product[6][cell_points];
+  const Eigen::Matrix<double, cell_points, 6>& value = core::cell_shapes<6>().value;
+  const Eigen::Matrix<double, cell_points, 3>& linear = core::cell_shapes<3>().value;
+  double product[21][cell_points], linear_product[6][cell_points];
 
   Shapes() {
-    const auto& rule = core::triangle_rule(4);
     for (int q = 0; q < cell_points; ++q) {
-      const auto& shape = shapes_at_points()[q];
-      const double at_vertex[3] = {1 - rule[q].a - rule[q].b, rule[q].a, rule[q].b};
-      for (int i = 0; i < 6; ++i) value[i][q] = shape[i];
-      for (int p = 0; p < 3; ++p) linear[p][q] = at_vertex[p];
       for (int i = 0; i < 6; ++i)
-        for (int j = 0; j <= i; ++j) product[packed(i, j)][q] = shape[i] * shape[j];
+        for (int j = 0; j <= i; ++j) product[packed(i, j)][q] = value(q, i) * value(q, j);
       for (int p = 0; p < 3; ++p)
-        for (int s = 0; s <= p; ++s) linear_product[packed(p, s)][q] = at_vertex[p] * at_vertex[s];
+        for (int s = 0; s <= p; ++s) linear_product[packed(p, s)][q] = linear(q, p) * linear(q, s);
     }
   }
 };
@@ -74,73 +71,72 @@ struct WeightedGradient {
 
 /// Viscous forces between the velocities of nodes i, whose weighted gradient is given, and j <= i.
 [[gnu::always_inline]] inline void set_pair(const CellGeometry::AtPoint* at, const WeightedGradient& weighted, int i,
-                                            int j, BatchArray* matrix) {
+                                            int j, VectorizedArray* matrix) {
   VectorizedArray along_r{}, along_z{}, rz{}, zr{};
   for (int q = 0; q < cell_points; ++q) {
-    const VectorizedArray &r = vectorized(at[q].gradient[j][0]), &z = vectorized(at[q].gradient[j][1]);
+    const VectorizedArray &r = at[q].gradient[j][0], &z = at[q].gradient[j][1];
     along_r += weighted.at[q][0] * r;
     along_z += weighted.at[q][1] * z;
     rz += weighted.at[q][1] * r;
     zr += weighted.at[q][0] * z;
   }
-  vectorized(matrix[packed(dim * i, dim * j)]) = 2 * along_r + along_z;
-  vectorized(matrix[packed(dim * i + 1, dim * j)]) = zr;
-  vectorized(matrix[packed(dim * i + 1, dim * j + 1)]) = along_r + 2 * along_z;
-  if (j < i) vectorized(matrix[packed(dim * i, dim * j + 1)]) = rz;
+  matrix[packed(dim * i, dim * j)] = 2 * along_r + along_z;
+  matrix[packed(dim * i + 1, dim * j)] = zr;
+  matrix[packed(dim * i + 1, dim * j + 1)] = along_r + 2 * along_z;
+  if (j < i) matrix[packed(dim * i, dim * j + 1)] = rz;
 }
 
 /// Adds the forces of the rings' stretching.
-[[gnu::always_inline]] inline void add_rings(const Shapes& shapes, const BatchWeights& weights, BatchArray* matrix) {
+[[gnu::always_inline]] inline void add_rings(const Shapes& shapes, const BatchWeights& weights,
+                                             VectorizedArray* matrix) {
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j <= i; ++j) {
       const double* product = shapes.product[packed(i, j)];
       VectorizedArray ring{};
-      for (int q = 0; q < cell_points; ++q) ring += product[q] * vectorized(weights[q].ring);
-      vectorized(matrix[packed(dim * i, dim * j)]) += ring;
+      for (int q = 0; q < cell_points; ++q) ring += product[q] * weights[q].ring;
+      matrix[packed(dim * i, dim * j)] += ring;
     }
 }
 
 /// Divergence of node i's velocity, against the pressures, and the force on it.
 [[gnu::always_inline]] inline void set_node(const Shapes& shapes, const CellGeometry::AtPoint* at,
-                                            const BatchWeights& weights, int i, BatchArray* matrix, BatchArray* load) {
+                                            const BatchWeights& weights, int i, VectorizedArray* matrix,
+                                            VectorizedArray* load) {
   VectorizedArray divergence[3][dim]{}, force[dim]{};
   for (int q = 0; q < cell_points; ++q) {
-    const double shape = shapes.value[i][q];
-    const VectorizedArray &volume = vectorized(at[q].volume), &r = vectorized(at[q].gradient[i][0]);
-    const VectorizedArray part[dim] = {volume * (r + shape * vectorized(at[q].hoop)),
-                                       volume * vectorized(at[q].gradient[i][1])};
+    const double shape = shapes.value(q, i);
+    const VectorizedArray &volume = at[q].volume, &r = at[q].gradient[i][0];
+    const VectorizedArray part[dim] = {volume * (r + shape * at[q].hoop), volume * at[q].gradient[i][1]};
     for (int a = 0; a < dim; ++a) {
-      force[a] += shape * vectorized(weights[q].force[a]);
-      for (int p = 0; p < 3; ++p) divergence[p][a] -= shapes.linear[p][q] * part[a];
+      force[a] += shape * weights[q].force[a];
+      for (int p = 0; p < 3; ++p) divergence[p][a] -= shapes.linear(q, p) * part[a];
     }
   }
   for (int a = 0; a < dim; ++a) {
-    vectorized(load[dim * i + a]) = force[a];
-    for (int p = 0; p < 3; ++p) vectorized(matrix[packed(cell_velocities + p, dim * i + a)]) = divergence[p][a];
+    load[dim * i + a] = force[a];
+    for (int p = 0; p < 3; ++p) matrix[packed(cell_velocities + p, dim * i + a)] = divergence[p][a];
   }
 }
 
-[[gnu::always_inline]] inline void set_pressures(const Shapes& shapes, const BatchWeights& weights, BatchArray* matrix,
-                                                 BatchArray* load) {
+[[gnu::always_inline]] inline void set_pressures(const Shapes& shapes, const BatchWeights& weights,
+                                                 VectorizedArray* matrix, VectorizedArray* load) {
   for (int p = 0; p < 3; ++p) {
-    load[cell_velocities + p].setZero();
+    load[cell_velocities + p] = VectorizedArray{};
     for (int s = 0; s <= p; ++s) {
       VectorizedArray sum{};
-      for (int q = 0; q < cell_points; ++q)
-        sum -= shapes.linear_product[packed(p, s)][q] * vectorized(weights[q].compliance);
-      vectorized(matrix[packed(cell_velocities + p, cell_velocities + s)]) = sum;
+      for (int q = 0; q < cell_points; ++q) sum -= shapes.linear_product[packed(p, s)][q] * weights[q].compliance;
+      matrix[packed(cell_velocities + p, cell_velocities + s)] = sum;
     }
   }
 }
 
 [[gnu::target_clones("avx2", "default")]] void set_batch(const Shapes& shapes, const CellGeometry::AtPoint* at,
-                                                         const BatchWeights& weights, BatchArray* matrix,
-                                                         BatchArray* load) {
+                                                         const BatchWeights& weights, VectorizedArray* matrix,
+                                                         VectorizedArray* load) {
   for (int i = 0; i < 6; ++i) {
     WeightedGradient weighted;
     for (int q = 0; q < cell_points; ++q)
-      for (int a = 0; a < dim; ++a)
-        weighted.at[q][a] = vectorized(weights[q].viscous) * vectorized(at[q].gradient[i][a]);
+      for (int a = 0; a < dim; ++a) weighted.at[q][a] = weights[q].viscous * at[q].gradient[i][a];
     for (int j = 0; j <= i; ++j) set_pair(at, weighted, i, j, matrix);
     set_node(shapes, at, weights, i, matrix, load);
   }
@@ -150,16 +146,16 @@ struct WeightedGradient {
 
 /// The temperature at each quadrature point, cells x cell_points, K.
 Eigen::ArrayXd temperature_at_points(const core::Mesh& mesh, const Eigen::VectorXd& temperature) {
-  const auto& shapes = shapes_at_points();
   Eigen::ArrayXd result(mesh.cell_count() * cell_points);
-  for (Index c = 0; c < mesh.cell_count(); ++c) {
-    double at_node[6];
-    for (int i = 0; i < 6; ++i) at_node[i] = temperature[mesh.cells()[c][i]];
-    for (int q = 0; q < cell_points; ++q) {
-      double sum = 0;
-      for (int i = 0; i < 6; ++i) sum += shapes[q][i] * at_node[i];
-      result[c * cell_points + q] = sum;
-    }
+  core::BatchIndices<6> nodes;
+  core::UnknownValues<6> at_nodes;
+  core::PointValues at_points;
+  for (Index batch = 0; batch < core::batch_count(mesh.cell_count()); ++batch) {
+    core::set_nodes(mesh.cells(), batch, nodes);
+    core::gather(temperature.data(), nodes, at_nodes);
+    core::interpolate(core::cell_shapes<6>().value, at_nodes, at_points);
+    for (int lane = 0; lane < core::filled_lanes(mesh.cell_count(), batch); ++lane)
+      for (int q = 0; q < cell_points; ++q) result[(batch * batch_size + lane) * cell_points + q] = at_points[q][lane];
   }
   return result;
 }
@@ -186,7 +182,7 @@ double exceeded_rate(std::vector<std::pair<double, double>> squared_and_volume, 
 
 CellMatrix CellMatrices::of(Index cell) const {
   CellMatrix result;
-  const BatchArray* entry = batch(cell / batch_size);
+  const VectorizedArray* entry = batch(cell / batch_size);
   for (int i = 0; i < cell_unknowns; ++i)
     for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = (*entry++)[cell % batch_size];
   return result;
@@ -208,11 +204,13 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
   if (problem.viscosity || !problem.material->shear_thinning || velocity.size() == 0) return viscosity;
   const auto& law = *problem.material->shear_thinning;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
-    const auto v = batch_velocity(mesh, geometry, batch, velocity);
-    const Index here = std::min(batch_size, geometry.cells - batch * batch_size);
+    const auto v = batch_velocity(mesh, batch, velocity);
+    const int lanes = core::filled_lanes(geometry.cells, batch);
     for (int q = 0; q < cell_points; ++q) {
-      const BatchArray squared = 2 * squared_rate(geometry.at(batch, q), q, v);
-      for (Index lane = 0; lane < here; ++lane)
+      VectorizedArray squared;
+      set_squared_rate(geometry.at(batch, q), q, v, squared);
+      squared *= 2;
+      for (int lane = 0; lane < lanes; ++lane)
         viscosity[std::size_t(batch * batch_size + lane) * cell_points + q] *=
             std::pow(1 + law.time * law.time * squared[lane], 0.5 * (law.exponent - 1));
     }
@@ -223,12 +221,10 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
 CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity) {
   static const Shapes shapes;
   CellMatrices cells;
-  cells.matrix.resize(std::size_t(geometry.batches()) * cell_entries);
-  cells.load.resize(std::size_t(geometry.batches()) * cell_unknowns);
+  cells.batches.resize(geometry.batches());
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
     const auto weights = batch_weights(problem, geometry, batch, viscosity);
-    set_batch(shapes, &geometry.at(batch, 0), weights, cells.matrix.data() + std::size_t(batch) * cell_entries,
-              cells.load.data() + std::size_t(batch) * cell_unknowns);
+    set_batch(shapes, &geometry.at(batch, 0), weights, cells.batches[batch].matrix, cells.batches[batch].load);
   }
   return cells;
 }
@@ -240,12 +236,13 @@ Dissipation dissipation(const Problem& problem, const CellGeometry& geometry, co
   std::vector<std::pair<double, double>> squared_and_volume(viscosity.size());
   double total = 0, sum = 0;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
-    const auto v = batch_velocity(*problem.mesh, geometry, batch, velocity);
-    const Index here = std::min(batch_size, geometry.cells - batch * batch_size);
+    const auto v = batch_velocity(*problem.mesh, batch, velocity);
+    const int lanes = core::filled_lanes(geometry.cells, batch);
     for (int q = 0; q < cell_points; ++q) {
       const auto& at = geometry.at(batch, q);
-      const BatchArray squared = squared_rate(at, q, v);
-      for (Index lane = 0; lane < here; ++lane) {
+      VectorizedArray squared;
+      set_squared_rate(at, q, v, squared);
+      for (int lane = 0; lane < lanes; ++lane) {
         const std::size_t k = std::size_t(batch * batch_size + lane) * cell_points + q;
         squared_and_volume[k] = {squared[lane], at.volume[lane]};
         result.power[k] = 2 * viscosity[k] * squared[lane] * at.volume[lane];
@@ -259,26 +256,24 @@ Dissipation dissipation(const Problem& problem, const CellGeometry& geometry, co
   return result;
 }
 
-using core::dim;
-
 namespace {
 
 /// D:dD at a quadrature point for each velocity of a cell, 1/(m s).
-using RateDerivative = std::array<BatchArray, cell_velocities>;
+using RateDerivative = std::array<VectorizedArray, cell_velocities>;
 
-RateDerivative rate_derivative(const CellGeometry::AtPoint& at, int q, const BatchVelocity& velocity) {
-  const auto& shape = shapes_at_points()[q];
-  BatchArray rr = BatchArray::Zero(), zz = rr, shear = rr, radial = rr;
+RateDerivative rate_derivative(const CellGeometry::AtPoint& at, int q, const core::NodeVectors& velocity) {
+  const auto& shape = core::cell_shapes<6>().value;
+  VectorizedArray rr{}, zz{}, shear{}, radial;
   for (int i = 0; i < 6; ++i) {
-    rr += velocity[i][0] * at.gradient[i][0];
-    zz += velocity[i][1] * at.gradient[i][1];
-    shear += velocity[i][0] * at.gradient[i][1] + velocity[i][1] * at.gradient[i][0];
-    radial += shape[i] * velocity[i][0];
+    rr += velocity[0][i] * at.gradient[i][0];
+    zz += velocity[1][i] * at.gradient[i][1];
+    shear += velocity[0][i] * at.gradient[i][1] + velocity[1][i] * at.gradient[i][0];
   }
-  const BatchArray half = 0.5 * shear, ring = at.hoop * at.hoop * radial;
+  core::interpolate(shape, q, velocity[0], radial);
+  const VectorizedArray half = 0.5 * shear, ring = at.hoop * at.hoop * radial;
   RateDerivative derivative;
   for (int i = 0; i < 6; ++i) {
-    derivative[dim * i] = rr * at.gradient[i][0] + half * at.gradient[i][1] + shape[i] * ring;
+    derivative[dim * i] = rr * at.gradient[i][0] + half * at.gradient[i][1] + shape(q, i) * ring;
     derivative[dim * i + 1] = half * at.gradient[i][0] + zz * at.gradient[i][1];
   }
   return derivative;
@@ -291,17 +286,17 @@ void add_thinning_derivative(const Problem& problem, const CellGeometry& geometr
   const auto& law = *problem.material->shear_thinning;
   const double square = law.time * law.time;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
-    BatchArray* matrix = cells.matrix.data() + std::size_t(batch) * cell_entries;
-    const auto v = batch_velocity(*problem.mesh, geometry, batch, velocity);
+    VectorizedArray* matrix = cells.batches[batch].matrix;
+    const auto v = batch_velocity(*problem.mesh, batch, velocity);
     for (int q = 0; q < cell_points; ++q) {
       const auto& at = geometry.at(batch, q);
-      BatchArray eta;
-      for (Index lane = 0; lane < batch_size; ++lane)
-        eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
-      const BatchArray derivative = 0.5 * (law.exponent - 1) * square * eta / (1 + 2 * square * squared_rate(at, q, v));
+      VectorizedArray eta, squared;
+      for (int lane = 0; lane < batch_size; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
+      set_squared_rate(at, q, v, squared);
+      const VectorizedArray derivative = 0.5 * (law.exponent - 1) * square * eta / (1 + 2 * square * squared);
       const auto rate = rate_derivative(at, q, v);
       for (int i = 0; i < cell_velocities; ++i) {
-        const BatchArray row = 8 * derivative * at.volume * rate[i];
+        const VectorizedArray row = 8 * derivative * at.volume * rate[i];
         for (int j = 0; j <= i; ++j) matrix[packed(i, j)] += row * rate[j];
       }
     }

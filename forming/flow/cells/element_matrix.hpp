@@ -19,15 +19,19 @@ constexpr int packed(int row, int column) {
   return row * (row + 1) / 2 + column;
 }
 
-/// Symmetric saddle-point matrices of all cells, with the load of gravity.
+/// Symmetric saddle-point matrices of the cells of a batch, with the load of gravity.
+struct BatchMatrix {
+  BatchMatrix() {}                       // left unset: all of it is written once
+  VectorizedArray matrix[cell_entries];  ///< packed lower triangle
+  VectorizedArray load[cell_unknowns];   ///< N
+};
+/// The matrices of all cells.
 struct CellMatrices {
-  std::vector<BatchArray> matrix;  ///< batches x cell_entries
-  std::vector<BatchArray> load;    ///< batches x cell_unknowns
+  std::vector<BatchMatrix> batches;
 
-  const BatchArray* batch(Index batch) const { return matrix.data() + std::size_t(batch) * cell_entries; }
-  double load_at(Index cell, int unknown) const {
-    return load[std::size_t(cell / batch_size) * cell_unknowns + unknown][cell % batch_size];
-  }
+  /// Entries of the packed lower triangle, a lane for each cell of the batch.
+  const VectorizedArray* batch(Index batch) const { return batches[batch].matrix; }
+  double load_at(Index cell, int unknown) const { return batches[cell / batch_size].load[unknown][cell % batch_size]; }
   /// One cell's matrix, whole.
   CellMatrix of(Index cell) const;
 };

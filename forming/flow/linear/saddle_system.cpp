@@ -88,7 +88,7 @@ void SaddleSystem::add_constrained_cell(const std::array<Index, 6>& nodes, Index
   core::add_clique(assembly_.matrix, assembly_.scatter, cell, cell_unknowns, local.data());
 }
 
-void SaddleSystem::add_cell(const BatchArray* entries, Index cell) {
+void SaddleSystem::add_cell(const VectorizedArray* entries, Index cell) {
   const Index* position = assembly_.scatter.position.data() + assembly_.scatter.offset[cell];
   for (int k = 0; k < cell_entries; ++k) assembly_.matrix.value[position[k]] += entries[k][cell % batch_size];
 }

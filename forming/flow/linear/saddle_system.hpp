@@ -28,7 +28,7 @@ class SaddleSystem {
 
  private:
   void add_constrained_cell(const std::array<Index, 6>& nodes, Index cell, CellMatrix local);
-  void add_cell(const BatchArray* entries, Index cell);
+  void add_cell(const VectorizedArray* entries, Index cell);
 
   core::Assembly assembly_;
   core::IndefiniteSolver linear_;
