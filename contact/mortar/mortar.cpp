@@ -2,9 +2,13 @@
 #include "contact/mortar/mortar.hpp"
 
 #include <algorithm>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 #include <utility>
 
-#include "contact/mortar/box_tree.hpp"
+#include "contact/box.hpp"
 #include "contact/mortar/segment_gap.hpp"
 #include "core/mesh/element.hpp"
 
@@ -18,10 +22,27 @@ constexpr int affine_points = 3, curved_points = 4, transition_points = 5;
 constexpr double affine_tolerance =
     0.005;  ///< how far an affine edge's mid-side node may lie off the middle of its chord, in chords
 
-/// The masters' edges in one list, and where they lie.
+using BoostPoint = boost::geometry::model::point<double, core::dim, boost::geometry::cs::cartesian>;
+using BoostBox = boost::geometry::model::box<BoostPoint>;
+using IndexedBox = std::pair<BoostBox, Index>;
+using BoxTree = boost::geometry::index::rtree<IndexedBox, boost::geometry::index::quadratic<8>>;
+
+BoostBox boost_box(const Box& box) {
+  return {{box.low[0], box.low[1]}, {box.high[0], box.high[1]}};
+}
+
+/// The edges of all masters in one list, and an R-tree of their bounding boxes.
 struct Target {
   std::vector<MasterEdge> edges;
   BoxTree tree;
+
+  /// Replaces `near` by the edges whose bounding boxes overlap `box`, in increasing order.
+  void query(const Box& box, std::vector<Index>& near) const {
+    near.clear();
+    tree.query(boost::geometry::index::intersects(boost_box(box)),
+               boost::make_function_output_iterator([&](const IndexedBox& found) { near.push_back(found.second); }));
+    std::sort(near.begin(), near.end());
+  }
 };
 
 /// Box around a quadratic edge: the hull of its Bezier points.
@@ -32,7 +53,7 @@ Box bounds(const SurfaceEdge& edge) {
 
 Target make_target(const std::vector<Master>& masters) {
   std::vector<MasterEdge> edges;
-  std::vector<Box> boxes;
+  std::vector<IndexedBox> boxes;
   std::size_t count = 0;
   for (const Master& master : masters) count += master.surface.edges.size();
   edges.reserve(count);
@@ -40,9 +61,9 @@ Target make_target(const std::vector<Master>& masters) {
   for (std::size_t m = 0; m < masters.size(); ++m)
     for (const auto& edge : masters[m].surface.edges) {
       edges.push_back({edge, static_cast<Index>(m)});
-      boxes.push_back(bounds(edge));
+      boxes.emplace_back(boost_box(bounds(edge)), static_cast<Index>(boxes.size()));
     }
-  return {std::move(edges), BoxTree(std::move(boxes))};
+  return {std::move(edges), BoxTree(boxes)};
 }
 
 /// How far away an edge's masters are looked for: the transition, the deepest overlap, and half an edge for what chords
@@ -163,8 +184,7 @@ std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Ei
   EdgeParts parts;
   for (const auto& edge : make_rays(slave)) {
     const double range = search_range(edge.edge, masters);
-    near.clear();
-    target.tree.query(inflated(bounds(edge.edge), range), near);
+    target.query(inflated(bounds(edge.edge), range), near);
     if (near.empty()) continue;
     const EdgeView view{edge, target.edges, near, range};
     divide(view, masters, parts);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
-#include "contact/mortar/box_tree.hpp"
+#include "contact/box.hpp"
 #include "core/mesh/profile.hpp"
 
 namespace parison::contact {

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "contact/mortar/box_tree.hpp"
+#include "contact/box.hpp"
 #include "core/mesh/profile.hpp"
 
 namespace parison::contact {
