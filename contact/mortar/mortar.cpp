@@ -16,11 +16,12 @@ namespace parison::contact {
 
 namespace {
 
-/// Gauss points of a stretch. Where it is closed, exact to degree 5 for the two quadratic fields and the radius, and to
-/// degree 7 where an edge is bent or its mid-side node off the middle; in the transition also for the contact weight.
+/// Gauss points of a part of a segment. In contact 3 points, exact to degree 5: two quadratic fields times the radius.
+/// Where an edge is curved or its mid-side node is off the middle 4 points, exact to degree 7. Across the transition 5,
+/// for the contact weight.
 constexpr int affine_points = 3, curved_points = 4, transition_points = 5;
-constexpr double affine_tolerance =
-    0.005;  ///< how far an affine edge's mid-side node may lie off the middle of its chord, in chords
+/// Largest distance of an affine edge's mid-side node from the middle of its chord, in chord lengths.
+constexpr double affine_tolerance = 0.005;
 
 using BoostPoint = boost::geometry::model::point<double, core::dim, boost::geometry::cs::cartesian>;
 using BoostBox = boost::geometry::model::box<BoostPoint>;
@@ -45,7 +46,7 @@ struct Target {
   }
 };
 
-/// Box around a quadratic edge: the hull of its Bezier points.
+/// Box around the Bezier control points of a quadratic edge; their convex hull contains it.
 Box bounds(const SurfaceEdge& edge) {
   const Point control = 2 * edge.x[2] - 0.5 * (edge.x[0] + edge.x[1]);
   return {edge.x[0].cwiseMin(edge.x[1]).cwiseMin(control), edge.x[0].cwiseMax(edge.x[1]).cwiseMax(control)};
@@ -66,8 +67,8 @@ Target make_target(const std::vector<Master>& masters) {
   return {std::move(edges), BoxTree(boxes)};
 }
 
-/// How far away an edge's masters are looked for: the transition, the deepest overlap, and half an edge for what chords
-/// cut off curves.
+/// Distance within which masters of an edge are searched, m: the transition gap, the deepest penetration, and half the
+/// edge's length for the sagitta of curved surfaces.
 double search_range(const SurfaceEdge& slave, const std::vector<Master>& masters) {
   double range = 0;
   for (const Master& master : masters) {
@@ -77,22 +78,22 @@ double search_range(const SurfaceEdge& slave, const std::vector<Master>& masters
   return range + 0.5 * (slave.x[1] - slave.x[0]).norm();
 }
 
-/// Whether a part of an edge, `fraction` of its length, is as good as straight and evenly divided; it bends the less
-/// the shorter it is.
+/// Whether a part of an edge, `fraction` of its length, is straight with its mid-side node in the middle, to
+/// `affine_tolerance`. The offset relative to the part's length falls with the fraction.
 bool is_affine(const SurfaceEdge& edge, double fraction) {
   const Point off = fraction * (edge.x[2] - 0.5 * (edge.x[0] + edge.x[1]));
   return off.squaredNorm() < affine_tolerance * affine_tolerance * (edge.x[1] - edge.x[0]).squaredNorm();
 }
 
-/// A stretch of a slave edge that faces one master edge: a segment, or several in a row that are closed alike, on which
-/// all but the gap is smooth.
+/// Consecutive segments of a slave edge with the same master edge and the same contact status; an open segment is a
+/// group of its own. All fields but the gap are smooth over a group, so it is integrated as one.
 struct SegmentGroup {
   Index edge;  ///< into EdgeView::masters
   ContactStatus status;
   std::size_t first, last;  ///< range of EdgeParts::gaps
 };
 
-/// What a slave edge is divided into; kept from edge to edge for its memory.
+/// What a slave edge is divided into. One object serves all edges, to reuse its memory.
 struct EdgeParts {
   std::vector<InterfaceNode> nodes;
   std::vector<Segment> segments;
@@ -117,8 +118,8 @@ void divide(const EdgeView& view, const std::vector<Master>& masters, EdgeParts&
   }
 }
 
-/// A point of the interface: every field is the polynomial of its own edge, at the slave point and at the point it
-/// sees.
+/// Sets the shape functions and the pressure of an interface point: each field is interpolated on its own edge, the
+/// slave's at s and the master's at master_s.
 void set_point(const SurfaceEdge& slave, const SurfaceEdge& master, double s, double master_s,
                const Eigen::VectorXd& pressure, core::InterfacePoint& point) {
   point.slave_nodes = slave.nodes;
@@ -130,7 +131,7 @@ void set_point(const SurfaceEdge& slave, const SurfaceEdge& master, double s, do
   point.pressure = std::max(interpolated, 0.0);
 }
 
-/// Where the points of one slave edge go.
+/// A slave edge, its segments' gaps and the list to which its interface points are added.
 struct Edge {
   const EdgeView& view;
   const std::vector<SegmentGap>& gaps;
@@ -139,7 +140,7 @@ struct Edge {
   std::vector<core::InterfacePoint>& points;
 };
 
-/// Gauss points of a stretch where it is closed.
+/// Adds the Gauss points of a group of segments, except where the contact weight is zero.
 void add_points(const Edge& edge, const SegmentGroup& group, const Master& master) {
   const SurfaceEdge& slave = edge.view.slave.edge;
   const SurfaceEdge& facing = edge.view.masters[group.edge].edge;
