@@ -18,14 +18,14 @@ using core::Point;
 
 namespace {
 
-constexpr double volume_tolerance = 2e-15;  ///< relative, at which the shift stops
-constexpr double max_defect = 0.01;         ///< relative volume a resampling may miss
-constexpr double max_lap = 1e-3;            ///< of the volume, in the notch of a lap that is closed
-/// Where the free surface would have to move by more than `max_free_shift` the whole one moves, if that is by less than
-/// `max_whole_shift`, m.
+constexpr double volume_tolerance = 2e-15;  ///< relative error of the restored volume
+constexpr double max_defect = 0.01;         ///< largest relative volume error of a resampled surface
+constexpr double max_lap = 1e-3;            ///< largest notch of a lap that is closed, in volumes of the body
+/// Where the free surface would move by more than `max_free_shift`, m, the whole surface moves, provided that this
+/// takes less than `max_whole_shift`, m.
 constexpr double max_free_shift = 20e-6, max_whole_shift = 3e-6;
 
-/// Unit normals at the surface nodes that may give way, at contacts too where wanted, zero elsewhere.
+/// Unit normals at the surface nodes that may move, zero at the others. Nodes in contact may move if `contacts` is set.
 std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface, bool contacts) {
   const auto count = static_cast<std::size_t>(surface.outline.edge_count());
   const auto place = [&](Index node) { return node < mesh.vertex_count() ? node : node - mesh.vertex_count() + count; };
@@ -43,7 +43,7 @@ std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface, bo
   return directions;
 }
 
-/// Volume swept per metre of shift, m2.
+/// Volume per metre of displacement along the directions, m2.
 double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<Point>& directions) {
   double area = 0;
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())

@@ -16,7 +16,7 @@ struct Ray {
 
 /// A slave edge with its field of projection directions: the outward normal plus a correction that is linear along the
 /// edge and makes the direction at each end the mean of the normals of the two edges joined there (averaged nodal
-/// normals: B. Yang, T. A. Laursen, X. Meng, Int. J. Numer. Meth. Engng 62 (2005) 1183-1225, section 3). The field is
+/// normals: B. Yang, T. A. Laursen, X. Meng, Int. J. Numer. Meth. Engng 62 (2005) 1183-1225). The field is
 /// continuous from edge to edge, so a slave point has one master point and a master node one slave point. At corners
 /// sharper than 60 degrees each edge keeps its own normal.
 struct RayEdge {
