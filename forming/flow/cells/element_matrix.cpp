@@ -213,8 +213,7 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
     for (int q = 0; q < cell_points; ++q) {
       const BatchArray squared = 2 * squared_rate(geometry.at(batch, q), q, v);
       for (Index lane = 0; lane < here; ++lane)
-        viscosity[std::size_t(batch * batch_size + lane) * cell_points + q] *=
-            std::pow(1 + law.time * law.time * squared[lane], 0.5 * (law.exponent - 1));
+        viscosity[std::size_t(batch * batch_size + lane) * cell_points + q] *= law(squared[lane]);
     }
   }
   return viscosity;
@@ -287,16 +286,15 @@ RateDerivative rate_derivative(const CellGeometry::AtPoint& at, int q, const Bat
 void add_thinning_derivative(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
                              const Eigen::VectorXd& velocity, CellMatrices& cells) {
   const auto& law = *problem.material->shear_thinning;
-  const double square = law.time * law.time;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
     BatchArray* matrix = cells.matrix.data() + std::size_t(batch) * cell_entries;
     const auto v = batch_velocity(*problem.mesh, geometry, batch, velocity);
     for (int q = 0; q < cell_points; ++q) {
       const auto& at = geometry.at(batch, q);
-      BatchArray eta;
+      const BatchArray squared = 2 * squared_rate(at, q, v);
+      BatchArray derivative;  // of the viscosity with respect to the square of the shear rate
       for (Index lane = 0; lane < batch_size; ++lane)
-        eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
-      const BatchArray derivative = 0.5 * (law.exponent - 1) * square * eta / (1 + 2 * square * squared_rate(at, q, v));
+        derivative[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q] * law.log_derivative(squared[lane]);
       const auto rate = rate_derivative(at, q, v);
       for (int i = 0; i < cell_velocities; ++i) {
         const BatchArray row = 8 * derivative * at.volume * rate[i];
