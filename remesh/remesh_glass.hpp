@@ -9,16 +9,16 @@ namespace parison::remesh {
 struct Remeshed {
   core::Mesh mesh;
   bool ok = false;
-  std::string reason;                          ///< why not, a sentence
+  std::string reason;                          ///< why there is no mesh, a sentence; empty when ok
   double volume_before = 0, volume_after = 0;  ///< m3
-  int laps = 0;                  ///< places where the surface had folded onto itself a little and was closed
-  double lap_volume = 0;         ///< of the air closed in there, which the glass elsewhere gave, m3
-  double coarsening_factor = 1;  ///< than the criteria ask for, for the sake of max_cells
+  int laps = 0;                                ///< places where the surface had folded onto itself and was closed
+  double lap_volume = 0;         ///< air enclosed there, m3; restoring the volume takes as much from the free surface
+  double coarsening_factor = 1;  ///< all edge lengths over those of the criteria; above 1 where max_cells limits them
 };
 
-/// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to
-/// round-off by a common small shift of the free surface along its normal; of the whole surface, by a few micrometres
-/// at the most, where all but a little of it touches tools.
+/// A new mesh of the same body. The surface is resampled, the inside is triangulated, and the volume is restored to
+/// round-off by moving the free surface along its normals by one common distance. Where almost the whole surface
+/// touches tools, all of it moves, by a few micrometres at most.
 Remeshed remesh_glass(const core::Mesh& old, const Criteria& criteria);
 
 }  // namespace parison::remesh

@@ -8,26 +8,26 @@
 
 namespace parison::contact {
 
-/// Conductances of all points of an interface, prepared for many evaluations: their pressures stay, their viscosities
-/// change.
+/// The conductance at all points of an interface, prepared for many evaluations with the same pressures and new
+/// viscosities. A point gets the same bits wherever it stands among the others.
 class InterfaceConductance {
  public:
-  /// `laws` by core::InterfacePoint::law.
+  /// `laws` are indexed by core::InterfacePoint::law.
   InterfaceConductance(std::vector<ConductanceLaw> laws, const std::vector<core::InterfacePoint>& points);
 
-  /// h, W/m2/K, and, where asked for, its derivative, from the natural logarithm of the viscosity, Pa.s, at each point;
-  /// returns at how many points a table had to hold its end.
+  /// Sets h, W/m2/K, at each point from the natural logarithm of the viscosity, Pa.s, and, where `dh_dlog` is not null,
+  /// its derivative with respect to that logarithm. Returns at how many points a table clamped its argument.
   core::Index operator()(const Eigen::ArrayXd& log_viscosity, Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dlog) const;
 
  private:
+  /// Consecutive points with the same law.
   struct Run {
-    core::Index law, first, count;  ///< points that follow one another
+    core::Index law, first, count;
   };
   std::vector<ConductanceLaw> laws_;
   std::vector<Run> runs_;
-  Eigen::ArrayXd pressure_;  ///< Pa
-  Eigen::ArrayXd
-      log_pressure_factor_;  ///< logarithm of x of the law of pressure and viscosity at a viscosity of 1 Pa.s
+  Eigen::ArrayXd pressure_;       ///< Pa, not negative
+  Eigen::ArrayXd pressure_part_;  ///< PressureViscosityLaw::pressure_part; 0 for other laws
 };
 
 }  // namespace parison::contact

@@ -2,9 +2,13 @@
 #include "contact/mortar/mortar.hpp"
 
 #include <algorithm>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 #include <utility>
 
-#include "contact/mortar/box_tree.hpp"
+#include "contact/box.hpp"
 #include "contact/mortar/segment_gap.hpp"
 #include "core/mesh/element.hpp"
 
@@ -12,19 +16,37 @@ namespace parison::contact {
 
 namespace {
 
-/// Gauss points of a stretch. Where it is closed, exact to degree 5 for the two quadratic fields and the radius, and to
-/// degree 7 where an edge is bent or its mid-side node off the middle; in the transition also for the contact weight.
+/// Gauss points of a part of a segment. In contact 3 points, exact to degree 5: two quadratic fields times the radius.
+/// Where an edge is curved or its mid-side node is off the middle 4 points, exact to degree 7. Across the transition 5,
+/// for the contact weight.
 constexpr int affine_points = 3, curved_points = 4, transition_points = 5;
-constexpr double affine_tolerance =
-    0.005;  ///< how far an affine edge's mid-side node may lie off the middle of its chord, in chords
+/// Largest distance of an affine edge's mid-side node from the middle of its chord, in chord lengths.
+constexpr double affine_tolerance = 0.005;
 
-/// The masters' edges in one list, and where they lie.
+using BoostPoint = boost::geometry::model::point<double, core::dim, boost::geometry::cs::cartesian>;
+using BoostBox = boost::geometry::model::box<BoostPoint>;
+using IndexedBox = std::pair<BoostBox, Index>;
+using BoxTree = boost::geometry::index::rtree<IndexedBox, boost::geometry::index::quadratic<8>>;
+
+BoostBox boost_box(const Box& box) {
+  return {{box.low[0], box.low[1]}, {box.high[0], box.high[1]}};
+}
+
+/// The edges of all masters in one list, and an R-tree of their bounding boxes.
 struct Target {
   std::vector<MasterEdge> edges;
   BoxTree tree;
+
+  /// Replaces `near` by the edges whose bounding boxes overlap `box`, in increasing order.
+  void query(const Box& box, std::vector<Index>& near) const {
+    near.clear();
+    tree.query(boost::geometry::index::intersects(boost_box(box)),
+               boost::make_function_output_iterator([&](const IndexedBox& found) { near.push_back(found.second); }));
+    std::sort(near.begin(), near.end());
+  }
 };
 
-/// Box around a quadratic edge: the hull of its Bezier points.
+/// Box around the Bezier control points of a quadratic edge; their convex hull contains it.
 Box bounds(const SurfaceEdge& edge) {
   const Point control = 2 * edge.x[2] - 0.5 * (edge.x[0] + edge.x[1]);
   return {edge.x[0].cwiseMin(edge.x[1]).cwiseMin(control), edge.x[0].cwiseMax(edge.x[1]).cwiseMax(control)};
@@ -32,7 +54,7 @@ Box bounds(const SurfaceEdge& edge) {
 
 Target make_target(const std::vector<Master>& masters) {
   std::vector<MasterEdge> edges;
-  std::vector<Box> boxes;
+  std::vector<IndexedBox> boxes;
   std::size_t count = 0;
   for (const Master& master : masters) count += master.surface.edges.size();
   edges.reserve(count);
@@ -40,13 +62,13 @@ Target make_target(const std::vector<Master>& masters) {
   for (std::size_t m = 0; m < masters.size(); ++m)
     for (const auto& edge : masters[m].surface.edges) {
       edges.push_back({edge, static_cast<Index>(m)});
-      boxes.push_back(bounds(edge));
+      boxes.emplace_back(boost_box(bounds(edge)), static_cast<Index>(boxes.size()));
     }
-  return {std::move(edges), BoxTree(std::move(boxes))};
+  return {std::move(edges), BoxTree(boxes)};
 }
 
-/// How far away an edge's masters are looked for: the transition, the deepest overlap, and half an edge for what chords
-/// cut off curves.
+/// Distance within which masters of an edge are searched, m: the transition gap, the deepest penetration, and half the
+/// edge's length for the sagitta of curved surfaces.
 double search_range(const SurfaceEdge& slave, const std::vector<Master>& masters) {
   double range = 0;
   for (const Master& master : masters) {
@@ -56,22 +78,22 @@ double search_range(const SurfaceEdge& slave, const std::vector<Master>& masters
   return range + 0.5 * (slave.x[1] - slave.x[0]).norm();
 }
 
-/// Whether a part of an edge, `fraction` of its length, is as good as straight and evenly divided; it bends the less
-/// the shorter it is.
+/// Whether a part of an edge, `fraction` of its length, is straight with its mid-side node in the middle, to
+/// `affine_tolerance`. The offset relative to the part's length falls with the fraction.
 bool is_affine(const SurfaceEdge& edge, double fraction) {
   const Point off = fraction * (edge.x[2] - 0.5 * (edge.x[0] + edge.x[1]));
   return off.squaredNorm() < affine_tolerance * affine_tolerance * (edge.x[1] - edge.x[0]).squaredNorm();
 }
 
-/// A stretch of a slave edge that faces one master edge: a segment, or several in a row that are closed alike, on which
-/// all but the gap is smooth.
+/// Consecutive segments of a slave edge with the same master edge and the same contact status; an open segment is a
+/// group of its own. All fields but the gap are smooth over a group, so it is integrated as one.
 struct SegmentGroup {
   Index edge;  ///< into EdgeView::masters
   ContactStatus status;
   std::size_t first, last;  ///< range of EdgeParts::gaps
 };
 
-/// What a slave edge is divided into; kept from edge to edge for its memory.
+/// What a slave edge is divided into. One object serves all edges, to reuse its memory.
 struct EdgeParts {
   std::vector<InterfaceNode> nodes;
   std::vector<Segment> segments;
@@ -96,8 +118,8 @@ void divide(const EdgeView& view, const std::vector<Master>& masters, EdgeParts&
   }
 }
 
-/// A point of the interface: every field is the polynomial of its own edge, at the slave point and at the point it
-/// sees.
+/// Sets the shape functions and the pressure of an interface point: each field is interpolated on its own edge, the
+/// slave's at s and the master's at master_s.
 void set_point(const SurfaceEdge& slave, const SurfaceEdge& master, double s, double master_s,
                const Eigen::VectorXd& pressure, core::InterfacePoint& point) {
   point.slave_nodes = slave.nodes;
@@ -109,7 +131,7 @@ void set_point(const SurfaceEdge& slave, const SurfaceEdge& master, double s, do
   point.pressure = std::max(interpolated, 0.0);
 }
 
-/// Where the points of one slave edge go.
+/// A slave edge, its segments' gaps and the list to which its interface points are added.
 struct Edge {
   const EdgeView& view;
   const std::vector<SegmentGap>& gaps;
@@ -118,7 +140,7 @@ struct Edge {
   std::vector<core::InterfacePoint>& points;
 };
 
-/// Gauss points of a stretch where it is closed.
+/// Adds the Gauss points of a group of segments, except where the contact weight is zero.
 void add_points(const Edge& edge, const SegmentGroup& group, const Master& master) {
   const SurfaceEdge& slave = edge.view.slave.edge;
   const SurfaceEdge& facing = edge.view.masters[group.edge].edge;
@@ -163,8 +185,7 @@ std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Ei
   EdgeParts parts;
   for (const auto& edge : make_rays(slave)) {
     const double range = search_range(edge.edge, masters);
-    near.clear();
-    target.tree.query(inflated(bounds(edge.edge), range), near);
+    target.query(inflated(bounds(edge.edge), range), near);
     if (near.empty()) continue;
     const EdgeView view{edge, target.edges, near, range};
     divide(view, masters, parts);

@@ -8,25 +8,28 @@
 
 namespace parison::contact {
 
-/// A body that the slave may touch, and what the slave's nodes know about it.
+/// A body that the slave may touch, with the slave's gaps to it.
 struct Master {
   Surface surface;
-  Eigen::VectorXd gap;    ///< of the slave mesh's nodes to the exact profile, m; +infinity where out of reach
-  double transition_gap;  ///< gap over which the contact opens, m, positive; less than the reach
-  Index law;              ///< handed on to the interface points
+  Eigen::VectorXd gap;    ///< from each node of the slave's mesh to the exact profile, m; +infinity out of reach
+  double transition_gap;  ///< gap at which the contact weight has fallen to 0, m; positive, less than the reach
+  Index law;              ///< copied to the interface points
 };
 
-/// 1 for gap <= 0, 1 - u^3 (10 - 15 u + 6 u^2) with u = gap / width, 0 for gap >= width: two continuous derivatives,
-/// and gaps below a fiftieth of the width change it by less than 1e-4.
+/// Share of the contact at a point: 1 for gap <= 0, 1 - u^3 (10 - 15 u + 6 u^2) with u = gap / width, 0 for gap >=
+/// width. It has two continuous derivatives; gaps below a fiftieth of the width lower it by less than 1e-4.
 double contact_weight(double gap, double width);
 
-/// The virtual surface between the slave and all its masters: each slave edge cut at the
-/// projections of both meshes' nodes, with Gauss points on each segment. Open stretches are left out. Every slave point
-/// faces the nearest master only, so where masters overlap their union counts and no area counts twice.
-/// The gap is linear between interface nodes: a node from the slave has its own, one from the master its distance from
-/// the slave. On an edge that is closed at both ends it counts from the smooth surface that a convex slave's edges
-/// belong to, so chords do not open.
-/// `pressure` belongs to the nodes of the slave's mesh, Pa.
+/// Quadrature points of the virtual surface between the slave and all its masters (interface element of S. Gregoire,
+/// J. Cesar de Sa, P. Moreau, D. Lochegnies, Comput. Struct. 85 (2007) 1194-1205). Each slave edge is divided into
+/// segments at the projections of the nodes of both meshes, as in segment-based mortar methods (C. Bernardi, Y. Maday,
+/// A. T. Patera 1994; B. Yang, T. A. Laursen, X. Meng, Int. J. Numer. Meth. Engng 62 (2005) 1183-1225), and every
+/// segment has Gauss points. There is no multiplier: a conductance couples the two temperatures at each point. Points
+/// without contact are left out. A slave point is paired with the nearest master only, so no area counts twice where
+/// masters overlap. The gap is linear between interface nodes: a node from the slave has its own gap, a node from the
+/// master its distance from the slave. On an edge in contact at both ends the gap is measured from the smooth convex
+/// surface that the edge approximates, so that chords of a curved surface do not count as open. `pressure` has one
+/// value for each node of the slave's mesh, Pa.
 std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Eigen::VectorXd& pressure,
                                                   const std::vector<Master>& masters, core::Geometry geometry);
 

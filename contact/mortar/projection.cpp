@@ -10,9 +10,9 @@ namespace parison::contact {
 
 namespace {
 
-constexpr double smooth_cosine = 0.5;  ///< ends whose normals differ by more than 60 degrees make a corner
+constexpr double smooth_cosine = 0.5;  ///< edges whose normals differ by more than 60 degrees meet in a corner
 
-/// Slope, against the edge, of a surface that is square to the turned normal at an end.
+/// Derivative with respect to s of the height over the edge, m, of a surface that is normal to the ray at an end.
 double end_slope(const SurfaceEdge& edge, double end, const Point& turn) {
   const Point along = derivative(edge, end), out = normal(edge, end), upright = out + turn;
   return -upright.dot(along) / upright.dot(out);

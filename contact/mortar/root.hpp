@@ -4,8 +4,8 @@
 
 namespace parison::contact {
 
-/// Root of f between a and b, where f takes opposite signs fa and fb: secant from the chord, kept inside the bracket
-/// (the Illinois rule); exact after one step where f is linear.
+/// Root of f between a and b, where its values fa and fb have opposite signs, to 1e-15: regula falsi with the Illinois
+/// modification (M. Dowell, P. Jarratt, BIT 11 (1971) 168-174). One step suffices where f is linear.
 template <typename Function>
 double find_root(const Function& f, double a, double fa, double b, double fb) {
   if (fa == 0) return a;

@@ -12,12 +12,12 @@ namespace parison::contact {
 
 namespace {
 
-constexpr double touching = 1e-9;  ///< of the transition gap: gaps this near to an end of the transition are at it
-constexpr double full_contact_gap = 0.02;
+constexpr double touching = 1e-9;          ///< tolerance of a gap, in transition gaps
+constexpr double full_contact_gap = 0.02;  ///< largest gap of a segment that is `near`, in transition gaps
 
 constexpr double out_of_reach = std::numeric_limits<double>::infinity();
 
-/// Whether the gap passes zero between a segment's ends, where it is `first` and `last`.
+/// Whether the gap changes sign between a segment's ends, where it is `first` and `last`.
 bool passes_zero(double first, double last, double width) {
   return std::min(first, last) < -touching * width && std::max(first, last) > touching * width;
 }
@@ -33,8 +33,8 @@ double contact_weight(double gap, double width) {
 
 SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const Master& master)
     : slave_(&view.slave), begin_(segment.begin.slave_s), end_(segment.end.slave_s) {
-  // A node of the slave has its own gap; out of reach, it is how far the mesh is, and open where that lies behind the
-  // slave.
+  // A slave node has its own gap to the exact profile. Where that is out of reach, the distance to the master's mesh
+  // along the ray counts; a mesh that lies behind the slave by more than the transition gap is not in contact.
   const auto at = [&](const InterfaceNode& node) {
     const bool of_slave = node.slave_node >= 0;
     const double known = of_slave ? master.gap[slave_->edge.nodes[node.slave_node]] : out_of_reach;

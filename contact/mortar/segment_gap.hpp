@@ -8,8 +8,8 @@
 
 namespace parison::contact {
 
-/// The gap along a segment: linear between its ends; on an edge that is closed at both its ends, less what the slave's
-/// smooth surface stands out of it.
+/// The gap along a segment, m: linear between its ends. On an edge in contact at both its ends it is reduced by the
+/// height of the slave's smooth convex surface over the edge (chord_offset).
 class SegmentGap {
  public:
   SegmentGap(const EdgeView& view, const Segment& segment, const Master& master);
@@ -25,22 +25,22 @@ class SegmentGap {
   double begin_, end_, first_, last_, chord_;
 };
 
-/// Whether a stretch of a segment is as good as closed all along: to a fiftieth of the transition gap, where the
-/// contact weight changes by less than 1e-4 and its integral needs no more points.
+/// Whether the gap along a part of a segment stays below a fiftieth of the transition gap. There the contact weight
+/// differs from 1 by less than 1e-4 and needs no additional Gauss points.
 bool is_in_contact(const SegmentGap& gap, double begin, double end, double width);
 
-/// How a segment is closed: touching all along; with gaps so small that its contact weight is smooth and all but 1; or
-/// else.
+/// Contact along a segment: without a gap everywhere (touching), with gaps below a fiftieth of the transition gap
+/// (near), or with larger gaps (open).
 enum class ContactStatus { touching, near, open };
 ContactStatus contact_status(const SegmentGap& gap, double width);
 
-/// Ends of the parts of a stretch, in order.
+/// Division of a segment into parts: its ends and the cuts between them, in order.
 struct Parts {
   std::array<double, 4> end;
-  int count;  ///< of the ends
+  int count;  ///< number of ends and cuts
 };
-/// The parts of a segment: it is cut where the gap passes the ends of the transition, so that the contact weight is
-/// smooth on each.
+/// Cuts a segment where the gap passes 0 and the transition gap, so that the contact weight is a polynomial of the gap
+/// on each part.
 Parts cut_at_transition(const SegmentGap& gap, double width);
 
 }  // namespace parison::contact

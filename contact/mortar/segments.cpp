@@ -8,12 +8,12 @@ namespace parison::contact {
 
 namespace {
 
-constexpr double opposing_cosine =
-    0.3;  ///< bodies face each other where their outward normals' product is below its negative
-constexpr double coincident = 1e-12;  ///< nodes closer than this on an edge are one
-constexpr double just_inside = 1e-6;  ///< of a segment's length: where its ends are looked at
-constexpr int halvings = 50;
-constexpr int max_cuts = 4;  ///< between two nodes; what is left after them goes to the last edge seen
+/// Surfaces face each other where the ray and the master's outward normal enclose an angle with a cosine below -0.3.
+constexpr double opposing_cosine = 0.3;
+constexpr double coincident = 1e-12;  ///< largest difference of the parameters of coincident nodes
+constexpr double just_inside = 1e-6;  ///< distance from a segment's ends at which visibility is tested, in its lengths
+constexpr int halvings = 50;          ///< of the bisection for the end of visibility
+constexpr int max_cuts = 4;           ///< between two nodes; the remainder belongs to the edge visible at its end
 
 bool faces(const Ray& from, const SurfaceEdge& master, const Hit& hit) {
   const Point along = derivative(master, hit.s);
@@ -27,8 +27,8 @@ Index visible_edge(const EdgeView& view, double s) {
   return visible ? visible->edge : -1;
 }
 
-/// The edge seen at the far end of an interval between neighbouring nodes, from what is seen at its near end: an edge
-/// that is met alone there is met alone all along.
+/// The edge visible at the far end of an interval between neighbouring nodes. Where the ray at the near end meets a
+/// single edge, that edge is tested first: no other one can appear before the next node.
 Index visible_edge_at_end(const EdgeView& view, const std::optional<VisibleEdge>& near_end, double s) {
   if (!near_end || !near_end->alone) return visible_edge(view, s);
   const Ray from = ray(view.slave, s);
@@ -38,7 +38,7 @@ Index visible_edge_at_end(const EdgeView& view, const std::optional<VisibleEdge>
   return visible ? near_end->edge : visible_edge(view, s);
 }
 
-/// Where, between two points, the edge that is seen ceases to be the one seen from `begin`.
+/// Where, between two points, the visible edge changes from `visible`, the one at `begin`; by bisection.
 double end_of_visibility(const EdgeView& view, double begin, double end, Index visible) {
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (begin + end);

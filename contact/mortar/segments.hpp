@@ -13,46 +13,47 @@ struct MasterEdge {
   Index master;
 };
 
-/// A slave edge and what of the masters lies near it.
+/// A slave edge and the master edges near it.
 struct EdgeView {
   const RayEdge& slave;
   const std::vector<MasterEdge>& masters;
-  const std::vector<Index>& near;  ///< into masters
-  double range;                    ///< how far a master may lie along a ray, m
+  const std::vector<Index>& near;  ///< indices into `masters`
+  double range;                    ///< largest distance of a master along a ray, m
 };
 
-/// What a slave point sees.
+/// The master edge that is visible from a slave point.
 struct VisibleEdge {
-  Index edge;  ///< into EdgeView::masters
+  Index edge;  ///< index into EdgeView::masters
   Hit hit;
-  bool alone;  ///< the ray meets no other edge near
+  bool alone;  ///< the ray meets no other edge in EdgeView::near
 };
-/// The nearest edge, of all masters, that the slave point sees and that looks back at it.
+/// The nearest master edge on the ray from s whose outward normal opposes the ray.
 std::optional<VisibleEdge> find_visible_master(const EdgeView& view, double s);
 
-/// Node of the virtual surface, on a slave edge. The shape functions of both edges there follow
-/// the two rules by themselves: at a node they are 1 for its own body's node.
+/// Node of the virtual surface on a slave edge: the projection of a node of either mesh (Gregoire et al. 2007). At the
+/// projection of a mesh's node that mesh's shape function is 1, so its fields there are the nodal values.
 struct InterfaceNode {
   double slave_s;
   int slave_node;  ///< 0, 1, 2 for first, last, mid; -1 where the node comes from a master
 };
-/// A node from the slave: slave temperature, pressure, viscosity and gap are its own; the master's temperature is
+/// A node of the slave: it has its own temperature, pressure, viscosity and gap; the master's temperature is
 /// interpolated where its ray meets the master.
 InterfaceNode node_from_slave(int node);
-/// A node from a master: the master's temperature is its own; slave temperature, pressure and viscosity are
-/// interpolated where a ray of the slave edge passes through it, and its gap is its distance along that ray. None where
-/// no ray does.
+/// The projection of a master's node: it has the master's nodal temperature; temperature, pressure and viscosity of the
+/// slave are interpolated at the slave point whose ray passes through the node, and the gap is the distance along that
+/// ray. None where no ray of the edge passes through the node.
 std::optional<InterfaceNode> node_from_master(const EdgeView& view, const Point& node);
-/// Replaces `nodes` by those of both kinds along a slave edge. Where two coincide, the one from the slave stays.
+/// Replaces `nodes` by the nodes of both kinds along a slave edge, in order. Of two that coincide the one from the
+/// slave is kept.
 void find_interface_nodes(const EdgeView& view, std::vector<InterfaceNode>& nodes);
 
-/// Stretch of a slave edge between neighbouring interface nodes, all of it facing one master edge.
+/// Part of a slave edge between neighbouring interface nodes from which one master edge is visible.
 struct Segment {
   InterfaceNode begin, end;
-  Index edge;  ///< into EdgeView::masters
+  Index edge;  ///< index into EdgeView::masters
 };
-/// Replaces `segments` by those of a slave edge; stretches that face nothing are left out. Where one master's surface
-/// comes before another's between two nodes, the segment is cut there.
+/// Replaces `segments` by those of a slave edge; parts from which no master is visible are left out. Where another
+/// master's surface becomes the nearest one between two nodes, the segment is cut there.
 void find_segments(const EdgeView& view, const std::vector<InterfaceNode>& nodes, std::vector<Segment>& segments);
 
 }  // namespace parison::contact

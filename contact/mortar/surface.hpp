@@ -16,17 +16,18 @@ struct SurfaceEdge {
   std::array<Point, 3> x;      ///< their positions, m
 };
 
-/// The part of a body's surface that may touch another body, at one instant; nothing changes it.
+/// The part of a body's surface that may touch another body, at one instant.
 struct Surface {
   Index body;
   std::vector<SurfaceEdge> edges;
 };
 
-/// The edges of the boundaries in contact (one flag for each of mesh.boundaries), moved by `displacement`, m.
+/// The edges of the boundaries that may touch another body (one flag for each boundary of the mesh), moved by
+/// `displacement`, m.
 Surface make_surface(Index body, const core::Mesh& mesh, const std::vector<bool>& boundaries_in_contact,
                      const Point& displacement);
 
-/// Position, m, and its derivative with respect to s in [0, 1].
+/// Position on an edge, m, and its derivative with respect to the parameter s in [0, 1].
 inline Point position(const SurfaceEdge& edge, double s) {
   if (s == 0) return edge.x[0];
   if (s == 1) return edge.x[1];

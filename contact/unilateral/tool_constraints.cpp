@@ -12,23 +12,24 @@ using core::Segment;
 
 namespace {
 
-constexpr double smooth_angle =
-    M_PI / 9;  ///< 20 degrees: joints that turn less are smooth, normals that differ less are one
-constexpr double end_tolerance = 1e-9;  ///< of the segment's length: on the end counts as on the segment
-constexpr double touching = 1e-9;       ///< m
-constexpr double max_off = 2;  ///< reaches from a segment: past its end by no more than one, and beside it as well
+constexpr double smooth_angle = M_PI / 9;  ///< 20 degrees: joints that turn less are smooth, closer normals are one
+constexpr double end_tolerance = 1e-9;     ///< slack at a segment's ends, in its lengths
+constexpr double touching = 1e-9;          ///< m
+/// A constrained point is at most this many reaches away from a segment's bounding box: one beside it, one past its
+/// end.
+constexpr double max_off = 2;
 
 double cross(const Point& a, const Point& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// Angle by which the outline turns from a segment to the next; positive at a corner that sticks out of the tool.
+/// Angle by which the outline turns from a segment to the next, rad; positive at a convex corner of the tool.
 double turn_between(const Segment& before, const Segment& after) {
   const Point in = core::tangent_at(before, 1), out = core::tangent_at(after, 0);
   return std::atan2(cross(in, out), in.dot(out));
 }
 
-/// Whether the straight path from a to b, its ends left out, crosses a segment.
+/// Whether the open straight line between a and b crosses a segment.
 bool crosses(const Segment& segment, const Point& a, const Point& b) {
   constexpr double margin = 1e-6;
   const auto inside = [&](double u) { return u > margin && u < 1 - margin; };
@@ -53,7 +54,7 @@ bool crosses(const Segment& segment, const Point& a, const Point& b) {
 
 }  // namespace
 
-/// A tool and a point, and what is asked about them.
+/// The search for the constraints of one point.
 struct ToolConstraints::Query {
   const std::vector<BoundedSegment>& segments;
   const Point& x;
@@ -74,8 +75,8 @@ struct ToolConstraints::Query {
   void keep_closest_exterior(std::vector<GapConstraint>& found) const;
 };
 
-/// Whether x projects on segment i, or past an end in a re-entrant corner while still on the neighbour's side of that
-/// one's far end.
+/// Whether x projects onto segment i. Beyond an end at a re-entrant corner, as far as `reach`, it also does, as long as
+/// it is not beyond the far end of the neighbouring segment there.
 bool ToolConstraints::Query::projects_on(Index i) const {
   const double slack = segments[i].slack;
   const double before = core::beyond_start(segment(i), x), past = core::beyond_end(segment(i), x);
@@ -90,7 +91,7 @@ bool ToolConstraints::Query::projects_on(Index i) const {
          core::beyond_start(segment(j), x) <= 0 && core::beyond_end(segment(j), x) <= reach;
 }
 
-/// Whether another part of the outline lies between x and its foot on segment i.
+/// Whether another part of the outline lies between x and its closest point on segment i.
 bool ToolConstraints::Query::hidden(Index i, const Point& foot) const {
   const Box path{x.cwiseMin(foot), x.cwiseMax(foot)};
   for (Index j = 0; j < count(); ++j)
@@ -108,7 +109,7 @@ void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& fo
   if (std::abs(gap) <= reach && !hidden(i, foot)) found.push_back({gap, normal, i});
 }
 
-/// The joint after segment i, for a point that projects on neither side of it.
+/// Adds the constraint of the joint after segment i to a point that projects onto neither segment.
 void ToolConstraints::Query::add_joint(Index i, std::vector<GapConstraint>& found) const {
   const BoundedSegment &before = segments[i], &after = segments[next(i)];
   if (!before.in_contact || !after.in_contact || before.reentrant_after) return;
@@ -122,8 +123,9 @@ void ToolConstraints::Query::add_joint(Index i, std::vector<GapConstraint>& foun
       {side * distance, distance > 1e-3 * touching ? Point(side / distance * arm) : before.normal_after, i});
 }
 
-/// A point inside the tool leaves it the shortest way: of the penetrated segments only the nearest one counts, and its
-/// neighbours in a re-entrant corner. On the edge of a sharp corner, too, one of the two sides counts.
+/// A point inside the tool is projected to the closest point of the outline: of the segments with negative gaps only
+/// the nearest one is kept, and its neighbour at a re-entrant corner. At a convex corner one of the two segments is
+/// kept.
 void ToolConstraints::Query::keep_closest_exterior(std::vector<GapConstraint>& found) const {
   if (found.empty()) return;
   const Index nearest = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {

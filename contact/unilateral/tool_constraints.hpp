@@ -2,22 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
-#include "contact/mortar/box_tree.hpp"
+#include "contact/box.hpp"
 #include "core/mesh/profile.hpp"
 
 namespace parison::contact {
 
-/// A half-space that a tool leaves to a point of the glass.
+/// Unilateral constraint of a point of the glass (A. Signorini 1933; P. Wriggers, Computational Contact Mechanics, 2nd
+/// ed. 2006, chapter 4): a displacement u must satisfy gap + normal . u >= 0. Gap and normal are those of the
+/// closest-point projection onto the tool's exact profile.
 struct GapConstraint {
   double gap;           ///< m; negative where the point is inside the tool
   core::Point normal;   ///< unit, from the tool into the free space
-  core::Index segment;  ///< of the tool's profile
+  core::Index segment;  ///< index into the segments of the tool's profile
 };
 
-/// The constraints (at most core::dim) that the contact boundaries of a tool put on points nearer than a reach, m,
-/// smallest gap first. A segment constrains what projects on it; in a re-entrant corner both neighbours do, round a
-/// sharp corner the corner itself; smoothly joined segments give one constraint; where the contact boundaries end, the
-/// end point gives none. The tool outlives it.
+/// The constraints that the contact boundaries of a tool put on points nearer than `reach`, m: at most core::dim,
+/// smallest gap first. A segment constrains the points that project onto it. In a re-entrant corner both segments
+/// constrain a point, around a convex corner the corner point does. Smoothly joined segments give one constraint. The
+/// end points of the contact boundaries give none. The profile must outlive this object.
 class ToolConstraints {
  public:
   ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_boundaries);
@@ -25,21 +27,21 @@ class ToolConstraints {
 
  private:
   struct Query;
-  /// A segment and the joint behind it.
+  /// A segment and its joint with the next one.
   struct BoundedSegment {
     const core::Segment* segment;
     Box bounds;
-    bool in_contact;
-    double slack;  ///< m, beyond an end that still counts as on the segment
-    bool reentrant_after, smooth_after;
-    core::Point normal_after;  ///< unit, the mean of both sides
+    bool in_contact;                     ///< belongs to a contact boundary
+    double slack;                        ///< length beyond its ends that still counts as on the segment, m
+    bool reentrant_after, smooth_after;  ///< kind of the joint
+    core::Point normal_after;            ///< at the joint, unit: the mean of both segments' normals
   };
   std::vector<BoundedSegment> segments_;
-  Box in_contact_;  ///< that holds the boundaries in contact
+  Box in_contact_;  ///< contains the contact boundaries
 };
 
-/// Drops, of normals within 20 degrees, the larger gaps, and keeps the core::dim smallest; for one tool or the union of
-/// several.
+/// Of constraints whose normals differ by less than 20 degrees keeps the one with the smallest gap, and of all those
+/// the core::dim smallest. For the constraints of one tool or of several.
 void merge_constraints(std::vector<GapConstraint>& constraints);
 
 }  // namespace parison::contact

@@ -3,13 +3,13 @@
 #include <limits>
 #include <vector>
 
-#include "contact/mortar/box_tree.hpp"
+#include "contact/box.hpp"
 #include "core/mesh/profile.hpp"
 
 namespace parison::contact {
 
-/// Distance from points to a tool's contact boundaries, m, negative inside the tool; +infinity without contact
-/// boundaries and where they are further away than `reach`. The tool outlives it.
+/// Signed distance of a point from a tool's contact boundaries, m: negative inside the tool, +infinity where they are
+/// farther away than `reach` or there are none. The profile must outlive this object.
 class ToolGap {
  public:
   ToolGap(const core::Profile& tool, const std::vector<bool>& contact_boundaries,
@@ -27,7 +27,7 @@ class ToolGap {
   Box in_reach_;
 };
 
-/// The same for one point.
+/// The same for a single point.
 double signed_gap(const core::Profile& tool, const std::vector<bool>& contact_boundaries, const core::Point& x,
                   double reach = std::numeric_limits<double>::infinity());
 

@@ -11,7 +11,7 @@ using core::Segment;
 
 namespace {
 
-constexpr double joined = 1e-5;  ///< m
+constexpr double joined = 1e-5;  ///< largest distance of joined ends, m
 
 Segment shifted(Segment segment, double offset) {
   const Point shift = offset * core::axis_direction();
@@ -21,7 +21,7 @@ Segment shifted(Segment segment, double offset) {
   return segment;
 }
 
-/// Segments of a tool where its contact ends (`last`) or starts.
+/// The segments at which the contact boundaries of a tool end (`last`) or begin, at the tool's position.
 std::vector<Segment> end_segments(const PlacedTool& tool, bool last) {
   const auto& segments = tool.profile->segments;
   const std::size_t count = segments.size();
@@ -34,7 +34,7 @@ std::vector<Segment> end_segments(const PlacedTool& tool, bool last) {
   return found;
 }
 
-/// Whether a point lies on a contact segment of a tool, away from its ends.
+/// Whether a point lies on a contact boundary of a tool, away from the ends of its segments.
 bool lies_on(const PlacedTool& tool, const Point& x) {
   const Point local = x - tool.offset * core::axis_direction();
   const auto& segments = tool.profile->segments;

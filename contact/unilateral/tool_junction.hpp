@@ -7,42 +7,43 @@
 
 namespace parison::contact {
 
-/// A tool as it stands in space.
+/// A tool at its position.
 struct PlacedTool {
   const core::Profile* profile;
-  std::vector<bool> contact_boundaries;
-  double offset;  ///< along the axis, m
+  std::vector<bool> contact_boundaries;  ///< one flag for each boundary of the profile
+  double offset;                         ///< along the axis, m
 };
 
-/// Where the contact boundaries of one tool end on the start of another's: the parting line of two tools.
+/// Point at which the contact boundaries of one tool end and those of another begin: the parting line of two tools.
 struct ToolJoint {
-  core::Index before, after;                    ///< of the placed tools, in the sense of their outlines
-  core::Segment segment_before, segment_after;  ///< in space
+  core::Index before, after;                    ///< indices of the tools, in the direction of their outlines
+  core::Segment segment_before, segment_after;  ///< at the tools' positions
 };
 
-/// All joints of the tools, whose ends are nearer to each other than 1e-5 m.
+/// All joints of the tools: ends that are less than 1e-5 m apart.
 std::vector<ToolJoint> tool_joints(const std::vector<PlacedTool>& tools);
 
-/// A constraint of the tool at `tool`, an index into the placed tools.
+/// A constraint with the tool it belongs to.
 struct JointConstraint {
-  core::Index tool;
+  core::Index tool;  ///< index into the placed tools
   GapConstraint constraint;
 };
 
-/// What a joint constrains beyond its two segments: in a hollow one each segment goes on past the joint, within
-/// `reach`; where the joint sticks out of the tools its point itself keeps the glass away.
+/// Constraints of a joint for points that project onto neither of its segments, within `reach`, m. At a re-entrant
+/// joint each segment is extended past the joint; at a convex one the joint itself is the closest point.
 std::vector<JointConstraint> joint_constraints(const ToolJoint& joint, const core::Point& x, double reach);
 
-/// Where the contact of one tool ends on the face of another, as a ring's wall on a plate.
+/// T-junction of two tools: the contact boundaries of one end on a contact boundary of the other, as the wall of a ring
+/// does on a plate.
 struct ToolTJunction {
-  core::Index tool;       ///< that ends, of the placed tools
-  core::Segment segment;  ///< its last one, in space
-  bool at_end;            ///< of the segment; else at its start
+  core::Index tool;       ///< the tool that ends there, an index into the placed tools
+  core::Segment segment;  ///< its last segment, at the tool's position
+  bool at_end;            ///< the junction is at the segment's end, otherwise at its start
 };
 std::vector<ToolTJunction> tool_t_junctions(const std::vector<PlacedTool>& tools);
 
-/// The segment of a foot goes on beyond it within `reach`: glass that lies a little inside the other tool does not pass
-/// under it.
+/// The ending segment is extended past the junction, within `reach`, m. Without that, glass that penetrates the other
+/// tool a little could pass beneath the ending one.
 std::optional<JointConstraint> t_junction_constraint(const ToolTJunction& t_junction, const core::Point& x,
                                                      double reach);
 

@@ -1,29 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/material.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "core/math/dual.hpp"
 
 namespace parison::flow {
 
 namespace {
 
-/// Beyond this the glass does not move in the time of a run; the exponent is held there, and near and below T0.
-constexpr double max_exponent = 12;
+/// Glass with a viscosity of 1e12 Pa.s does not deform within the time of a run. The law stays there at lower
+/// temperatures, also near and below T0 where it has no value.
+constexpr double max_log10 = 12;
+
+/// ln eta at one or more temperatures, which are numbers, arrays or core::Dual.
+template <typename Number>
+Number log_viscosity(const Viscosity& law, const Number& temperature) {
+  if (law.constant) return core::constant_like(temperature, std::log(*law.constant));
+  const auto above = temperature - law.T0;
+  return std::log(10) * core::choose(core::value_of(above) > 0, core::min(law.A + law.B / above, max_log10), max_log10);
+}
+
+/// ln of the Carreau factor at a square of the shear rate.
+template <typename Number>
+Number log_factor(const Carreau& law, const Number& squared_rate) {
+  using std::log;
+  return 0.5 * (law.exponent - 1) * log(1 + law.time * law.time * squared_rate);
+}
 
 }  // namespace
 
 double Viscosity::operator()(double temperature) const {
-  if (constant) return *constant;
-  const double above = temperature - T0;
-  const double exponent = above > 0 ? A + B / above : max_exponent;
-  return std::exp(std::log(10) * std::min(exponent, max_exponent));
+  return constant ? *constant : std::exp(log_viscosity(*this, temperature));
 }
 
 Eigen::ArrayXd Viscosity::logarithm(const Eigen::ArrayXd& temperature) const {
-  if (constant) return Eigen::ArrayXd::Constant(temperature.size(), std::log(*constant));
-  const Eigen::ArrayXd above = temperature - T0;
-  return std::log(10) * (above > 0).select((A + B / above).min(max_exponent), max_exponent);
+  return log_viscosity(*this, temperature);
 }
 
 Eigen::ArrayXd Viscosity::log_derivative(const Eigen::ArrayXd& temperature) const {
@@ -35,10 +47,15 @@ double Viscosity::derivative(double temperature) const {
 }
 
 double Viscosity::log_derivative(double temperature) const {
-  if (constant) return 0;
-  const double above = temperature - T0;
-  if (above <= 0 || A + B / above >= max_exponent) return 0;
-  return -std::log(10) * B / (above * above);
+  return log_viscosity(*this, core::Dual<double>{temperature, 1}).derivative;
+}
+
+double Carreau::operator()(double squared_rate) const {
+  return std::exp(log_factor(*this, squared_rate));
+}
+
+double Carreau::log_derivative(double squared_rate) const {
+  return log_factor(*this, core::Dual<double>{squared_rate, 1}).derivative;
 }
 
 }  // namespace parison::flow

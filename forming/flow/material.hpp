@@ -5,12 +5,13 @@
 
 namespace parison::flow {
 
-/// Vogel-Fulcher-Tammann: log10 eta = A + B/(T - T0); T and T0 in K, B in K, eta in Pa.s. `constant` replaces it when
-/// set.
+/// The law of Vogel (1921), Fulcher (1925) and Tammann (1926): log10 eta = A + B/(T - T0) with eta in Pa.s, at most 12.
 struct Viscosity {
-  double A = 0, B = 0, T0 = 0;
-  std::optional<double> constant;
+  double A = 0;
+  double B = 0, T0 = 0;            ///< K
+  std::optional<double> constant;  ///< Pa.s, at every temperature, instead of the law
 
+  /// eta, Pa.s, at a temperature in K.
   double operator()(double temperature) const;
   /// d eta / dT, Pa.s/K.
   double derivative(double temperature) const;
@@ -21,10 +22,16 @@ struct Viscosity {
   Eigen::ArrayXd log_derivative(const Eigen::ArrayXd& temperature) const;
 };
 
-/// Carreau factor on the viscosity: (1 + (lambda rate)^2)^((n-1)/2).
+/// Shear thinning by Carreau (1972): the viscosity is multiplied by (1 + (lambda rate)^2)^((n-1)/2), where rate is the
+/// shear rate sqrt(2 D:D), 1/s.
 struct Carreau {
   double time;      ///< lambda, s
   double exponent;  ///< n
+
+  /// The factor at a square of the shear rate, 1/s2.
+  double operator()(double squared_rate) const;
+  /// Derivative of the factor's natural logarithm with respect to that square, s2.
+  double log_derivative(double squared_rate) const;
 };
 
 /// Flow properties of the glass.

@@ -39,7 +39,7 @@ core::Conductance point_conductance(const Scene& scene, const core::InterfacePoi
     derivative = viscosity * scene.glass.flow->viscosity.log_derivative(temperature);
   }
   const auto value = contact::conductance(scene.interfaces[point.law].law, point.pressure, viscosity);
-  clamped_lookups += value.outside;
+  clamped_lookups += value.clamped;
   return {value.h, value.dh_deta * derivative};
 }
 

@@ -104,12 +104,18 @@ double constant_of(const PressureViscosityConductance& law, int constant) {
 
 std::array<double, law_constants> law_derivatives(const PressureViscosityConductance& law, double pressure,
                                                   double viscosity) {
-  if (pressure <= 0) return {law.h0, 0, 0, 0, 0, 0};
-  const double by_p = std::log(pressure / law.p_ref), by_eta = std::log(law.eta_ref / viscosity);
-  const double fraction = 1 / (1 + std::exp(-law.a * by_p - law.b * by_eta));
-  const double by_log_x = (law.h1 - law.h0) * fraction * (1 - fraction);
-  return {law.h0 * (1 - fraction), law.h1 * fraction, -law.a * by_log_x,
-          law.b * by_log_x,        by_p * by_log_x,   by_eta * by_log_x};
+  using Constant = core::Dual<double, Eigen::Array<double, law_constants, 1>>;
+  const auto unit = [](int constant) -> Eigen::Array<double, law_constants, 1> {
+    return Eigen::Matrix<double, law_constants, 1>::Unit(constant);
+  };
+  const auto in_logarithm = [&](double value, int constant) { return Constant{value, value * unit(constant)}; };
+  const PressureViscosityLaw<Constant> dual{
+      in_logarithm(law.h0, h0),           in_logarithm(law.h1, h1), in_logarithm(law.p_ref, p_ref),
+      in_logarithm(law.eta_ref, eta_ref), {law.a, unit(a)},         {law.b, unit(b)}};
+  const Constant h = dual(core::constant_like(dual.a, std::max(pressure, 0.0)), core::constant_like(dual.a, viscosity));
+  std::array<double, law_constants> derivatives;
+  std::copy(h.derivative.begin(), h.derivative.end(), derivatives.begin());
+  return derivatives;
 }
 
 LawFit fit_law(const std::vector<LawMeasurement>& data, const LawFitOptions& given) {

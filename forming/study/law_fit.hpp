@@ -18,7 +18,7 @@ inline constexpr std::array<const char*, law_constants> law_constant_names{"h0",
 double& constant_of(PressureViscosityConductance& law, int constant);
 double constant_of(const PressureViscosityConductance& law, int constant);
 
-/// Slopes of h with ln h0, ln h1, ln p_ref, ln eta_ref, a and b, W/m2/K, at a pressure above zero or not.
+/// Derivatives of h with respect to ln h0, ln h1, ln p_ref, ln eta_ref, a and b, W/m2/K.
 std::array<double, law_constants> law_derivatives(const PressureViscosityConductance& law, double pressure,
                                                   double viscosity);
 

@@ -10,6 +10,7 @@
 namespace parison::remesh {
 
 using core::Index;
+using core::Mesh;
 using core::Point;
 
 namespace {
@@ -18,7 +19,7 @@ std::vector<core::MeshBoundary> boundaries_of(const core::Profile& profile) {
   return {profile.boundary_names.begin(), profile.boundary_names.end()};
 }
 
-constexpr double max_turn = 20 * M_PI / 180;  ///< of an arc within one edge
+constexpr double max_turn = 20 * M_PI / 180;  ///< largest angle of an arc within one edge
 
 std::vector<SizeSource> size_sources(const core::Profile& profile, const ProfileSizes& sizes) {
   std::vector<SizeSource> sources;
@@ -53,10 +54,6 @@ core::Mesh mesh_profile(const core::Profile& profile, const ProfileSizes& sizes)
   if (!result.reason.empty()) throw std::runtime_error("the profile cannot be meshed: " + result.reason);
   return std::move(result.mesh);
 }
-
-using core::Index;
-using core::Mesh;
-using core::Point;
 
 namespace {
 
@@ -99,8 +96,8 @@ std::array<Side, 4> sides(const core::Profile& profile) {
   return result;
 }
 
-/// Parameters of the division points and their middles: 2 count + 1 values in [0, 1], divisions in geometric
-/// progression.
+/// Parameters of the division points and of the middles between them: 2 count + 1 values in [0, 1]. The divisions are a
+/// geometric progression with the given ratio of the last to the first.
 std::vector<double> graded(Index count, double ratio) {
   const double factor = count > 1 ? std::pow(ratio, 1.0 / (count - 1)) : 1.0;
   std::vector<double> ends{0};
@@ -114,7 +111,8 @@ std::vector<double> graded(Index count, double ratio) {
   return result;
 }
 
-/// Coons map of the unit square, the sides met at v = 0, u = 1, v = 1, u = 0; exactly on the sides at its border.
+/// Bilinearly blended Coons patch over the unit square with the sides at v = 0, u = 1, v = 1, u = 0. Points on the
+/// border are evaluated on the sides themselves, without rounding of the blend.
 Point coons(const std::array<Side, 4>& side, double u, double v) {
   if (v == 0) return side[0](u);
   if (u == 1) return side[1](v);
@@ -126,7 +124,7 @@ Point coons(const std::array<Side, 4>& side, double u, double v) {
   return along + across - corners;
 }
 
-/// Nodes on a lattice of (2 columns + 1) x (2 rows + 1) points, vertices at even places and numbered first.
+/// Node numbers on a lattice of (2 columns + 1) x (2 rows + 1) points: vertices at even indices, numbered first.
 struct Lattice {
   Index columns, rows;
 

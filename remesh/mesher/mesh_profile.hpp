@@ -10,18 +10,19 @@ namespace parison::remesh {
 struct ProfileSizes {
   double size;                        ///< largest edge, m
   double contact_size;                ///< edge on the fine boundaries, m
-  double growth;                      ///< of the edge per metre of distance from the fine boundaries
-  std::vector<bool> fine_boundaries;  ///< one for each of the profile's boundaries
+  double growth;                      ///< increase of the edge per metre of distance from the fine boundaries
+  std::vector<bool> fine_boundaries;  ///< one flag for each boundary of the profile
 };
 
-/// Quadratic mesh of a body, its boundary nodes on the exact lines and arcs. Throws std::runtime_error with the
-/// mesher's sentence where the outline cannot be meshed.
+/// Mesh of quadratic triangles of a body, with its boundary nodes on the exact lines and arcs. Throws
+/// std::runtime_error with the mesher's message where the outline cannot be meshed.
 core::Mesh mesh_profile(const core::Profile& profile, const ProfileSizes& sizes);
 
-/// Mapped mesh of a body with exactly four boundaries, the first of them boundary 0 and the others as the outline is
-/// walked: Coons map of the exact outline, each quadrilateral cut into two triangles along its shorter diagonal.
-/// `along` counts the divisions of the first and second boundary, `ratio` is their last division over the first in the
-/// direction of the boundary; the opposite boundaries follow.
+/// Mapped mesh of a body with exactly four boundaries: boundary 0 and the following ones in the direction of the
+/// outline. A Coons patch (S. A. Coons 1967; W. J. Gordon, C. A. Hall, Numer. Math. 21 (1973) 109-129) of the exact
+/// outline gives quadrilaterals, each cut into two triangles along its shorter diagonal. `along` is the number of
+/// divisions of the first and the second boundary, `ratio` the length of the last division over that of the first; the
+/// opposite boundaries have the same divisions. Throws std::invalid_argument for another number of boundaries.
 core::Mesh mesh_mapped(const core::Profile& profile, core::Index along_first, core::Index along_second,
                        double ratio_first, double ratio_second);
 

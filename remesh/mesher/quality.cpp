@@ -11,14 +11,15 @@
 namespace parison::remesh {
 
 using core::Index;
+using core::Point;
 
 namespace {
 
-/// Lowers the quality found so far to the least of a cell.
+/// Lowers `min_quality` to the smallest quality at the six nodes of a cell.
 void lower(const core::Mesh& mesh, Index cell, double& min_quality) {
   const auto& [origin, u, v, mid_side_offset] = core::cell_map(mesh, cell);
   const auto& [m, n, p] = mid_side_offset;
-  // Both columns of the Jacobian are linear over the cell: at the vertices as given, at the mid-sides half way between.
+  // Both columns of the Jacobian are linear over the cell, so mid-side values are the means of the vertex values.
   std::array<core::Point, 6> along_a{u + 4 * m, u - 4 * m, u + 4 * (n - p)},
       along_b{v + 4 * p, v + 4 * (n - m), v - 4 * p};
   for (int k = 0; k < 3; ++k) {
@@ -65,9 +66,6 @@ Quality quality(const core::Mesh& mesh) {
   result.median = all[all.size() / 2];
   return result;
 }
-
-using core::Index;
-using core::Point;
 
 namespace {
 

@@ -4,16 +4,20 @@
 
 namespace parison::remesh {
 
-/// Straight triangles, counterclockwise; the outline's vertices come first, then the inner ones.
+/// Triangles with straight edges, counterclockwise. The outline's vertices come first, then the inner ones.
 struct Triangulation {
-  std::vector<core::Point> vertices;
-  std::vector<std::array<core::Index, 3>> triangles;
-  std::string reason;  ///< empty when meshing went well
+  std::vector<core::Point> vertices;                  ///< m
+  std::vector<std::array<core::Index, 3>> triangles;  ///< vertex numbers
+  std::string reason;                                 ///< why meshing failed, a sentence; empty on success
 };
+/// Triangles of the size field inside an outline whose edges are kept, by the frontal Delaunay method (S. Rebay, J.
+/// Comput. Phys. 106 (1993) 125-138) in gmsh (C. Geuzaine, J.-F. Remacle, Int. J. Numer. Meth. Engng 79 (2009)
+/// 1309-1331).
 Triangulation triangulate(const Outline& outline, const SizeField& size);
 
-/// Moves corners of triangles poorer than `poor`, but for the first `fixed`, to the middle of their neighbours where
-/// that betters the worst triangle round them.
+/// Two sweeps of smart Laplacian smoothing (L. A. Freitag 1997): each vertex, except the first `fixed` ones, at a
+/// triangle of less than the quality `poor` is moved to the mean of its neighbours if the smallest quality of the
+/// triangles around it rises by that.
 void smooth_poor_triangles(std::size_t fixed, double poor, Triangulation& mesh);
 
 }  // namespace parison::remesh

@@ -18,15 +18,15 @@ using core::Point;
 namespace {
 
 constexpr int terms = 6;           ///< of a complete quadratic polynomial
-constexpr std::size_t fewest = 5;  ///< cells of a patch; one with less takes in its neighbours
-/// A derivative with which a field would change by less than this part of itself over the body is rounding.
+constexpr std::size_t fewest = 5;  ///< cells of a patch; a smaller one is extended by the neighbouring cells
+/// A derivative counts as zero where the field changes by less than this part of its largest value over the body.
 constexpr double rounding = 1e-9;
-constexpr double derivative_order = 2;  ///< of quadratic cells
+constexpr double derivative_order = 2;  ///< order of convergence of the derivative with quadratic cells
 
 template <int n>
 using Values = Eigen::Matrix<double, n, 1>;
 
-/// The quadratic polynomial about a vertex that fits the derivative's samples in the cells around it best.
+/// Quadratic polynomial that fits the samples of the derivative in the cells around a vertex by least squares.
 template <int n>
 struct Patch {
   Point centre;
@@ -43,7 +43,7 @@ struct Sample {
   Values<n> value;
 };
 
-/// Cells at each vertex.
+/// The cells at each vertex.
 std::vector<std::vector<Index>> cells_at_vertices(const Mesh& mesh) {
   std::vector<std::vector<Index>> around(mesh.vertex_count());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
@@ -51,7 +51,7 @@ std::vector<std::vector<Index>> cells_at_vertices(const Mesh& mesh) {
   return around;
 }
 
-/// The cells at a vertex, with those at their vertices where they are too few.
+/// The cells of the patch at a vertex: those around it and, where these are too few, the ones around their vertices.
 std::vector<Index> patch_cells(const Mesh& mesh, const std::vector<std::vector<Index>>& around, Index vertex) {
   std::vector<Index> cells = around[vertex];
   for (int ring = 0; ring < 2 && cells.size() < fewest; ++ring) {
@@ -82,12 +82,13 @@ Patch<n> fit(const Point& centre, const std::vector<Index>& cells,
       normal += basis * basis.transpose();
       load += basis * sample.value.transpose();
     }
-  normal.diagonal().array() += 1e-12 * normal.trace();  // a patch in one row leaves terms open
+  normal.diagonal().array() += 1e-12 * normal.trace();  // a single row of cells does not determine all terms
   patch.factors = normal.ldlt().solve(load);
   return patch;
 }
 
-/// The recovered derivative at the nodes: of a vertex by its patch, of a mid-side node by those of both ends.
+/// The recovered derivative at the nodes: at a vertex from its patch, at a mid-side node the mean from both ends'
+/// patches.
 template <int n>
 std::vector<Values<n>> recovered(const Mesh& mesh, const std::vector<std::array<Sample<n>, 3>>& samples) {
   const auto around = cells_at_vertices(mesh);
@@ -110,7 +111,8 @@ double extent(const Mesh& mesh) {
   return (high - low).norm();
 }
 
-/// `derivative(cell, point)` gives the derivative of the field, with values up to `largest`, at a point of a cell.
+/// Samples `derivative(cell, point)` at the three points of the rule of degree 2, where derivatives of quadratic cells
+/// are most accurate (J. Barlow, Int. J. Numer. Meth. Engng 10 (1976) 243-251). `largest` is the field's largest value.
 template <int n, class Derivative>
 DerivativeError estimate(const Mesh& mesh, core::Geometry geometry, double largest, const Derivative& derivative) {
   std::vector<std::array<Sample<n>, 3>> samples(mesh.cells().size());
@@ -157,7 +159,7 @@ DerivativeError gradient_error(const Mesh& mesh, core::Geometry geometry, const 
 
 DerivativeError rate_error(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& velocity) {
   return estimate<4>(mesh, geometry, velocity.lpNorm<Eigen::Infinity>(), [&](Index cell, const core::CellPoint& point) {
-    Values<4> rate = Values<4>::Zero();  // rr, zz, rz for both of its kind, hoop
+    Values<4> rate = Values<4>::Zero();  // rr, zz, sqrt 2 rz (which stands for rz and zr), hoop
     for (int i = 0; i < 6; ++i) {
       const auto v = velocity.segment<core::dim>(core::dim * mesh.cells()[cell][i]);
       const Point& g = point.gradient[i];
@@ -169,8 +171,7 @@ DerivativeError rate_error(const Mesh& mesh, core::Geometry geometry, const Eige
 }
 
 Eigen::VectorXd equidistributing_sizes(const Mesh& mesh, const DerivativeError& error, double target) {
-  // An error e of a cell with edge h falls with h^(p + 1) in each cell of a finer mesh there, their number grows with
-  // 1/h^2.
+  // In a finer mesh the error of each cell is proportional to h^(p + 1), and the number of cells to 1/h^2.
   constexpr double p = derivative_order;
   const double sum = error.cell.array().pow(2 / (p + 1)).sum();
   const double whole = target * error.derivative;

@@ -81,7 +81,7 @@ std::vector<Link> boundary_links(const Mesh& mesh) {
 }
 
 Mesh without_collapsed_edges(Mesh mesh) {
-  constexpr double collapsed = 0.01;  // of either neighbour
+  constexpr double collapsed = 0.01;  // largest chord, in chords of the shorter neighbour
   const std::vector<Link> links = boundary_links(mesh);
   const auto chord = [&](Index i) {
     const Edge& edge = mesh.boundary_edges()[i].nodes;

@@ -8,27 +8,28 @@
 
 namespace parison::remesh {
 
-/// Kink between two boundary edges from which their common vertex counts as a corner of the body, rad.
+/// Smallest kink between two boundary edges at which their common vertex counts as a corner of the body, rad.
 inline constexpr double corner_angle = 27 * M_PI / 180;
 
-/// How a boundary edge meets its neighbours in its loop.
+/// Neighbours of a boundary edge in its loop.
 struct Link {
   core::Index previous, next;
   double kink;  ///< angle from the previous edge's end to this edge's start, rad; positive to the left
 };
 std::vector<Link> boundary_links(const core::Mesh& mesh);
 
-/// The mesh without boundary edges whose ends have met, as two nodes do that a corner of the tools has caught; the
-/// boundary stays closed, ends of boundaries stay. Cells and nodes are left as they are.
+/// The mesh without collapsed boundary edges: edges shorter than a hundredth of both neighbours, which arise where two
+/// nodes meet in a corner of the tools. The boundary stays closed and the ends of boundaries are kept. Cells and nodes
+/// are not changed.
 core::Mesh without_collapsed_edges(core::Mesh mesh);
 
-/// Point, unit tangent and arc length from s = 0 of a quadratic edge (first, last, mid) at s in [0, 1].
+/// Point, m, unit tangent, and arc length from s = 0, m, of a quadratic edge (first, last, mid) at s in [0, 1].
 core::Point point_on(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double s);
 core::Point tangent(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double s);
 double arc_length(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double s);
-/// s where the arc length reaches `length`.
+/// The parameter s at which the arc length is `length`; by Newton's method.
 double at_arc_length(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double length);
-/// s of the point closest to x.
+/// The parameter s of the point closest to x; by the Gauss-Newton method from the closest of five points.
 double closest_on(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, const core::Point& x);
 
 /// Angle between two unit tangents, rad; positive when the second turns left.

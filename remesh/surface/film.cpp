@@ -13,7 +13,7 @@ using core::Point;
 
 namespace {
 
-/// Largest cosine between the outward normals of a film's two sides: 18 degrees.
+/// Largest cosine of the angle between the outward normals of a film's two sides: opposite to within 18 degrees.
 constexpr double facing = -0.95;
 
 Point outward_normal(const core::Mesh& mesh, const std::array<Index, 3>& edge, const Point& x) {

@@ -4,14 +4,14 @@
 
 namespace parison::remesh {
 
-/// Thickness of the body at the surface nodes where it is a film between tools, m; infinite elsewhere. Both sides touch
-/// (`contact`, per node; a symmetry boundary stands for its mirror image) and run parallel to within some degrees:
-/// glass that tapers off where it meets a tool at a narrow angle is no film.
+/// Thickness of the body at the surface nodes where it is a film between tools, m; infinite elsewhere. Both sides of a
+/// film touch a tool (`contact`, one flag for each node; a symmetry boundary stands for its mirror image), and their
+/// outward normals are opposite to within 18 degrees, which excludes glass that tapers off at a tool.
 Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall,
                                const std::vector<bool>& symmetry_boundaries, const std::vector<bool>& contact);
 
-/// Edge length in a film, m: four across up to a millimetre, above that fewer in proportion; no smaller than in a film
-/// of the thickness `min_thickness`.
+/// Edge length in a film, m: a quarter of its thickness up to a millimetre; above that the number of elements across
+/// falls in inverse proportion to the thickness. Films thinner than `thinnest` have the edge length of that thickness.
 double film_size(double thickness, double thinnest);
 
 }  // namespace parison::remesh

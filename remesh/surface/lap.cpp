@@ -14,13 +14,13 @@ using core::Point;
 namespace {
 
 constexpr int max_laps = 16;
-constexpr int min_edges = 3;  ///< of a loop
+constexpr int min_edges = 3;  ///< smallest number of edges of a loop
 
 double cross(const Point& a, const Point& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// Volume between the outline from vertex `begin` to vertex `end` and the chord of the two, m3.
+/// Volume between the outline from vertex `begin` to vertex `end` and the chord between them, m3.
 double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry geometry) {
   const Point& from = outline.vertices[begin];
   double volume = 0;
@@ -36,8 +36,8 @@ double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry
   return std::abs(volume);
 }
 
-/// Whether all edges from `begin` to before `end` may give way, in one loop with edges left over: of one boundary, or
-/// of one and the next, which goes on behind them.
+/// Whether the edges [begin, end) may be replaced by a chord: they belong to one loop, which keeps enough edges, have
+/// no fixed mid points, and lie on one boundary or on two of which the second continues behind them.
 bool may_cut(const Surface& surface, Index begin, Index end) {
   const Outline& outline = surface.outline;
   const auto after = std::upper_bound(outline.loop_start.begin(), outline.loop_start.end(), begin);
@@ -51,7 +51,7 @@ bool may_cut(const Surface& surface, Index begin, Index end) {
   return changes == 0 || (changes == 1 && outline.boundary_ids[end] == outline.boundary_ids[end - 1]);
 }
 
-/// Puts one straight edge, of the first one's boundary, in the place of those from vertex `begin` to vertex `end`.
+/// Replaces the edges from vertex `begin` to vertex `end` by one straight edge on the first one's boundary.
 void cut(Surface& surface, Index begin, Index end) {
   Outline& outline = surface.outline;
   const Index count = outline.edge_count(), gone = end - begin - 1;

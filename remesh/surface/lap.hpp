@@ -4,15 +4,15 @@
 
 namespace parison::remesh {
 
-/// What became of the places where a surface crosses itself.
+/// Places where a surface crosses itself.
 struct Laps {
-  int closed = 0;                       ///< notches cut off
-  double volume = 0;                    ///< of their air, m3
-  core::Index first = -1, second = -1;  ///< vertices at the ends of a crossing that stays; -1 where none does
+  int closed = 0;                       ///< notches that were cut off
+  double volume = 0;                    ///< air enclosed in them, m3
+  core::Index first = -1, second = -1;  ///< first vertices of two edges that still cross; -1 without such
 };
 
-/// Closes laps: where glass has folded onto itself the notch between is cut off by a chord, if that changes the volume
-/// by no more than `largest`, m3. A greater lap is left.
+/// Closes laps: where glass has folded onto itself, the notch in between is cut off by a chord if that changes the
+/// volume by at most `largest`, m3. A larger lap is left as it is.
 Laps close_laps(core::Geometry geometry, double largest, Surface& surface);
 
 }  // namespace parison::remesh

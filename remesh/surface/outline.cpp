@@ -18,10 +18,13 @@ using core::Point;
 
 namespace {
 
-constexpr double folded = 0.3;  ///< quality below which a straight edge is tried
-constexpr double poor = 0.55;   ///< quality below which corners move
+constexpr double folded = 0.3;         ///< quality of a cell below which its boundary edge is straightened
+constexpr double poor = 0.55;          ///< quality of a triangle below which its vertices are smoothed
+constexpr double min_depth = 1e-5;     ///< penetration below which a point is left to the finished mesh, m
+constexpr int samples = 8;             ///< points along an edge at which penetration is tested
+constexpr int penetrating_parts = 32;  ///< parts of an edge that penetrates a tool
 
-/// Two chords an edge: to the mid-side point and on to the end.
+/// Two chords for each edge, from its start to the mid point and on to its end.
 std::vector<core::Chord> chords(const Outline& outline) {
   const std::vector<Index> ends = edge_ends(outline);
   const Index count = outline.edge_count();
@@ -33,7 +36,8 @@ std::vector<core::Chord> chords(const Outline& outline) {
   return result;
 }
 
-/// Numbers the mid-side nodes, those of the outline first, and gives the inner ones their place.
+/// Adds the mid-side nodes, those of the outline first, the cells and the boundary edges. Returns whether every edge of
+/// the outline belongs to a triangle.
 bool add_mid_nodes(const Outline& outline, const Triangulation& triangles, Mesh& mesh) {
   const auto key = [](Index a, Index b) {
     return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
@@ -103,14 +107,7 @@ MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshB
   return result;
 }
 
-using core::Mesh;
-using core::Point;
-
 namespace {
-
-constexpr double min_depth = 1e-5;     ///< m; less is lifted out of the finished mesh
-constexpr int samples = 8;             ///< along an edge for whether it dips
-constexpr int penetrating_parts = 32;  ///< of an edge that does
 
 bool penetrates_between(const Mesh& mesh, const ExteriorProjection& project_out, const Place& from, double to) {
   for (int k = 0; project_out && k <= samples; ++k)

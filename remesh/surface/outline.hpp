@@ -9,8 +9,8 @@
 
 namespace parison::remesh {
 
-/// The divided boundary of a body to be meshed, body on the left: edge i starts at vertex i, ends at the next one of
-/// its loop and bends through mid point i.
+/// The boundary of a body, divided into quadratic edges, body on the left: edge i goes from vertex i to the next vertex
+/// of its loop through mid point i.
 struct Outline {
   std::vector<core::Point> vertices, mids;  ///< m
   std::vector<core::Index> boundary_ids;    ///< boundary of each edge
@@ -19,58 +19,58 @@ struct Outline {
   core::Index edge_count() const { return static_cast<core::Index>(vertices.size()); }
 };
 
-/// Last vertex of each edge.
+/// The last vertex of each edge.
 std::vector<core::Index> edge_ends(const Outline& outline);
 
-/// Two edges that cross, as indices, or {-1, -1}; each edge is taken as two chords through its mid point.
+/// Indices of two edges that cross, or {-1, -1}. Each edge counts as two chords, through its mid point.
 std::pair<core::Index, core::Index> find_crossing(const Outline& outline);
 
-/// A mesh, or the sentence that says why there is none.
+/// A mesh, or the reason why there is none.
 struct MeshedOutline {
   core::Mesh mesh;
-  std::string reason;
+  std::string reason;  ///< a sentence; empty on success
 };
 
-/// Frontal-Delaunay triangles (gmsh) inside the outline with exactly its edges. Node i is vertex i, boundary edge i is
-/// edge i; an edge that would fold its cell is straightened. Not for use from several threads at once.
+/// Mesh of quadratic triangles inside the outline, whose edges are kept: node i is vertex i, boundary edge i is edge i.
+/// An edge whose curvature folds its cell is straightened. Not thread-safe.
 MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshBoundary>& boundaries,
                            const SizeField& size);
 
-/// Takes a point that lies inside a tool out to its surface; others stay to the bit. Empty where there are no tools.
+/// Projects a point inside a tool onto the tool's surface and returns any other point unchanged. Empty without tools.
 using ExteriorProjection = std::function<core::Point(const core::Point&)>;
 
-/// A place on the boundary of a mesh.
+/// A point on the boundary of a mesh.
 struct Place {
-  core::Index edge;
-  double s;
+  core::Index edge;  ///< boundary edge
+  double s;          ///< parameter in [0, 1]
 };
 
-/// A part of an edge, from a place on.
+/// A part of a boundary edge within a curve.
 struct CurvePart {
-  Place from;
-  double before;  ///< arc length of the edge before it, m; not used where it dips
-  double until;   ///< arc length from the stretch's start to its end, m
-  double span;    ///< of s over it where the edge dips into a tool and is measured on its way out, 0 elsewhere
+  Place from;     ///< where it begins
+  double before;  ///< arc length on the edge before it, m; unused where the edge penetrates a tool
+  double until;   ///< arc length from the curve's start to the part's end, m
+  double span;    ///< interval of s, where the edge penetrates a tool and its projection is measured; otherwise 0
 };
 
-/// Boundary from one kept point to the next, within one boundary, as a curve over arc length.
+/// A boundary from one kept point to the next, as a curve over its arc length.
 struct BoundaryCurve {
   std::vector<CurvePart> parts;
-  bool straight;
+  bool straight;  ///< symmetry boundary
   double length() const { return parts.empty() ? 0 : parts.back().until; }
 };
 
-/// Appends an edge between two values of s: as it is, or, where it dips into a tool, on its way out of it.
+/// Appends the part of an edge between two values of s; where it penetrates a tool, its projection out of the tool.
 void extend(const core::Mesh& mesh, const ExteriorProjection& project_out, const Place& from, double to,
             BoundaryCurve& curve);
 
-/// The place after so much arc length, m.
+/// The place at an arc length from the curve's start, m.
 Place place_at(const core::Mesh& mesh, const BoundaryCurve& curve, double length);
 
-/// The point at a place, outside the tools.
+/// The point at a place, m, projected out of the tools.
 core::Point exterior_point(const core::Mesh& mesh, const ExteriorProjection& project_out, const Place& place);
 
-/// Whether the boundary at a place lies so deep inside a tool that it is led out before it is meshed.
+/// Whether the boundary at a place is so deep inside a tool that it is projected out before meshing.
 bool penetrates(const core::Mesh& mesh, const ExteriorProjection& project_out, const Place& place);
 
 }  // namespace parison::remesh

@@ -22,14 +22,15 @@ bool is_fixed(const Mesh& old, const std::vector<Link>& links, Index i) {
          std::abs(links[i].kink) > corner_angle;
 }
 
-/// Where an old edge passes a kept point, and the vertex it gets there.
+/// The parameter at which an old edge passes a tool corner, and the position of the vertex placed there, m.
 struct Kept {
   double s;
   Point vertex;
 };
 
-/// By old edge, where the surface passes a kept point closer than half the edge length there, half the surface size
-/// where it lies in a tool: what is led out of that goes round the corner.
+/// The tool corners at which the surface gets a vertex, by old edge: those that the surface passes at less than half
+/// the edge length there. Where the surface penetrates the tool, half the surface size is enough, because the
+/// projection out of the tool leads around the corner.
 std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
   const std::vector<Link> links = boundary_links(old);
   std::vector<Point> fixed;
@@ -115,7 +116,7 @@ class Resampler {
       add(curves[k], curves[(k + 1) % curves.size()], curves.size() > 2 ? 1 : 3);
   }
 
-  /// Whether the old nodes on both sides of a place touch a tool.
+  /// Whether the two old nodes next to a place touch a tool.
   bool touches(const Place& place) const {
     if (criteria_.contact.empty()) return false;
     const auto& nodes = old_.boundary_edges()[place.edge].nodes;

@@ -8,39 +8,40 @@
 
 namespace parison::remesh {
 
-/// What the new mesh of a deforming body should look like.
+/// Requirements on the new mesh of a deforming body.
 struct Criteria {
   core::Geometry geometry;
-  double surface_size;                    ///< largest edge on the surface, m; inside, twice that
-  double skin_size;                       ///< smallest edge a thermal skin may ask for, m
-  double elements_across;                 ///< elements across a wall
-  double growth;                          ///< of the edge length per metre of distance
-  double smallest;                        ///< smallest edge of all, but in films, m
-  std::vector<bool> straight_boundaries;  ///< symmetry boundaries: their nodes stay on their line
-  std::vector<bool> contact;              ///< per old node: touches a tool
-  std::vector<core::Point> keep;          ///< tool corners: a vertex where the surface passes one, m
-  std::vector<double>
-      target_skin_size;  ///< per old node: edge length the thermal skin asks for, m; infinite where none
-  std::vector<double> target_cell_size =
-      {};                         ///< per old cell: edge length its solution's error asks for, m; empty where none
-  double min_film_thickness = 0;  ///< glass between tools has its elements across down to this thickness, m
-  double max_cells = std::numeric_limits<double>::infinity();  ///< about; sizes that ask for more grow everywhere alike
-  ExteriorProjection project_out = {};                         ///< the way out of the active tools
+  double surface_size;                    ///< largest edge on the surface, m; twice as long inside
+  double skin_size;                       ///< smallest edge that a thermal skin can require, m
+  double elements_across;                 ///< number of elements across a wall
+  double growth;                          ///< increase of the edge length per metre of distance
+  double smallest;                        ///< smallest edge outside films, m
+  std::vector<bool> straight_boundaries;  ///< symmetry boundaries, whose nodes stay on their line
+  std::vector<bool> contact;              ///< for each old node, whether it touches a tool
+  std::vector<core::Point> keep;          ///< tool corners, m; the surface gets a vertex where it passes one
+  /// For each old node the edge length that the thermal skin requires, m; infinite where there is none.
+  std::vector<double> target_skin_size;
+  /// For each old cell the edge length that the error of the solution requires, m; may be empty.
+  std::vector<double> target_cell_size = {};
+  double min_film_thickness = 0;  ///< films of at least this thickness have all their elements across, m
+  /// Approximate limit of the number of cells; where it is exceeded, all edge lengths grow by the same factor.
+  double max_cells = std::numeric_limits<double>::infinity();
+  ExteriorProjection project_out = {};  ///< projection out of the active tools
 };
 
-/// A resampled surface and what is known of its points (vertices first, then mid points, in the order of the outline).
+/// A resampled surface with flags for its points: all vertices, then all mid points, in the order of the outline.
 struct Surface {
   Outline outline;
   std::vector<bool> contact;  ///< touches a tool
-  std::vector<bool> fixed;    ///< ends of boundaries, corners and points of symmetry boundaries
+  std::vector<bool> fixed;    ///< end of a boundary, corner or point of a symmetry boundary
 };
 
-/// Edge lengths over space from the present mesh: the surface size, the wall's thickness, curvature, thermal skin and
+/// Size field of the new mesh from the largest surface edge, the wall thickness, the curvature, the thermal skin and
 /// the error of the solution.
 SizeField size_field(const core::Mesh& old, const Criteria& criteria);
 
-/// New points on the old boundary's own curves at those lengths, where an edge dips into a tool on its way out of it;
-/// ends of boundaries and corners are kept to the bit.
+/// Divides the old boundary's quadratic curves according to the size field. Edges that penetrate a tool are divided on
+/// their projection out of it. Ends of boundaries and corners keep their exact positions.
 Surface resample(const core::Mesh& old, const Criteria& criteria, const SizeField& size);
 
 }  // namespace parison::remesh

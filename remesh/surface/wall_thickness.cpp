@@ -87,7 +87,7 @@ class BoundaryRays {
   core::BoxGrid edges_;
 };
 
-/// Sum of the outward unit normals of the edges that meet at each node; zero away from the free and contact surface.
+/// Sum of the outward unit normals of the edges that meet at each node; zero inside and on symmetry boundaries.
 std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries) {
   std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
@@ -116,7 +116,8 @@ Fans fans_of(const Mesh& mesh) {
   return fans;
 }
 
-/// The nearest node of finite value from each vertex, handed on from neighbour to neighbour; -1 where there is none.
+/// For each vertex the nearest node with a finite value, found by a front that advances from vertex to vertex in the
+/// order of distance (E. W. Dijkstra, Numer. Math. 1 (1959) 269-271); -1 without such a node.
 std::vector<Index> sources_of_vertices(const Mesh& mesh, const Eigen::VectorXd& value) {
   struct Front {
     double distance;  ///< squared
@@ -160,7 +161,7 @@ void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
   std::vector<Index> source = sources_of_vertices(mesh, value);
   source.resize(mesh.nodes.size(), -1);
   for (const auto& cell : mesh.cells())
-    for (int i = 0; i < 3; ++i) {  // a mid-side node has the nearer source of its ends
+    for (int i = 0; i < 3; ++i) {  // a mid-side node takes the nearer of its ends' sources
       const Index node = cell[3 + i], a = source[cell[i]], b = source[cell[(i + 1) % 3]];
       if (a < 0 || b < 0) continue;
       const double from_a = (mesh.nodes[node] - mesh.nodes[a]).squaredNorm();

@@ -4,16 +4,17 @@
 
 namespace parison::remesh {
 
-/// int N_i N_j dV cell by cell, of the quadratic functions of the nodes (order 2) or the linear ones of the vertices
-/// (1).
+/// Consistent mass matrix int N_i N_j dV, m3, stored cell by cell, of the quadratic shape functions of the nodes (order
+/// 2) or the linear ones of the vertices (order 1).
 class MassMatrix {
  public:
   MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order);
 
   Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
 
-  /// Conjugate gradients from `start` down to round-off; scaled by the diagonal the condition number is about 5. Gives
-  /// `start` back where a folded cell makes the matrix indefinite.
+  /// Solves by conjugate gradients with Jacobi preconditioning from `start` to round-off. The preconditioned condition
+  /// number is small whatever the mesh (A. J. Wathen, IMA J. Numer. Anal. 7 (1987) 449-457). Returns `start` where a
+  /// folded cell makes the matrix indefinite.
   Eigen::VectorXd solve(const Eigen::VectorXd& load, const Eigen::VectorXd& start) const;
 
  private:

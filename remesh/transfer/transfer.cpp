@@ -16,8 +16,8 @@ using core::Point;
 
 namespace {
 
-/// Range of the old cell that each value comes from, widened by half on both sides where that brings no new extreme:
-/// quadratic fields pass, overshoots next to a thermal skin do not.
+/// Sets the bounds of each value: the range of the old cell that contains it, widened by half on both sides, within the
+/// extremes of the old field. Quadratic fields stay within them; overshoots next to a thermal skin are cut off.
 void set_ranges(const Mesh& from, const Transfer& transfer, const Eigen::VectorXd& nodal, Carried& carried) {
   carried.lowest = nodal.minCoeff(), carried.highest = nodal.maxCoeff();
   carried.low = carried.high = carried.value;
@@ -31,14 +31,14 @@ void set_ranges(const Mesh& from, const Transfer& transfer, const Eigen::VectorX
   }
 }
 
-/// A field and by how much its content is more than the wanted one.
+/// A field and the difference of its content from the wanted one.
 struct TrialField {
   Eigen::VectorXd field;
   double defect;
 };
 
-/// Finds t with content(path(t)) = wanted by the secant rule from t = 0, which gave `start`, and `first`; gives the
-/// best.
+/// Solves content(path(t)) = target by the secant method from t = 0, whose field is `start`, and t = first. Returns the
+/// field with the smallest defect.
 TrialField secant_search(const std::function<Eigen::VectorXd(double)>& path, const Content& content, double target,
                          TrialField start, double first) {
   constexpr int rounds = 12;
@@ -82,7 +82,7 @@ Eigen::VectorXd interpolate(const Mesh& from, const Transfer& transfer, const Ei
 }
 
 double mean(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& nodal) {
-  // Relative to one value, so that a uniform field has its own value as the mean.
+  // Integrating the difference from one nodal value gives a uniform field its exact mean.
   const double base = nodal[0];
   double content = 0, volume = 0;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
@@ -122,7 +122,8 @@ Eigen::VectorXd restore_content(const Mesh& to, const Carried& carried, const Co
   };
   TrialField near = secant_search(shifted, content, target, start, -start.defect / derivative);
   if (std::abs(near.defect) <= kept * std::abs(target)) return near.field;
-  // The ranges leave no room: every value goes a share of its way to an old extreme.
+  // The bounds do not admit the wanted content: every value moves by the same fraction of its distance to an old
+  // extreme.
   const double limit = start.defect < 0 ? carried.highest : carried.lowest;
   const auto drawn = [&](double t) {
     const double fraction = std::clamp(t, 0.0, 1.0);

@@ -8,36 +8,36 @@
 
 namespace parison::remesh {
 
-/// Where the nodes of a new mesh lie in the old one.
+/// Positions of the nodes of a new mesh in the old mesh.
 struct Transfer {
   std::vector<core::Index> cell;          ///< old cell of each new node
-  std::vector<std::array<double, 2>> at;  ///< its reference coordinates there, inside or on the border
+  std::vector<std::array<double, 2>> at;  ///< reference coordinates in that cell, inside or on the border
 };
 Transfer make_transfer(const core::Mesh& from, const core::Mesh& to);
 
 /// Value of an old nodal field at the new nodes.
 Eigen::VectorXd interpolate(const core::Mesh& from, const Transfer& transfer, const Eigen::VectorXd& nodal);
 
-/// A field carried over, before its content is restored.
+/// A projected field before its content is restored.
 struct Carried {
-  Eigen::VectorXd value;      ///< at the nodes, or where the order is 1 at the vertices
-  Eigen::VectorXd low, high;  ///< range that each value keeps: nowhere beyond the old nodal extremes
+  Eigen::VectorXd value;      ///< at the nodes (order 2) or at the vertices (order 1)
+  Eigen::VectorXd low, high;  ///< bounds of each value, within the old nodal extremes
   double lowest, highest;     ///< old nodal extremes
 };
 
-/// The old field's best approximation in the mean square by quadratic functions (order 2), or linear ones between the
-/// vertices (1), each value held within the range of the old cell it lies in.
+/// L2 projection of the old field onto quadratic functions (order 2) or linear ones (order 1) of the new mesh. Each
+/// value is limited to the range of the old cell it lies in, widened by half of that range on both sides.
 Carried project(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry, const Transfer& transfer,
                 const Eigen::VectorXd& nodal, int order);
 
-/// What of a field is to be kept, as a function of its nodal values.
+/// The conserved quantity of a field as a function of its nodal values.
 using Content = std::function<double(const Eigen::VectorXd&)>;
 
-/// The nodal field next to the carried one that has the wanted content: all values move by the same amount, as far as
-/// their ranges let them.
+/// The nodal field with the wanted content that is closest to the projected one: all values change by the same amount,
+/// as far as their bounds allow.
 Eigen::VectorXd restore_content(const core::Mesh& to, const Carried& carried, const Content& content, double target);
 
-/// Both, with the volume mean kept.
+/// Projection and restored content in one, for a field whose volume mean is conserved.
 Eigen::VectorXd transfer_conserving(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry,
                                     const Transfer& transfer, const Eigen::VectorXd& nodal, int order = 2);
 

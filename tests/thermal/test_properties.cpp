@@ -56,6 +56,56 @@ TEST(Properties, enthalpy_is_the_integral_of_the_heat_capacity) {
   EXPECT_TRUE(std::isnan(enthalpy(std::nan("")).h));
 }
 
+/// The temperatures at the points of four cells, 450 to 1600 K, and thin-wall factors.
+struct CellPoints {
+  PointValues temperature, thin_wall;
+  CellPoints() {
+    for (int q = 0; q < 6; ++q)
+      for (int cell = 0; cell < 4; ++cell) {
+        temperature[q][cell] = 450 + 50.0 * (4 * q + cell);
+        thin_wall[q][cell] = 0.3 + 0.02 * (4 * q + cell);
+      }
+  }
+};
+
+TEST(Properties, arrays_have_the_bits_of_each_temperature) {
+  const CellPoints at;
+  PointValues k, h, c;
+  const Material material = glass();
+  for (const core::Table& capacity : {material.heat_capacity, core::constant(1300)}) {
+    const Conductivity conductivity(material);
+    const Enthalpy enthalpy(capacity);
+    conductivity.set_values(at.temperature, at.thin_wall, k);
+    enthalpy.set_enthalpies(at.temperature, h);
+    enthalpy.set_capacities(at.temperature, c);
+    for (int q = 0; q < 6; ++q)
+      for (int cell = 0; cell < 4; ++cell) {
+        const double T = at.temperature[q][cell];
+        EXPECT_EQ(k[q][cell], conductivity(T, at.thin_wall[q][cell]));
+        EXPECT_EQ(h[q][cell], enthalpy(T).h);
+        EXPECT_EQ(c[q][cell], enthalpy(T).c);
+      }
+  }
+}
+
+TEST(Properties, derivatives_of_the_conductivity_agree_with_finite_differences_and_are_not_zero) {
+  const CellPoints at;
+  Material material = glass();
+  for (const core::Table& phonon : {core::constant(1.3), core::Table{{300, 2000}, {0.9, 1.8}}}) {
+    material.conductivity = phonon;
+    const Conductivity conductivity(material);
+    PointValues derivative;
+    conductivity.set_derivatives(at.temperature, at.thin_wall, derivative);
+    for (int q = 0; q < 6; ++q)
+      for (int cell = 0; cell < 4; ++cell) {
+        const double T = at.temperature[q][cell], factor = at.thin_wall[q][cell], step = 1e-2;
+        const double by_difference = (conductivity(T + step, factor) - conductivity(T - step, factor)) / (2 * step);
+        EXPECT_GT(by_difference, 1e-4);
+        EXPECT_NEAR(derivative[q][cell] / by_difference, 1, 1e-7);
+      }
+  }
+}
+
 TEST(Properties, surface_flux_has_its_derivative_and_vanishes_at_equilibrium) {
   const SurfaceExchange exchange{20, 320, 0.89, 320};
   EXPECT_NEAR(surface_flux(exchange, 320).q, 0, 1e-9);

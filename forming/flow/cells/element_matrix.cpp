@@ -207,12 +207,9 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
     const auto v = batch_velocity(mesh, batch, velocity);
     const int lanes = core::filled_lanes(geometry.cells, batch);
     for (int q = 0; q < cell_points; ++q) {
-      VectorizedArray squared;
-      set_squared_rate(geometry.at(batch, q), q, v, squared);
-      squared *= 2;
-      for (int lane = 0; lane < lanes; ++lane)
-        viscosity[std::size_t(batch * batch_size + lane) * cell_points + q] *=
-            std::pow(1 + law.time * law.time * squared[lane], 0.5 * (law.exponent - 1));
+      const BatchArray squared = 2 * squared_rate(geometry.at(batch, q), q, v);
+      for (Index lane = 0; lane < here; ++lane)
+        viscosity[std::size_t(batch * batch_size + lane) * cell_points + q] *= law(squared[lane]);
     }
   }
   return viscosity;
@@ -284,16 +281,15 @@ RateDerivative rate_derivative(const CellGeometry::AtPoint& at, int q, const cor
 void add_thinning_derivative(const Problem& problem, const CellGeometry& geometry, const std::vector<double>& viscosity,
                              const Eigen::VectorXd& velocity, CellMatrices& cells) {
   const auto& law = *problem.material->shear_thinning;
-  const double square = law.time * law.time;
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
     VectorizedArray* matrix = cells.batches[batch].matrix;
     const auto v = batch_velocity(*problem.mesh, batch, velocity);
     for (int q = 0; q < cell_points; ++q) {
       const auto& at = geometry.at(batch, q);
-      VectorizedArray eta, squared;
-      for (int lane = 0; lane < batch_size; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
-      set_squared_rate(at, q, v, squared);
-      const VectorizedArray derivative = 0.5 * (law.exponent - 1) * square * eta / (1 + 2 * square * squared);
+      const BatchArray squared = 2 * squared_rate(at, q, v);
+      BatchArray derivative;  // of the viscosity with respect to the square of the shear rate
+      for (Index lane = 0; lane < batch_size; ++lane)
+        derivative[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q] * law.log_derivative(squared[lane]);
       const auto rate = rate_derivative(at, q, v);
       for (int i = 0; i < cell_velocities; ++i) {
         const VectorizedArray row = 8 * derivative * at.volume * rate[i];
