@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/case/table.hpp"
+#include "core/case/time_function.hpp"
 #include "thermal/cells/cell_batch.hpp"
 
 namespace parison::thermal {
@@ -23,14 +24,25 @@ struct Material {
   std::optional<Radiation> radiation;
 };
 
-/// What a part of surface exchanges with its surroundings, positive out of the body:
-/// q = h (T - air) + emissivity sigma (T^4 - ambient^4).
+/// Convection and radiation from a boundary to its surroundings, heat flux positive out of the body:
+/// q = h (T - T_air) + emissivity sigma (T^4 - T_ambient^4), with the Stefan-Boltzmann constant sigma.
 struct SurfaceExchange {
-  double h = 0;                  ///< W/m2/K
-  double air_temperature = 300;  ///< K
+  core::TimeFunction h = 0;                  ///< heat transfer coefficient, W/m2/K
+  core::TimeFunction air_temperature = 300;  ///< K
   double emissivity = 0;
-  double ambient_temperature = 300;  ///< K
+  core::TimeFunction ambient_temperature = 300;  ///< K
 };
+
+/// A SurfaceExchange at one time.
+struct ExchangeCoefficients {
+  double h;                    ///< W/m2/K
+  double air_temperature;      ///< K
+  double emissivity;           ///< 0 to 1
+  double ambient_temperature;  ///< K
+};
+inline ExchangeCoefficients coefficients_at(const SurfaceExchange& exchange, double time) {
+  return {exchange.h(time), exchange.air_temperature(time), exchange.emissivity, exchange.ambient_temperature(time)};
+}
 
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
 inline constexpr double content_reference = 273.15;         ///< K, where enthalpy and heat content are zero
@@ -136,11 +148,12 @@ template <typename Law>
   for (VectorizedArray& value : values.own) value = VectorizedArray{} + capacity_.y[0];
 }
 
-/// Heat flux out of a surface and its slope.
+/// Heat flux out of a surface and its derivative with respect to the surface temperature.
 struct SurfaceFlux {
   double q;      ///< W/m2
   double dq_dT;  ///< W/m2/K
 };
-SurfaceFlux surface_flux(const SurfaceExchange& exchange, double temperature);
+/// The flux of SurfaceExchange at a surface temperature, K.
+SurfaceFlux surface_flux(const ExchangeCoefficients& exchange, double temperature);
 
 }  // namespace parison::thermal

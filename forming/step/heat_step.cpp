@@ -20,11 +20,11 @@ std::optional<thermal::SurfaceExchange> exchange_of(const Body& body, const core
   if (kind != BoundaryKind::contact && kind != BoundaryKind::air) return std::nullopt;
   thermal::SurfaceExchange exchange = stage.air;
   exchange.emissivity = body.emissivity;
-  if (exchange.h == 0 && exchange.emissivity == 0) return std::nullopt;
+  if (exchange.h.max() == 0 && exchange.emissivity == 0) return std::nullopt;
   return exchange;
 }
 
-std::optional<double> prescribed_of(const Body& body, const core::Mesh& mesh, std::size_t boundary) {
+std::optional<core::TimeFunction> prescribed_of(const Body& body, const core::Mesh& mesh, std::size_t boundary) {
   if (mesh.boundaries()[boundary].kind != BoundaryKind::temperature) return std::nullopt;
   return body.boundaries[boundary].temperature;
 }
@@ -138,7 +138,6 @@ HeatOutcome advance_static_stage(const Scene& scene, State& state, const std::ve
   if (!static_stage || static_stage->stage != state.stage || static_stage->expired) {
     static_stage = std::make_unique<Workspace::StaticStage>();
     static_stage->stage = state.stage;
-    static_stage->start = state.time;
     for (Index b = 0; b < body_count(state); ++b) static_stage->meshes.push_back(mesh_of(state, b));
     Meshes meshes;
     for (const auto& mesh : static_stage->meshes) meshes.push_back(&mesh);
@@ -150,9 +149,9 @@ HeatOutcome advance_static_stage(const Scene& scene, State& state, const std::ve
     }
     thermal::IdaOptions options;
     options.tolerance = scene.accuracy.temperature_tolerance;
-    static_stage->integrator.emplace(std::move(problem), temperatures(state), options);
+    static_stage->integrator.emplace(std::move(problem), state.time, temperatures(state), options);
   }
-  auto outcome = static_stage->integrator->advance_to(state.time + dt - static_stage->start);
+  auto outcome = static_stage->integrator->advance_to(state.time + dt);
   if (!outcome.converged) {
     static_stage.reset();
     return {false, outcome.reason};
@@ -189,7 +188,7 @@ HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<cor
     options.newton_tolerance = newton_fraction * options.tolerance;
     options.initial_substep = state.heat_substep;
     workspace.heat.couplings = couplings_of(state);
-    auto outcome = thermal::advance(problem, temperatures(state), dt, options, workspace.heat);
+    auto outcome = thermal::advance(problem, state.time, temperatures(state), dt, options, workspace.heat);
     if (!outcome.converged) return {false, outcome.reason};
     store_couplings(state, workspace.heat.couplings);
     store_temperatures(state, std::move(outcome.temperature));

@@ -48,7 +48,7 @@ thermal::InterfaceLaw interface_law(const Scene& scene, const std::vector<core::
   std::vector<contact::ConductanceLaw> laws;
   for (const auto& each : scene.interfaces) laws.push_back(each.law);
   return [&scene, &clamped_lookups, law = contact::InterfaceConductance(laws, interface)](
-             const std::vector<core::InterfacePoint>&, const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h,
+             double, const std::vector<core::InterfacePoint>&, const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h,
              Eigen::ArrayXd* dh_dT) {
     const flow::Viscosity unknown{0, 0, 0, 1.0};
     const flow::Viscosity& viscosity = scene.has_flow() ? scene.glass.flow->viscosity : unknown;

@@ -19,8 +19,7 @@ struct Workspace {
     std::vector<core::Mesh> meshes;
     std::vector<Eigen::VectorXd> thickness;
     std::optional<thermal::IdaIntegrator> integrator;
-    double start = 0;      ///< time, s
-    long inner_steps = 0;  ///< of the integrator since then
+    long inner_steps = 0;  ///< of the integrator since its start
     Index steps = 0;       ///< of the run
     bool expired = false;  ///< the next step makes a new one, so that nothing is lost with this one
     Index stage = -1;
