@@ -9,11 +9,12 @@
 
 namespace parison::thermal {
 
-/// Internal radiation as Rosseland conduction: k_r = 16/3 n^2 sigma T^3 / kappa, T in K.
+/// Internal radiation in the diffusion approximation of Rosseland (1924): it adds to the conductivity
+/// k_r = 16/3 n^2 sigma T^3 / kappa, T in K, which holds where the wall is optically thick, kappa w >> 1.
 struct Radiation {
   double refractive_index;
-  double absorption;      ///< kappa_R, 1/m
-  bool thin_wall = true;  ///< multiply k_r by 1/(1 + 4/(3 kappa w)), w the local wall thickness
+  double absorption;      ///< Rosseland mean absorption coefficient kappa, 1/m
+  bool thin_wall = true;  ///< multiply k_r by thin_wall_factor of the local wall thickness
 };
 
 /// Thermal properties of a body; tables over temperature in K.
@@ -47,13 +48,15 @@ inline ExchangeCoefficients coefficients_at(const SurfaceExchange& exchange, dou
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
 inline constexpr double content_reference = 273.15;         ///< K, where enthalpy and heat content are zero
 
-/// What diffusion through a wall of thickness w keeps of the Rosseland conductivity: 1/(1 + 4/(3 kappa w)).
+/// Factor on the Rosseland conductivity in a wall of thickness w, m: 1/(1 + 4/(3 kappa w)). It makes the radiative flux
+/// between two black walls that of the diffusion approximation with a temperature jump at the walls (Deissler 1964),
+/// n^2 sigma (T1^4 - T2^4)/(1 + 3 kappa w/4), close to the exact flux in thick and in thin walls.
 template <typename Number>
 [[gnu::always_inline]] inline Number thin_wall_factor(const Radiation& radiation, const Number& wall_thickness) {
   return radiation.thin_wall ? 1 / (1 + 4 / (3 * radiation.absorption * wall_thickness)) : Number{} + 1;
 }
 
-/// Conductivity with internal radiation, W/m/K; `thin_wall` multiplies the radiative part.
+/// Conductivity with internal radiation, W/m/K, at a temperature, K; `thin_wall` multiplies the radiative part.
 double conductivity(const Material& material, double temperature, double thin_wall = 1);
 
 /// The same, prepared for many evaluations.
@@ -86,7 +89,7 @@ struct EnthalpyValue {
   double c;  ///< J/kg/K
 };
 
-/// The integral of a heat capacity table, prepared for many evaluations.
+/// The integral of a heat capacity table from `content_reference`, prepared for many evaluations; temperatures in K.
 class Enthalpy {
  public:
   explicit Enthalpy(const core::Table& heat_capacity);
@@ -148,7 +151,7 @@ template <typename Law>
   for (VectorizedArray& value : values.own) value = VectorizedArray{} + capacity_.y[0];
 }
 
-/// Heat flux out of a surface and its derivative with respect to the surface temperature.
+/// Heat flux out of a surface and its derivative.
 struct SurfaceFlux {
   double q;      ///< W/m2
   double dq_dT;  ///< W/m2/K
