@@ -16,46 +16,42 @@ const SurfaceExchange* exchange_of(const BodyView& body, Index boundary_id) {
   return &*body.exchange[boundary_id];
 }
 
-/// What a square metre of a boundary gives the air: linear T + quartic |T|^3 T - constant, W/m2.
-struct AirLaw {
-  double linear = 0, quartic = 0, constant = 0;
-};
-AirLaw air_law(const SurfaceExchange* exchange) {
-  if (!exchange) return {};
-  const double radiant = exchange->emissivity * stefan_boltzmann;
-  return {exchange->h, radiant,
-          exchange->h * exchange->air_temperature + radiant * std::pow(exchange->ambient_temperature, 4)};
+/// Exchange of all boundaries of all bodies at a time; zero where a boundary has none.
+std::vector<ExchangeCoefficients> exchange_at(const HeatSystem& system, double time) {
+  std::vector<ExchangeCoefficients> result;
+  for (const BodyView& body : system.problem->bodies)
+    for (std::size_t id = 0; id < body.mesh->boundaries().size(); ++id) {
+      const SurfaceExchange* exchange = exchange_of(body, static_cast<Index>(id));
+      result.push_back(exchange ? coefficients_at(*exchange, time) : ExchangeCoefficients{});
+    }
+  return result;
 }
 
-/// The boundaries of a body's boundary and the air on them.
-struct BodyAir {
-  std::vector<AirLaw> laws;        ///< by boundary
-  std::vector<Index> boundary_id;  ///< of the boundary edge with a given mid node
+/// Heat that an area in contact would give the air if it were free: linear T + quartic |T|^3 T - constant, W.
+struct FreeSurface {
+  double linear, quartic, constant;  ///< W/m2/K, W/m2/K4, W/m2
 
-  const AirLaw& at(Index mid_node) const { return laws[boundary_id[mid_node]]; }
-};
-BodyAir body_air(const BodyView& body) {
-  BodyAir air;
-  for (std::size_t p = 0; p < body.mesh->boundaries().size(); ++p)
-    air.laws.push_back(air_law(exchange_of(body, static_cast<Index>(p))));
-  air.boundary_id.resize(body.mesh->nodes.size());
-  for (const core::BoundaryEdge& edge : body.mesh->boundary_edges()) air.boundary_id[edge.nodes[2]] = edge.boundary_id;
-  return air;
-}
+  explicit FreeSurface(const ExchangeCoefficients& exchange)
+      : linear(exchange.h),
+        quartic(exchange.emissivity * stefan_boltzmann),
+        constant(exchange.h * exchange.air_temperature + quartic * std::pow(exchange.ambient_temperature, 4)) {}
 
-void resize(CoveredExchange& covered, Index size) {
-  covered.linear.resize(size);
-  covered.quartic.resize(size);
-  covered.constant.resize(size);
-}
-
-/// Covers the points of a segment on one of its sides.
-void cover(CoveredExchange& covered, const HeatSegment& segment, const Eigen::ArrayXd& area, const AirLaw& air) {
-  for (Index i = segment.first_point; i < segment.last_point; ++i) {
-    covered.linear[i] = air.linear * area[i];
-    covered.quartic[i] = air.quartic * area[i];
-    covered.constant[i] = air.constant * area[i];
+  double heat(double area, double T) const {
+    return (linear * area + quartic * area * T * T * std::abs(T)) * T - constant * area;
   }
+  /// With respect to T, W/K.
+  double derivative(double area, double T) const {
+    return linear * area + 4 * (quartic * area) * (T * T) * std::abs(T);
+  }
+};
+
+/// Boundary, counted through all bodies, that each mid-side node of a body's boundary lies on, by node.
+std::vector<Index> boundaries_of_mid_nodes(const HeatSystem& system, Index body) {
+  const core::Mesh& mesh = *system.problem->bodies[body].mesh;
+  std::vector<Index> boundary(mesh.nodes.size());
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    boundary[edge.nodes[2]] = system.first_boundary[body] + edge.boundary_id;
+  return boundary;
 }
 
 Index find_pair(HeatSystem& system, const std::pair<Index, Index>& pair) {
@@ -70,31 +66,41 @@ bool face_alike(const core::InterfacePoint& a, const core::InterfacePoint& b) {
          a.master_body == b.master_body;
 }
 
-HeatSegment start_segment(HeatSystem& system, const core::InterfacePoint& point, Index at) {
+HeatSegment start_segment(HeatSystem& system, const core::InterfacePoint& point, Index at,
+                          std::vector<std::vector<Index>>& boundaries) {
+  for (const Index body : {point.slave_body, point.master_body})
+    if (boundaries[body].empty()) boundaries[body] = boundaries_of_mid_nodes(system, body);
   const auto slave = edge_unknowns(system, point.slave_body, point.slave_nodes);
   const auto master = edge_unknowns(system, point.master_body, point.master_nodes);
-  return {{slave[0], slave[1], slave[2], master[0], master[1], master[2]}, at, at, point.slave_body, point.master_body,
+  return {{slave[0], slave[1], slave[2], master[0], master[1], master[2]},
+          at,
+          at,
+          point.slave_body,
+          point.master_body,
+          boundaries[point.slave_body][point.slave_nodes[2]],
+          boundaries[point.master_body][point.master_nodes[2]],
           find_pair(system, {point.slave_body, point.master_body})};
 }
 
-/// Heat across the interface and what its cover keeps from the air.
-void add_contact_heat(const HeatSystem& system, const Eigen::VectorXd& temperature, Flows& flows,
-                      Eigen::VectorXd* power) {
+/// Adds the heat across the interface, and takes off the exchange with the air that the area in contact does not have.
+void add_contact_heat(const HeatSystem& system, double time, const std::vector<ExchangeCoefficients>& exchange,
+                      const Eigen::VectorXd& temperature, Flows& flows, Eigen::VectorXd* power) {
   using Eigen::Vector3d;
   const HeatInterface& interface = system.interface;
   const auto [T1, T2] = side_temperatures(interface, temperature);
   Eigen::ArrayXd h(T1.size());
-  system.problem->law(system.problem->interface, T1, h, nullptr);
+  system.problem->law(time, system.problem->interface, T1, h, nullptr);
   for (const HeatSegment& segment : interface.segments) {
-    // In shares of the unknowns.
+    const FreeSurface slave_air(exchange[segment.slave_boundary]), master_air(exchange[segment.master_boundary]);
+    // Heat by unknown of the segment.
     Vector3d from_slave = Vector3d::Zero(), to_master = from_slave, covered1 = from_slave, covered2 = from_slave;
     for (Index i = segment.first_point; i < segment.last_point; ++i) {
       const Eigen::Map<const Vector3d> s(&interface.shape(0, i)), m(&interface.shape(3, i));
       const double across = interface.area[i] * h[i] * (T1[i] - T2[i]);
       from_slave += across * s;
       to_master += across * m;
-      covered1 += interface.slave_air.heat(i, T1[i]) * s;
-      covered2 += interface.master_air.heat(i, T2[i]) * m;
+      covered1 += slave_air.heat(interface.area[i], T1[i]) * s;
+      covered2 += master_air.heat(interface.area[i], T2[i]) * m;
     }
     flows.across[segment.pair] += from_slave.sum();
     flows.received[segment.pair] += to_master.sum();
@@ -115,12 +121,11 @@ void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) 
   const auto& rule = core::edge_rule(3);
   for (std::size_t e = 0; e < body.mesh->boundary_edges().size(); ++e) {
     const core::BoundaryEdge& boundary = body.mesh->boundary_edges()[e];
-    const SurfaceExchange* exchange = exchange_of(body, boundary.boundary_id);
-    if (!exchange) continue;
+    if (!exchange_of(body, boundary.boundary_id)) continue;
     HeatEdge edge{edge_unknowns(system, body_index, boundary.nodes),
                   first_boundary_edge + static_cast<Index>(e),
+                  system.first_boundary[body_index] + boundary.boundary_id,
                   body_index,
-                  *exchange,
                   {},
                   {}};
     for (int q = 0; q < 3; ++q) {
@@ -138,26 +143,15 @@ void add_interface(HeatSystem& system) {
   interface.shape.resize(6, count);
   interface.area.resize(count);
   interface.segments.reserve(count);
-  resize(interface.slave_air, count);
-  resize(interface.master_air, count);
+  std::vector<std::vector<Index>> boundaries(system.problem->bodies.size());
   for (Index i = 0; i < count; ++i) {
     if (i == 0 || !face_alike(points[i - 1], points[i]))
-      interface.segments.push_back(start_segment(system, points[i], i));
+      interface.segments.push_back(start_segment(system, points[i], i, boundaries));
     interface.segments.back().last_point = i + 1;
     const auto slave = unknown_weights(points[i].slave_shape, system.problem->order);
     const auto master = unknown_weights(points[i].master_shape, system.problem->order);
     interface.shape.col(i) << slave[0], slave[1], slave[2], master[0], master[1], master[2];
     interface.area[i] = points[i].contact_weight * points[i].area;
-  }
-  if (count == 0) return;
-  std::vector<BodyAir> air(system.problem->bodies.size());
-  for (const auto& [slave, master] : system.pairs)
-    for (const Index body : {slave, master})
-      if (air[body].boundary_id.empty()) air[body] = body_air(system.problem->bodies[body]);
-  for (const HeatSegment& segment : interface.segments) {
-    const core::InterfacePoint& point = points[segment.first_point];
-    cover(interface.slave_air, segment, interface.area, air[point.slave_body].at(point.slave_nodes[2]));
-    cover(interface.master_air, segment, interface.area, air[point.master_body].at(point.master_nodes[2]));
   }
 }
 
@@ -176,28 +170,40 @@ SideTemperatures side_temperatures(const HeatInterface& interface, const Eigen::
   return at;
 }
 
-void add_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, Flows& flows, Eigen::VectorXd* power) {
+void add_exchange(const HeatSystem& system, double time, const Eigen::VectorXd& temperature, Flows& flows,
+                  Eigen::VectorXd* power) {
+  const std::vector<ExchangeCoefficients> exchange = exchange_at(system, time);
   for (const HeatEdge& edge : system.edges)
     for (int q = 0; q < 3; ++q) {
       const double T = interpolate(temperature, edge.unknowns.data(), edge.shape[q]);
-      const double heat = edge.area[q] * surface_flux(edge.exchange, T).q;
+      const double heat = edge.area[q] * surface_flux(exchange[edge.boundary], T).q;
       flows.to_air[edge.body] += heat;
       if (power)
         for (int i = 0; i < 3; ++i) (*power)[edge.unknowns[i]] -= edge.shape[q][i] * heat;
     }
-  if (!system.interface.segments.empty()) add_contact_heat(system, temperature, flows, power);
+  if (!system.interface.segments.empty()) add_contact_heat(system, time, exchange, temperature, flows, power);
 }
 
 namespace {
 
-ContactDerivatives linearise_contact(const HeatSystem& system, const Eigen::VectorXd& temperature) {
+ContactDerivatives linearise_contact(const HeatSystem& system, double time,
+                                     const std::vector<ExchangeCoefficients>& exchange,
+                                     const Eigen::VectorXd& temperature) {
   const HeatInterface& interface = system.interface;
   if (interface.segments.empty()) return {};
   const auto [T1, T2] = side_temperatures(interface, temperature);
   Eigen::ArrayXd h(T1.size()), dh_dT(T1.size());
-  system.problem->law(system.problem->interface, T1, h, &dh_dT);
-  return {interface.area * h, interface.area * dh_dT * (T1 - T2), interface.slave_air.derivative(T1),
-          interface.master_air.derivative(T2)};
+  system.problem->law(time, system.problem->interface, T1, h, &dh_dT);
+  ContactDerivatives result{interface.area * h, interface.area * dh_dT * (T1 - T2), Eigen::ArrayXd(T1.size()),
+                            Eigen::ArrayXd(T1.size())};
+  for (const HeatSegment& segment : interface.segments) {
+    const FreeSurface slave_air(exchange[segment.slave_boundary]), master_air(exchange[segment.master_boundary]);
+    for (Index i = segment.first_point; i < segment.last_point; ++i) {
+      result.slave_air[i] = slave_air.derivative(interface.area[i], T1[i]);
+      result.master_air[i] = master_air.derivative(interface.area[i], T2[i]);
+    }
+  }
+  return result;
 }
 
 void add_edges(StepMatrix& matrix, const HeatSystem& system, const Linearisation& derivatives, double step) {
@@ -213,7 +219,7 @@ void add_edges(StepMatrix& matrix, const HeatSystem& system, const Linearisation
   }
 }
 
-/// The points of a segment share their clique: one entry in the matrix for all of them.
+/// Adds one dense matrix for each segment, the sum over its points.
 void add_segments(StepMatrix& matrix, const HeatSystem& system, const ContactDerivatives& derivatives, double step) {
   using RowMajor = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
   const Eigen::ArrayXd across = step * derivatives.across;
@@ -234,15 +240,17 @@ void add_segments(StepMatrix& matrix, const HeatSystem& system, const ContactDer
 
 }  // namespace
 
-void linearise_exchange(const HeatSystem& system, const Eigen::VectorXd& temperature, Linearisation& result) {
+void linearise_exchange(const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
+                        Linearisation& result) {
+  const std::vector<ExchangeCoefficients> exchange = exchange_at(system, time);
   for (const HeatEdge& edge : system.edges) {
     auto& derivatives = result.edges.emplace_back();
     for (int q = 0; q < 3; ++q) {
       const double T = interpolate(temperature, edge.unknowns.data(), edge.shape[q]);
-      derivatives[q] = edge.area[q] * surface_flux(edge.exchange, T).dq_dT;
+      derivatives[q] = edge.area[q] * surface_flux(exchange[edge.boundary], T).dq_dT;
     }
   }
-  result.contacts = linearise_contact(system, temperature);
+  result.contacts = linearise_contact(system, time, exchange, temperature);
 }
 
 void apply_exchange(const HeatSystem& system, const Linearisation& linearisation, double step,
@@ -270,9 +278,10 @@ void apply_exchange(const HeatSystem& system, const Linearisation& linearisation
   }
 }
 
-void assemble_exchange(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
+void assemble_exchange(StepMatrix& matrix, const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
+                       double step) {
   Linearisation derivatives;
-  linearise_exchange(system, temperature, derivatives);
+  linearise_exchange(system, time, temperature, derivatives);
   add_edges(matrix, system, derivatives, step);
   if (!system.interface.segments.empty()) add_segments(matrix, system, derivatives.contacts, step);
 }

@@ -8,33 +8,34 @@ namespace parison::thermal {
 
 using core::Index;
 
-/// Heat that one body exchanged over a step, J.
+/// Heat balance of one body over a time, J.
 struct BodyBalance {
   double content_change = 0;
-  double to_air = 0;           ///< out through surface exchange: air, cooling and radiation
+  double to_air = 0;           ///< out by convection and radiation to the surroundings, cooling included
   double from_source = 0;      ///< in from the volume source
-  double from_prescribed = 0;  ///< in through boundaries of given temperature
+  double from_prescribed = 0;  ///< in through boundaries of prescribed temperature
 };
 
-/// Heat that crossed the interface from a slave to a master, J, summed over either side's own nodes.
+/// Heat that crossed the interface from a slave to a master over a time, J, summed over the nodes of each side.
 struct PairBalance {
   Index slave_body, master_body;
   double heat = 0;      ///< out of the slave
   double received = 0;  ///< into the master
 };
 
+/// Heat balance of all bodies over a time.
 struct HeatBalance {
   std::vector<BodyBalance> bodies;
   std::vector<PairBalance> pairs;
 };
 
-/// Heat that a body lost through its interfaces, J; negative for a master that was heated.
+/// Heat that a body lost through its interfaces, J; negative for a master that the slave heats.
 double lost_through_interfaces(const HeatBalance& balance, Index body);
-/// What the balance of a body leaves unexplained, J.
+/// Residual of a body's balance, J: the content change less all heat that entered.
 double imbalance(const HeatBalance& balance, Index body);
-/// Largest difference between what a slave gave and what its master received, relative to the largest heat of any pair.
+/// Largest difference between the heat out of a slave and into its master, relative to the largest heat of any pair.
 double flux_mismatch(const HeatBalance& balance);
-/// Adds the entries of `step`, which has the same bodies; pairs are matched or appended.
+/// Adds the entries of `step`, which must have the same bodies; pairs that are new are appended.
 void add(HeatBalance& balance, const HeatBalance& step);
 
 }  // namespace parison::thermal

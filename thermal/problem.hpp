@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/case/time_function.hpp"
 #include "core/mesh/interface_point.hpp"
 #include "core/mesh/mesh.hpp"
 #include "thermal/properties.hpp"
@@ -12,39 +13,43 @@ namespace parison::thermal {
 
 using core::Index;
 
-/// One body in a heat problem; everything pointed to outlives the problem. The mass of a material point is that of
-/// `mass_mesh` and stays while `mesh` moves, so heat content does not change by motion.
+/// One body of a heat problem, with its boundary values over time. Everything pointed to must outlive the problem. The
+/// mass of each material point is fixed by `mass_mesh` and `density`, so the heat content does not change when `mesh`
+/// moves.
 struct BodyView {
-  const core::Mesh* mesh;       ///< present positions: conduction and surfaces
-  const core::Mesh* mass_mesh;  ///< positions in which the mass was last distributed; same topology
-  double density;               ///< of mass_mesh, kg/m3
+  const core::Mesh* mesh;       ///< current positions, used for conduction and surfaces
+  const core::Mesh* mass_mesh;  ///< positions for which `density` holds; same topology as `mesh`
+  double density;               ///< on mass_mesh, kg/m3
   const Material* material;
-  std::vector<std::optional<SurfaceExchange>> exchange;  ///< one per boundary of the mesh; empty: none anywhere
-  std::vector<std::optional<double>> prescribed;         ///< given temperature per boundary, K; empty: none anywhere
-  const Eigen::VectorXd* wall_thickness = nullptr;       ///< per node, m; null: no thin-wall limit
+  std::vector<std::optional<SurfaceExchange>> exchange;       ///< by boundary of the mesh; empty: none on any
+  std::vector<std::optional<core::TimeFunction>> prescribed;  ///< Dirichlet temperature by boundary, K; empty: none
+  const Eigen::VectorXd* wall_thickness = nullptr;            ///< by node, m; null: no thin-wall limit
   const std::vector<double>* source = nullptr;  ///< W at each point of triangle_rule(4), cell by cell; null: none
+  core::TimeFunction source_factor = 1;         ///< multiplies `source`
 };
 
-/// Whether its walls limit the radiation inside.
+/// Whether the wall thickness limits the radiation inside the body.
 inline bool has_thin_wall(const BodyView& body) {
   return body.wall_thickness && body.material->radiation;
 }
 
-/// Conductances, W/m2/K, of an interface's points at the slave's temperatures there, K, and, where asked for, their
-/// derivatives with respect to those.
-using InterfaceLaw = std::function<void(const std::vector<core::InterfacePoint>& points,
+/// Thermal contact conductance at a time, s: sets `h`, W/m2/K, at every interface point from the slave's temperatures
+/// there, K, and, unless the pointer is null, the derivatives of `h` with respect to them. All arrays have one entry
+/// for each point.
+using InterfaceLaw = std::function<void(double time, const std::vector<core::InterfacePoint>& points,
                                         const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT)>;
 
-/// Heat in all bodies. Where the interface is closed, its conductance replaces both sides' own exchange.
+/// Heat conduction in several bodies that touch. Where the interface is in contact, its conductance replaces the
+/// exchange of both sides with the air.
 struct Problem {
   core::Geometry geometry;
   std::vector<BodyView> bodies;
   std::vector<core::InterfacePoint> interface;  ///< slave_body and master_body index `bodies`
-  InterfaceLaw law;
-  int order = 2;  ///< of the temperature in a cell: 2, or 1: the temperature of a mid-side node is the mean of its ends
+  InterfaceLaw law;                             ///< unused without an interface
+  int order = 2;  ///< polynomial degree of the temperature: 2, or 1, where a mid-side node has the mean of its ends
 };
 
-/// Heat content of a body relative to `content_reference`, J; temperature in K at the nodes.
+/// Heat content of a body relative to `content_reference`, J, from its nodal temperatures, K.
 double heat_content(const BodyView& body, core::Geometry geometry, const Eigen::VectorXd& temperature);
 
 }  // namespace parison::thermal

@@ -30,7 +30,7 @@ EnthalpyValue Enthalpy::operator()(double temperature) const {
   return {at_knot_[i] + 0.5 * (c[i] + here) * past, here};
 }
 
-SurfaceFlux surface_flux(const SurfaceExchange& exchange, double temperature) {
+SurfaceFlux surface_flux(const ExchangeCoefficients& exchange, double temperature) {
   const double radiant = exchange.emissivity * stefan_boltzmann, a = exchange.ambient_temperature;
   const double cube = std::abs(temperature) * temperature * temperature;  // |T|^3 T rises everywhere
   return {exchange.h * (temperature - exchange.air_temperature) + radiant * (cube * temperature - a * a * a * a),

@@ -4,15 +4,17 @@
 #include <vector>
 
 #include "core/case/table.hpp"
+#include "core/case/time_function.hpp"
 #include "thermal/cells/cell_batch.hpp"
 
 namespace parison::thermal {
 
-/// Internal radiation as Rosseland conduction: k_r = 16/3 n^2 sigma T^3 / kappa, T in K.
+/// Internal radiation in the diffusion approximation of Rosseland (1924): it adds to the conductivity
+/// k_r = 16/3 n^2 sigma T^3 / kappa, T in K, which holds where the wall is optically thick, kappa w >> 1.
 struct Radiation {
   double refractive_index;
-  double absorption;      ///< kappa_R, 1/m
-  bool thin_wall = true;  ///< multiply k_r by 1/(1 + 4/(3 kappa w)), w the local wall thickness
+  double absorption;      ///< Rosseland mean absorption coefficient kappa, 1/m
+  bool thin_wall = true;  ///< multiply k_r by thin_wall_factor of the local wall thickness
 };
 
 /// Thermal properties of a body; tables over temperature in K.
@@ -23,25 +25,38 @@ struct Material {
   std::optional<Radiation> radiation;
 };
 
-/// What a part of surface exchanges with its surroundings, positive out of the body:
-/// q = h (T - air) + emissivity sigma (T^4 - ambient^4).
+/// Convection and radiation from a boundary to its surroundings, heat flux positive out of the body:
+/// q = h (T - T_air) + emissivity sigma (T^4 - T_ambient^4), with the Stefan-Boltzmann constant sigma.
 struct SurfaceExchange {
-  double h = 0;                  ///< W/m2/K
-  double air_temperature = 300;  ///< K
+  core::TimeFunction h = 0;                  ///< heat transfer coefficient, W/m2/K
+  core::TimeFunction air_temperature = 300;  ///< K
   double emissivity = 0;
-  double ambient_temperature = 300;  ///< K
+  core::TimeFunction ambient_temperature = 300;  ///< K
 };
+
+/// A SurfaceExchange at one time.
+struct ExchangeCoefficients {
+  double h;                    ///< W/m2/K
+  double air_temperature;      ///< K
+  double emissivity;           ///< 0 to 1
+  double ambient_temperature;  ///< K
+};
+inline ExchangeCoefficients coefficients_at(const SurfaceExchange& exchange, double time) {
+  return {exchange.h(time), exchange.air_temperature(time), exchange.emissivity, exchange.ambient_temperature(time)};
+}
 
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
 inline constexpr double content_reference = 273.15;         ///< K, where enthalpy and heat content are zero
 
-/// What diffusion through a wall of thickness w keeps of the Rosseland conductivity: 1/(1 + 4/(3 kappa w)).
+/// Factor on the Rosseland conductivity in a wall of thickness w, m: 1/(1 + 4/(3 kappa w)). It makes the radiative flux
+/// between two black walls that of the diffusion approximation with a temperature jump at the walls (Deissler 1964),
+/// n^2 sigma (T1^4 - T2^4)/(1 + 3 kappa w/4), close to the exact flux in thick and in thin walls.
 template <typename Number>
 [[gnu::always_inline]] inline Number thin_wall_factor(const Radiation& radiation, const Number& wall_thickness) {
   return radiation.thin_wall ? 1 / (1 + 4 / (3 * radiation.absorption * wall_thickness)) : Number{} + 1;
 }
 
-/// Conductivity with internal radiation, W/m/K; `thin_wall` multiplies the radiative part.
+/// Conductivity with internal radiation, W/m/K, at a temperature, K; `thin_wall` multiplies the radiative part.
 double conductivity(const Material& material, double temperature, double thin_wall = 1);
 
 /// The same, prepared for many evaluations.
@@ -74,7 +89,7 @@ struct EnthalpyValue {
   double c;  ///< J/kg/K
 };
 
-/// The integral of a heat capacity table, prepared for many evaluations.
+/// The integral of a heat capacity table from `content_reference`, prepared for many evaluations; temperatures in K.
 class Enthalpy {
  public:
   explicit Enthalpy(const core::Table& heat_capacity);
@@ -136,11 +151,12 @@ template <typename Law>
   for (VectorizedArray& value : values) value = VectorizedArray{} + capacity_.y[0];
 }
 
-/// Heat flux out of a surface and its slope.
+/// Heat flux out of a surface and its derivative.
 struct SurfaceFlux {
   double q;      ///< W/m2
   double dq_dT;  ///< W/m2/K
 };
-SurfaceFlux surface_flux(const SurfaceExchange& exchange, double temperature);
+/// The flux of SurfaceExchange at a surface temperature, K.
+SurfaceFlux surface_flux(const ExchangeCoefficients& exchange, double temperature);
 
 }  // namespace parison::thermal

@@ -23,7 +23,7 @@ std::shared_ptr<const Batches> batches_of(const BodyView& body, core::Geometry g
   return kept->batches;
 }
 
-/// Unknowns of a body's cells, one by one and by groups.
+/// Adds the unknowns of a body's cells, by cell and by batch of cells.
 void add_unknowns(HeatSystem& system, const core::Mesh& mesh, Index first_unknown) {
   const int used = system.problem->order == 2 ? 6 : 3;
   for (const auto& nodes : mesh.cells()) {
@@ -54,8 +54,23 @@ void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) 
     for (const Index unknown : edge_unknowns(system, body_index, edge.nodes)) {
       if (system.is_prescribed[unknown]) continue;
       system.is_prescribed[unknown] = 1;
-      system.prescribed.emplace_back(unknown, *body.prescribed[edge.boundary_id]);
+      system.prescribed.push_back({unknown, &*body.prescribed[edge.boundary_id]});
     }
+  }
+}
+
+void number_unknowns(HeatSystem& system) {
+  const Problem& problem = *system.problem;
+  Index boundaries = 0;
+  system.first_unknown.push_back(0);
+  for (const BodyView& body : problem.bodies) {
+    assert(body.mesh->cell_count() == body.mass_mesh->cell_count());
+    assert(body.exchange.empty() || body.exchange.size() == body.mesh->boundaries().size());
+    assert(body.prescribed.empty() || body.prescribed.size() == body.mesh->boundaries().size());
+    const Index count = problem.order == 2 ? body.mesh->node_count() : body.mesh->vertex_count();
+    system.first_unknown.push_back(system.first_unknown.back() + count);
+    system.first_boundary.push_back(boundaries);
+    boundaries += static_cast<Index>(body.mesh->boundaries().size());
   }
 }
 
@@ -65,14 +80,7 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
   assert(problem.order == 1 || problem.order == 2);
   HeatSystem system;
   system.problem = &problem;
-  system.first_unknown.push_back(0);
-  for (const BodyView& body : problem.bodies) {
-    assert(body.mesh->cell_count() == body.mass_mesh->cell_count());
-    assert(body.exchange.empty() || body.exchange.size() == body.mesh->boundaries().size());
-    assert(body.prescribed.empty() || body.prescribed.size() == body.mesh->boundaries().size());
-    const Index count = problem.order == 2 ? body.mesh->node_count() : body.mesh->vertex_count();
-    system.first_unknown.push_back(system.first_unknown.back() + count);
-  }
+  number_unknowns(system);
   system.is_prescribed.assign(system.size(), 0);
   system.source.setZero(system.size());
   system.body_source.setZero(static_cast<Index>(problem.bodies.size()));
@@ -165,33 +173,62 @@ double heat_content(const BodyView& body, core::Geometry geometry, const Eigen::
 
 namespace {
 
-Flows zero_flows(const HeatSystem& system) {
-  const auto bodies = static_cast<Index>(system.bodies.size()), pairs = static_cast<Index>(system.pairs.size());
-  return {Eigen::VectorXd::Zero(bodies), system.body_source, Eigen::VectorXd::Zero(pairs),
-          Eigen::VectorXd::Zero(pairs)};
+/// Flows of the volume source alone.
+Flows source_flows(const HeatSystem& system, double time) {
+  const auto pairs = static_cast<Index>(system.pairs.size());
+  Eigen::VectorXd source = system.body_source;
+  for (Eigen::Index b = 0; b < source.size(); ++b) source[b] *= system.problem->bodies[b].source_factor(time);
+  return {Eigen::VectorXd::Zero(source.size()), source, Eigen::VectorXd::Zero(pairs), Eigen::VectorXd::Zero(pairs)};
 }
 
-Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature, const Eigen::VectorXd* rate) {
-  Response response{Eigen::VectorXd::Zero(system.size()), system.source, zero_flows(system)};
+/// Power of the volume source into each unknown, W.
+Eigen::VectorXd source_power(const HeatSystem& system, double time) {
+  Eigen::VectorXd power = system.source;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const Index first = system.first_unknown[b];
+    if (system.problem->bodies[b].source)
+      power.segment(first, system.first_unknown[b + 1] - first) *= system.problem->bodies[b].source_factor(time);
+  }
+  return power;
+}
+
+Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
+                  const Eigen::VectorXd* rate) {
+  Response response{Eigen::VectorXd::Zero(system.size()), source_power(system, time), source_flows(system, time)};
   add_cells(system, temperature, rate, response);
-  add_exchange(system, temperature, response.flows, &response.power);
+  add_exchange(system, time, temperature, response.flows, &response.power);
   return response;
 }
 
 }  // namespace
 
-Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature) {
-  return evaluate(system, temperature, nullptr);
+Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& temperature) {
+  return evaluate(system, time, temperature, nullptr);
 }
 
-Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature, const Eigen::VectorXd& rate) {
-  return evaluate(system, temperature, &rate);
+Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
+                  const Eigen::VectorXd& rate) {
+  return evaluate(system, time, temperature, &rate);
 }
 
-Flows evaluate_flows(const HeatSystem& system, const Eigen::VectorXd& temperature) {
-  Flows flows = zero_flows(system);
-  add_exchange(system, temperature, flows, nullptr);
+Flows evaluate_flows(const HeatSystem& system, double time, const Eigen::VectorXd& temperature) {
+  Flows flows = source_flows(system, time);
+  add_exchange(system, time, temperature, flows, nullptr);
   return flows;
+}
+
+bool impose_prescribed(const HeatSystem& system, double time, Eigen::VectorXd& temperature) {
+  bool changed = false;
+  for (const auto& [unknown, given] : system.prescribed) {
+    const double value = (*given)(time);
+    changed = changed || temperature[unknown] != value;
+    temperature[unknown] = value;
+  }
+  return changed;
+}
+
+void impose_prescribed_rate(const HeatSystem& system, double time, Eigen::VectorXd& rate) {
+  for (const auto& [unknown, given] : system.prescribed) rate[unknown] = given->derivative(time);
 }
 
 }  // namespace parison::thermal

@@ -15,35 +15,46 @@
 
 namespace parison::thermal {
 
+/// Laws and cells of one body.
 struct BodyLaws {
   Enthalpy enthalpy;
   Conductivity conductivity;
   Index first_cell, last_cell;  ///< range of HeatSystem::cells
-  Index first_batch;            ///< its cells in HeatSystem::groups, from there on
+  Index first_batch;            ///< of its batches in HeatSystem::batches
   std::shared_ptr<const std::vector<CellBatch>> cells;
 
   Index batch_count() const { return static_cast<Index>(cells->size()); }
 };
 
-/// A heat problem with the meshes where they are: everything but the temperature. The unknowns are the
-/// temperatures of the nodes, or of the vertices in a problem of order 1, of body after body.
+/// Unknown whose temperature is prescribed.
+struct PrescribedUnknown {
+  Index unknown;
+  const core::TimeFunction* temperature;  ///< K, of a body of the problem
+};
+
+/// Semi-discrete heat equations of a problem on its meshes, in enthalpy form (Eyres et al. 1946):
+///   d/dt content(T) = power(t, T),
+/// content the integral of density times enthalpy times shape function, power the conduction, exchange, interface and
+/// source terms. The unknowns T are the nodal temperatures (order 2) or the vertex temperatures (order 1), K, body
+/// after body. The system has everything that depends neither on time nor on temperature.
 struct HeatSystem {
   const Problem* problem;
-  std::vector<Index> first_unknown;  ///< of each body; the last entry is the number of unknowns
+  std::vector<Index> first_unknown;   ///< of each body; the last entry is the number of unknowns
+  std::vector<Index> first_boundary;  ///< of each body, in the count through all bodies
   std::vector<BodyLaws> bodies;
-  std::vector<std::array<Index, 6>> cells;  ///< their unknowns; the first three alone in a problem of order 1
-  std::vector<BatchIndices<6>> batches;     ///< the same batch by batch
-  Eigen::VectorXd source;                   ///< of volume into each unknown, W
-  Eigen::VectorXd body_source;              ///< of volume in each body, W
+  std::vector<std::array<Index, 6>> cells;  ///< unknowns of each cell; in a problem of order 1 only the first three
+  std::vector<BatchUnknowns> batches;       ///< the same for all bodies' batches of cells
+  Eigen::VectorXd source;                   ///< power of the volume source into each unknown at a source factor of 1, W
+  Eigen::VectorXd body_source;              ///< the same for each body, W
   std::vector<HeatEdge> edges;
   HeatInterface interface;
-  std::vector<std::pair<Index, Index>> pairs;        ///< slave and master body
-  std::vector<std::pair<Index, double>> prescribed;  ///< unknown and its temperature, K
-  std::vector<char> is_prescribed;
+  std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body of each pair of bodies in contact
+  std::vector<PrescribedUnknown> prescribed;
+  std::vector<char> is_prescribed;  ///< by unknown
 
   Index size() const { return first_unknown.back(); }
 };
-/// Cells of a body whose mesh stands still, and what they were made of.
+/// Geometry factors of a body's cells and the data they were computed from, for reuse while the mesh does not move.
 struct KeptCells {
   std::vector<core::Point> nodes, mass_nodes;
   std::vector<std::array<Index, 6>> cells;
@@ -51,41 +62,48 @@ struct KeptCells {
   core::Geometry geometry;
   std::shared_ptr<const std::vector<CellBatch>> batches;
 };
-/// `kept`, by body, spares what has not changed since the last call with it.
+/// Prepares the equations of a problem, which must outlive them. `kept`, by body, reuses what has not changed since the
+/// last call; null computes all anew.
 HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept = nullptr);
 
-/// Heat flows of the balance's entries, W: to air by body, from source by body, and by pair what the interface takes
-/// from the slave's nodes and what it gives to the master's.
+/// Heat flows that the balance accumulates, W.
 struct Flows {
-  Eigen::VectorXd to_air, from_source, across, received;
+  Eigen::VectorXd to_air, from_source;  ///< by body
+  Eigen::VectorXd across, received;     ///< by pair: out of the slave's nodes, into the master's nodes
 };
-/// What the equations say at a temperature.
+/// Terms of the heat equations at a time and temperatures.
 struct Response {
-  Eigen::VectorXd content;  ///< integral of density times enthalpy times shape function, J; or its rate, W
+  Eigen::VectorXd content;  ///< by unknown: integral of density times enthalpy times shape function, J; or its rate, W
   Eigen::VectorXd power;    ///< heat into each unknown by conduction, exchange, interface and source, W
   Flows flows;
 };
 
-/// Content and power at the given temperatures.
-Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature);
-/// The same with the rate of the content for a given rate of temperature, K/s.
-Response evaluate(const HeatSystem& system, const Eigen::VectorXd& temperature, const Eigen::VectorXd& rate);
-/// Flows alone: no loop over the cells.
-Flows evaluate_flows(const HeatSystem& system, const Eigen::VectorXd& temperature);
+/// Content and power at a time, s, and temperatures of the unknowns, K.
+Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& temperature);
+/// Rate of the content, W, for a given rate of the temperatures, K/s, and power.
+Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
+                  const Eigen::VectorXd& rate);
+/// The flows alone, without the loop over the cells.
+Flows evaluate_flows(const HeatSystem& system, double time, const Eigen::VectorXd& temperature);
 
-/// Balance with its bodies and pairs named and every entry zero.
+/// Sets the prescribed unknowns, K, to their values at a time; false where none changes.
+bool impose_prescribed(const HeatSystem& system, double time, Eigen::VectorXd& temperature);
+/// Sets the prescribed unknowns' rates, K/s, to those at a time.
+void impose_prescribed_rate(const HeatSystem& system, double time, Eigen::VectorXd& rate);
+
+/// A balance with the system's bodies and pairs and all entries zero.
 HeatBalance zero_balance(const HeatSystem& system);
 /// Accumulates flows that lasted `duration` seconds.
 void accumulate(HeatBalance& balance, const Flows& flows, double duration);
-/// Accumulates the content change between two vectors of nodal content.
+/// Accumulates the change between two contents of the unknowns, J.
 void accumulate_content(HeatBalance& balance, const HeatSystem& system, const Eigen::VectorXd& before,
                         const Eigen::VectorXd& after);
 
-/// Unknowns of the nodes of a boundary edge, as HeatEdge names them.
+/// Unknowns of the nodes of a boundary edge, ordered as in HeatEdge.
 std::array<Index, 3> edge_unknowns(const HeatSystem& system, Index body, const std::array<Index, 3>& nodes);
 /// Body that an unknown belongs to.
 Index body_of(const HeatSystem& system, Index unknown);
-/// One vector of the unknowns of all bodies from their nodal temperatures, and back.
+/// The unknowns of all bodies in one vector from the nodal temperatures of each body, and back, K.
 Eigen::VectorXd join(const HeatSystem& system, const std::vector<Eigen::VectorXd>& temperature);
 std::vector<Eigen::VectorXd> split(const HeatSystem& system, const Eigen::VectorXd& joined);
 

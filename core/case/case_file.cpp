@@ -200,4 +200,16 @@ Table quantity_table(const CaseNode& node, const Dimension& x, const Dimension& 
   return table;
 }
 
+TimeFunction quantity_over_time(const CaseNode& node, const Dimension& dimension) {
+  if (node.kind != CaseNode::Kind::list) return quantity(node, dimension);
+  return TimeFunction(quantity_table(node, dimension::time, dimension));
+}
+
+TimeFunction not_negative_over_time(const CaseNode& node, const Dimension& dimension) {
+  if (node.kind != CaseNode::Kind::list) return not_negative(node, dimension);
+  TimeFunction function = quantity_over_time(node, dimension);
+  for (const auto& pair : node.items) not_negative(pair.items[1], dimension);
+  return function;
+}
+
 }  // namespace parison::core

@@ -5,6 +5,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/table.hpp"
+#include "core/case/time_function.hpp"
 #include "core/case/units.hpp"
 
 namespace parison::core {
@@ -81,6 +82,10 @@ const std::vector<CaseNode>& entries(const CaseNode& table);
 int choice(const CaseNode& node, const std::vector<std::string>& allowed);
 /// A constant, or pairs [["20 degC", "850 J/kg/K"], ...] with rising first members.
 Table quantity_table(const CaseNode& node, const Dimension& x, const Dimension& y);
+/// A constant, or pairs [["0 s", "50 degC"], ...] with rising times.
+TimeFunction quantity_over_time(const CaseNode& node, const Dimension& dimension);
+/// The same with no value below zero.
+TimeFunction not_negative_over_time(const CaseNode& node, const Dimension& dimension);
 
 /// The candidate with the smallest edit distance from a word, empty when none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);

@@ -64,8 +64,8 @@ std::vector<bool> contact_boundaries(const Body& body) {
 
 TemperatureRange temperature_range(const Scene& scene) {
   TemperatureRange range{scene.glass.initial_temperature, scene.glass.initial_temperature};
-  const auto include = [&](double temperature) {
-    range = {std::min(range.min_temperature, temperature), std::max(range.max_temperature, temperature)};
+  const auto include = [&](const core::TimeFunction& temperature) {
+    range = {std::min(range.min_temperature, temperature.min()), std::max(range.max_temperature, temperature.max())};
   };
   const auto include_body = [&](const Body& body) {
     if (!body.thermal) return;
@@ -78,7 +78,7 @@ TemperatureRange temperature_range(const Scene& scene) {
   include_body(scene.glass);
   for (const Tool& tool : scene.tools) include_body(tool);
   for (const Stage& stage : scene.stages) {
-    if (stage.air.h > 0) include(stage.air.air_temperature);
+    if (stage.air.h.max() > 0) include(stage.air.air_temperature);
     if (scene.glass.emissivity > 0) include(stage.air.ambient_temperature);
   }
   return range;

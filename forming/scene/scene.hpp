@@ -25,7 +25,7 @@ struct Boundary {
   std::string name;
   BoundaryKind kind;
   thermal::SurfaceExchange cooling;  ///< cooled
-  double temperature = 0;            ///< temperature, K
+  core::TimeFunction temperature;    ///< temperature, K over the time of the run, s
 };
 
 /// How a body is meshed at the start.

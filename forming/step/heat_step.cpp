@@ -12,7 +12,8 @@ namespace parison::forming {
 
 namespace {
 
-/// The exchange with cooling or air of a boundary of a body's mesh. Those that a stage names come behind the outline's.
+/// Exchange of a boundary of a body's mesh with its cooling or the air. The boundaries of the outline come first in the
+/// mesh, before those that a stage names.
 std::optional<thermal::SurfaceExchange> exchange_of(const Body& body, const core::Mesh& mesh, std::size_t boundary,
                                                     const Stage& stage) {
   const BoundaryKind kind = mesh.boundaries()[boundary].kind;
@@ -20,11 +21,11 @@ std::optional<thermal::SurfaceExchange> exchange_of(const Body& body, const core
   if (kind != BoundaryKind::contact && kind != BoundaryKind::air) return std::nullopt;
   thermal::SurfaceExchange exchange = stage.air;
   exchange.emissivity = body.emissivity;
-  if (exchange.h == 0 && exchange.emissivity == 0) return std::nullopt;
+  if (exchange.h.max() == 0 && exchange.emissivity == 0) return std::nullopt;
   return exchange;
 }
 
-std::optional<double> prescribed_of(const Body& body, const core::Mesh& mesh, std::size_t boundary) {
+std::optional<core::TimeFunction> prescribed_of(const Body& body, const core::Mesh& mesh, std::size_t boundary) {
   if (mesh.boundaries()[boundary].kind != BoundaryKind::temperature) return std::nullopt;
   return body.boundaries[boundary].temperature;
 }
@@ -39,38 +40,35 @@ thermal::BodyView view_of(const Scene& scene, Index body, const core::Mesh& mesh
   return view;
 }
 
-/// What Newton may leave in the equations of heat, of the error allowed to the step.
+/// Algebraic error of a stage, as a fraction of the local error that the step may have.
 constexpr double newton_fraction = 1e-3;
 
-bool limits_radiation(const Scene& scene) {
-  const auto& radiation = scene.glass.thermal->radiation;
-  return radiation && radiation->thin_wall;
-}
+using Meshes = std::vector<const core::Mesh*>;  ///< by body
 
-using Meshes = std::vector<const core::Mesh*>;
-
+/// The heat problem of the present stage; its bodies are numbered as in the state, glass_body and body_of_tool.
 thermal::Problem make_problem(const Scene& scene, const State& state, const Meshes& meshes,
                               const std::vector<core::InterfacePoint>& interface, long& clamped_lookups) {
   const Stage& stage = scene.stages[state.stage];
   thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
     problem.bodies.push_back(view_of(scene, b, *meshes[b], stage));
-  problem.bodies[0].density = state.glass.density;
+  problem.bodies[glass_body].density = state.glass.density;
   problem.law = interface_law(scene, problem.interface, clamped_lookups);
   return problem;
 }
 
-/// Accumulates a heat balance in the state; bodies are numbered alike in both.
+/// Accumulates the balance of such a problem in the state.
 void accumulate(const thermal::HeatBalance& balance, State& state) {
-  state.totals.to_air += balance.bodies[0].to_air - balance.bodies[0].from_prescribed;
-  state.totals.dissipation += balance.bodies[0].from_source;
-  state.totals.to_tools += thermal::lost_through_interfaces(balance, 0);
+  const thermal::BodyBalance& glass = balance.bodies[glass_body];
+  state.totals.to_air += glass.to_air - glass.from_prescribed;
+  state.totals.dissipation += glass.from_source;
+  state.totals.to_tools += thermal::lost_through_interfaces(balance, glass_body);
   state.totals.max_flux_mismatch = std::max(state.totals.max_flux_mismatch, thermal::flux_mismatch(balance));
   for (std::size_t t = 0; t < state.tools.size(); ++t)
     state.tools[t].heat_received -= thermal::lost_through_interfaces(balance, body_of_tool(Index(t)));
 }
 
-void update_max_surface_temperatures(const Scene& scene, State& state) {
+void update_max_surface_temperatures(State& state) {
   for (auto& body : state.tools) {
     const auto touches = core::boundaries_of_kind(body.mesh, BoundaryKind::contact);
     for (const auto& edge : body.mesh.boundary_edges())
@@ -115,6 +113,13 @@ Meshes meshes_of(const State& state) {
   return meshes;
 }
 
+/// Wall thickness of the glass by node, m; empty where it does not limit the radiation.
+Eigen::VectorXd limiting_wall_thickness(const Scene& scene, const core::Mesh& glass) {
+  const auto& radiation = scene.glass.thermal->radiation;
+  if (!radiation || !radiation->thin_wall) return {};
+  return remesh::wall_thickness(glass, core::boundaries_of_kind(glass, BoundaryKind::symmetry));
+}
+
 /// Whether glass and tools stand still for the whole stage.
 bool is_static(const Scene& scene, const Stage& stage) {
   return !scene.has_flow() && std::all_of(stage.tools.begin(), stage.tools.end(), [](const auto& tool) {
@@ -122,42 +127,43 @@ bool is_static(const Scene& scene, const Stage& stage) {
   });
 }
 
-/// Steps after which the integrator of a static stage starts anew, for a checkpoint to be possible: some seconds of
-/// work.
-constexpr long max_inner_steps = 300;
+/// Steps of IDA, some seconds of work, after which a new integrator is started so that a checkpoint can be written.
+constexpr long max_integrator_steps = 300;
 
-/// Whether the integrator is to start anew: after steps that depend on the case alone, never on the clock.
-bool is_expired(const Scene& scene, const Workspace::StaticStage& static_stage) {
+/// Whether the next step starts a new integrator. This depends on the case alone and not on the clock, so that a
+/// resumed run gives the same result.
+bool is_expired(const Scene& scene, const StaticStage& static_stage) {
   const auto& steps = scene.output.checkpoint_steps;
-  return static_stage.inner_steps >= max_inner_steps || (steps && static_stage.steps >= *steps);
+  return static_stage.integrator_steps >= max_integrator_steps || (steps && static_stage.steps >= *steps);
 }
 
-HeatOutcome advance_static_stage(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
-                                 double dt, Workspace& workspace) {
+std::unique_ptr<StaticStage> start_static_stage(const Scene& scene, const State& state,
+                                                const std::vector<core::InterfacePoint>& interface,
+                                                long& clamped_lookups) {
+  auto result = std::make_unique<StaticStage>();
+  result->stage = state.stage;
+  for (Index b = 0; b < body_count(state); ++b) result->meshes.push_back(mesh_of(state, b));
+  Meshes meshes;
+  for (const auto& mesh : result->meshes) meshes.push_back(&mesh);
+  auto problem = make_problem(scene, state, meshes, interface, clamped_lookups);
+  result->wall_thickness = limiting_wall_thickness(scene, result->meshes[glass_body]);
+  if (result->wall_thickness.size() > 0) problem.bodies[glass_body].wall_thickness = &result->wall_thickness;
+  const thermal::IdaOptions options{scene.accuracy.temperature_tolerance};
+  result->integrator.emplace(std::move(problem), state.time, temperatures(state), options);
+  return result;
+}
+
+HeatOutcome advance_by_ida(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
+                           double dt, Workspace& workspace) {
   auto& static_stage = workspace.static_stage;
-  if (!static_stage || static_stage->stage != state.stage || static_stage->expired) {
-    static_stage = std::make_unique<Workspace::StaticStage>();
-    static_stage->stage = state.stage;
-    static_stage->start = state.time;
-    for (Index b = 0; b < body_count(state); ++b) static_stage->meshes.push_back(mesh_of(state, b));
-    Meshes meshes;
-    for (const auto& mesh : static_stage->meshes) meshes.push_back(&mesh);
-    auto problem = make_problem(scene, state, meshes, interface, workspace.clamped_lookups);
-    if (limits_radiation(scene)) {
-      static_stage->thickness = {remesh::wall_thickness(
-          static_stage->meshes[0], core::boundaries_of_kind(static_stage->meshes[0], BoundaryKind::symmetry))};
-      problem.bodies[0].wall_thickness = &static_stage->thickness[0];
-    }
-    thermal::IdaOptions options;
-    options.tolerance = scene.accuracy.temperature_tolerance;
-    static_stage->integrator.emplace(std::move(problem), temperatures(state), options);
-  }
-  auto outcome = static_stage->integrator->advance_to(state.time + dt - static_stage->start);
+  if (!static_stage || static_stage->stage != state.stage || static_stage->expired)
+    static_stage = start_static_stage(scene, state, interface, workspace.clamped_lookups);
+  auto outcome = static_stage->integrator->advance_to(state.time + dt);
   if (!outcome.converged) {
     static_stage.reset();
     return {false, outcome.reason};
   }
-  static_stage->inner_steps += outcome.steps;
+  static_stage->integrator_steps += outcome.steps;
   ++static_stage->steps;
   static_stage->expired = is_expired(scene, *static_stage);
   store_temperatures(state, std::move(outcome.temperature));
@@ -165,42 +171,42 @@ HeatOutcome advance_static_stage(const Scene& scene, State& state, const std::ve
   return {true, "", static_cast<int>(outcome.steps)};
 }
 
+HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
+                               const std::vector<double>& dissipation, double dt, Workspace& workspace) {
+  workspace.static_stage.reset();
+  const auto meshes = meshes_of(state);
+  const core::Mesh mass = mass_mesh(state);
+  auto problem = make_problem(scene, state, meshes, interface, workspace.clamped_lookups);
+  thermal::BodyView& glass = problem.bodies[glass_body];
+  glass.mass_mesh = &mass;
+  if (!dissipation.empty()) glass.source = &dissipation;
+  const Eigen::VectorXd wall_thickness = limiting_wall_thickness(scene, state.glass.mesh);
+  if (wall_thickness.size() > 0) glass.wall_thickness = &wall_thickness;
+  thermal::StepOptions options;
+  options.tolerance = scene.accuracy.temperature_tolerance;
+  options.newton_tolerance = newton_fraction * options.tolerance;
+  options.initial_substep = state.heat_substep;
+  workspace.heat.couplings = couplings_of(state);
+  auto outcome = thermal::advance(problem, state.time, temperatures(state), dt, options, workspace.heat);
+  if (!outcome.converged) return {false, outcome.reason};
+  store_couplings(state, workspace.heat.couplings);
+  store_temperatures(state, std::move(outcome.temperature));
+  accumulate(outcome.balance, state);
+  state.heat_substep = outcome.next_substep;
+  return {true, "", static_cast<int>(outcome.substeps)};
+}
+
 }  // namespace
 
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace) {
-  HeatOutcome result;
-  if (is_static(scene, scene.stages[state.stage])) {
-    result = advance_static_stage(scene, state, interface, dt, workspace);
-  } else {
-    workspace.static_stage.reset();
-    const auto meshes = meshes_of(state);
-    const core::Mesh mass = mass_mesh(state);
-    auto problem = make_problem(scene, state, meshes, interface, workspace.clamped_lookups);
-    problem.bodies[0].mass_mesh = &mass;
-    if (!dissipation.empty()) problem.bodies[0].source = &dissipation;
-    Eigen::VectorXd thickness;
-    if (limits_radiation(scene)) {
-      thickness = remesh::wall_thickness(*meshes[0], core::boundaries_of_kind(*meshes[0], BoundaryKind::symmetry));
-      problem.bodies[0].wall_thickness = &thickness;
-    }
-    thermal::StepOptions options;
-    options.tolerance = scene.accuracy.temperature_tolerance;
-    options.newton_tolerance = newton_fraction * options.tolerance;
-    options.initial_substep = state.heat_substep;
-    workspace.heat.couplings = couplings_of(state);
-    auto outcome = thermal::advance(problem, temperatures(state), dt, options, workspace.heat);
-    if (!outcome.converged) return {false, outcome.reason};
-    store_couplings(state, workspace.heat.couplings);
-    store_temperatures(state, std::move(outcome.temperature));
-    accumulate(outcome.balance, state);
-    state.heat_substep = outcome.next_substep;
-    result = {true, "", static_cast<int>(outcome.substeps)};
-  }
-  if (!result.converged) return result;
-  update_max_surface_temperatures(scene, state);
+  const HeatOutcome outcome = is_static(scene, scene.stages[state.stage])
+                                  ? advance_by_ida(scene, state, interface, dt, workspace)
+                                  : advance_by_tr_bdf2(scene, state, interface, dissipation, dt, workspace);
+  if (!outcome.converged) return outcome;
+  update_max_surface_temperatures(state);
   update_overshoot(scene, state);
-  return result;
+  return outcome;
 }
 
 }  // namespace parison::forming

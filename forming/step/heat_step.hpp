@@ -6,14 +6,17 @@
 
 namespace parison::forming {
 
+/// Result of advance_heat.
 struct HeatOutcome {
   bool converged = false;
-  std::string reason;
-  int substeps = 0;
+  std::string reason;  ///< why it did not converge
+  int substeps = 0;    ///< of the time integration
 };
 
-/// Advances the temperatures of all bodies by dt at their present positions and accumulates the balance in the state's
-/// totals; `dissipation` in W at the glass quadrature points (empty: none).
+/// Advances the temperatures of all bodies from the state's time by dt, s, on their present meshes, and accumulates the
+/// heat balance in the state's totals. `dissipation` is in W at each point of triangle_rule(4) of the glass, cell by
+/// cell; empty for none. Static stages are integrated by IDA, all others by TR-BDF2. When it does not converge the
+/// temperatures are those before.
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace);
 

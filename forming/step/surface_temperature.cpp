@@ -20,13 +20,13 @@ Eigen::ArrayXd glass_temperatures(const Eigen::VectorXd& nodal, const std::vecto
 }
 
 /// Times in which the contact brings the glass surface to the tool's temperature, s.
-Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::InterfacePoint>& interface,
+Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::InterfacePoint>& interface, double time,
                                 const Eigen::ArrayXd& temperature) {
   const auto& glass = *scene.glass.thermal;
   const thermal::Conductivity conductivity(glass);
   long clamped_lookups = 0;
   Eigen::ArrayXd h(temperature.size()), times(temperature.size());
-  interface_law(scene, interface, clamped_lookups)(interface, temperature, h, nullptr);
+  interface_law(scene, interface, clamped_lookups)(time, interface, temperature, h, nullptr);
   const thermal::Enthalpy enthalpy(glass.heat_capacity);
   for (Eigen::Index i = 0; i < times.size(); ++i) {
     const double stored = conductivity(temperature[i]) * glass.density * enthalpy(temperature[i]).c;
@@ -37,13 +37,13 @@ Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::Inte
 }
 
 /// Whether a contact brings the glass node to its tool's temperature in no time.
-bool relaxes_at_once(const Scene& scene, const Eigen::VectorXd& temperature,
+bool relaxes_at_once(const Scene& scene, double time, const Eigen::VectorXd& temperature,
                      const std::vector<core::InterfacePoint>& interface, Index node) {
   std::vector<core::InterfacePoint> of_node;
   for (const auto& point : interface)
     if (std::find(point.slave_nodes.begin(), point.slave_nodes.end(), node) != point.slave_nodes.end())
       of_node.push_back(point);
-  const Eigen::ArrayXd times = relaxation_times(scene, of_node, glass_temperatures(temperature, of_node));
+  const Eigen::ArrayXd times = relaxation_times(scene, of_node, time, glass_temperatures(temperature, of_node));
   return (times < scene.accuracy.initial_step).any();
 }
 
@@ -61,7 +61,7 @@ double surface_temperature_change(const Scene& scene, const State& before, const
   for (;;) {
     Eigen::Index largest = 0;
     const double found = change.maxCoeff(&largest);
-    if (found == 0 || !relaxes_at_once(scene, from, interface, static_cast<Index>(largest))) return found;
+    if (found == 0 || !relaxes_at_once(scene, before.time, from, interface, static_cast<Index>(largest))) return found;
     change[largest] = 0;
   }
 }

@@ -12,8 +12,8 @@ namespace parison::forming {
 
 std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state) {
   const core::Mesh& glass = state.glass.mesh;
-  const auto slave =
-      contact::make_surface(0, glass, core::boundaries_of_kind(glass, BoundaryKind::contact), core::Point::Zero());
+  const auto slave = contact::make_surface(glass_body, glass, core::boundaries_of_kind(glass, BoundaryKind::contact),
+                                           core::Point::Zero());
   const auto nodes = contact_nodes(scene, glass);
   const auto& active_tools = scene.stages[state.stage].tools;
   std::vector<contact::Master> masters;
@@ -24,7 +24,7 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
     const auto& tool = state.tools[interface.tool];
     const auto touches = core::boundaries_of_kind(tool.mesh, BoundaryKind::contact);
     masters.push_back(
-        {contact::make_surface(1 + interface.tool, tool.mesh, touches, tool.offset * core::axis_direction()),
+        {contact::make_surface(body_of_tool(interface.tool), tool.mesh, touches, tool.offset * core::axis_direction()),
          tool_gaps(scene, state, nodes, interface.tool, 10 * interface.transition_gap), interface.transition_gap,
          static_cast<Index>(law)});
   }
@@ -48,7 +48,7 @@ thermal::InterfaceLaw interface_law(const Scene& scene, const std::vector<core::
   std::vector<contact::ConductanceLaw> laws;
   for (const auto& each : scene.interfaces) laws.push_back(each.law);
   return [&scene, &clamped_lookups, law = contact::InterfaceConductance(laws, interface)](
-             const std::vector<core::InterfacePoint>&, const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h,
+             double, const std::vector<core::InterfacePoint>&, const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h,
              Eigen::ArrayXd* dh_dT) {
     const flow::Viscosity unknown{0, 0, 0, 1.0};
     const flow::Viscosity& viscosity = scene.has_flow() ? scene.glass.flow->viscosity : unknown;

@@ -9,24 +9,25 @@
 
 namespace parison::forming {
 
-/// What the solvers keep to be fast. A step's result is that of the state and its length to the last bit, whatever is
-/// in here, but for `static_stage`: no checkpoint is written before that is spent.
+/// Time integrator of a static stage, in which nothing moves, kept from step to step, and the data that it refers to.
+struct StaticStage {
+  Index stage = 0;                                    ///< index into Scene::stages
+  std::vector<core::Mesh> meshes;                    ///< by body
+  Eigen::VectorXd wall_thickness;                    ///< of the glass by node, m; empty where it limits no radiation
+  std::optional<thermal::IdaIntegrator> integrator;  ///< its problem points to the two above
+  long integrator_steps = 0;                         ///< since the integrator's start
+  Index steps = 0;                                   ///< of the run since then
+  bool expired = false;                              ///< the next step starts a new integrator
+};
+
+/// Solver data that is kept from step to step for speed. The result of a step depends on the state and the step size
+/// alone, to the last bit, whatever the workspace holds. The one exception is `static_stage`: the history of its
+/// integrator is no part of the state, so a checkpoint is written only when it has expired.
 struct Workspace {
-  std::optional<flow::Solver> flow;  ///< pattern and its analysis, until the glass mesh is renewed
-  thermal::StepMatrix heat;          ///< pattern and its analysis from step to step, the factor within one
-  /// Heat of a stage in which nothing moves: the integrator with what it looks at, and its start.
-  struct StaticStage {
-    std::vector<core::Mesh> meshes;
-    std::vector<Eigen::VectorXd> thickness;
-    std::optional<thermal::IdaIntegrator> integrator;
-    double start = 0;      ///< time, s
-    long inner_steps = 0;  ///< of the integrator since then
-    Index steps = 0;       ///< of the run
-    bool expired = false;  ///< the next step makes a new one, so that nothing is lost with this one
-    Index stage = -1;
-  };
+  std::optional<flow::Solver> flow;  ///< sparsity pattern and its analysis, for as long as the glass keeps its mesh
+  thermal::StepMatrix heat;          ///< the same for heat; the factor is reused within a step only
   std::unique_ptr<StaticStage> static_stage;
-  long clamped_lookups = 0;
+  long clamped_lookups = 0;  ///< evaluations of the conductance outside its table, in the run so far
 };
 
 }  // namespace parison::forming

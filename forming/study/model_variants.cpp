@@ -70,7 +70,7 @@ void add_heat_parts(Parts& parts) {
   if (scene.glass.emissivity > 0)
     parts.add("no_emission", "radiation of the glass to its surroundings", {parts.of_glass("emissivity=0")});
   const bool blows =
-      std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) { return stage.air.h > 0; });
+      std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) { return stage.air.h.max() > 0; });
   if (blows && !parts.still_air.empty()) parts.add("no_air_cooling", "cooling by moving air", parts.still_air);
   std::vector<std::string> fixed;
   for (const std::string& material : parts.tool_materials)

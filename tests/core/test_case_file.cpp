@@ -137,7 +137,27 @@ TEST(CaseFile, a_table_of_quantities_interpolates_and_has_to_rise) {
             "4: b: \"10 degC\" does not lie above the entry before, allowed are rising entries");
 }
 
-TEST(CaseFile, broken_toml_and_missing_files_are_case_errors) {
+TEST(CaseFile, AQuantityOverTimeIsAConstantOrPairs) {
+  const auto path = write_case("a = [['0 s', '2 m'],\n['2 s', '6 m'], ['4 s', '-1 m']]\nb = '3 m'\n");
+  const auto file = read_case_file(path);
+  const CaseTable root(file.root, {"a", "b"});
+  const TimeFunction a = quantity_over_time(root.get("a"), dimension::length);
+  EXPECT_DOUBLE_EQ(a(-1), 2);
+  EXPECT_DOUBLE_EQ(a(1), 4);
+  EXPECT_DOUBLE_EQ(a(9), -1);
+  EXPECT_DOUBLE_EQ(a.derivative(1), 2);
+  EXPECT_EQ(a.derivative(-1), 0);
+  EXPECT_DOUBLE_EQ(a.min(), -1);
+  EXPECT_DOUBLE_EQ(a.max(), 6);
+  const TimeFunction b = not_negative_over_time(root.get("b"), dimension::length);
+  EXPECT_DOUBLE_EQ(b(7), 3);
+  EXPECT_EQ(b.derivative(7), 0);
+  EXPECT_DOUBLE_EQ(b.min() + b.max(), 6);
+  EXPECT_EQ(complaint(path, [&] { not_negative_over_time(root.get("a"), dimension::length); }),
+            "2: a: \"-1 m\" was found, allowed is a length such as \"2.5 mm\", not below zero");
+}
+
+TEST(CaseFile, BrokenTomlAndMissingFilesAreCaseErrors) {
   const auto path = write_case("a = 1\nb = = 2\n");
   EXPECT_EQ(complaint(path, [&] { read_case_file(path); }).substr(0, 2), "2:");
   const auto absent = path + ".none";

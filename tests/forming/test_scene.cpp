@@ -132,9 +132,9 @@ TEST(Scene, a_stages_air_replaces_the_air_of_the_case) {
       "[[stage]]", "[air]\ntemperature = \"50 degC\"\nh = \"20 W/m2/K\"\nambient = \"20 degC\"\n[[stage]]",
       replaced("gravity", "air = { temperature = \"90 degC\", h = \"7 W/m2/K\", ambient = \"1 degC\" }\ngravity"));
   const auto scene = scene_of(text);
-  EXPECT_DOUBLE_EQ(scene.stages[0].air.h, 20);
-  EXPECT_DOUBLE_EQ(scene.stages[0].air.ambient_temperature, 293.15);
-  EXPECT_DOUBLE_EQ(scene.stages[1].air.air_temperature, 363.15);
+  EXPECT_DOUBLE_EQ(scene.stages[0].air.h(0), 20);
+  EXPECT_DOUBLE_EQ(scene.stages[0].air.ambient_temperature(0), 293.15);
+  EXPECT_DOUBLE_EQ(scene.stages[1].air.air_temperature(0), 363.15);
 }
 
 TEST(Scene, numerics_override_the_accuracy_level) {
@@ -186,10 +186,10 @@ TEST(Scene, every_condition_of_a_boundary_is_read) {
                                         "path = \"(15, 20) (0, 20) mm\", condition.cooled = { h = \"200 W/m2/K\", "
                                         "temperature = \"50 degC\" }"));
   EXPECT_EQ(cooled.tools[1].boundaries[1].kind, BoundaryKind::cooled);
-  EXPECT_DOUBLE_EQ(cooled.tools[1].boundaries[1].cooling.h, 200);
+  EXPECT_DOUBLE_EQ(cooled.tools[1].boundaries[1].cooling.h(0), 200);
   const auto given = scene_of(replaced(rest, "path = \"(15, 20) (0, 20) mm\", condition.temperature = \"50 degC\""));
   EXPECT_EQ(given.tools[1].boundaries[1].kind, BoundaryKind::temperature);
-  EXPECT_DOUBLE_EQ(given.tools[1].boundaries[1].temperature, 323.15);
+  EXPECT_DOUBLE_EQ(given.tools[1].boundaries[1].temperature(0), 323.15);
 }
 
 }  // namespace

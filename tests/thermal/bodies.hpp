@@ -62,7 +62,7 @@ inline BodyView body(const core::Mesh& mesh, const Material& material) {
           material.density,
           &material,
           std::vector<std::optional<SurfaceExchange>>(mesh.boundaries().size()),
-          std::vector<std::optional<double>>(mesh.boundaries().size())};
+          std::vector<std::optional<core::TimeFunction>>(mesh.boundaries().size())};
 }
 
 /// Nodal values of a function of position.
@@ -109,8 +109,8 @@ inline std::vector<core::InterfacePoint> stack(const core::Mesh& slave, const co
 
 /// A law of single points, for the whole interface.
 inline InterfaceLaw pointwise(std::function<core::Conductance(const core::InterfacePoint&, double)> law) {
-  return [law](const std::vector<core::InterfacePoint>& points, const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h,
-               Eigen::ArrayXd* dh_dT) {
+  return [law](double, const std::vector<core::InterfacePoint>& points, const Eigen::ArrayXd& temperature,
+               Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const core::Conductance value = law(points[i], temperature[i]);
       h[i] = value.h;

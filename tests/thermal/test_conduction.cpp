@@ -26,7 +26,7 @@ double bisect(const std::function<double(double)>& f, double low, double high) {
 /// Advances in one call; asserts success.
 StepOutcome run(const Problem& problem, const Eigen::VectorXd& start, double dt, const StepOptions& options) {
   StepMatrix matrix;
-  StepOutcome outcome = advance(problem, {start}, dt, options, matrix);
+  StepOutcome outcome = advance(problem, 0, {start}, dt, options, matrix);
   EXPECT_TRUE(outcome.converged) << outcome.reason;
   return outcome;
 }
@@ -123,7 +123,7 @@ TEST(Conduction, the_error_falls_with_the_second_power_of_the_substep) {
   const auto start = sample(mesh, [&](const Point& x) { return v.exact(x, 0); });
   const Problem problem = v.problem(mesh);
   const double time = 0.8;
-  IdaIntegrator reference(problem, {start}, {1e-6});
+  IdaIntegrator reference(problem, 0, {start}, {1e-6});
   const IdaOutcome exact = reference.advance_to(time);
   ASSERT_TRUE(exact.converged) << exact.reason;
   std::vector<double> errors;
@@ -158,7 +158,7 @@ TEST(Conduction, a_Rosseland_slab_between_given_temperatures_follows_the_Kirchho
     const double here = (1 - x) * transform(hot) + x * transform(cold);
     EXPECT_NEAR(steady.temperature[0][i], bisect([&](double T) { return transform(T) - here; }, cold, hot), 2e-3);
   }
-  const Response response = evaluate(make_heat_system(problem), steady.temperature[0]);
+  const Response response = evaluate(make_heat_system(problem), 0, steady.temperature[0]);
   double flux = 0;
   for (Index i = 0; i < mesh.node_count(); ++i)
     if (mesh.nodes[i][0] == 0) flux -= response.power[i] / (length / 60);

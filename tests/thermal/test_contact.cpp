@@ -68,7 +68,7 @@ TEST(Contact, glass_on_steel_follows_the_exact_solution_by_TR_BDF2) {
   auto temperature = c.start;
   double time = 0;
   for (const Row& row : exact) {
-    const StepOutcome outcome = advance(c.problem, temperature, row.time - time, options, matrix);
+    const StepOutcome outcome = advance(c.problem, 0, temperature, row.time - time, options, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     temperature = outcome.temperature;
     options.initial_substep = outcome.next_substep;
@@ -80,7 +80,7 @@ TEST(Contact, glass_on_steel_follows_the_exact_solution_by_TR_BDF2) {
 
 TEST(Contact, glass_on_steel_follows_the_exact_solution_by_IDA) {
   const Cylinders c(4, 40, 1.15);
-  IdaIntegrator integrator(c.problem, c.start, {0.01});
+  IdaIntegrator integrator(c.problem, 0, c.start, {0.01});
   HeatBalance balance;
   for (const Row& row : exact) {
     const IdaOutcome outcome = integrator.advance_to(row.time);
@@ -112,12 +112,12 @@ TEST(Contact, the_pattern_bears_a_slide_by_an_edge_but_not_by_two) {
   const auto couplings = matrix.couplings;
   for (const int edges : {1, 2}) {
     c.problem.interface = slid(at_rest, c.lower, edges);
-    const StepOutcome kept = advance(c.problem, c.start, 0.05, {}, matrix);
+    const StepOutcome kept = advance(c.problem, 0, c.start, 0.05, {}, matrix);
     EXPECT_EQ(matrix.couplings == couplings, edges == 1);
     StepMatrix none, same;
     same.couplings = couplings;
-    const StepOutcome again = advance(c.problem, c.start, 0.05, {}, same),
-                      fresh = advance(c.problem, c.start, 0.05, {}, none);
+    const StepOutcome again = advance(c.problem, 0, c.start, 0.05, {}, same),
+                      fresh = advance(c.problem, 0, c.start, 0.05, {}, none);
     ASSERT_TRUE(kept.converged && again.converged && fresh.converged);
     for (const Index body : {0, 1}) {
       EXPECT_TRUE(kept.temperature[body] ==
@@ -146,7 +146,7 @@ TEST(Contact, coupling_steps_of_50_ms_need_about_one_substep_each) {
   HeatBalance balance;
   Index substeps = 0, factorisations = 0;
   for (int step = 0; step < 200; ++step) {
-    const StepOutcome outcome = advance(c.problem, temperature, 0.05, options, matrix);
+    const StepOutcome outcome = advance(c.problem, 0, temperature, 0.05, options, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     temperature = outcome.temperature;
     options.initial_substep = outcome.next_substep;

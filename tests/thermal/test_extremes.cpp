@@ -33,7 +33,7 @@ TEST(Extremes, any_conductance_and_any_step_gives_bounded_balanced_temperatures)
     for (const double dt : {1e-9, 1e-3, 10.0}) {
       Blocks blocks(h);
       StepMatrix matrix;
-      const StepOutcome outcome = advance(blocks.problem, blocks.start, dt, {}, matrix);
+      const StepOutcome outcome = advance(blocks.problem, 0, blocks.start, dt, {}, matrix);
       ASSERT_TRUE(outcome.converged) << "h " << h << ", dt " << dt << ": " << outcome.reason;
       double change = 0, content = 0;
       for (const Index b : {0, 1}) {
@@ -52,7 +52,7 @@ TEST(Extremes, perfect_contact_leaves_no_jump_and_the_classical_contact_temperat
   blocks.glass.radiation.reset();
   blocks.problem.bodies[0].exchange.clear();
   StepMatrix matrix;
-  const StepOutcome outcome = advance(blocks.problem, blocks.start, 1.0, {}, matrix);
+  const StepOutcome outcome = advance(blocks.problem, 0, blocks.start, 1.0, {}, matrix);
   ASSERT_TRUE(outcome.converged) << outcome.reason;
   const double e1 = std::sqrt(1.3 * 2400 * 1300), e2 = std::sqrt(46 * 7200 * 490.0);
   const double contact = (e1 * 1423 + e2 * 423) / (e1 + e2);
@@ -67,7 +67,7 @@ TEST(Extremes, a_temperature_that_is_not_a_number_is_refused_with_a_reason) {
   Blocks blocks(5000);
   blocks.start[0][3] = std::numeric_limits<double>::quiet_NaN();
   StepMatrix matrix;
-  const StepOutcome outcome = advance(blocks.problem, blocks.start, 0.1, {}, matrix);
+  const StepOutcome outcome = advance(blocks.problem, 0, blocks.start, 0.1, {}, matrix);
   EXPECT_FALSE(outcome.converged);
   EXPECT_NE(outcome.reason.find("not finite"), std::string::npos);
 }
@@ -77,7 +77,7 @@ TEST(Extremes, a_step_that_needs_too_small_substeps_fails_with_a_reason) {
   StepOptions options;
   options.min_substep = 0.5;
   StepMatrix matrix;
-  const StepOutcome outcome = advance(blocks.problem, blocks.start, 1.0, options, matrix);
+  const StepOutcome outcome = advance(blocks.problem, 0, blocks.start, 1.0, options, matrix);
   EXPECT_FALSE(outcome.converged);
   EXPECT_NE(outcome.reason.find("substeps below 0.5 s"), std::string::npos);
 }
@@ -85,7 +85,7 @@ TEST(Extremes, a_step_that_needs_too_small_substeps_fails_with_a_reason) {
 TEST(Extremes, IDA_survives_a_jump_of_1000_K_through_any_conductance) {
   for (const double h : {0.0, 5000.0, 1e9}) {
     Blocks blocks(h);
-    IdaIntegrator integrator(blocks.problem, blocks.start, {});
+    IdaIntegrator integrator(blocks.problem, 0, blocks.start, {});
     const IdaOutcome outcome = integrator.advance_to(10);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     for (const Index b : {0, 1}) {
@@ -102,7 +102,7 @@ TEST(Extremes, a_new_contact_and_a_lost_contact_are_taken_in_the_next_step) {
   auto temperature = blocks.start;
   for (const bool touching : {false, true, false, true}) {
     blocks.problem.interface = touching ? closed : std::vector<core::InterfacePoint>{};
-    const StepOutcome outcome = advance(blocks.problem, temperature, 0.1, {}, matrix);
+    const StepOutcome outcome = advance(blocks.problem, 0, temperature, 0.1, {}, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     EXPECT_EQ(outcome.balance.pairs.size(), touching ? 1u : 0u);
     temperature = outcome.temperature;

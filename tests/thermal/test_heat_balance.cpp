@@ -48,7 +48,7 @@ TEST(HeatBalance, every_step_closes_to_1e_10_with_all_kinds_of_exchange) {
   StepMatrix matrix;
   auto temperature = e.start;
   for (int step = 0; step < 40; ++step) {
-    const StepOutcome outcome = advance(e.problem, temperature, 0.1, options, matrix);
+    const StepOutcome outcome = advance(e.problem, 0, temperature, 0.1, options, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     for (const Index b : {0, 1}) {
       const BodyBalance& body = outcome.balance.bodies[b];
@@ -76,7 +76,7 @@ TEST(HeatBalance, flux_out_of_one_body_equals_flux_into_the_other) {
   }
   const HeatSystem system = make_heat_system(e.problem);
   const Eigen::VectorXd temperature = Eigen::VectorXd::LinSpaced(system.size(), 1400, 700);
-  const Response response = evaluate(system, temperature);
+  const Response response = evaluate(system, 0, temperature);
   const double out = response.power.head(system.first_unknown[1]).sum();
   const double in = response.power.tail(system.size() - system.first_unknown[1]).sum();
   EXPECT_LT(out, -1);
@@ -96,7 +96,7 @@ TEST(HeatBalance, contact_replaces_the_air_as_far_as_it_is_closed) {
   const auto flows = [&](double contact_weight) {
     for (core::InterfacePoint& point : e.problem.interface) point.contact_weight = contact_weight;
     const HeatSystem system = make_heat_system(e.problem);
-    return evaluate_flows(system, join(system, e.start));
+    return evaluate_flows(system, 0, join(system, e.start));
   };
   const Flows open = flows(0), half = flows(0.5), closed = flows(1);
   for (const Index b : {0, 1}) {
@@ -110,7 +110,7 @@ TEST(HeatBalance, contact_replaces_the_air_as_far_as_it_is_closed) {
 
 TEST(HeatBalance, IDA_closes_to_its_tolerance_and_agrees_with_TR_BDF2) {
   Everything e;
-  IdaIntegrator integrator(e.problem, e.start, {1e-4});
+  IdaIntegrator integrator(e.problem, 0, e.start, {1e-4});
   StepOptions options;
   options.tolerance = 2e-3;
   StepMatrix matrix;
@@ -118,7 +118,7 @@ TEST(HeatBalance, IDA_closes_to_its_tolerance_and_agrees_with_TR_BDF2) {
   for (const double until : {0.5, 1.0, 3.0}) {
     const IdaOutcome ida = integrator.advance_to(until);
     ASSERT_TRUE(ida.converged) << ida.reason;
-    const StepOutcome tr = advance(e.problem, temperature, until == 3 ? 2 : 0.5, options, matrix);
+    const StepOutcome tr = advance(e.problem, 0, temperature, until == 3 ? 2 : 0.5, options, matrix);
     ASSERT_TRUE(tr.converged) << tr.reason;
     temperature = tr.temperature;
     options.initial_substep = tr.next_substep;

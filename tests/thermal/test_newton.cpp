@@ -55,11 +55,11 @@ TEST(Newton, the_derivative_of_the_whole_residual_is_that_of_finite_differences)
       Eigen::VectorXd T = join(system, pair.start), direction(system.size());
       for (Index i = 0; i < system.size(); ++i) T[i] += 150 * unit(random), direction[i] = unit(random);
       const auto residual = [&](double shift) -> Eigen::VectorXd {
-        const Response response = evaluate(system, T + shift * direction);
+        const Response response = evaluate(system, 0, T + shift * direction);
         return response.content - step * response.power;
       };
       const Eigen::VectorXd difference = (residual(small) - residual(-small)) / (2 * small);
-      Linearisation derivatives = linearise(system, T);
+      Linearisation derivatives = linearise(system, 0, T);
       const Eigen::VectorXd product = apply(system, derivatives, step, direction);
       const double size = difference.lpNorm<Eigen::Infinity>();
       EXPECT_LT((product - difference).lpNorm<Eigen::Infinity>(), 1e-7 * size);
@@ -77,12 +77,12 @@ StageSolution collapse(double power, double step) {
   StepMatrix matrix;
   prepare(matrix, system);
   const Eigen::VectorXd start = join(system, pair.start);
-  const Response at_start = evaluate(system, start);
-  const StageEquation equation{step, at_start.content};
-  EXPECT_TRUE(factorise(matrix, system, start, step));
+  const Response at_start = evaluate(system, 0, start);
+  const StageEquation equation{0, step, at_start.content};
+  EXPECT_TRUE(factorise(matrix, system, 0, start, step));
   StageSolution stage = solve_stage(system, matrix, equation, {start, at_start.content, at_start.power}, 1e-6);
   EXPECT_TRUE(stage.converged) << "power " << power << ", step " << step;
-  const Response response = evaluate(system, stage.temperature);
+  const Response response = evaluate(system, 0, stage.temperature);
   const Eigen::VectorXd left = response.content - step * response.power - equation.target;
   EXPECT_LT(matrix.cholesky.solve(left).lpNorm<Eigen::Infinity>(), 1e-5);
   return stage;

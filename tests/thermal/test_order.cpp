@@ -30,7 +30,7 @@ TEST(LinearTemperature, the_error_falls_with_the_second_power_of_the_element_siz
     options.tolerance = 1e-2;
     StepMatrix matrix;
     const auto start = sample(mesh, [&](const Point& x) { return v.exact(x, 0); });
-    const StepOutcome outcome = advance(problem, {start}, time, options, matrix);
+    const StepOutcome outcome = advance(problem, 0, {start}, time, options, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
     EXPECT_LT(off_the_line(mesh, outcome.temperature[0]), 1e-10);
     const auto exact = [&](const Point& x) { return v.exact(x, time); };
@@ -88,9 +88,9 @@ TEST(LinearTemperature, a_steady_linear_temperature_crosses_a_non_matching_conta
                                              Eigen::VectorXd::Constant(lower.node_count(), cold)};
     StepOptions options;
     options.tolerance = 1e9;
-    const StepOutcome outcome = advance(problem, start, 1e9, options, matrix);
+    const StepOutcome outcome = advance(problem, 0, start, 1e9, options, matrix);
     ASSERT_TRUE(outcome.converged) << outcome.reason;
-    const StepOutcome steady = advance(problem, outcome.temperature, 1e9, options, matrix);
+    const StepOutcome steady = advance(problem, 0, outcome.temperature, 1e9, options, matrix);
     for (int b = 0; b < 2; ++b) EXPECT_LT((steady.temperature[b] - exact[b]).lpNorm<Eigen::Infinity>(), 1e-8);
     const double area = geometry == Geometry::planar ? 0.02 : M_PI * 0.02 * 0.02;
     EXPECT_NEAR(steady.balance.pairs[0].heat / (flux * area * 1e9), 1, 1e-10);
@@ -113,13 +113,13 @@ TEST(LinearTemperature, the_balance_closes_and_both_integrators_agree) {
   StepOptions options;
   options.tolerance = 1e-3;
   StepMatrix matrix;
-  const StepOutcome outcome = advance(problem, {start}, 1.0, options, matrix);
+  const StepOutcome outcome = advance(problem, 0, {start}, 1.0, options, matrix);
   ASSERT_TRUE(outcome.converged) << outcome.reason;
   const double held = heat_content(problem.bodies[0], problem.geometry, start);
   const double kept = heat_content(problem.bodies[0], problem.geometry, outcome.temperature[0]);
   EXPECT_NEAR(outcome.balance.bodies[0].content_change / (kept - held), 1, 1e-10);
   EXPECT_LT(std::abs(imbalance(outcome.balance, 0)), 1e-9 * std::abs(held));
-  IdaIntegrator integrator(problem, {start}, {1e-4});
+  IdaIntegrator integrator(problem, 0, {start}, {1e-4});
   const IdaOutcome other = integrator.advance_to(1.0);
   ASSERT_TRUE(other.converged) << other.reason;
   EXPECT_LT((other.temperature[0] - outcome.temperature[0]).lpNorm<Eigen::Infinity>(), 0.02);

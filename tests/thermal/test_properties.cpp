@@ -107,7 +107,7 @@ TEST(Properties, derivatives_of_the_conductivity_agree_with_finite_differences_a
 }
 
 TEST(Properties, surface_flux_has_its_derivative_and_vanishes_at_equilibrium) {
-  const SurfaceExchange exchange{20, 320, 0.89, 320};
+  const ExchangeCoefficients exchange{20, 320, 0.89, 320};
   EXPECT_NEAR(surface_flux(exchange, 320).q, 0, 1e-9);
   for (const double T : {300.0, 900.0, 1423.0}) {
     const double eps = 1e-2;

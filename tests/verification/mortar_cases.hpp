@@ -112,17 +112,17 @@ inline Solved solve(const Pair& pair, const std::vector<Eigen::VectorXd>& start,
   thermal::StepMatrix matrix;
   prepare(matrix, system);
   Eigen::VectorXd guess = join(system, start);
-  const Eigen::VectorXd target = thermal::evaluate(system, guess).content + step * join(system, pair.load);
-  for (const auto& [unknown, value] : system.prescribed) guess[unknown] = value;
+  const Eigen::VectorXd target = thermal::evaluate(system, 0, guess).content + step * join(system, pair.load);
+  impose_prescribed(system, 0, guess);
   thermal::StageSolution stage;
   for (int round = 0; round < 3; ++round) {  // each with a factor at the temperatures of the one before
-    EXPECT_TRUE(factorise(matrix, system, guess, step));
-    const thermal::Response at_guess = thermal::evaluate(system, guess);
-    stage = solve_stage(system, matrix, {step, target}, {guess, at_guess.content, at_guess.power}, tolerance);
+    EXPECT_TRUE(factorise(matrix, system, 0, guess, step));
+    const thermal::Response at_guess = thermal::evaluate(system, 0, guess);
+    stage = solve_stage(system, matrix, {0, step, target}, {guess, at_guess.content, at_guess.power}, tolerance);
     guess = stage.temperature;
   }
   EXPECT_TRUE(stage.converged);
-  return {split(system, guess), evaluate_flows(system, guess)};
+  return {split(system, guess), evaluate_flows(system, 0, guess)};
 }
 
 }  // namespace parison::mortar_test

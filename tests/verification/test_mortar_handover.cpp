@@ -70,7 +70,7 @@ struct Press {
     for (const auto& point : problem.interface) touching.insert(point.slave_nodes.begin(), point.slave_nodes.end());
     thermal::StepOptions options;
     options.initial_substep = initial_substep;
-    auto outcome = thermal::advance(problem, temperature, dt, options, matrix);
+    auto outcome = thermal::advance(problem, 0, temperature, dt, options, matrix);
     temperature = outcome.temperature;
     initial_substep = outcome.next_substep;
     return outcome;

@@ -8,10 +8,10 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr int furthest = 1;   ///< edges further along a chain
-constexpr int max_slide = 1;  ///< of these, by which one body may have moved along the other
+constexpr int max_shift = 1;  ///< edges along a boundary by which a coupling is widened
+constexpr int max_slide = 1;  ///< edges by which one body is expected to slide along the other
 
-void make_ascending(std::vector<Coupling>& couplings) {
+void sort_unique(std::vector<Coupling>& couplings) {
   std::sort(couplings.begin(), couplings.end());
   couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
 }
@@ -21,7 +21,7 @@ void make_ascending(std::vector<Coupling>& couplings) {
 std::vector<Coupling> present_couplings(const HeatSystem& system) {
   std::vector<Coupling> couplings;
   for (const HeatSegment& segment : system.interface.segments) couplings.push_back(coupling_of(segment));
-  make_ascending(couplings);
+  sort_unique(couplings);
   return couplings;
 }
 
@@ -59,8 +59,8 @@ std::array<Index, 6> EdgeChain::unknowns(const Coupling& coupling) const {
   return {coupling[0], coupling[1], mid(slave, coupling[0]), coupling[2], coupling[3], mid(master, coupling[2])};
 }
 
-/// The edge some steps further along the chain, of the same boundary; -1 where there is none.
-Index EdgeChain::along(Index edge, int steps) const {
+/// The edge some steps further along the same boundary; -1 where there is none.
+Index EdgeChain::neighbour(Index edge, int steps) const {
   for (int step = 0; step != steps; step += steps > 0 ? 1 : -1) {
     const Index next = steps > 0 ? edge + 1 : edge - 1;
     if (next < 0 || next >= static_cast<Index>(edges_.size()) || boundary_id_[next] != boundary_id_[edge]) return -1;
@@ -74,13 +74,13 @@ std::vector<Coupling> EdgeChain::widen(const std::vector<Coupling>& couplings) c
   std::vector<Coupling> wide = couplings;
   for (const Coupling& coupling : couplings) {
     const Index slave = edge_between(coupling[0], coupling[1]), master = edge_between(coupling[2], coupling[3]);
-    for (int i = -furthest; i <= furthest; ++i)
-      for (int j = std::max(-furthest, -max_slide - i); j <= std::min(furthest, max_slide - i); ++j) {
-        const Index s = along(slave, i), m = along(master, j);
+    for (int i = -max_shift; i <= max_shift; ++i)
+      for (int j = std::max(-max_shift, -max_slide - i); j <= std::min(max_shift, max_slide - i); ++j) {
+        const Index s = neighbour(slave, i), m = neighbour(master, j);
         if (s >= 0 && m >= 0) wide.push_back({edges_[s][0], edges_[s][1], edges_[m][0], edges_[m][1]});
       }
   }
-  make_ascending(wide);
+  sort_unique(wide);
   return wide;
 }
 

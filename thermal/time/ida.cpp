@@ -21,41 +21,53 @@ Eigen::Map<Eigen::VectorXd> view(N_Vector vector) {
   return {N_VGetArrayPointer(vector), static_cast<Eigen::Index>(N_VGetLength(vector))};
 }
 
-/// All that IDA's callbacks see, and what is kept from call to call.
+/// IDA's memory and the data of its callbacks. IDA's own time counts from the start of the integration.
 struct Integration {
   Problem problem;
   HeatSystem system;
   StepMatrix matrix;
-  double matrix_scale = 0;  ///< IDA's c_j at the last factorisation, 1/s: its matrix is c_j (C + K/c_j)
+  double start;             ///< s
+  double matrix_scale = 0;  ///< c_j of IDA at the last factorisation, 1/s: its matrix is c_j (C + K/c_j)
   SUNContext context = nullptr;
   N_Vector temperature = nullptr, rate = nullptr;
   SUNMatrix jacobian = nullptr;
   SUNLinearSolver solver = nullptr;
   void* ida = nullptr;
-  HeatBalance balance;           ///< since the last report
-  Eigen::VectorXd content;       ///< at the last report, J
-  double accumulated_until = 0;  ///< s
-  std::string message;           ///< IDA's last complaint
+  HeatBalance balance;           ///< since the end of the last call
+  Eigen::VectorXd content;       ///< at the end of the last call, J
+  double accumulated_until = 0;  ///< end of the balance in IDA's time, s
+  std::string message;           ///< last error message of IDA
 
-  Integration(Problem given, const std::vector<Eigen::VectorXd>& start, const IdaOptions& options);
+  Integration(Problem given, double time, const std::vector<Eigen::VectorXd>& start, const IdaOptions& options);
   Integration(const Integration&) = delete;
   Integration& operator=(const Integration&) = delete;
   ~Integration();
 };
 
-int residual(double, N_Vector temperature, N_Vector rate, N_Vector result, void* data) {
+/// Temperatures of all unknowns at a time of IDA. IDA leaves the prescribed ones at their initial values.
+Eigen::VectorXd temperature_at(const Integration& run, double ida_time, N_Vector unknowns) {
+  Eigen::VectorXd temperature = view(unknowns);
+  impose_prescribed(run.system, run.start + ida_time, temperature);
+  return temperature;
+}
+
+int residual(double ida_time, N_Vector temperature, N_Vector rate, N_Vector result, void* data) {
   const auto& run = *static_cast<const Integration*>(data);
-  const Response response = evaluate(run.system, view(temperature), view(rate));
+  const double time = run.start + ida_time;
+  Eigen::VectorXd full_rate = view(rate);
+  impose_prescribed_rate(run.system, time, full_rate);
+  const Response response = evaluate(run.system, time, temperature_at(run, ida_time, temperature), full_rate);
   view(result) = response.content - response.power;
   for (const auto& [unknown, value] : run.system.prescribed) view(result)[unknown] = 0;
   return view(result).allFinite() ? 0 : 1;
 }
 
-int set_matrix(double, double scale, N_Vector temperature, N_Vector, N_Vector, SUNMatrix, void* data, N_Vector,
+int set_matrix(double ida_time, double scale, N_Vector temperature, N_Vector, N_Vector, SUNMatrix, void* data, N_Vector,
                N_Vector, N_Vector) {
   auto& run = *static_cast<Integration*>(data);
   run.matrix_scale = scale;
-  return factorise(run.matrix, run.system, view(temperature), 1 / scale) ? 0 : 1;
+  const double time = run.start + ida_time;
+  return factorise(run.matrix, run.system, time, temperature_at(run, ida_time, temperature), 1 / scale) ? 0 : 1;
 }
 
 int solve(SUNLinearSolver solver, SUNMatrix, N_Vector solution, N_Vector rhs, double) {
@@ -64,11 +76,12 @@ int solve(SUNLinearSolver solver, SUNMatrix, N_Vector solution, N_Vector rhs, do
   return 0;
 }
 
-void keep_message(int, const char*, const char*, char* message, void* data) {
+void store_message(int, const char*, const char*, char* message, void* data) {
   static_cast<Integration*>(data)->message = message;
 }
 
-/// IDA calls set_matrix for the values, so its matrix and its solver's set-up are empty shells.
+/// Attaches a linear solver whose matrix lives in `run.matrix`: set_matrix assembles and factorises it, so IDA's own
+/// matrix object and the solver's set-up are empty.
 void attach_solver(Integration& run) {
   run.jacobian = SUNMatNewEmpty(run.context);
   run.jacobian->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
@@ -84,34 +97,41 @@ void attach_solver(Integration& run) {
   IDASetJacFn(run.ida, set_matrix);
 }
 
-/// Sets prescribed temperatures, accumulates the heat that takes, and finds the rate that goes with the temperatures.
-void make_consistent(Integration& run, Eigen::VectorXd start) {
-  const Eigen::VectorXd before = evaluate(run.system, start).content;
-  for (const auto& [unknown, value] : run.system.prescribed) start[unknown] = value;
-  const Response response = evaluate(run.system, start);
+/// Imposes the prescribed temperatures, accumulates the heat that this takes, and computes consistent initial rates
+/// from capacity(T) dT/dt = power(t, T).
+void make_consistent(Integration& run, Eigen::VectorXd temperature) {
+  const Eigen::VectorXd before = evaluate(run.system, run.start, temperature).content;
+  impose_prescribed(run.system, run.start, temperature);
+  const Response response = evaluate(run.system, run.start, temperature);
   accumulate_content(run.balance, run.system, before, response.content);
   for (BodyBalance& body : run.balance.bodies) body.from_prescribed = body.content_change;
   run.content = response.content;
   Eigen::VectorXd power = response.power;
+  if (!run.system.prescribed.empty()) {
+    Eigen::VectorXd prescribed_rate = Eigen::VectorXd::Zero(run.system.size());
+    impose_prescribed_rate(run.system, run.start, prescribed_rate);
+    power -= evaluate(run.system, run.start, temperature, prescribed_rate).content;
+  }
   for (const auto& [unknown, value] : run.system.prescribed) power[unknown] = 0;
-  view(run.temperature) = start;
-  if (factorise(run.matrix, run.system, start, 0)) view(run.rate) = run.matrix.cholesky.solve(power);
+  view(run.temperature) = temperature;
+  if (factorise(run.matrix, run.system, run.start, temperature, 0)) view(run.rate) = run.matrix.cholesky.solve(power);
 }
 
-Integration::Integration(Problem given, const std::vector<Eigen::VectorXd>& start, const IdaOptions& options)
-    : problem(std::move(given)), system(make_heat_system(problem)), balance(zero_balance(system)) {
+Integration::Integration(Problem given, double time, const std::vector<Eigen::VectorXd>& initial,
+                         const IdaOptions& options)
+    : problem(std::move(given)), system(make_heat_system(problem)), start(time), balance(zero_balance(system)) {
   prepare(matrix, system);
   SUNContext_Create(nullptr, &context);
   temperature = N_VNew_Serial(system.size(), context);
   rate = N_VNew_Serial(system.size(), context);
   N_VConst(0, rate);
-  make_consistent(*this, join(system, start));
+  make_consistent(*this, join(system, initial));
   ida = IDACreate(context);
-  IDASetErrHandlerFn(ida, keep_message, this);
+  IDASetErrHandlerFn(ida, store_message, this);
   IDASetUserData(ida, this);
   IDAInit(ida, residual, 0, temperature, rate);
   IDASStolerances(ida, 0, options.tolerance);
-  IDASetNonlinConvCoef(ida, 0.01);  // what Newton leaves in the equations shows in the balance
+  IDASetNonlinConvCoef(ida, 0.01);  // the algebraic error of Newton's method enters the heat balance
   attach_solver(*this);
 }
 
@@ -124,18 +144,19 @@ Integration::~Integration() {
   SUNContext_Free(&context);
 }
 
-/// Accumulates the flows from `accumulated_until` to `end`, inside IDA's last step, by Gauss's rule on its dense
-/// output.
+/// Accumulates the flows from `accumulated_until` to `end`, both in IDA's time and inside its last step, by Gauss
+/// quadrature on the dense output.
 void accumulate_until(Integration& run, double end) {
   const double duration = end - run.accumulated_until;
   for (const auto& at : core::edge_rule(3)) {
-    IDAGetDky(run.ida, run.accumulated_until + at.s * duration, 0, run.temperature);
-    const double part = at.weight * duration;
+    const double ida_time = run.accumulated_until + at.s * duration, part = at.weight * duration;
+    IDAGetDky(run.ida, ida_time, 0, run.temperature);
+    const Eigen::VectorXd temperature = temperature_at(run, ida_time, run.temperature);
     if (run.system.prescribed.empty()) {
-      accumulate(run.balance, evaluate_flows(run.system, view(run.temperature)), part);
+      accumulate(run.balance, evaluate_flows(run.system, run.start + ida_time, temperature), part);
       continue;
     }
-    const Response response = evaluate(run.system, view(run.temperature));
+    const Response response = evaluate(run.system, run.start + ida_time, temperature);
     accumulate(run.balance, response.flows, part);
     for (const auto& [unknown, value] : run.system.prescribed)
       run.balance.bodies[body_of(run.system, unknown)].from_prescribed -= part * response.power[unknown];
@@ -143,7 +164,7 @@ void accumulate_until(Integration& run, double end) {
   run.accumulated_until = end;
 }
 
-/// Accumulates the content change since the last report and hands the balance over.
+/// Accumulates the content change since the last call and returns the balance, leaving a zero one.
 HeatBalance finish_balance(Integration& run, const Eigen::VectorXd& content) {
   accumulate_content(run.balance, run.system, run.content, content);
   for (const auto& [unknown, value] : run.system.prescribed)
@@ -158,37 +179,39 @@ struct IdaIntegrator::Data : Integration {
   using Integration::Integration;
 };
 
-IdaIntegrator::IdaIntegrator(Problem problem, const std::vector<Eigen::VectorXd>& temperature,
+IdaIntegrator::IdaIntegrator(Problem problem, double time, const std::vector<Eigen::VectorXd>& temperature,
                              const IdaOptions& options)
-    : data_(std::make_unique<Data>(std::move(problem), temperature, options)) {}
+    : data_(std::make_unique<Data>(std::move(problem), time, temperature, options)) {}
 IdaIntegrator::~IdaIntegrator() = default;
 IdaIntegrator::IdaIntegrator(IdaIntegrator&&) noexcept = default;
 IdaIntegrator& IdaIntegrator::operator=(IdaIntegrator&&) noexcept = default;
 
 IdaOutcome IdaIntegrator::advance_to(double time) {
   Data& run = *data_;
-  assert(time > run.accumulated_until);
+  const double end = time - run.start;
+  assert(end > run.accumulated_until);
   IdaOutcome outcome;
   long steps_before = 0, steps_after = 0;
   IDAGetNumSteps(run.ida, &steps_before);
   const Index factorisations_before = run.matrix.factorisations;
   double reached = 0;
   IDAGetCurrentTime(run.ida, &reached);
-  if (reached > run.accumulated_until) accumulate_until(run, std::min(reached, time));
-  while (reached < time) {
-    const int flag = IDASolve(run.ida, time, &reached, run.temperature, run.rate, IDA_ONE_STEP);
+  if (reached > run.accumulated_until) accumulate_until(run, std::min(reached, end));
+  while (reached < end) {
+    const int flag = IDASolve(run.ida, end, &reached, run.temperature, run.rate, IDA_ONE_STEP);
     if (flag < 0) {
-      outcome.reason =
-          fmt::format("IDA stopped the heat integration at {:.6g} s: {}", run.accumulated_until, run.message);
+      outcome.reason = fmt::format("IDA stopped the heat integration at {:.6g} s: {}",
+                                   run.start + run.accumulated_until, run.message);
       return outcome;
     }
-    accumulate_until(run, std::min(reached, time));
+    accumulate_until(run, std::min(reached, end));
   }
-  IDAGetDky(run.ida, time, 0, run.temperature);
+  IDAGetDky(run.ida, end, 0, run.temperature);
+  const Eigen::VectorXd temperature = temperature_at(run, end, run.temperature);
   IDAGetNumSteps(run.ida, &steps_after);
   outcome.converged = true;
-  outcome.temperature = split(run.system, view(run.temperature));
-  outcome.balance = finish_balance(run, evaluate(run.system, view(run.temperature)).content);
+  outcome.temperature = split(run.system, temperature);
+  outcome.balance = finish_balance(run, evaluate(run.system, time, temperature).content);
   outcome.steps = steps_after - steps_before;
   outcome.factorisations = run.matrix.factorisations - factorisations_before;
   return outcome;

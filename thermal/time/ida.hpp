@@ -9,28 +9,34 @@
 
 namespace parison::thermal {
 
+/// Error control of IDA.
 struct IdaOptions {
   double tolerance = 0.01;  ///< local error of a step, root mean square over the nodes, K
 };
 
+/// Result of a call; without convergence only `reason` is set.
 struct IdaOutcome {
   bool converged = false;
-  std::string reason;
-  std::vector<Eigen::VectorXd> temperature;  ///< per body and node, K
+  std::string reason;                        ///< why it did not converge
+  std::vector<Eigen::VectorXd> temperature;  ///< by body and node, K
   HeatBalance balance;                       ///< since the last call; closes to the tolerance
   long steps = 0, factorisations = 0;        ///< since the last call
 };
 
-/// Heat while meshes, interface and surroundings stand still: SUNDIALS IDA (variable order and step) with a Cholesky
-/// factor, on capacity(T) dT/dt = power(T). Its history serves from call to call, so frequent output costs nothing.
+/// Time integrator for a problem whose meshes and interface do not move: SUNDIALS IDA (Hindmarsh et al. 2005), backward
+/// differentiation formulas of variable order and step, with a Cholesky factor, on capacity(T) dT/dt = power(t, T).
+/// Prescribed temperatures are inserted as functions of time. The history is kept from call to call, so output at many
+/// times costs no more steps.
 class IdaIntegrator {
  public:
-  IdaIntegrator(Problem problem, const std::vector<Eigen::VectorXd>& temperature, const IdaOptions& options);
+  /// Starts at `time`, s, from the nodal temperatures by body, K; prescribed temperatures are imposed.
+  IdaIntegrator(Problem problem, double time, const std::vector<Eigen::VectorXd>& temperature,
+                const IdaOptions& options);
   ~IdaIntegrator();
   IdaIntegrator(IdaIntegrator&&) noexcept;
   IdaIntegrator& operator=(IdaIntegrator&&) noexcept;
 
-  /// Integrates to `time`, s since the start, later than the last.
+  /// Integrates to `time`, s, which must be later than that of the last call and the start.
   IdaOutcome advance_to(double time);
 
  private:

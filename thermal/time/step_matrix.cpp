@@ -9,10 +9,10 @@
 
 namespace parison::thermal {
 
-Linearisation linearise(const HeatSystem& system, const Eigen::VectorXd& temperature) {
+Linearisation linearise(const HeatSystem& system, double time, const Eigen::VectorXd& temperature) {
   Linearisation result;
   linearise_cells(system, temperature, result.batches);
-  linearise_exchange(system, temperature, result);
+  linearise_exchange(system, time, temperature, result);
   return result;
 }
 
@@ -40,7 +40,7 @@ std::vector<Index> list_topology(const HeatSystem& system) {
   return topology;
 }
 
-/// Cells, boundary edges and coupled edges, their unknowns by their rank.
+/// Cliques of cells, boundary edges and coupled edges, their unknowns given by their rank in the elimination order.
 core::Cliques list_cliques(const HeatSystem& system, const EdgeChain& chain, const std::vector<Index>& topology,
                            const std::vector<Coupling>& couplings, const std::vector<Index>& rank) {
   core::Cliques cliques;
@@ -70,7 +70,7 @@ void analyse(StepMatrix& matrix, const HeatSystem& system, const EdgeChain& chai
   matrix.factored_step = 0;
 }
 
-/// Which clique each segment of the interface has; false where one has none.
+/// Finds the clique of each segment of the interface; false where the couplings lack one.
 bool update_cliques(StepMatrix& matrix, const HeatSystem& system) {
   const std::vector<Coupling>& couplings = matrix.couplings;
   matrix.segment_clique.clear();
@@ -108,11 +108,12 @@ void prepare(StepMatrix& matrix, const HeatSystem& system) {
   update_cliques(matrix, system);
 }
 
-bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature, double step) {
+bool factorise(StepMatrix& matrix, const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
+               double step) {
   core::SymmetricMatrix& values = matrix.assembly.matrix;
   std::fill(values.value.begin(), values.value.end(), 0.0);
   assemble_cells(matrix, system, temperature, step);
-  assemble_exchange(matrix, system, temperature, step);
+  assemble_exchange(matrix, system, time, temperature, step);
   matrix.diagonal.resize(values.size);
   for (Index k = 0; k < values.size; ++k) {
     double& diagonal = values.value[values.column_start[k + 1] - 1];
@@ -127,7 +128,7 @@ bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::Vector
 
 namespace {
 
-/// The vertices among the unknowns, numbered on.
+/// Unknowns of the vertices, numbered in sequence.
 struct Vertices {
   std::vector<Index> unknown;
   std::vector<Index> number;  ///< by unknown, -1 for a mid-side node
@@ -143,7 +144,7 @@ Vertices list_vertices(const HeatSystem& system) {
   return vertices;
 }
 
-/// Position in the order by vertex.
+/// Position of each vertex in the elimination order.
 std::vector<Index> rank_vertices(const HeatSystem& system, const Vertices& vertices,
                                  const std::vector<Coupling>& couplings) {
   std::vector<std::array<Index, 2>> edges;
@@ -167,7 +168,7 @@ std::vector<Index> elimination_order(const HeatSystem& system, const std::vector
   const Vertices vertices = list_vertices(system);
   const std::vector<Index> rank = rank_vertices(system, vertices, couplings);
   const Index count = static_cast<Index>(rank.size());
-  // With each unknown goes the vertex that is eliminated right after it or with it.
+  // Each unknown is grouped with a vertex: a vertex with itself, a mid-side node with the vertex it precedes.
   std::vector<Index> with(system.size(), count);
   for (Index v = 0; v < count; ++v) with[vertices.unknown[v]] = rank[v];
   if (system.problem->order == 2)

@@ -9,57 +9,59 @@
 
 namespace parison::thermal {
 
-/// Slopes of content and power with temperature at the points of a group of cells.
+/// Derivatives of content and power with respect to temperature at the quadrature points of a batch of cells.
 struct BatchDerivatives {
   PointValues capacity;        ///< J/K
   PointValues conductivity;    ///< W/m/K
-  PointValues flow_a, flow_b;  ///< of the heat flow along the reference coordinates, by dk/dT alone, W/K
+  PointValues flow_a, flow_b;  ///< of the heat flow along the reference coordinates through dk/dT alone, W/K
 };
-/// Derivative of the heat equations at a temperature, with the slopes of conductivity and conductance.
+/// Full derivative of the heat equations at a time and temperatures, including those of conductivity and conductance.
 struct Linearisation {
   std::vector<BatchDerivatives> batches;
-  std::vector<std::array<double, 3>> edges;  ///< of surface exchange at the points of edge_rule(3), W/K
+  std::vector<std::array<double, 3>> edges;  ///< of the exchange with the air at the points of edge_rule(3), W/K
   ContactDerivatives contacts;
 };
-Linearisation linearise(const HeatSystem& system, const Eigen::VectorXd& temperature);
+Linearisation linearise(const HeatSystem& system, double time, const Eigen::VectorXd& temperature);
 
-/// What a change of the temperatures, K, does to content - step power, J.
+/// Product of the derivative of content - step power with a change of the temperatures, K: J by unknown.
 Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisation, double step,
                       const Eigen::VectorXd& change);
 
-/// Factor of C + step K, kept from step to step: C the heat capacity, K the conduction, exchange and interface at the
-/// temperature of the factorisation. Of the slopes of conductivity and conductance K has only what is symmetric and
-/// positive: a conductance that rises with the slave's temperature, in the slave's own block. Newton with it is a
-/// modified Newton; solve_stage has the full derivative.
+/// Cholesky factor of C + step K for implicit stages, reused from step to step: C the heat capacity matrix, K the
+/// stiffness of conduction, exchange and interface at the time and temperatures of the factorisation. Of the
+/// derivatives of conductivity and conductance K contains only the symmetric positive part: a conductance that rises
+/// with the slave's temperature, in the slave's own block. Newton's method with this matrix is a modified one;
+/// solve_stage also uses the full derivative.
 struct StepMatrix {
-  std::vector<Index> topology;  ///< unknowns of all cells and boundary edges
-  std::vector<Coupling>
-      couplings;  ///< that the pattern is to have; `prepare` keeps them as long as they hold the interface's
-  std::vector<Coupling> analysed_couplings;  ///< that it has
-  Index first_coupling = 0;                  ///< clique of the first of them
+  std::vector<Index> topology;      ///< unknowns of all cells and boundary edges
+  std::vector<Coupling> couplings;  ///< wanted in the pattern; `prepare` replaces them where the interface asks
+  std::vector<Coupling> analysed_couplings;  ///< present in the pattern
+  Index first_coupling = 0;                  ///< clique of the first coupling
   std::vector<Index> segment_clique;         ///< of each segment of the interface
-  std::vector<char> is_prescribed;
-  std::vector<Index> order;  ///< of elimination, that of the matrix's unknowns: order[k] is the k-th in the system
-  core::Assembly assembly;   ///< upper triangle
+  std::vector<char> is_prescribed;           ///< by unknown; their rows and columns are those of the identity
+  std::vector<Index> order;                  ///< elimination order: order[k] is the unknown eliminated as the k-th
+  core::Assembly assembly;                   ///< upper triangle, unknowns in the elimination order
   core::Cholesky cholesky;
-  Eigen::VectorXd diagonal;
+  Eigen::VectorXd diagonal;     ///< by unknown, J/K
   std::vector<KeptCells> kept;  ///< by body
-  double factored_step = 0;     ///< s; 0 when there is no factor
-  Index factorisations = 0;
+  double factored_step = 0;     ///< s; 0 without a factor
+  Index factorisations = 0;     ///< since the start
 };
 
-/// Adds a dense symmetric matrix, row-major count x count, without the rows and columns of prescribed unknowns.
+/// Adds a dense symmetric matrix of the given unknowns, row-major count x count, J/K, except for the rows and columns
+/// of prescribed unknowns.
 void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Index count, const Index* unknowns,
                 double* local);
-/// Makes pattern and analysis a function of the system and of `couplings`, which are replaced by wider ones where the
-/// interface has others; drops the factor where they change, and where other unknowns are prescribed.
+/// Prepares sparsity pattern and symbolic analysis for the system. Both depend on the system and on
+/// `matrix.couplings` only; where those lack a coupling of the interface they are replaced by a wider set. The factor
+/// is dropped when the pattern or the set of prescribed unknowns changes.
 void prepare(StepMatrix& matrix, const HeatSystem& system);
-/// Assembles and factorises at a temperature; false when the matrix is not positive definite.
-[[nodiscard]] bool factorise(StepMatrix& matrix, const HeatSystem& system, const Eigen::VectorXd& temperature,
-                             double step);
+/// Assembles C + step K at a time and temperatures and factorises it; false when it is not positive definite.
+[[nodiscard]] bool factorise(StepMatrix& matrix, const HeatSystem& system, double time,
+                             const Eigen::VectorXd& temperature, double step);
 
-/// Order in which the unknowns of a heat system are eliminated: minimum degree on the graph of the vertices, each
-/// mid-side node before the first vertex of its edge.
+/// Elimination order of a heat system's unknowns: approximate minimum degree (Amestoy, Davis and Duff 1996) on the
+/// graph of the vertices, each mid-side node right before the first vertex of its edge.
 std::vector<Index> elimination_order(const HeatSystem& system, const std::vector<Coupling>& couplings);
 
 }  // namespace parison::thermal

@@ -13,40 +13,43 @@ namespace parison::thermal {
 
 namespace {
 
-// Stages at 0, middle and 1; both implicit ones solve content - implicit dt power = target.
-const double middle = 2 - std::sqrt(2.0), implicit = middle / 2, w = std::sqrt(2.0) / 4;
-const std::array<double, 3> weight{w, w, implicit};
-const std::array<double, 3> error_weight{w - (1 - w) / 3, w - (3 * w + 1) / 3, implicit - implicit / 3};
+// TR-BDF2 as the diagonally implicit Runge-Kutta method of Hosea and Shampine (1996, section 2): stages at t, at
+// t + gamma dt and at t + dt with gamma = 2 - sqrt(2), d = gamma/2 on the diagonal, weights (w, w, d) with
+// w = sqrt(2)/4. The weights of the embedded method of third order are ((1 - w)/3, (3 w + 1)/3, d/3).
+const double gamma = 2 - std::sqrt(2.0), d = gamma / 2, w = std::sqrt(2.0) / 4;
+const std::array<double, 3> weight{w, w, d};
+const std::array<double, 3> error_weight{w - (1 - w) / 3, w - (3 * w + 1) / 3, d - d / 3};
 
-constexpr double reuse_band = 1e-9;         ///< relative change of the step that the factor bears
-constexpr double startup_transient = 0.25;  ///< first over last fitting substep of a step
-constexpr Index many_solves = 7;            ///< a stage that needs more asks for a new factor
+constexpr double same_step = 1e-9;          ///< relative change of the substep up to which the factor is reused
+constexpr double startup_transient = 0.25;  ///< expected ratio of the first to the last fitting substep of a step
+constexpr Index many_solves = 7;            ///< a stage that needs more causes a new factorisation
 
-struct Run {
+struct Integration {
   const HeatSystem& system;
   const StepOptions& options;
   StepMatrix& matrix;
   Index solves = 0;
 };
 
-/// Temperatures, what the equations say there, and the content that they have accounted for.
+/// Solution at the time of a stage.
 struct StageValue {
-  Eigen::VectorXd temperature;
-  Response response;
-  Eigen::VectorXd content;  ///< J
+  double time = 0;              ///< s
+  Eigen::VectorXd temperature;  ///< by unknown, K
+  Response response;            ///< at that time and temperature
+  Eigen::VectorXd content;      ///< as integrated in time: that of the response up to the algebraic error, J
 };
 
-/// Change with time over the last part of a substep, per second.
+/// Rates of change over the last part of a substep, per second.
 struct Rate {
   Eigen::VectorXd temperature, content, power;
 };
 
 struct TrialStep {
   bool solved = false;
-  double error = 0;  ///< K
-  Response middle;
+  double error = 0;  ///< max norm of the estimated local error, K
+  Response middle;   ///< at t + gamma dt
   StageValue end;
-  Rate rate;
+  Rate rate;  ///< from there to the end
 };
 
 Rate rate_between(const Eigen::VectorXd& first, const Response& before, const Eigen::VectorXd& second,
@@ -55,16 +58,23 @@ Rate rate_between(const Eigen::VectorXd& first, const Response& before, const Ei
           (after.power - before.power) / duration};
 }
 
-StageGuess extrapolate(const StageValue& start, const Rate& rate, double duration) {
-  return {start.temperature + duration * rate.temperature, start.response.content + duration * rate.content,
-          start.response.power + duration * rate.power};
+/// Initial guess at `time`; evaluated there where prescribed temperatures do not follow the extrapolation.
+StageGuess extrapolate(const HeatSystem& system, const StageValue& start, const Rate& rate, double time,
+                       double duration) {
+  StageGuess guess{start.temperature + duration * rate.temperature, start.response.content + duration * rate.content,
+                   start.response.power + duration * rate.power};
+  if (!impose_prescribed(system, time, guess.temperature)) return guess;
+  Response response = evaluate(system, time, guess.temperature);
+  return {std::move(guess.temperature), std::move(response.content), std::move(response.power)};
 }
 
-/// Solves a stage with the factor at hand, or with a new one where that does not serve.
-StageSolution solve(Run& run, const StageEquation& equation, const StageGuess& guess) {
+/// Solves a stage with the present factor, or with a new one where its step differs or Newton's method fails.
+StageSolution solve(Integration& run, const StageEquation& equation, const StageGuess& guess) {
   bool fresh = false;
-  const auto refactorise = [&] { return fresh = factorise(run.matrix, run.system, guess.temperature, equation.step); };
-  if (!(std::abs(run.matrix.factored_step / equation.step - 1) <= reuse_band) && !refactorise()) return {};
+  const auto refactorise = [&] {
+    return fresh = factorise(run.matrix, run.system, equation.time, guess.temperature, equation.step);
+  };
+  if (!(std::abs(run.matrix.factored_step / equation.step - 1) <= same_step) && !refactorise()) return {};
   StageSolution solution = solve_stage(run.system, run.matrix, equation, guess, run.options.newton_tolerance);
   run.solves += solution.solves;
   if (!solution.converged && !fresh && refactorise()) {
@@ -74,15 +84,17 @@ StageSolution solve(Run& run, const StageEquation& equation, const StageGuess& g
   return solution;
 }
 
-TrialStep try_step(Run& run, const StageValue& start, const Rate& rate, double dt) {
+/// One substep of length dt from `start`, with the rate of the substep before it for the initial guess.
+TrialStep try_step(Integration& run, const StageValue& start, const Rate& rate, double dt) {
   TrialStep result;
-  const double step = implicit * dt;
+  const double step = d * dt, middle_time = start.time + gamma * dt, end_time = start.time + dt;
   const Eigen::VectorXd& before = start.response.power;
-  StageSolution half = solve(run, {step, start.content + step * before}, extrapolate(start, rate, middle * dt));
+  StageSolution half = solve(run, {middle_time, step, start.content + step * before},
+                             extrapolate(run.system, start, rate, middle_time, gamma * dt));
   if (!half.converged) return result;
   const Eigen::VectorXd target = start.content + dt * (weight[0] * before + weight[1] * half.response.power);
-  const Rate first = rate_between(start.temperature, start.response, half.temperature, half.response, middle * dt);
-  StageSolution full = solve(run, {step, target}, extrapolate(start, first, dt));
+  const Rate first = rate_between(start.temperature, start.response, half.temperature, half.response, gamma * dt);
+  StageSolution full = solve(run, {end_time, step, target}, extrapolate(run.system, start, first, end_time, dt));
   if (!full.converged) return result;
 
   const Eigen::VectorXd& after = full.response.power;
@@ -92,15 +104,16 @@ TrialStep try_step(Run& run, const StageValue& start, const Rate& rate, double d
   result.error = run.matrix.cholesky.solve(error).lpNorm<Eigen::Infinity>();
   ++run.solves;
   result.solved = std::isfinite(result.error);
-  result.rate = rate_between(half.temperature, half.response, full.temperature, full.response, (1 - middle) * dt);
+  result.rate = rate_between(half.temperature, half.response, full.temperature, full.response, (1 - gamma) * dt);
   result.middle = std::move(half.response);
-  result.end = {std::move(full.temperature), {}, target + step * after};
+  result.end = {end_time, std::move(full.temperature), {}, target + step * after};
   result.end.response = std::move(full.response);
   if (half.solves > many_solves || full.solves > many_solves) run.matrix.factored_step = 0;
   return result;
 }
 
-/// Accumulates an accepted substep. What the equations of the prescribed unknowns lack is what flowed in through them.
+/// Accumulates an accepted substep. The residuals of the prescribed unknowns' equations are the heat that entered
+/// through the prescribed boundaries.
 void accumulate_substep(HeatBalance& balance, const HeatSystem& system, const StageValue& start,
                         const TrialStep& accepted, double dt) {
   accumulate(balance, start.response.flows, dt * weight[0]);
@@ -114,15 +127,17 @@ void accumulate_substep(HeatBalance& balance, const HeatSystem& system, const St
   }
 }
 
-/// Start of a step: prescribed temperatures are set, and the heat that takes is accumulated as coming through them.
-StageValue begin(const HeatSystem& system, const std::vector<Eigen::VectorXd>& temperature, HeatBalance& balance) {
+/// Solution at the start of a step. Prescribed temperatures are imposed, and the heat that this takes is accumulated as
+/// heat through the prescribed boundaries.
+StageValue begin(const HeatSystem& system, double time, const std::vector<Eigen::VectorXd>& temperature,
+                 HeatBalance& balance) {
   StageValue start;
+  start.time = time;
   start.temperature = join(system, temperature);
-  start.response = evaluate(system, start.temperature);
-  if (!system.prescribed.empty()) {
-    const Eigen::VectorXd before = start.response.content;
-    for (const auto& [unknown, value] : system.prescribed) start.temperature[unknown] = value;
-    start.response = evaluate(system, start.temperature);
+  start.response = evaluate(system, time, start.temperature);
+  const Eigen::VectorXd before = start.response.content;
+  if (impose_prescribed(system, time, start.temperature)) {
+    start.response = evaluate(system, time, start.temperature);
     accumulate_content(balance, system, before, start.response.content);
     for (BodyBalance& body : balance.bodies) body.from_prescribed = body.content_change;
   }
@@ -130,15 +145,15 @@ StageValue begin(const HeatSystem& system, const std::vector<Eigen::VectorXd>& t
   return start;
 }
 
-/// Size that suits the error of an attempt, which falls with the third power of it.
+/// Substep whose error would just meet the tolerance, from that of a trial step: the error falls with the third power.
 double fitting_size(const TrialStep& trial, double substep, double tolerance) {
   if (!trial.solved) return 0.25 * substep;
   const double factor = trial.error > 0 ? std::clamp(0.9 * std::cbrt(tolerance / trial.error), 0.1, 4.0) : 4.0;
   return substep * (trial.error > tolerance ? std::min(factor, 0.9) : factor);
 }
 
-/// Size after an accepted substep: the same, for its factor, unless a larger one that the error allows saves more
-/// substeps than the new factor costs.
+/// Substep after an accepted one: the same, to reuse the factor, unless the larger one that the error allows saves more
+/// substeps than a new factorisation costs.
 double next_size(double substep, double fitting, double remaining) {
   constexpr double factor_cost = 2;  // substeps
   const double saved = std::round(remaining / substep) - std::ceil(remaining / fitting - 1e-9);
@@ -153,8 +168,9 @@ std::string describe_failure(const TrialStep& trial, double substep, const StepO
                      what);
 }
 
-/// Substeps over dt from `start`, which ends at the last accepted one; counts, balance and reason go into the outcome.
-void integrate(Run& run, StageValue& start, double dt, StepOutcome& outcome) {
+/// Integrates over dt from `start`, which becomes the end of the last accepted substep, and sets counts, balance and
+/// reason of the outcome.
+void integrate(Integration& run, StageValue& start, double dt, StepOutcome& outcome) {
   const StepOptions& options = run.options;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(run.system.size());
   Rate rate{none, none, none};
@@ -180,8 +196,8 @@ void integrate(Run& run, StageValue& start, double dt, StepOutcome& outcome) {
     rate = std::move(trial.rate);
     remaining = count > 1 ? remaining - substep : 0;
     wanted = std::exchange(rejected_before, false) ? substep : next_size(substep, fitting, remaining);
-    // A new interface jolts the start of each step alike; a first substep far too short for the last was a jolt of its
-    // own.
+    // A new interface causes a start-up transient in every step alike, so the first fitting substep is proposed for the
+    // next step; where it is far shorter than the last one, it was a transient of this step alone.
     outcome.next_substep = std::max(outcome.next_substep, startup_transient * fitting);
   }
   outcome.converged = true;
@@ -189,15 +205,15 @@ void integrate(Run& run, StageValue& start, double dt, StepOutcome& outcome) {
 
 }  // namespace
 
-StepOutcome advance(const Problem& problem, const std::vector<Eigen::VectorXd>& temperature, double dt,
+StepOutcome advance(const Problem& problem, double time, const std::vector<Eigen::VectorXd>& temperature, double dt,
                     const StepOptions& options, StepMatrix& matrix) {
   const HeatSystem system = make_heat_system(problem, &matrix.kept);
   prepare(matrix, system);
   const Index factorisations_before = matrix.factorisations;
-  Run run{system, options, matrix};
+  Integration run{system, options, matrix};
   StepOutcome outcome;
   outcome.balance = zero_balance(system);
-  StageValue stage_value = begin(system, temperature, outcome.balance);
+  StageValue stage_value = begin(system, time, temperature, outcome.balance);
   if (!stage_value.response.power.allFinite() || !stage_value.response.content.allFinite()) {
     outcome.reason = "heat: the temperatures or the meshes at the start of the step are not finite";
     return outcome;

@@ -46,7 +46,7 @@ std::string flow_parts(const Scene& scene) {
 std::string heat_parts(const Scene& scene) {
   const bool on = scene.has_heat();
   const std::string no_heat = "the glass carries no heat";
-  const auto air = stages_with(scene, [](const Stage& s) { return s.air.h > 0; });
+  const auto air = stages_with(scene, [](const Stage& s) { return s.air.h.max() > 0; });
   const double emissivity = scene.glass.emissivity;
   std::string exchange = air.empty() ? "" : "air in " + air;
   if (emissivity > 0) exchange += fmt::format("{}emissivity {:.3g}", air.empty() ? "" : ", ", emissivity);

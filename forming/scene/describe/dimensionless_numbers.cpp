@@ -50,7 +50,7 @@ std::optional<double> exchange(const Scene& scene) {
   double h = 0;
   for (const Interface& interface : scene.interfaces) h = std::max(h, contact::highest(interface.law));
   if (h == 0)
-    for (const Stage& stage : scene.stages) h = std::max(h, stage.air.h);
+    for (const Stage& stage : scene.stages) h = std::max(h, stage.air.h.max());
   if (h > 0) return h;
   return {};
 }
@@ -61,7 +61,7 @@ std::optional<double> temperature_span(const Scene& scene) {
   for (const Tool& tool : scene.tools)
     if (tool.thermal) min_temperature = std::min(min_temperature, tool.initial_temperature);
   for (const Stage& stage : scene.stages)
-    if (stage.air.h > 0) min_temperature = std::min(min_temperature, stage.air.air_temperature);
+    if (stage.air.h.max() > 0) min_temperature = std::min(min_temperature, stage.air.air_temperature.min());
   const double span = scene.glass.initial_temperature - min_temperature;
   if (span > 0) return span;
   return {};

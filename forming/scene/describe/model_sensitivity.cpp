@@ -220,8 +220,11 @@ void add_exchange(Estimator& e, const char* name, bool in_scene, double more_hea
 /// Whether the scene says what is around the glass.
 bool has_air(const Stage& stage) {
   const thermal::SurfaceExchange unsaid;
-  return stage.air.h > 0 || stage.air.air_temperature != unsaid.air_temperature ||
-         stage.air.ambient_temperature != unsaid.ambient_temperature;
+  const auto differ = [](const core::TimeFunction& a, const core::TimeFunction& b) {
+    return a.min() != b.min() || a.max() != b.max();
+  };
+  return stage.air.h.max() > 0 || differ(stage.air.air_temperature, unsaid.air_temperature) ||
+         differ(stage.air.ambient_temperature, unsaid.ambient_temperature);
 }
 
 /// Parts that act on the open surface; their heat grows with the time.
@@ -231,7 +234,8 @@ void add_surface(Estimator& e, double conductivity) {
   for (const Stage& stage : e.scene.stages) {
     if (!has_air(stage)) continue;
     open = true;
-    h = std::max(h, stage.air.h), air = stage.air.air_temperature, around = stage.air.ambient_temperature;
+    h = std::max(h, stage.air.h.max());
+    air = stage.air.air_temperature.min(), around = stage.air.ambient_temperature.min();
   }
   if (!open) return;
   const double hot = e.scene.glass.initial_temperature, lasts = lasting(e.scene) / calibration().model_parts.duration;

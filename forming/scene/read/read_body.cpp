@@ -13,7 +13,7 @@ namespace dimension = core::dimension;
 
 Boundary read_boundary(const CaseNode& node) {
   const CaseTable table(node, {"name", "path", "csv", "condition"});
-  Boundary boundary{core::identifier(table.get("name")), BoundaryKind::contact, {}};
+  Boundary boundary{core::identifier(table.get("name")), BoundaryKind::contact, {}, {}};
   const auto& condition = table.get("condition");
   if (condition.kind != CaseNode::Kind::table) {
     constexpr BoundaryKind kinds[] = {BoundaryKind::contact, BoundaryKind::symmetry, BoundaryKind::fixed,
@@ -26,11 +26,11 @@ Boundary read_boundary(const CaseNode& node) {
     if (given.find("temperature")) core::refuse(condition, "two conditions were found, allowed is one");
     const CaseTable exchange(*cooled, {"h", "temperature"});
     boundary.kind = BoundaryKind::cooled;
-    boundary.cooling.h = core::not_negative(exchange.get("h"), dimension::conductance);
-    boundary.cooling.air_temperature = core::quantity(exchange.get("temperature"), dimension::temperature);
+    boundary.cooling.h = core::not_negative_over_time(exchange.get("h"), dimension::conductance);
+    boundary.cooling.air_temperature = core::quantity_over_time(exchange.get("temperature"), dimension::temperature);
   } else {
     boundary.kind = BoundaryKind::temperature;
-    boundary.temperature = core::quantity(given.get("temperature"), dimension::temperature);
+    boundary.temperature = core::quantity_over_time(given.get("temperature"), dimension::temperature);
   }
   return boundary;
 }

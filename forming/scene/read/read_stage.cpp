@@ -16,9 +16,9 @@ namespace dimension = core::dimension;
 thermal::SurfaceExchange read_air(const CaseNode& node) {
   const CaseTable table(node, {"temperature", "h", "ambient"});
   thermal::SurfaceExchange air;
-  air.h = core::not_negative(table.get("h"), dimension::conductance);
-  air.air_temperature = core::quantity(table.get("temperature"), dimension::temperature);
-  air.ambient_temperature = core::quantity(table.get("ambient"), dimension::temperature);
+  air.h = core::not_negative_over_time(table.get("h"), dimension::conductance);
+  air.air_temperature = core::quantity_over_time(table.get("temperature"), dimension::temperature);
+  air.ambient_temperature = core::quantity_over_time(table.get("ambient"), dimension::temperature);
   return air;
 }
 
