@@ -90,7 +90,8 @@ def stage_ends(summary, rows):
     ends = []
     for stage in summary["stages"]:
         row = min(rows, key=lambda r: abs(float(r["time_s"]) - stage["end_s"]))
-        ends.append({"name": stage["name"], "end_s": stage["end_s"], "end_reason": stage["end_reason"],
+        positions = {key[:-len("_position_m")]: 1e3 * float(value) for key, value in row.items() if key.endswith("_position_m")}
+        ends.append({"name": stage["name"], "end_s": stage["end_s"], "positions_mm": positions,
                      **{key: float(row[key]) for key in OF_STAGE_END if row.get(key, "nan") != "nan"}})
     return ends
 
@@ -105,8 +106,6 @@ def figures(case, results):
         rows = list(csv.DictReader(file))
     kept = {key: summary[key] for key in KEPT if key in summary}
     kept["stages"] = stage_ends(summary, rows)
-    kept["positions_mm"] = {key[:-len("_position_m")]: 1e3 * float(value) for key, value in rows[-1].items()
-                            if key.endswith("_position_m")}
     kept["expectations"] = {label: found for label, found, _ in expect.judge(summary, rows, ROOT / "cases" / case)}
     kept["thickness_profile_mm"] = summary["thickness_profile_mm"]
     return rounded(kept)

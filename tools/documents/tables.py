@@ -150,21 +150,26 @@ def wall(case, *names):
     rows = [["wall: thinnest, mean, thickest, mm"] + [", ".join(f"{r['thickness'][k]:.2f}" for k in ("min_mm", "mean_mm", "max_mm"))
                                                       for r in runs],
             ["glass at the end: mean, coldest, hottest, degC"] +
-            [", ".join(f"{r['glass'][f'temperature_{k}_C']:.0f}" for k in ("mean", "min", "max")) for r in runs]]
-    if "fine" in names[1:]:
-        rows.append(["wall against fine: mean, largest difference"] + [difference(case, name) for name in names])
-    rows.append(["work that nothing pays for, largest imbalance"] + [digits(r["max_work_imbalance"]) for r in runs])
+            [", ".join(f"{r['glass'][f'temperature_{k}_C']:.0f}" for k in ("mean", "min", "max")) for r in runs],
+            ["wall against fine: mean, largest difference"] + [against_fine(case, name, bars_module().profile_errors) for name in names],
+            ["heat into tools against fine"] + [against_fine(case, name, bars_module().heat_error) for name in names],
+            ["work balance, largest imbalance"] + [f"{digits(100 * r['max_work_imbalance'])} %" for r in runs]]
     return table([""] + list(names), rows)
 
 
-def difference(case, name):
+def bars_module():
+    """The comparison of two results that tools/bench makes."""
+    sys.path.insert(0, str(ROOT / "tools"))
+    from benchmarks import bars as module
+
+    return module
+
+
+def against_fine(case, name, error):
     if name == "fine":
         return ""
-    sys.path.insert(0, str(ROOT / "tools"))
-    from benchmarks.bars import profile_errors
-
-    mean, largest = profile_errors(store.run(case, name), store.run(case, "fine"))
-    return f"{digits(100 * mean)} %, {digits(100 * largest)} %"
+    found = error(store.run(case, name), store.run(case, "fine"))
+    return ", ".join(f"{digits(100 * each)} %" for each in (found if isinstance(found, tuple) else (found,)))
 
 
 def dwell(case):
@@ -191,11 +196,37 @@ def perfect(case):
 def press(case, *names):
     """Where and when the plunger of the tumbler comes to rest, and the heat of each tool."""
     runs = [store.run(case, name) for name in names]
-    rows = [["plunger rests at, s; tip at, mm"] +
-            [f"{[s for s in r['stages'] if s['name'] == 'press'][0]['end_s']:.4f}; {r['expectations_at_rest_mm']:.3f}" for r in runs]]
+    ends = [[stage for stage in run["stages"] if stage["name"] == "press"][0] for run in runs]
+    rows = [["plunger rests at, s; tip at, mm"] + [f"{end['end_s']:.4f}; {end['positions_mm']['plunger']:.3f}" for end in ends]]
     rows += [[f"heat into {tool}, kJ"] + [f"{1e-3 * r['tools'][tool]['heat_received_J']:.2f}" for r in runs] for tool in runs[0]["tools"]]
     return table([""] + list(names), rows)
 
 
+def laps(case, *names):
+    return table([""] + list(names), [["air closed in laps, mm3"] +
+                                      [digits(1e9 * store.run(case, name)["remeshing"]["lap_volume_m3"]) for name in names]])
+
+
+def shell(case, *names):
+    runs = [store.run(case, name) for name in names]
+    rows = [["wall: thinnest, thickest, mm"] + [f"{r['thickness']['min_mm']:.4f}, {r['thickness']['max_mm']:.4f}" for r in runs],
+            ["volume drift, at the end and at the most"] +
+            [f"{digits(abs(r['volume_drift']), 1)}, {digits(r['max_volume_drift'], 1)}" for r in runs]]
+    return table([""] + list(names), rows)
+
+
 BLOCKS = {function.__name__: function for function in (speed, targets, bars, parts, bench, calculix, verification, expectations)}
-CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press)}
+CASE_def laps(case, *names):
+    return table([""] + list(names), [["air closed in laps, mm3"] +
+                                      [digits(1e9 * store.run(case, name)["remeshing"]["lap_volume_m3"]) for name in names]])
+
+
+def shell(case, *names):
+    runs = [store.run(case, name) for name in names]
+    rows = [["wall: thinnest, thickest, mm"] + [f"{r['thickness']['min_mm']:.4f}, {r['thickness']['max_mm']:.4f}" for r in runs],
+            ["volume drift, at the end and at the most"] +
+            [f"{digits(abs(r['volume_drift']), 1)}, {digits(r['max_volume_drift'], 1)}" for r in runs]]
+    return table([""] + list(names), rows)
+
+
+BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, shell)}
