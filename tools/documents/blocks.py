@@ -6,14 +6,15 @@ import subprocess
 from documents import tables
 from documents.store import ROOT, Missing
 
-BLOCK = re.compile(r"(<!-- begin: (\w+)((?: [\w.]+)*) -->\n).*?(<!-- end: \2 -->)", re.DOTALL)
-MARK = re.compile(r"<!-- (?:begin|end): ")
+BLOCK = re.compile(r"(^<!-- begin: (\w+)((?: [\w.]+)*) -->\n).*?^(<!-- end: \2 -->)", re.DOTALL | re.MULTILINE)
+MARK = re.compile(r"^<!-- (?:begin|end): ", re.MULTILINE)
 
 
 def documents():
+    """All documents of the repository, those not committed yet too."""
     listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", "*.md"], capture_output=True, text=True)
-    paths = [ROOT / line for line in listed.stdout.split("\n") if line] or sorted(ROOT.rglob("*.md"))
-    return [path for path in paths if path.exists() and MARK.search(path.read_text())]
+    paths = [ROOT / line for line in listed.stdout.split("\n") if line]
+    return [path for path in paths or sorted(ROOT.rglob("*.md")) if path.exists()]
 
 
 def make(path, name, arguments):
@@ -43,9 +44,11 @@ def written(path):
 
 
 def update(check):
-    """Writes all documents, or says which are stale; the number of those."""
+    """Writes all documents with blocks, or says which are stale; the number of those."""
     stale = 0
     for path in documents():
+        if not MARK.search(path.read_text()):
+            continue
         text = written(path)
         if text == path.read_text():
             continue

@@ -138,10 +138,10 @@ def cost(case, *names):
     rows = []
     for name in names or store.RUNS[case]:
         run = store.run(case, name)
-        seconds = {part: value for part, value in run["timing"].items() if value >= 0.05}
-        rows.append([name, str(run["steps"]), str(run["remeshes"]), digits(run["cpu_seconds"]),
-                     ", ".join(f"{part} {digits(value)}" for part, value in seconds.items())])
-    return table(["run", "steps", "remeshes", "CPU, s, one thread", "of which, s"], rows)
+        whole = sum(run["timing"].values())
+        shares = [f"{part} {100 * seconds / whole:.0f} %" for part, seconds in run["timing"].items() if seconds > 0.005 * whole]
+        rows.append([name.replace("_", " "), str(run["steps"]), str(run["remeshes"]), digits(run["cpu_seconds"]), ", ".join(shares)])
+    return table(["run", "steps", "remeshes", "CPU, s, one thread", "of the time"], rows)
 
 
 def wall(case, *names):
@@ -216,17 +216,4 @@ def shell(case, *names):
 
 
 BLOCKS = {function.__name__: function for function in (speed, targets, bars, parts, bench, calculix, verification, expectations)}
-CASE_def laps(case, *names):
-    return table([""] + list(names), [["air closed in laps, mm3"] +
-                                      [digits(1e9 * store.run(case, name)["remeshing"]["lap_volume_m3"]) for name in names]])
-
-
-def shell(case, *names):
-    runs = [store.run(case, name) for name in names]
-    rows = [["wall: thinnest, thickest, mm"] + [f"{r['thickness']['min_mm']:.4f}, {r['thickness']['max_mm']:.4f}" for r in runs],
-            ["volume drift, at the end and at the most"] +
-            [f"{digits(abs(r['volume_drift']), 1)}, {digits(r['max_volume_drift'], 1)}" for r in runs]]
-    return table([""] + list(names), rows)
-
-
-BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, shell)}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, shell)}
