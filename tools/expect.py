@@ -62,29 +62,34 @@ def allowed(low, high):
     return f"at least {low:.6g}" if high == float("inf") else f"{low:.6g} to {high:.6g}"
 
 
-def main():
-    if len(sys.argv) != 3:
-        sys.exit("usage: tools/expect.py RESULTS CASE")
-    results, case = Path(sys.argv[1]), Path(sys.argv[2])
-    folder = case if case.is_dir() else case.parent
-    entries = tomllib.loads((folder / "expect.toml").read_text())["expect"]
-    summary = json.loads((results / "summary.json").read_text())
-    with open(results / "history.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    failures = 0
-    for entry in entries:
-        for label, time, (low, high) in expectations(entry):
+def judge(summary, rows, folder):
+    """Label, found number (None where there is none) and bounds of each expectation of a case."""
+    for entry in tomllib.loads((folder / "expect.toml").read_text())["expect"]:
+        for label, time, limits in expectations(entry):
             if time is None:
                 found = summary_value(summary, label)
             else:
                 column = entry["history"]
                 found = history_value(rows, column, time) if rows and column in rows[0] else None
             # Drifts have a sign, their limit has none.
-            size = abs(found) if found is not None and set(entry) <= {"quantity", "max"} else found
-            good = size is not None and low <= size <= high
-            failures += not good
-            shown = "nothing" if found is None else f"{found:.6g}"
-            print(f"{'ok  ' if good else 'FAIL'}  {label}: found {shown}, allowed {allowed(low, high)}")
+            if found is not None and set(entry) <= {"quantity", "max"}:
+                found = abs(found)
+            yield label, found, limits
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit("usage: tools/expect.py RESULTS CASE")
+    results, case = Path(sys.argv[1]), Path(sys.argv[2])
+    summary = json.loads((results / "summary.json").read_text())
+    with open(results / "history.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    failures = 0
+    for label, found, (low, high) in judge(summary, rows, case if case.is_dir() else case.parent):
+        good = found is not None and low <= found <= high
+        failures += not good
+        shown = "nothing" if found is None else f"{found:.6g}"
+        print(f"{'ok  ' if good else 'FAIL'}  {label}: found {shown}, allowed {allowed(low, high)}")
     if not summary["completed"]:
         print(f"FAIL  the run did not complete: {summary['reason']}")
         failures += 1

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "contact/mortar/projection.hpp"
+#include "figure.hpp"
 #include "interface_cases.hpp"
 
 namespace parison::contact::testing {
@@ -78,15 +79,17 @@ ArcResult arc_result(int slave_edges, int master_edges, Geometry geometry) {
 }
 
 TEST(CurvedInterface, area_and_distance_between_unlike_arcs_converge_with_order_four) {
+  tests::Figure order("interface between unlike arcs: order of its area");
   for (const auto geometry : {Geometry::planar, Geometry::axisymmetric})
     for (const auto& [a, b] : {std::pair{2, 6}, {6, 2}, {3, 3}, {4, 3}}) {
       const auto coarse = arc_result(2 * a, 2 * b, geometry), fine = arc_result(4 * a, 4 * b, geometry);
       std::printf("arcs %d/%d: area error %.2e -> %.2e, distance %.2e -> %.2e m\n", 2 * a, 2 * b, coarse.area_error,
                   fine.area_error, coarse.distance, fine.distance);
       EXPECT_LT(coarse.area_error, 1e-3);
-      EXPECT_GT(std::log2(coarse.area_error / fine.area_error), 3.7);
+      order.add(std::log2(coarse.area_error / fine.area_error));
       if (a != b) EXPECT_GT(std::log2(coarse.distance / fine.distance), 3.7);
     }
+  order.at_least(3.7);
 }
 
 TEST(CurvedInterface, unlike_arcs_apart_by_up_to_a_micrometre_keep_their_area) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/mesh/element.hpp"
+#include "figure.hpp"
 #include "forming/flow/cells/cell_product.hpp"
 #include "forming/flow/cells/element_matrix.hpp"
 #include "forming/flow/solver.hpp"
@@ -75,7 +76,9 @@ TEST(Flow, a_pressurised_spherical_shell_grows_at_the_exact_rate_to_third_order)
       error = std::max(error, std::abs(node_velocity(solution.velocity, node).norm() / exact - 1));
     std::printf("shell %d: relative error of the inner speed %.2e\n", n, error);
     EXPECT_LT(error, n == 4 ? 2e-3 : 3e-4);
-    if (last > 0) EXPECT_GT(std::log2(last / error), 2.5);
+    if (last > 0)
+      tests::expect_at_least("shell under pressure and surface tension: order of the inner speed",
+                             std::log2(last / error), 2.5);
     last = error;
   }
 }
@@ -115,7 +118,8 @@ TEST(Flow, shear_thinning_lowers_the_force_of_a_slipping_squeeze_as_the_carreau_
   ASSERT_TRUE(solution.converged) << solution.reason;
   const double rate = std::sqrt(3.0) * 0.01 / 0.01, thinned = 1e3 * std::pow(1 + std::pow(0.8 * rate, 2), -0.3);
   const double volume = M_PI * 0.02 * 0.02 * 0.01, exact = 3 * thinned * 0.01 * volume / 1e-4;
-  EXPECT_NEAR(solution.tool_force[1], -exact, 1e-6 * exact);
+  tests::expect_at_most("squeeze with slip of shear-thinning glass (Carreau): force off by",
+                        std::abs(solution.tool_force[1] / exact + 1), 1e-6);
 }
 
 /// A block squeezed against a wall that it cannot slide along freely: Coulomb's limit holds at every sliding node.
@@ -142,9 +146,9 @@ TEST(Flow, friction_stops_at_coulombs_share_of_the_pressure) {
         }
     return solution.tool_force[0] / contact_force;
   };
-  EXPECT_NEAR(friction_over_pressure(0.02), 0.02, 0.002);
-  EXPECT_NEAR(friction_over_pressure(0.05), 0.05, 0.005);
-  EXPECT_NEAR(friction_over_pressure(0.1), 0.1, 0.01);
+  tests::Figure limit("friction over pressure on a wall against Coulomb's limit: off by");
+  for (const double coulomb : {0.02, 0.05, 0.1}) limit.add(std::abs(friction_over_pressure(coulomb) / coulomb - 1));
+  limit.at_most(0.1);
 }
 
 TEST(Flow, forces_of_thinning_glass_change_as_their_derivative_says) {
@@ -211,6 +215,7 @@ TEST(Flow, a_tool_driven_by_force_moves_at_the_speed_that_balances_it) {
 }
 
 TEST(Flow, a_full_cavity_stops_the_tool_and_carries_its_force) {
+  tests::Figure unbalanced("full cavity stops a tool of 8 kN: force left unbalanced", "N");
   for (const auto law : {Friction::Law::slip, Friction::Law::stick}) {
     FlowCase flow = disc_case(law, 4);
     flow.problem.tools[1].force = -8000;
@@ -219,11 +224,12 @@ TEST(Flow, a_full_cavity_stops_the_tool_and_carries_its_force) {
     const auto solution = flow.solve();
     ASSERT_TRUE(solution.converged) << solution.reason;
     EXPECT_LT(std::abs(solution.tool_velocity[1]), 1e-6);
-    EXPECT_NEAR(solution.tool_force[1], -8000, 1e-3);
+    unbalanced.add(std::abs(solution.tool_force[1] + 8000));
     const double pressure = 8000 / (M_PI * 0.02 * 0.02);
     for (const Index node : flow.nodes_of("right"))
       EXPECT_NEAR(solution.contact_pressure[node], pressure, 1e-2 * pressure);
   }
+  unbalanced.at_most(1e-3);
 }
 
 TEST(Flow, a_tool_that_moves_away_pulls_nothing) {
@@ -285,7 +291,8 @@ TEST(Flow, navier_friction_gives_the_exact_fall_of_a_column_in_a_tube) {
         for (int i = 0; i < 3; ++i) slip -= at.area * at.shape[i] * node_velocity(solution.velocity, edge.nodes[i])[1];
       }
   EXPECT_NEAR(wall / (middle - wall), 2 * viscosity / (beta * radius), 1e-4);
-  EXPECT_NEAR(slip / area, weight * radius / (2 * beta), 1e-6 * slip / area);
+  tests::expect_at_most("column that falls in a tube with Navier's friction: mean slip off by",
+                        std::abs(weight * radius / (2 * beta) * area / slip - 1), 1e-6);
   EXPECT_NEAR(solution.tool_force[0], weight * M_PI * radius * radius * 8 * radius, 1e-6);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/io/files.hpp"
+#include "figure.hpp"
 #include "forming/run/run.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "scene_text.hpp"
@@ -140,9 +141,8 @@ TEST(Interfaces, contact_without_resistance_neither_shortens_the_steps_nor_chang
   const auto outcome = run(scene_of(text), tests::absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_LT(outcome.state.totals.steps + outcome.state.totals.rejected, 40);
-  EXPECT_NEAR(outcome.state.tools[0].heat_received / exact, 1, 0.05);
-  RecordProperty("steps", outcome.state.totals.steps);
-  RecordProperty("heat_over_exact", std::to_string(outcome.state.tools[0].heat_received / exact));
+  tests::expect_at_most("contact at h = 1e9 W/m2/K against two half-spaces: heat in 0.2 s off by",
+                        std::abs(outcome.state.tools[0].heat_received / exact - 1), 0.05);
 }
 
 TEST(Interfaces, overrides_change_the_scene_the_fingerprint_and_are_told) {

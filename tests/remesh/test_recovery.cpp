@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/mesh/element.hpp"
+#include "figure.hpp"
 #include "remesh/mesher/mesh_profile.hpp"
 #include "remesh/profiles.hpp"
 #include "remesh/remesh_glass.hpp"
@@ -112,12 +113,16 @@ double effectivity(const Mesh& mesh, Geometry geometry) {
 }
 
 TEST(Recovery, the_effectivity_comes_within_one_percent_of_one_on_structured_meshes_and_two_on_others) {
+  tests::Figure structured("estimated over true error of the gradient, structured meshes: off 1 by"),
+      unstructured("the same on meshes without structure: off 1 by");
   for (const Geometry geometry : {Geometry::planar, Geometry::axisymmetric}) {
     EXPECT_NEAR(effectivity(distorted(4), geometry), 1, 0.35);
     EXPECT_NEAR(effectivity(distorted(8), geometry), 1, 0.08);
-    for (const Index n : {16, 32}) EXPECT_NEAR(effectivity(distorted(n), geometry), 1, 0.01);
-    for (const double size : {0.075, 0.0375}) EXPECT_NEAR(effectivity(quarter_ring(size), geometry), 1, 0.02);
+    for (const Index n : {16, 32}) structured.add(std::abs(effectivity(distorted(n), geometry) - 1));
+    for (const double size : {0.075, 0.0375}) unstructured.add(std::abs(effectivity(quarter_ring(size), geometry) - 1));
   }
+  structured.at_most(0.01);
+  unstructured.at_most(0.02);
 }
 
 TEST(Recovery, the_estimate_falls_with_the_square_of_the_edge) {

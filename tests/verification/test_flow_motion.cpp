@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/mesh/element.hpp"
+#include "figure.hpp"
 #include "forming/scene_text.hpp"
 #include "stepping.hpp"
 
@@ -61,12 +62,17 @@ SqueezeErrors squeeze_errors(double strain_per_step) {
 }
 
 TEST(SlippingSqueeze, needs_the_exact_force_at_every_height_on_the_way_down) {
+  tests::Figure force("disc squeezed with slip from 10 to 1.5 mm, followed in time, all presets: force off by"),
+      radius("the same: radius off by"), volume("the same: volume off by");
   for (const double strain_per_step : {0.3, 0.15, 0.075}) {  // of draft, standard and fine
     const auto errors = squeeze_errors(strain_per_step);
-    EXPECT_LT(errors.force, 1e-6);
-    EXPECT_LT(std::abs(errors.radius), 1e-8);
-    EXPECT_LT(std::abs(errors.drift), 1e-8);
+    force.add(errors.force);
+    radius.add(std::abs(errors.radius));
+    volume.add(std::abs(errors.drift));
   }
+  force.at_most(1e-6);
+  radius.at_most(1e-8);
+  volume.at_most(1e-8);
 }
 
 /// The squeezed disc under a narrow sticking plunger with a sharp corner, which sinks by a tenth of the height.
@@ -100,7 +106,8 @@ TEST(Punch, whose_corner_sinks_into_smooth_glass_keeps_the_glass_out_and_its_vol
       end.totals.steps, end.tools[0].force, 1e6 * end.totals.max_penetration, end.totals.max_drift, 1e3 * rise);
   EXPECT_NEAR(end.time, 0.1, 1e-9);
   EXPECT_GT(weakest, 0);
-  EXPECT_LT(end.totals.max_penetration, 5e-6);
+  tests::expect_at_most("corner of a punch sinks into smooth glass: deepest node inside the punch",
+                        1e6 * end.totals.max_penetration, 5, "um");
   EXPECT_LT(end.totals.max_drift, 1e-4);
 }
 
@@ -159,7 +166,7 @@ TEST(RelaxingDrop, loses_its_second_mode_at_the_exact_rate) {
   const auto [flat_before, flat_after] = relax(scene, -0.01, time);
   const double rate = std::log((long_before - flat_before) / (long_after - flat_after)) / time;
   std::printf("drop, %.0f s: decays at %.5f 1/s, exact %.5f, off by %.1e\n", time, rate, exact, rate / exact - 1);
-  EXPECT_NEAR(rate, exact, 5e-3 * exact);
+  tests::expect_at_most("relaxing drop followed for 3 s, second mode: rate off by", std::abs(rate / exact - 1), 5e-3);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "contact/conductance/conductance.hpp"
+#include "figure.hpp"
 #include "forming/flow/material.hpp"
 #include "mortar_cases.hpp"
 #include "thermal/time/tr_bdf2.hpp"
@@ -119,9 +120,11 @@ void expect_conserved(int glass_edges, int tool_edges) {
   EXPECT_GT(exchanged, 1000);
   EXPECT_GT(std::min(joined, left), 2 * glass_edges);
   EXPECT_LT(closed, 40);
-  EXPECT_LT(lost, 1e-12 * whole);
   EXPECT_GT(mismatch, 0);
-  EXPECT_LT(mismatch, 1e-13);
+  const std::string meshes =
+      fmt::format("contact that opens and closes, {} against {} edges: ", glass_edges, 2 * tool_edges);
+  tests::expect_at_most(meshes + "change of the total heat", lost / whole, 1e-12);
+  tests::expect_at_most(meshes + "flux out against flux in at every step", mismatch, 1e-13);
   EXPECT_LT(max_substeps, 40);
   EXPECT_LT(solves, 16 * (substeps + rejected));
 }

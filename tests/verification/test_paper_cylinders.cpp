@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "classical/classical_interface.hpp"
+#include "figure.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat_step.hpp"
 #include "stepping.hpp"
@@ -149,18 +150,26 @@ TEST(PaperCylinders, the_inverted_transform_agrees_with_the_published_table) {
 }
 
 TEST(PaperCylinders, follow_the_exact_solution_on_all_mesh_pairs_in_both_roles) {
+  tests::Figure temperature("glass on steel, five mesh pairs and triangles, both roles, 1 to 10 s: off by", "K"),
+      heat("the same: heat exchanged in 10 s off by"),
+      balance("the same: heat out of the glass against heat into the steel");
   for (const auto& [meshes, run] : all_runs()) {
     std::printf("glass/steel %2d/%2d, slave %s: deviation %.4f K, spread at 10 s %.2e K, heat off by %.1e\n",
                 meshes.glass, meshes.steel, meshes.steel_is_slave ? "steel" : "glass", deviation(run), spread(run),
                 run.heat / (slabs.heat(10) * contact_area) - 1);
-    EXPECT_LT(deviation(run), 0.1);
-    EXPECT_NEAR(run.heat, slabs.heat(10) * contact_area, 1e-4 * run.heat);
-    EXPECT_LT(run.imbalance, 1e-10);
+    temperature.add(deviation(run));
+    heat.add(std::abs(1 - slabs.heat(10) * contact_area / run.heat));
+    balance.add(run.imbalance);
   }
+  temperature.at_most(0.1);
+  heat.at_most(1e-4);
+  balance.at_most(1e-13);
 }
 
 TEST(PaperCylinders, are_equally_hot_along_the_contact) {
-  for (const auto& [meshes, run] : all_runs()) EXPECT_LT(spread(run), 0.02);
+  tests::Figure along("the same: spread along the contact at 10 s", "K");
+  for (const auto& [meshes, run] : all_runs()) along.add(spread(run));
+  along.at_most(0.02);
 }
 
 TEST(PaperCylinders, differ_little_between_any_two_meshes_at_any_output) {
@@ -174,7 +183,7 @@ TEST(PaperCylinders, differ_little_between_any_two_meshes_at_any_output) {
     worst = std::max({worst, glass.highest - glass.lowest, steel.highest - steel.lowest});
   }
   std::printf("highest less lowest of all runs: %.4f K\n", worst);
-  EXPECT_LT(worst, 0.05);
+  tests::expect_at_most("the same: difference between any two meshes at any output from 0.5 s on", worst, 0.05, "K");
 }
 
 TEST(PaperCylinders, the_classical_coupling_is_off_by_tens_of_kelvin_with_the_balance_in_order) {
@@ -183,6 +192,9 @@ TEST(PaperCylinders, the_classical_coupling_is_off_by_tens_of_kelvin_with_the_ba
   std::printf("classical: 20/20 %.4f K, 7/20 %.1f K, 20/7 with the steel as slave %.1f K, heat off by %.3f\n",
               deviation(matching), deviation(fine_master), deviation(coarse_slave),
               coarse_slave.heat / (slabs.heat(10) * contact_area) - 1);
+  tests::Figure classical("the same with the classical coupling of each node to the nearest edge, for comparison", "K");
+  classical.add(deviation(coarse_slave));
+  classical.for_comparison();
   EXPECT_LT(deviation(matching), 0.1);
   EXPECT_GT(deviation(fine_master), 10);
   EXPECT_GT(deviation(coarse_slave), 100);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "figure.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat_step.hpp"
@@ -57,7 +58,7 @@ TEST(TemperatureOrder, linear_temperatures_of_the_contact_cylinders_converge_to_
   const double coarse = deviation(40, 48), finer = deviation(80, 96), finest = deviation(160, 96);
   std::printf("linear temperatures: worst deviation %.4f, %.4f, %.4f K\n", coarse, finer, finest);
   EXPECT_GT(std::log2(coarse / finer), 1.7);
-  EXPECT_LT(finest, 0.1);
+  tests::expect_at_most("glass on steel with linear temperatures, finest of three meshes: off by", finest, 0.1, "K");
 }
 
 TEST(TemperatureOrder, a_new_glass_mesh_keeps_linear_temperatures_and_their_heat) {

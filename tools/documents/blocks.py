@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marked blocks of the READMEs: `<!-- begin: NAME ARGUMENTS -->` to `<!-- end: NAME -->`, whose text a function makes."""
+import re
+import subprocess
+
+from documents import tables
+from documents.store import ROOT, Missing
+
+BLOCK = re.compile(r"(^<!-- begin: (\w+)((?: [\w.]+)*) -->\n).*?^(<!-- end: \2 -->)", re.DOTALL | re.MULTILINE)
+MARK = re.compile(r"^<!-- (?:begin|end): ", re.MULTILINE)
+
+
+def documents():
+    """All documents of the repository, those not committed yet too."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", "*.md"], capture_output=True, text=True)
+    paths = [ROOT / line for line in listed.stdout.split("\n") if line]
+    return [path for path in paths or sorted(ROOT.rglob("*.md")) if path.exists()]
+
+
+def make(path, name, arguments):
+    """The text of a block; that of a case's README gets the case as first argument."""
+    folder = path.parent.relative_to(ROOT).parts
+    if folder[:1] == ("cases",) and len(folder) == 2 and name in tables.CASE_BLOCKS:
+        return tables.CASE_BLOCKS[name](folder[1], *arguments)
+    if name in tables.BLOCKS:
+        return tables.BLOCKS[name](*arguments)
+    raise Missing(f"{path.relative_to(ROOT)}: a block \"{name}\" was found, allowed are {', '.join(sorted(tables.BLOCKS))}, in "
+                  f"cases/*/README.md also {', '.join(sorted(tables.CASE_BLOCKS))}")
+
+
+def written(path):
+    """The document with every block made anew."""
+    text = path.read_text()
+    found = []
+
+    def replace(match):
+        found.append(match)
+        return match[1] + make(path, match[2], match[3].split()) + "\n" + match[4]
+
+    result = BLOCK.sub(replace, text)
+    if 2 * len(found) != len(MARK.findall(text)):
+        raise Missing(f"{path.relative_to(ROOT)}: a block that begins has no end of its name")
+    return result
+
+
+def update(check):
+    """Writes all documents with blocks, or says which are stale; the number of those."""
+    stale = 0
+    for path in documents():
+        if not MARK.search(path.read_text()):
+            continue
+        text = written(path)
+        if text == path.read_text():
+            continue
+        stale += 1
+        print(f"{path.relative_to(ROOT)}: " + ("its figures are not those stored; tools/readme_figures writes them" if check else "written"))
+        if not check:
+            path.write_text(text)
+    return stale

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The text of each marked block: a function for each name, of the stored figures alone."""
+import math
+import sys
+import tomllib
+
+from documents import store
+from documents.store import ROOT, benchmark
+
+
+def table(heading, rows):
+    lines = ["| " + " | ".join(heading) + " |", "|" + "---|" * len(heading)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def digits(value, count=2):
+    """A number with so many significant digits, as people write it."""
+    if value == 0:
+        return "0"
+    exponent = math.floor(math.log10(abs(float(f"{value:.{count - 1}e}"))))
+    if -4 <= exponent < 6:
+        return f"{value:.{max(0, count - 1 - exponent)}f}"
+    mantissa, power = f"{value:.{count - 1}e}".split("e")
+    return f"{mantissa}e{int(power)}"
+
+
+def percent(key, count=2):
+    return f"{digits(benchmark(key), count)} %"
+
+
+# --- README.md, tools/README.md -----------------------------------------------------------------------------------------
+
+def speed():
+    reference = store.read(store.REFERENCES, "tools/bench --update-references")["jar"]
+    duration = store.run("jar", "draft")["time_s"]
+    rows = [[accuracy, digits(benchmark(f"jar.{accuracy}.cpu")),
+             f"{percent(f'errors.{accuracy}.wall_mean')}, {percent(f'errors.{accuracy}.wall_largest')}",
+             percent(f"errors.{accuracy}.heat", 1)] for accuracy in ("draft", "standard")]
+    rows.append(["fine (the reference)", digits(reference["cpu_seconds"] / duration), "", ""])
+    return table(["accuracy", f"CPU time over the {duration:.1f} s of the process", "wall thickness off: mean, largest",
+                  "heat into the tools off"], rows)
+
+
+def targets():
+    rows = [[case] + [percent(f"targets.{case}.{asked}.{what}") for asked in ("1", "0.5") for what in ("wall", "heat")]
+            for case in ("jar", "bottle", "tumbler")]
+    return table(["container", "asked 1 %: wall", "heat", "asked 0.5 %: wall", "heat"], rows)
+
+
+def bars():
+    kinds = ("glass", "heat", "heat, all tools", "thickness", "time", "profile, mean", "profile, largest")
+    rows = [["true errors inside their bars", percent("bars.inside")],
+            ["bars at most five times the larger of the true error and 0.01 %", percent("bars.narrow_resolved")],
+            ["bars at most five times the true error", percent("bars.narrow")]]
+    rows += [[f"bars over true errors, root mean square: {kind}", digits(benchmark(f"bars.{kind}"))] for kind in kinds]
+    return table(["what", "measured"], rows)
+
+
+def parts():
+    return table(["estimate against run, by a factor of", "measured"],
+                 [["as a rule", digits(benchmark("parts.usual"))],
+                  ["at the most, where the change is above 0.5 %", digits(benchmark("parts.worst"))]])
+
+
+def bench():
+    both = [("CPU time of the jar over its process time", "jar.{}.cpu", "", "1; 8"),
+            ("share of flow in it", "jar.{}.flow", " %", ""), ("share of heat", "jar.{}.heat", " %", ""),
+            ("share of remeshing and transfer", "remesh.{}.share", " %", "10 %"),
+            ("share of output", "jar.{}.output", " %", ""),
+            ("share of the interface in the steps, built and assembled", "interface.{}.share", " %", "3 %"),
+            ("flow of a step over one factorisation and solve of its matrix", "flow.{}.step", "", "1.6"),
+            ("contact iterations of a step, mean", "flow.{}.iterations", "", "")]
+    rows = [[what] + [digits(benchmark(key.format(accuracy))) + unit for accuracy in ("draft", "standard")] + [wanted]
+            for what, key, unit, wanted in both]
+    once = [("time outside factorisation and back-substitution", "solver.outside", " %", "35 %"),
+            ("one BLAS thread over two, as if neither ever waited", "threads.two", "", "")]
+    rows += [[what, "", digits(benchmark(key)) + unit, wanted] for what, key, unit, wanted in once]
+    rows.append(["growth of the flow's CPU time with the mesh, exponent, 2.5 k to 40 k triangles", digits(benchmark("growth.flow")),
+                 "", "1.3"])
+    rows.append(["peak memory with 10 k triangles, MB; of which the program and its libraries",
+                 f"{benchmark('memory.peak'):.0f}; {benchmark('memory.program'):.0f}", "", "300"])
+    return table(["what", "draft", "standard", "wanted"], rows)
+
+
+# --- tests/README.md ----------------------------------------------------------------------------------------------------
+
+def calculix():
+    return table(["CPU time of CalculiX 2.20 over that of Parison, two cylinders", "measured", "wanted"],
+                 [["steps of 0.002 s", f"{benchmark('calculix.ratio'):.0f}", "100"],
+                  ["its own step control", f"{benchmark('calculix.own_control'):.0f}", "100"]])
+
+
+def shown(value, unit):
+    return digits(value) + (f" {unit}" if unit else "")
+
+
+def verification():
+    rows = []
+    for figure in store.verification():
+        required = "" if figure["bound"] is None else f"{figure['sense']} {figure['bound']:g}" + (
+            f" {figure['unit']}" if figure["unit"] else "")
+        rows.append([figure["what"], shown(figure["measured"], figure["unit"]), required, f"`{figure['test']}`"])
+    return table(["what", "measured", "required", "test"], rows)
+
+
+def expectations():
+    sys.path.insert(0, str(ROOT / "tools"))
+    import expect
+
+    rows = []
+    for case in store.RUNS:
+        found = store.run(case, "draft")["expectations"]
+        entries = tomllib.loads((ROOT / "cases" / case / "expect.toml").read_text())["expect"]
+        for entry in entries:
+            for label, _, bounds in expect.expectations(entry):
+                if label not in found:
+                    raise store.Missing(f"cases/{case}/figures.json has no \"{label}\": tools/readme_figures --run {case}.draft")
+                rows.append([case, f"`{label}`", digits(found[label], 4), expect.allowed(*bounds)])
+    return table(["case", "what", "measured", "allowed"], rows)
+
+
+# --- cases/*/README.md --------------------------------------------------------------------------------------------------
+
+def stages(case, name):
+    rows = [[end["name"], f"{end['end_s']:.3f}", f"{end['glass_mean_C']:.0f}", f"{1e-3 * end['heat_to_tools_J']:.1f}",
+             f"{1e-3 * end['heat_to_air_J']:.1f}"] for end in store.run(case, name)["stages"]]
+    return table(["end of", "time, s", "mean of the glass, degC", "heat to tools, kJ", "heat to air, kJ"], rows)
+
+
+def tools(case, name):
+    rows = [[tool.replace("_", " "), f"{1e-3 * of['heat_received_J']:.1f}", f"{of['surface_temperature_max_C']:.0f}"]
+            for tool, of in store.run(case, name)["tools"].items()]
+    return table(["tool", "heat received, kJ", "hottest contact surface, degC"], rows)
+
+
+def cost(case, *names):
+    """Steps, remeshes and CPU time; shared machines scatter."""
+    rows = []
+    for name in names or store.RUNS[case]:
+        run = store.run(case, name)
+        whole = sum(run["timing"].values())
+        shares = [f"{part} {100 * seconds / whole:.0f} %" for part, seconds in run["timing"].items() if seconds > 0.005 * whole]
+        rows.append([name.replace("_", " "), str(run["steps"]), str(run["remeshes"]), digits(run["cpu_seconds"]), ", ".join(shares)])
+    return table(["run", "steps", "remeshes", "CPU, s, one thread", "of the time"], rows)
+
+
+def wall(case, *names):
+    """Wall, glass and balances of several runs side by side."""
+    runs = [store.run(case, name) for name in names]
+    rows = [["wall: thinnest, mean, thickest, mm"] + [", ".join(f"{r['thickness'][k]:.2f}" for k in ("min_mm", "mean_mm", "max_mm"))
+                                                      for r in runs],
+            ["glass at the end: mean, coldest, hottest, degC"] +
+            [", ".join(f"{r['glass'][f'temperature_{k}_C']:.0f}" for k in ("mean", "min", "max")) for r in runs],
+            ["wall against fine: mean, largest difference"] + [against_fine(case, name, bars_module().profile_errors) for name in names],
+            ["heat into tools against fine"] + [against_fine(case, name, bars_module().heat_error) for name in names],
+            ["work balance, largest imbalance"] + [f"{digits(100 * r['max_work_imbalance'])} %" for r in runs]]
+    return table([""] + list(names), rows)
+
+
+def bars_module():
+    """The comparison of two results that tools/bench makes."""
+    sys.path.insert(0, str(ROOT / "tools"))
+    from benchmarks import bars as module
+
+    return module
+
+
+def against_fine(case, name, error):
+    if name == "fine":
+        return ""
+    found = error(store.run(case, name), store.run(case, "fine"))
+    return ", ".join(f"{digits(100 * each)} %" for each in (found if isinstance(found, tuple) else (found,)))
+
+
+def dwell(case):
+    """Heat out of the glass in the blank of the jar by the load that the plunger keeps in the dwell."""
+    rows = []
+    for load, name in (("8 kN", "dwell_8kN"), ("500 N", "dwell_500N"), ("150 N (the case)", "draft")):
+        (end,) = [s for s in store.run(case, name)["stages"] if s["name"] == "dwell"]
+        rows.append([load, f"{1e-3 * (end['heat_to_tools_J'] + end['heat_to_air_J']):.1f} kJ"])
+    return table(["load in the dwell", "heat out of the glass by its end"], rows)
+
+
+def perfect(case):
+    """Heat of each tool of the jar over that with perfect contact; the blow mould's alone perfect."""
+    real = store.run(case, "standard")["tools"]
+    rows = []
+    for tool, of in real.items():
+        alone = tool == "blow_mould"
+        most = store.run(case, "mould_perfect" if alone else "perfect")["tools"][tool]["heat_received_J"]
+        rows.append([tool.replace("_", " ") + (", alone perfect" if alone else ""), f"{1e-3 * of['heat_received_J']:.2f}",
+                     f"{1e-3 * most:.2f}", f"{100 * of['heat_received_J'] / most:.0f} %"])
+    return table(["tool", "heat, kJ", "heat with perfect contact, kJ", "fraction"], rows)
+
+
+def press(case, *names):
+    """Where and when the plunger of the tumbler comes to rest, and the heat of each tool."""
+    runs = [store.run(case, name) for name in names]
+    ends = [[stage for stage in run["stages"] if stage["name"] == "press"][0] for run in runs]
+    rows = [["plunger rests at, s; tip at, mm"] + [f"{end['end_s']:.4f}; {end['positions_mm']['plunger']:.3f}" for end in ends]]
+    rows += [[f"heat into {tool}, kJ"] + [f"{1e-3 * r['tools'][tool]['heat_received_J']:.2f}" for r in runs] for tool in runs[0]["tools"]]
+    return table([""] + list(names), rows)
+
+
+def laps(case, *names):
+    return table([""] + list(names), [["air closed in laps, mm3"] +
+                                      [digits(1e9 * store.run(case, name)["remeshing"]["lap_volume_m3"]) for name in names]])
+
+
+def shell(case, *names):
+    runs = [store.run(case, name) for name in names]
+    rows = [["wall: thinnest, thickest, mm"] + [f"{r['thickness']['min_mm']:.4f}, {r['thickness']['max_mm']:.4f}" for r in runs],
+            ["volume drift, at the end and at the most"] +
+            [f"{digits(abs(r['volume_drift']), 1)}, {digits(r['max_volume_drift'], 1)}" for r in runs]]
+    return table([""] + list(names), rows)
+
+
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, parts, bench, calculix, verification, expectations)}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, shell)}
