@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/mesh/element.hpp"
+#include "remesh/mesher/mesh_outline.hpp"
 #include "remesh/surface/curve.hpp"
 #include "remesh/surface/lap.hpp"
 
@@ -79,7 +80,7 @@ std::string describe(const Point& x) {
 
 }  // namespace
 
-Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria) {
+Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mesher& mesher) {
   Remeshed result;
   result.volume_before = core::volume(distorted, criteria.geometry);
   const Mesh old = without_collapsed_edges(distorted);
@@ -96,7 +97,7 @@ Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria) {
                     at(laps.first), at(laps.second), max_lap);
     return result;
   }
-  MeshedOutline meshed = mesh_outline(surface.outline, old.boundaries(), size);
+  MeshedOutline meshed = mesh_outline(surface.outline, old.boundaries(), size, mesher);
   if (!meshed.reason.empty()) {
     result.reason = "the glass cannot be remeshed: " + meshed.reason;
     return result;

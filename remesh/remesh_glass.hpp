@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "remesh/mesher/triangulate.hpp"
 #include "remesh/surface/resample.hpp"
 
 namespace parison::remesh {
@@ -19,6 +20,6 @@ struct Remeshed {
 /// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to
 /// round-off by a common small shift of the free surface along its normal; of the whole surface, by a few micrometres
 /// at the most, where all but a little of it touches tools.
-Remeshed remesh_glass(const core::Mesh& old, const Criteria& criteria);
+Remeshed remesh_glass(const core::Mesh& old, const Criteria& criteria, const Mesher& mesher = triangulate);
 
 }  // namespace parison::remesh

@@ -5,10 +5,10 @@
 #include <hdf5.h>
 
 #include <filesystem>
-#include <stdexcept>
 #include <utility>
 
 #include "core/io/files.hpp"
+#include "core/process/run_error.hpp"
 
 namespace parison::core {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 using Id = std::int64_t;
 
 [[noreturn]] void fail(const std::string& file, const std::string& what) {
-  throw std::runtime_error(fmt::format("{}: {}", file, what));
+  throw RunError(fmt::format("{}: {}", file, what));
 }
 
 /// An identifier of the library, closed at the end of its scope.

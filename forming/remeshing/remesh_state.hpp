@@ -4,6 +4,7 @@
 
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "remesh/mesher/triangulate.hpp"
 
 namespace parison::forming {
 
@@ -14,7 +15,8 @@ struct RemeshedState {
 };
 
 /// The state on a new glass mesh: geometry, heat content, velocity and contact carried over, the remesh accumulated.
-RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why);
+RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why,
+                           const remesh::Mesher& mesher = remesh::triangulate);
 
 /// Whether the quality of the glass mesh asks for a new one.
 bool needs_remesh(const Scene& scene, const State& state);

@@ -14,7 +14,7 @@ struct ProfileSizes {
   std::vector<bool> fine_boundaries;  ///< one for each of the profile's boundaries
 };
 
-/// Quadratic mesh of a body, its boundary nodes on the exact lines and arcs. Throws std::runtime_error with the
+/// Quadratic mesh of a body, its boundary nodes on the exact lines and arcs. Throws core::RunError with the
 /// mesher's sentence where the outline cannot be meshed.
 core::Mesh mesh_profile(const core::Profile& profile, const ProfileSizes& sizes);
 

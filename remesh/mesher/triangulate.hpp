@@ -1,5 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
 #include "remesh/surface/outline.hpp"
 
 namespace parison::remesh {
@@ -10,7 +12,15 @@ struct Triangulation {
   std::vector<std::array<core::Index, 3>> triangles;
   std::string reason;  ///< empty when meshing went well
 };
+
+/// Fills an outline with triangles whose edges have about the sizes of the field; all edges of the outline stay.
+using Mesher = std::function<Triangulation(const Outline& outline, const SizeField& size)>;
+
+/// The mesher of the program: gmsh's frontal-Delaunay algorithm.
 Triangulation triangulate(const Outline& outline, const SizeField& size);
+
+/// The same by another algorithm of gmsh, a value of its option Mesh.Algorithm.
+Triangulation triangulate_by_gmsh(const Outline& outline, const SizeField& size, int algorithm);
 
 /// Moves corners of triangles poorer than `poor`, but for the first `fixed`, to the middle of their neighbours where
 /// that betters the worst triangle round them.

@@ -25,17 +25,6 @@ std::vector<core::Index> edge_ends(const Outline& outline);
 /// Two edges that cross, as indices, or {-1, -1}; each edge is taken as two chords through its mid point.
 std::pair<core::Index, core::Index> find_crossing(const Outline& outline);
 
-/// A mesh, or the sentence that says why there is none.
-struct MeshedOutline {
-  core::Mesh mesh;
-  std::string reason;
-};
-
-/// Frontal-Delaunay triangles (gmsh) inside the outline with exactly its edges. Node i is vertex i, boundary edge i is
-/// edge i; an edge that would fold its cell is straightened. Not for use from several threads at once.
-MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshBoundary>& boundaries,
-                           const SizeField& size);
-
 /// Takes a point that lies inside a tool out to its surface; others stay to the bit. Empty where there are no tools.
 using ExteriorProjection = std::function<core::Point(const core::Point&)>;
 
