@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/mesh/element.hpp"
+#include "remesh/mesher/mesh_outline.hpp"
 #include "remesh/surface/curve.hpp"
 #include "remesh/surface/lap.hpp"
 #include "remesh/surface/restore_volume.hpp"
@@ -61,7 +63,7 @@ std::string describe(const Point& x) {
 
 }  // namespace
 
-Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria) {
+Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mesher& mesher) {
   Remeshed result;
   result.volume_before = core::volume(distorted, criteria.geometry);
   const Mesh old = without_collapsed_edges(distorted);
@@ -78,7 +80,7 @@ Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria) {
                     at(laps.first), at(laps.second), max_lap);
     return result;
   }
-  MeshedOutline meshed = mesh_outline(surface.outline, old.boundaries(), size);
+  MeshedOutline meshed = mesh_outline(surface.outline, old.boundaries(), size, mesher);
   if (!meshed.reason.empty()) {
     result.reason = "the glass cannot be remeshed: " + meshed.reason;
     return result;

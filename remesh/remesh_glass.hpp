@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "remesh/mesher/triangulate.hpp"
 #include "remesh/surface/resample.hpp"
 
 namespace parison::remesh {
@@ -16,9 +17,9 @@ struct Remeshed {
   double coarsening_factor = 1;  ///< all edge lengths over those of the criteria; above 1 where max_cells limits them
 };
 
-/// A new mesh of the same body. The surface is resampled, the inside is triangulated, and the volume is restored to
-/// round-off by moving the free surface along its normals by one common distance. Where almost the whole surface
-/// touches tools, all of it moves, by a few micrometres at most.
-Remeshed remesh_glass(const core::Mesh& old, const Criteria& criteria);
+/// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to
+/// round-off by a common small shift of the free surface along its normal; of the whole surface, by a few micrometres
+/// at the most, where all but a little of it touches tools.
+Remeshed remesh_glass(const core::Mesh& old, const Criteria& criteria, const Mesher& mesher = triangulate);
 
 }  // namespace parison::remesh

@@ -10,20 +10,21 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <stdexcept>
+
+#include "core/process/run_error.hpp"
 
 namespace parison::tools {
 
 int start_self(const std::vector<std::string>& arguments, const std::string& log) {
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file < 0) throw std::runtime_error(fmt::format("{}: cannot be written: {}", log, std::strerror(errno)));
+  if (file < 0) throw core::RunError(fmt::format("{}: cannot be written: {}", log, std::strerror(errno)));
   std::vector<std::string> words = {"parison"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const pid_t parent = getpid(), child = fork();
-  if (child < 0) throw std::runtime_error(fmt::format("no process can be started: {}", std::strerror(errno)));
+  if (child < 0) throw core::RunError(fmt::format("no process can be started: {}", std::strerror(errno)));
   if (child == 0) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);  // it stops where this process is killed

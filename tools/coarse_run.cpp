@@ -28,7 +28,7 @@ CoarseRun::~CoarseRun() {
   while (!has_ended()) usleep(poll_microseconds);
 }
 
-void CoarseRun::start() {
+void CoarseRun::step_taken(const forming::RunView&, const forming::State&, const forming::StepReport&) {
   if (std::exchange(started_, true) || std::thread::hardware_concurrency() < 2) return;
   const forming::CoarseCase coarse_run = forming::coarse_case(scene_, directory_);
   std::vector<std::string> arguments = {"run",      coarse_run.file,     "--accuracy", coarse_run.accuracy,

@@ -2,21 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "forming/run/run_observer.hpp"
 #include "forming/scene/scene.hpp"
 
 namespace parison::tools {
 
 /// The coarse run of the error bars, beside its run on another core; whoever drops it while it runs asks it to stop
 /// and waits until it has.
-class CoarseRun {
+class CoarseRun : public forming::RunObserver {
  public:
   /// Of the run of a scene in a folder.
   CoarseRun(const forming::Scene& scene, std::string directory);
-  CoarseRun(const CoarseRun&) = delete;
-  ~CoarseRun();
+  ~CoarseRun() override;
 
-  /// Starts it, once and where this process may use a second core; the folder is there.
-  void start();
+  /// Starts it after the first step of its run, where this process may use a second core.
+  void step_taken(const forming::RunView& run, const forming::State& before,
+                  const forming::StepReport& report) override;
 
   /// Returns when it has ended, and tells that it waits; a request to stop is passed on.
   void wait();

@@ -11,14 +11,15 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
+
+#include "core/process/run_error.hpp"
 
 namespace parison::core {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
-  throw std::runtime_error(fmt::format("{}: {}: {}", path, what, std::strerror(errno)));
+  throw RunError(fmt::format("{}: {}: {}", path, what, std::strerror(errno)));
 }
 
 /// A temporary file, removed unless it was given its name.
@@ -69,7 +70,7 @@ GrowingFile::GrowingFile(std::string path, std::int64_t size)
   if (file_ < 0) fail(path_, "cannot be opened");
   const auto refuse = [&](const std::string& what) {
     ::close(file_);
-    throw std::runtime_error(fmt::format("{}: {}", path_, what));
+    throw RunError(fmt::format("{}: {}", path_, what));
   };
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse("another process is writing to it");
   const std::int64_t found = ::lseek(file_, 0, SEEK_END);

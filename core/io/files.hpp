@@ -6,7 +6,7 @@
 
 namespace parison::core {
 
-/// The whole of a file. Like all functions here it throws std::runtime_error with the path where the system refuses.
+/// The whole of a file. Like all functions here it throws RunError with the path where the system refuses.
 std::string read_text(const std::string& path);
 void write_text(const std::string& path, const std::string& text);
 

@@ -5,10 +5,11 @@
 #include <hdf5.h>
 
 #include <filesystem>
-#include <stdexcept>
+#include <mutex>
 #include <utility>
 
 #include "core/io/files.hpp"
+#include "core/process/run_error.hpp"
 
 namespace parison::core {
 namespace {
@@ -16,8 +17,30 @@ namespace {
 using Id = std::int64_t;
 
 [[noreturn]] void fail(const std::string& file, const std::string& what) {
-  throw std::runtime_error(fmt::format("{}: {}", file, what));
+  throw RunError(fmt::format("{}: {}", file, what));
 }
+
+/// A use of the library, which not every build of it allows to several threads at once: others wait. Meanwhile the
+/// library prints nothing in this thread, as errors come as exceptions.
+class LibraryCall {
+ public:
+  LibraryCall() : lock_(mutex()) {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~LibraryCall() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+  LibraryCall(const LibraryCall&) = delete;
+  LibraryCall& operator=(const LibraryCall&) = delete;
+
+ private:
+  static std::recursive_mutex& mutex() {
+    static std::recursive_mutex the_only;
+    return the_only;
+  }
+  std::lock_guard<std::recursive_mutex> lock_;
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
 
 /// An identifier of the library, closed at the end of its scope.
 struct Handle {
@@ -36,6 +59,7 @@ struct Place {
 };
 
 void write_array(const Place& place, hid_t type, const void* data, std::size_t count, int columns = 1) {
+  const LibraryCall call;
   const hsize_t size[2] = {count / columns, static_cast<hsize_t>(columns)};
   const Handle space{H5Screate_simple(columns > 1 ? 2 : 1, size, nullptr), H5Sclose};
   const Handle kind{H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
@@ -48,6 +72,7 @@ void write_array(const Place& place, hid_t type, const void* data, std::size_t c
 
 template <typename Value>
 std::vector<Value> read_array(const Place& place, hid_t type) {
+  const LibraryCall call;
   const Handle set{H5Dopen2(place.group, place.name.c_str(), H5P_DEFAULT), H5Dclose};
   if (set.id < 0) fail(place.file, fmt::format("\"{}\" is missing", place.name));
   const Handle space{H5Dget_space(set.id), H5Sclose};
@@ -68,33 +93,33 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder.string();
 }
 
-/// The library prints nothing by itself: errors come as exceptions.
-void silence() {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
 }  // namespace
 
 Hdf5Group::Hdf5Group(Hdf5Group&& other) noexcept
     : file_(std::move(other.file_)), id_(std::exchange(other.id_, -1)), close_(other.close_) {}
 
 Hdf5Group::~Hdf5Group() {
-  if (id_ >= 0) close_(id_);
+  if (id_ < 0) return;
+  const LibraryCall call;
+  close_(id_);
 }
 
 Hdf5Group Hdf5Group::create(const std::string& name) {
+  const LibraryCall call;
   const Id id = H5Gcreate2(id_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
   if (id < 0) fail(file_, fmt::format("group \"{}\" cannot be made", name));
   return {file_, id, H5Gclose};
 }
 
 Hdf5Group Hdf5Group::open(const std::string& name) const {
+  const LibraryCall call;
   const Id id = H5Gopen2(id_, name.c_str(), H5P_DEFAULT);
   if (id < 0) fail(file_, fmt::format("group \"{}\" is missing", name));
   return {file_, id, H5Gclose};
 }
 
 bool Hdf5Group::has(const std::string& name) const {
+  const LibraryCall call;
   return H5Lexists(id_, name.c_str(), H5P_DEFAULT) > 0;
 }
 
@@ -141,7 +166,7 @@ std::string Hdf5Group::read_string(const std::string& name) const {
 }
 
 void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& root)>& fill) {
-  silence();
+  const LibraryCall call;
   const Handle access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
   constexpr std::size_t growth = 1 << 20;
   H5Pset_fapl_core(access.id, growth, 0);  // in memory: a full disk meets plain writes alone
@@ -160,14 +185,14 @@ void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& roo
 }
 
 Hdf5Group open_hdf5(const std::string& path) {
-  silence();
+  const LibraryCall call;
   const Id id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) fail(path, "is not an HDF5 file that can be read");
   return {path, id, H5Fclose};
 }
 
 bool is_hdf5(const std::string& path) {
-  silence();
+  const LibraryCall call;
   const Handle file{H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
   return file.id >= 0;
 }

@@ -8,7 +8,7 @@
 
 namespace parison::core {
 
-/// A group of an HDF5 file; every name is relative to it. Failures throw std::runtime_error with file and name.
+/// A group of an HDF5 file; every name is relative to it. Failures throw RunError with file and name.
 class Hdf5Group {
  public:
   Hdf5Group(Hdf5Group&& other) noexcept;

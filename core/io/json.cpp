@@ -4,10 +4,10 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <utility>
 
 #include "core/io/json_read.hpp"
+#include "core/process/run_error.hpp"
 
 namespace parison::core {
 namespace {
@@ -89,7 +89,7 @@ bool JsonValue::flag_of(const std::string& member) const {
 
 JsonValue read_json(const std::string& text, const std::string& what) {
   const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw std::runtime_error(fmt::format("{}: no JSON", what));
+  if (json.is_discarded()) throw RunError(fmt::format("{}: no JSON", what));
   return value_of(json);
 }
 

@@ -22,7 +22,7 @@ struct JsonValue {
   bool flag_of(const std::string& member) const;
 };
 
-/// Parses a whole text; throws std::runtime_error with `what`, the name of its source, where it is no JSON.
+/// Parses a whole text; throws RunError with `what`, the name of its source, where it is no JSON.
 JsonValue read_json(const std::string& text, const std::string& what);
 
 }  // namespace parison::core

@@ -19,9 +19,10 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <stdexcept>
+#include <mutex>
 
 #include "core/io/files.hpp"
+#include "core/process/run_error.hpp"
 
 namespace parison::core {
 
@@ -93,8 +94,10 @@ void add_fields(const Mesh& mesh, const VtuFields& fields, vtkUnstructuredGrid& 
 
 }  // namespace
 
-void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields) {
-  vtkSMPTools::SetBackend("Sequential");  // threads cost more than the arrays' ranges, for which VTK takes them
+namespace {
+
+/// The text of a VTU file; empty where VTK cannot make it.
+std::string vtu_text(const Mesh& mesh, const VtuFields& fields) {
   vtkNew<vtkUnstructuredGrid> grid;
   set_points(mesh, fields.displacement, *grid);
   set_cells(mesh, *grid);
@@ -107,8 +110,22 @@ void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& field
   writer->SetHeaderTypeToUInt32();
   writer->SetIdTypeToInt32();
   writer->WriteToOutputStringOn();
-  if (writer->Write() != 1) throw std::runtime_error(path + ": cannot be made");
-  write_text(path, writer->GetOutputString());
+  return writer->Write() == 1 ? writer->GetOutputString() : "";
+}
+
+}  // namespace
+
+void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields) {
+  // VTK takes threads for the ranges of arrays, which cost more than they gain. The choice is one of the whole process:
+  // one writer at a time, and the choice of before afterwards.
+  static std::mutex mutex;
+  std::string text;
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    vtkSMPTools::LocalScope({1, "Sequential", false}, [&] { text = vtu_text(mesh, fields); });
+  }
+  if (text.empty()) throw RunError(path + ": cannot be made");
+  write_text(path, text);
 }
 
 namespace {

@@ -6,11 +6,13 @@
 
 #include <cassert>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 
 #include "core/linear/cholesky.hpp"
+#include "core/linear/solver_times.hpp"
+#include "core/process/run_error.hpp"
 
 namespace parison::core {
 
@@ -20,6 +22,13 @@ namespace {
 /// Measured with one to ten right-hand sides: at 3e7 CHOLMOD is faster from five on, at 8e7 MUMPS up to five, at 3e8 up
 /// to seventeen. METIS's ordering gains nothing below 8e8.
 constexpr double mumps_pays = 1.15e8;
+
+/// Calls MUMPS. The sequential library keeps its instances in one table for the whole process: one call at a time.
+void call_mumps(DMUMPS_STRUC_C& instance) {
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  dmumps_c(&instance);
+}
 
 /// A MUMPS instance with the matrix scaled to unit rows.
 struct Mumps {
@@ -34,7 +43,7 @@ struct Mumps {
     instance.par = 1;
     instance.sym = 2;
     instance.comm_fortran = -987654;
-    dmumps_c(&instance);
+    call_mumps(instance);
     for (const int stream : {1, 2, 3}) control(stream) = -1;
     control(4) = 0;
     control(6) = 0;    // no permutation for large diagonal entries: the analysis sees the pattern alone
@@ -46,7 +55,7 @@ struct Mumps {
   }
   ~Mumps() {
     instance.job = -2;
-    dmumps_c(&instance);
+    call_mumps(instance);
   }
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
@@ -54,8 +63,12 @@ struct Mumps {
   int& control(int entry) { return instance.icntl[entry - 1]; }
   int run(int job) {
     instance.job = job;
-    dmumps_c(&instance);
+    call_mumps(instance);
     return instance.infog[0];
+  }
+  int factorise_once() {
+    const SolverTimer timer(SolverTimer::Work::factorisation);
+    return run(2);
   }
   /// `place`: of each unknown in the order of elimination, from 1.
   void analyse(const SymmetricMatrix& matrix, std::vector<int> in_order);
@@ -67,9 +80,9 @@ struct Mumps {
 void require(int status) {
   constexpr int real_workspace = -5, integer_workspace = -7, memory = -13;
   if (status == real_workspace || status == integer_workspace || status == memory)
-    throw std::runtime_error(fmt::format(
+    throw RunError(fmt::format(
         "the memory does not suffice to factorise the flow's matrix (MUMPS {}); a coarser mesh needs less", status));
-  if (status < 0) throw std::runtime_error(fmt::format("the flow's matrix cannot be factorised (MUMPS {})", status));
+  if (status < 0) throw RunError(fmt::format("the flow's matrix cannot be factorised (MUMPS {})", status));
 }
 
 /// Scaling D of D A D: every positive diagonal entry becomes 1, and every row without one gets the length 1.
@@ -113,10 +126,10 @@ bool Mumps::factorise(const SymmetricMatrix& matrix) {
   assert(instance.n == matrix.size);
   scale = row_scale(matrix);
   for (std::size_t k = 0; k < value.size(); ++k) value[k] = matrix.value[k] * scale[row[k] - 1] * scale[column[k] - 1];
-  int status = run(2);
+  int status = factorise_once();
   while ((status == -8 || status == -9) && control(14) < 2000) {  // delayed pivots asked for more room
     control(14) *= 2;
-    status = run(2);
+    status = factorise_once();
   }
   constexpr int singular = -10, too_many_delayed = -9, too_many_delayed_indices = -8;
   if (status == singular || status == too_many_delayed || status == too_many_delayed_indices) return false;
@@ -130,7 +143,10 @@ Eigen::MatrixXd Mumps::solve(const Eigen::MatrixXd& rhs) {
   instance.rhs = solution.data();
   instance.nrhs = static_cast<int>(rhs.cols());
   instance.lrhs = static_cast<int>(rhs.rows());
-  require(run(3));
+  {
+    const SolverTimer timer(SolverTimer::Work::solution);
+    require(run(3));
+  }
   solution = (scale.asDiagonal() * solution).eval();
   if (number.empty()) return solution;
   Eigen::MatrixXd by_number(rhs.rows(), rhs.cols());

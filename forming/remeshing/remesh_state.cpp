@@ -262,9 +262,9 @@ bool needs_remesh(const Scene& scene, const State& state) {
   return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor;
 }
 
-RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why) {
+RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why, const remesh::Mesher& mesher) {
   RemeshedState result;
-  auto made = remesh::remesh_glass(state.glass.mesh, criteria(scene, state));
+  auto made = remesh::remesh_glass(state.glass.mesh, criteria(scene, state), mesher);
   if (!made.ok) {
     result.reason = made.reason;
     return result;

@@ -4,6 +4,7 @@
 
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "remesh/mesher/triangulate.hpp"
 
 namespace parison::forming {
 
@@ -13,9 +14,9 @@ struct RemeshedState {
   std::string reason;
 };
 
-/// The state on a new glass mesh. Volume and heat content are conserved to round-off; every other field follows its
-/// transfer rule in `glass_fields`. Where no mesh can be made `ok` is false and `reason` a sentence.
-RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why);
+/// The state on a new glass mesh: geometry, heat content, velocity and contact carried over, the remesh accumulated.
+RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why,
+                           const remesh::Mesher& mesher = remesh::triangulate);
 
 /// Whether the worst cell of the glass mesh is below numerics.quality_floor.
 bool needs_remesh(const Scene& scene, const State& state);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 
-#include "forming/state/state.hpp"
+#include "forming/step/step_result.hpp"
 
 namespace parison::forming {
 

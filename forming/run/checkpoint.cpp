@@ -5,11 +5,11 @@
 
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
+#include "core/process/run_error.hpp"
 #include "forming/state/visit_state.hpp"
 
 namespace parison::forming {
@@ -179,7 +179,7 @@ void require_match(const std::string& path, const Scene& scene, const Hdf5Group&
 void rename_file(const std::string& from, const std::string& to) {
   std::error_code error;
   std::filesystem::rename(from, to, error);
-  if (error) throw std::runtime_error(fmt::format("{}: cannot be renamed: {}", from, error.message()));
+  if (error) throw core::RunError(fmt::format("{}: cannot be renamed: {}", from, error.message()));
 }
 
 }  // namespace
@@ -201,7 +201,8 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     visit_files(Writer{file.create("files")}, checkpoint.files);
     visit_state(Writer{file.create("state")}, checkpoint.outcome.state);
   });
-  if (std::filesystem::exists(last)) rename_file(last, path_before(directory));
+  std::error_code unreadable;
+  if (std::filesystem::exists(last, unreadable)) rename_file(last, path_before(directory));
   rename_file(made, last);
   core::sync_to_disk(directory);
 }

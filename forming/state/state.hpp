@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
 #include <array>
-#include <map>
 #include <numeric>
 #include <string>
 #include <vector>
 
-#include "core/mesh/interface_point.hpp"
 #include "core/mesh/mesh.hpp"
 #include "forming/state/glass_fields.hpp"
 
@@ -89,11 +87,6 @@ struct Totals {
   RemeshStatistics remeshing;
 };
 
-/// What kept a step from being longer, and the names of these limits.
-enum class StepLimit { initial, growth, max_step, strain, temperature, motion, event, failure };
-inline constexpr std::array step_limits{"initial",     "growth", "max_step", "strain",
-                                        "temperature", "motion", "event",    "failure"};
-
 /// Everything that changes during a run.
 struct State {
   double time = 0;  ///< s
@@ -137,28 +130,5 @@ inline Index remeshes(const State& state) {
   const auto& count = state.totals.remeshing.count;
   return std::accumulate(count.begin(), count.end(), Index{0});
 }
-
-/// What one step did, beyond the new state.
-struct StepReport {
-  double dt = 0;
-  Index coupling_iterations = 0, flow_solves = 0, flow_factorisations = 0, contact_changes = 0,
-        heat_substeps = 0;    ///< in all coupling iterations
-  Index locked_contacts = 0;  ///< that pull but stay closed, in the last coupling iteration
-  StepLimit limit = StepLimit::initial;
-  double temperature_change = 0;              ///< largest of the glass surface, K
-  double predictor_corrector_difference = 0;  ///< by which the last coupling iteration still moved the mid-step mesh, m
-  double strain = 0;                          ///< largest rate of deformation times dt
-  std::vector<core::InterfacePoint> interface;  ///< of the step's end
-  std::map<std::string, double> seconds;        ///< by part: flow, heat, contact, remesh, output
-};
-
-/// The named numbers of history.csv, one row.
-struct HistoryRow {
-  double time, dt, volume, glass_mean, heat_to_tools, heat_to_air, dissipation, energy_imbalance, contact_area;
-  std::string stage;
-  std::vector<double> tool_force, tool_position, probe;  ///< N, m, K
-  Index coupling_iterations, flow_solves, contact_changes, heat_substeps;
-  std::string limited_by;
-};
 
 }  // namespace parison::forming

@@ -2,9 +2,9 @@
 #include "forming/step/step.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "core/process/clock.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/flow_step.hpp"
 #include "forming/step/heat_step.hpp"
@@ -17,20 +17,6 @@
 namespace parison::forming {
 
 namespace {
-
-/// Adds the seconds until its end to a part's account.
-class Timer {
- public:
-  Timer(StepReport& report, const char* part) : seconds_(report.seconds[part]), start_(now()) {}
-  ~Timer() { seconds_ += std::chrono::duration<double>(now() - start_).count(); }
-  Timer(const Timer&) = delete;
-  Timer& operator=(const Timer&) = delete;
-
- private:
-  static std::chrono::steady_clock::time_point now() { return std::chrono::steady_clock::now(); }
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_;
-};
 
 void move_nodes(core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt) {
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
@@ -59,7 +45,7 @@ bool find_velocities(const Scene& scene, const State& state, MidpointPredictor& 
     store_tool_velocities(scene, dt, result.state);
     return true;
   }
-  const Timer timer(result.report, "flow");
+  const core::ScopedTimer timer(result.report.seconds["flow"]);
   return iterate_until_converged(scene, state, predictor, dt, workspace, result);
 }
 
@@ -74,10 +60,10 @@ bool is_unfolded(StepResult& result) {
 bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& result) {
   if (!scene.has_heat()) return true;
   {
-    const Timer timer(result.report, "contact");
+    const core::ScopedTimer timer(result.report.seconds["contact"]);
     result.report.interface = thermal_interface(scene, result.state);
   }
-  const Timer timer(result.report, "heat");
+  const core::ScopedTimer timer(result.report.seconds["heat"]);
   const auto outcome = advance_heat(scene, result.state, result.report.interface, result.dissipation, dt, workspace);
   result.reason = outcome.reason;
   result.report.heat_substeps += outcome.substeps;

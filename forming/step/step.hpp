@@ -1,21 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <string>
-
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "forming/step/step_result.hpp"
 #include "forming/step/workspace.hpp"
 
 namespace parison::forming {
-
-struct StepResult {
-  State state;
-  bool converged = false;
-  std::string reason;
-  bool unrecoverable = false;  ///< a shorter step fails as well
-  StepReport report;
-  std::vector<double> dissipation;  ///< of the flow, W at each quadrature point: flow::Solution::dissipation
-};
 
 /// One staggered step of length dt, of second order: flow on the mid-step mesh at the temperature predicted for the
 /// middle, half the motion, interface and heat in all bodies, the other half. The given state is left as it is; a step

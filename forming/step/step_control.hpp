@@ -4,6 +4,7 @@
 
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "forming/step/step_result.hpp"
 
 namespace parison::forming {
 

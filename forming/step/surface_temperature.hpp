@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
+#include "core/mesh/interface_point.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 

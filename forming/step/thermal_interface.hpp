@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/interface_point.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 #include "thermal/problem.hpp"

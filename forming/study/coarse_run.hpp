@@ -1,6 +1,5 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +18,13 @@ struct CoarseCase {
 /// The coarse run of a scene's run in a folder.
 CoarseCase coarse_case(const Scene& scene, const std::string& directory);
 
-/// Runs the coarse run of a scene in the folder `coarse_run` of its results, goes on with one that was stopped,
-/// or reads one that is complete; none where it does not come to its end.
-std::optional<ErrorBars> estimate_errors(const Scene& scene, const Quantities& run, const std::string& directory,
-                                         const StopRequest& stop);
+/// Whether it has run to its end.
+bool has_completed(const CoarseCase& coarse);
+
+/// Runs it, or continues it where it was stopped; whether it came to its end.
+bool complete(const CoarseCase& coarse, const Observers& observers, const StopRequest& stop);
+
+/// Error bars of the quantities of a run by its coarse run, which has completed.
+ErrorBars estimate_errors(const Scene& scene, const Quantities& run, const CoarseCase& coarse);
 
 }  // namespace parison::forming

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "remesh/surface/outline.hpp"
+#include "core/process/run_error.hpp"
+#include "remesh/mesher/mesh_outline.hpp"
 
 namespace parison::remesh {
 
@@ -51,7 +52,7 @@ core::Mesh mesh_profile(const core::Profile& profile, const ProfileSizes& sizes)
   }
   outline.loop_start.push_back(outline.edge_count());
   MeshedOutline result = mesh_outline(outline, boundaries_of(profile), field);
-  if (!result.reason.empty()) throw std::runtime_error("the profile cannot be meshed: " + result.reason);
+  if (!result.reason.empty()) throw core::RunError("the profile cannot be meshed: " + result.reason);
   return std::move(result.mesh);
 }
 

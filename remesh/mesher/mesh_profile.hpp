@@ -14,8 +14,8 @@ struct ProfileSizes {
   std::vector<bool> fine_boundaries;  ///< one flag for each boundary of the profile
 };
 
-/// Mesh of quadratic triangles of a body, with its boundary nodes on the exact lines and arcs. Throws
-/// std::runtime_error with the mesher's message where the outline cannot be meshed.
+/// Quadratic mesh of a body, its boundary nodes on the exact lines and arcs. Throws core::RunError with the
+/// mesher's sentence where the outline cannot be meshed.
 core::Mesh mesh_profile(const core::Profile& profile, const ProfileSizes& sizes);
 
 /// Mapped mesh of a body with exactly four boundaries: boundary 0 and the following ones in the direction of the

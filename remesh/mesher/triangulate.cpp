@@ -4,8 +4,9 @@
 #include <gmsh.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <unordered_map>
+
+#include "core/process/gmsh_session.hpp"
 
 namespace parison::remesh {
 
@@ -17,20 +18,14 @@ namespace {
 constexpr int frontal_delaunay = 6;
 constexpr int linear_line = 1, linear_triangle = 2;
 
-void start_gmsh() {
-  static const bool started = [] {
-    gmsh::initialize(0, nullptr, false);
-    for (const char* off : {"General.Terminal", "General.AbortOnError", "Mesh.Renumber",
-                            "Mesh.MeshSizeExtendFromBoundary", "Mesh.MeshSizeFromPoints"})
-      gmsh::option::setNumber(off, 0);
-    for (const char* threads : {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D"})
-      gmsh::option::setNumber(threads, 1);
-    gmsh::option::setNumber("Mesh.MeshOnlyEmpty", 1);
-    gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
-    gmsh::option::setNumber("Mesh.Smoothing", 0);  // smooth_poor_triangles does that cheaper
-    return true;
-  }();
-  (void)started;
+/// Options of gmsh beyond those of every session.
+void set_options(int algorithm, core::GmshSession& gmsh) {
+  for (const char* off : {"Mesh.Renumber", "Mesh.MeshSizeExtendFromBoundary", "Mesh.MeshSizeFromPoints"})
+    gmsh.set_option(off, 0);
+  for (const char* threads : {"Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D"}) gmsh.set_option(threads, 1);
+  gmsh.set_option("Mesh.MeshOnlyEmpty", 1);
+  gmsh.set_option("Mesh.Algorithm", algorithm);
+  gmsh.set_option("Mesh.Smoothing", 0);  // smooth_poor_triangles does that cheaper
 }
 
 /// Power of two that brings the body to about 100 units, far from gmsh's absolute tolerances; exact to undo.
@@ -96,15 +91,14 @@ void add_outline(const Outline& outline, double scale) {
 }
 
 /// Meshes a triangle that is always the same: what gmsh remembers of the last body would change the bits of the next.
-void forget_last_body() {
+void forget_last_body(core::GmshSession& gmsh) {
   Outline triangle;
   triangle.vertices = {Point(0, 0), Point(1, 0), Point(0, 1)};
   triangle.loop_start = {0, 3};
-  gmsh::model::add("triangle");
   add_outline(triangle, 1);
   gmsh::model::mesh::generate(2);
-  gmsh::clear();
-  std::srand(1);  // it perturbs points by rand()
+  gmsh.renew_model();
+  gmsh.restart_random_numbers();  // gmsh perturbs points by them
 }
 
 /// Reads the triangles back.
@@ -140,10 +134,14 @@ Triangulation read_triangles(const Outline& outline, double scale) {
 }  // namespace
 
 Triangulation triangulate(const Outline& outline, const SizeField& size) {
-  start_gmsh();
-  forget_last_body();
+  return triangulate_by_gmsh(outline, size, frontal_delaunay);
+}
+
+Triangulation triangulate_by_gmsh(const Outline& outline, const SizeField& size, int algorithm) {
+  core::GmshSession session;
+  set_options(algorithm, session);
+  forget_last_body(session);
   const double scale = unit_scale(outline);
-  gmsh::model::add("body");
   add_outline(outline, scale);
   gmsh::model::mesh::setSizeCallback(
       [&](int, int, double x, double y, double) { return scale * size(Point(x / scale, y / scale)); });
@@ -157,7 +155,6 @@ Triangulation triangulate(const Outline& outline, const SizeField& size) {
     if (line.rfind("Error", 0) == 0 && result.reason.empty()) result.reason = "the mesher reports: " + line;
   if (result.triangles.empty() && result.reason.empty()) result.reason = "the mesher made no triangles";
   gmsh::model::mesh::removeSizeCallback();
-  gmsh::clear();
   return result;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
 #include "remesh/surface/outline.hpp"
 
 namespace parison::remesh {
@@ -10,14 +12,18 @@ struct Triangulation {
   std::vector<std::array<core::Index, 3>> triangles;  ///< vertex numbers
   std::string reason;                                 ///< why meshing failed, a sentence; empty on success
 };
-/// Triangles of the size field inside an outline whose edges are kept, by the frontal Delaunay method (S. Rebay, J.
-/// Comput. Phys. 106 (1993) 125-138) in gmsh (C. Geuzaine, J.-F. Remacle, Int. J. Numer. Meth. Engng 79 (2009)
-/// 1309-1331).
+
+/// Fills an outline with triangles whose edges have about the sizes of the field; all edges of the outline stay.
+using Mesher = std::function<Triangulation(const Outline& outline, const SizeField& size)>;
+
+/// The mesher of the program: gmsh's frontal-Delaunay algorithm.
 Triangulation triangulate(const Outline& outline, const SizeField& size);
 
-/// Two sweeps of smart Laplacian smoothing (L. A. Freitag 1997): each vertex, except the first `fixed` ones, at a
-/// triangle of less than the quality `poor` is moved to the mean of its neighbours if the smallest quality of the
-/// triangles around it rises by that.
+/// The same by another algorithm of gmsh, a value of its option Mesh.Algorithm.
+Triangulation triangulate_by_gmsh(const Outline& outline, const SizeField& size, int algorithm);
+
+/// Moves corners of triangles poorer than `poor`, but for the first `fixed`, to the middle of their neighbours where
+/// that betters the worst triangle round them.
 void smooth_poor_triangles(std::size_t fixed, double poor, Triangulation& mesh);
 
 }  // namespace parison::remesh

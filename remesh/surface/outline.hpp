@@ -25,18 +25,7 @@ std::vector<core::Index> edge_ends(const Outline& outline);
 /// Indices of two edges that cross, or {-1, -1}. Each edge counts as two chords, through its mid point.
 std::pair<core::Index, core::Index> find_crossing(const Outline& outline);
 
-/// A mesh, or the reason why there is none.
-struct MeshedOutline {
-  core::Mesh mesh;
-  std::string reason;  ///< a sentence; empty on success
-};
-
-/// Mesh of quadratic triangles inside the outline, whose edges are kept: node i is vertex i, boundary edge i is edge i.
-/// An edge whose curvature folds its cell is straightened. Not thread-safe.
-MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshBoundary>& boundaries,
-                           const SizeField& size);
-
-/// Projects a point inside a tool onto the tool's surface and returns any other point unchanged. Empty without tools.
+/// Takes a point that lies inside a tool out to its surface; others stay to the bit. Empty where there are no tools.
 using ExteriorProjection = std::function<core::Point(const core::Point&)>;
 
 /// A point on the boundary of a mesh.

@@ -7,6 +7,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
+#include "forming/run/folder_run.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/calibration.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
@@ -121,9 +122,13 @@ TEST(Accuracy, bars_of_a_small_scene_hold_the_error_against_a_finer_run) {
   fs::remove_all(folder);
   const auto results = [&](const char* accuracy, const std::string& directory, ErrorBars* bars) {
     const Scene scene = bundled("shell_inflation", accuracy);
-    const RunOutcome outcome = run(scene, directory);
+    const RunOutcome outcome = run_in_folder(scene, directory);
     const Summary summary = write_summary(directory, scene, outcome.state, outcome.facts);
-    if (bars) *bars = *estimate_errors(scene, summary.quantities, directory, {});
+    if (bars) {
+      const CoarseCase coarse = coarse_case(scene, directory);
+      EXPECT_TRUE(complete(coarse, {}, {}));
+      *bars = estimate_errors(scene, summary.quantities, coarse);
+    }
     return read_quantities(core::read_json(core::read_text(directory + "/summary.json"), "summary"));
   };
   ErrorBars bars;

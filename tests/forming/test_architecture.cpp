@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -67,6 +68,41 @@ TEST(Architecture, heavy_headers_stay_out_of_headers) {
       for (std::string line; std::getline(file, line);)
         EXPECT_FALSE(std::regex_search(line, heavy)) << entry.path() << ": " << line;
     }
+}
+
+/// Lines of the libraries' sources that match, as "file: line"; comments and strings count.
+std::vector<std::string> lines_with(const std::regex& pattern, const std::set<std::string>& except = {}) {
+  const fs::path root = PARISON_SOURCE_DIR;
+  std::vector<std::string> found;
+  for (const auto* folder : {"core", "thermal", "contact", "remesh", "forming"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const auto extension = entry.path().extension();
+      const std::string name = fs::relative(entry.path(), root).generic_string();
+      if ((extension != ".cpp" && extension != ".hpp") || except.count(name) > 0) continue;
+      std::ifstream file(entry.path());
+      for (std::string line; std::getline(file, line);)
+        if (std::regex_search(line, pattern)) found.push_back(name + ": " + line);
+    }
+  return found;
+}
+
+TEST(Architecture, no_library_prints) {
+  const std::regex prints(R"(fmt::print\b|std::(cout|cerr|clog)\b|\bf?printf\s*\(|\bputs\s*\(|\bfputs\s*\()");
+  ASSERT_TRUE(std::regex_search(std::string("  fmt::print(\"x\");"), prints));
+  EXPECT_EQ(lines_with(prints), std::vector<std::string>{});
+}
+
+TEST(Architecture, what_the_whole_process_shares_has_one_owner_in_core) {
+  const std::set<std::string> clock{"core/process/clock.cpp"}, gmsh{"core/process/gmsh_session.cpp"};
+  const std::regex clocks(R"(steady_clock|system_clock|std::clock\b|clock_gettime|getrusage|std::time\s*\()");
+  EXPECT_EQ(lines_with(clocks, clock), std::vector<std::string>{});
+  EXPECT_EQ(lines_with(clocks).size(), 2u);
+  const std::regex whole_gmsh(
+      R"(gmsh::(initialize|finalize|clear|option::|model::(add|remove|setCurrent)\b)|\b(srand|rand|initstate|setstate)\s*\()");
+  EXPECT_EQ(lines_with(whole_gmsh, gmsh), std::vector<std::string>{});
+  EXPECT_GE(lines_with(whole_gmsh).size(), 8u);
+  EXPECT_EQ(lines_with(std::regex(R"(\b(signal|sigaction|raise|setenv|openblas_set_num_threads)\s*\()")),
+            std::vector<std::string>{});
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-#include "forming/run/run.hpp"
+#include "forming/run/folder_run.hpp"
 #include "forming/step/contact/film.hpp"
 #include "scene_text.hpp"
 
@@ -59,7 +59,7 @@ RunOutcome pressed(const std::string& text, Scene& scene) {
   scene = scene_of(text);
   const fs::path results = fs::path(scene.directory) / "results";
   fs::remove_all(results);
-  return run(scene, results.string(), {});
+  return run_in_folder(scene, results.string(), {});
 }
 
 /// Cells that a line along the axis at this radius goes through.

@@ -6,8 +6,7 @@
 #include <cstdio>
 
 #include "core/io/files.hpp"
-#include "figure.hpp"
-#include "forming/run/run.hpp"
+#include "forming/run/folder_run.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "scene_text.hpp"
 
@@ -103,7 +102,7 @@ std::string static_scene(const std::string& height) {
 TEST(Interfaces, a_skin_that_the_mesh_does_not_resolve_is_warned_of) {
   const auto overshoot = [](const std::string& h) {
     const Scene scene = scene_of(replaced("h = \"2000 W/m2/K\"", "h = \"" + h + "\"", static_scene("10")));
-    const auto outcome = run(scene, tests::absent_folder());
+    const auto outcome = run_in_folder(scene, tests::absent_folder());
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
     const auto& warnings = outcome.facts.warnings;
     const bool warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
@@ -120,14 +119,14 @@ TEST(Interfaces, a_skin_that_the_mesh_does_not_resolve_is_warned_of) {
 }
 
 TEST(Interfaces, one_on_bodies_that_never_meet_is_warned_of) {
-  const auto apart = run(scene_of(static_scene("30")), tests::absent_folder());
+  const auto apart = run_in_folder(scene_of(static_scene("30")), tests::absent_folder());
   EXPECT_TRUE(apart.facts.completed) << apart.facts.reason;
   ASSERT_EQ(apart.facts.warnings.size(), 1u);
   EXPECT_EQ(
       apart.facts.warnings[0],
       "the interface of the glass with plunger was never used: in the whole run they did not come within 0.1 mm of "
       "each other");
-  const auto together = run(scene_of(static_scene("10")), tests::absent_folder());
+  const auto together = run_in_folder(scene_of(static_scene("10")), tests::absent_folder());
   EXPECT_TRUE(together.facts.warnings.empty());
 }
 
@@ -138,7 +137,7 @@ TEST(Interfaces, contact_without_resistance_neither_shortens_the_steps_nor_chang
   auto text =
       replaced("duration = \"1 s\"", "duration = \"0.2 s\"", with_law("law = \"constant\"\nh = \"1e9 W/m2/K\"\n"));
   text = text.substr(0, text.find("[[stage]]\nname = \"press\"")) + text.substr(text.find("[[probe]]"));
-  const auto outcome = run(scene_of(text), tests::absent_folder());
+  const auto outcome = run_in_folder(scene_of(text), tests::absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_LT(outcome.state.totals.steps + outcome.state.totals.rejected, 40);
   tests::expect_at_most("contact at h = 1e9 W/m2/K against two half-spaces: heat in 0.2 s off by",

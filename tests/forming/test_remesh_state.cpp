@@ -7,7 +7,7 @@
 #include "figure.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/remeshing/tool_corners.hpp"
-#include "forming/run/run.hpp"
+#include "forming/run/folder_run.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/heat_step.hpp"
@@ -26,7 +26,7 @@ class RemeshState : public ::testing::Test {
   /// The pot pressed until it is full, with a new mesh whenever a cell is worse than 0.6.
   State pressed(const std::string& more) {
     scene = scene_of(pot + "quality_floor = 0.6\n" + more);
-    RunOutcome outcome = run(scene, tests::absent_folder(), {});
+    RunOutcome outcome = run_in_folder(scene, tests::absent_folder(), {});
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
     return outcome.state;
   }

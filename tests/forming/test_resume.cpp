@@ -15,7 +15,7 @@
 #include "core/io/files.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/run/checkpoint.hpp"
-#include "forming/run/run.hpp"
+#include "forming/run/folder_run.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/step.hpp"
@@ -96,14 +96,14 @@ StopRequest stop_after(int steps) {
 }
 
 TEST_F(Resume, a_run_stopped_again_and_again_is_the_uninterrupted_one_to_the_last_bit_and_so_is_a_second_run) {
-  const auto whole = run(scene, in("whole"));
+  const auto whole = run_in_folder(scene, in("whole"));
   ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
   ASSERT_GE(remeshes(whole.state), 4);
   write_summary_of(scene, in("whole"), whole);
-  write_summary_of(scene, in("again"), run(scene, in("again")));
+  write_summary_of(scene, in("again"), run_in_folder(scene, in("again")));
   expect_same_results(in("again"), in("whole"));
 
-  auto outcome = run(scene, in("parts"), stop_after(4));
+  auto outcome = run_in_folder(scene, in("parts"), {}, stop_after(4));
   std::set<Index> remeshes_before;
   int parts = 0;
   for (int steps = 5; !outcome.facts.completed; ++steps, ++parts) {
@@ -111,7 +111,7 @@ TEST_F(Resume, a_run_stopped_again_and_again_is_the_uninterrupted_one_to_the_las
     EXPECT_NE(outcome.facts.reason.find("the run was stopped on request"), std::string::npos);
     EXPECT_EQ(outcome.facts.stages.back().end_reason, "stop");
     remeshes_before.insert(remeshes(outcome.state));
-    outcome = resume(scene, in("parts"), stop_after(steps));
+    outcome = resume_in_folder(scene, in("parts"), {}, stop_after(steps));
   }
   EXPECT_GE(parts, 5);
   EXPECT_GE(remeshes_before.size(), 3u);
@@ -119,7 +119,7 @@ TEST_F(Resume, a_run_stopped_again_and_again_is_the_uninterrupted_one_to_the_las
   write_summary_of(scene, in("parts"), outcome);
   expect_same_results(in("parts"), in("whole"));
   // A run that is over has nothing left to do.
-  write_summary_of(scene, in("parts"), resume(scene, in("parts")));
+  write_summary_of(scene, in("parts"), resume_in_folder(scene, in("parts")));
   expect_same_results(in("parts"), in("whole"));
 }
 
@@ -152,26 +152,26 @@ bool kill_at(pid_t process, const std::string& results, long lines) {
 }
 
 TEST_F(Resume, a_run_killed_three_times_ends_as_the_uninterrupted_one_to_the_last_bit) {
-  const auto whole = run(scene, in("whole"));
+  const auto whole = run_in_folder(scene, in("whole"));
   write_summary_of(scene, in("whole"), whole);
   const long steps = whole.state.totals.steps;
-  ASSERT_TRUE(
-      kill_at(start_process([&] { return run(scene, in("killed")).facts.completed; }), in("killed"), steps / 5));
+  ASSERT_TRUE(kill_at(start_process([&] { return run_in_folder(scene, in("killed")).facts.completed; }), in("killed"),
+                      steps / 5));
   for (const long lines : {2 * steps / 5, 4 * steps / 5})
-    ASSERT_TRUE(
-        kill_at(start_process([&] { return resume(scene, in("killed")).facts.completed; }), in("killed"), lines));
-  write_summary_of(scene, in("killed"), resume(scene, in("killed")));
+    ASSERT_TRUE(kill_at(start_process([&] { return resume_in_folder(scene, in("killed")).facts.completed; }),
+                        in("killed"), lines));
+  write_summary_of(scene, in("killed"), resume_in_folder(scene, in("killed")));
   expect_same_results(in("killed"), in("whole"));
 }
 
 TEST_F(Resume, a_folder_in_use_by_a_run_is_refused_to_another) {
-  const pid_t process =
-      start_process([&] { return run(scene, in("used"), [] { return ::pause() != 0; }).facts.completed; });
+  const pid_t process = start_process(
+      [&] { return run_in_folder(scene, in("used"), {}, [] { return ::pause() != 0; }).facts.completed; });
   while (!fs::exists(in("used/checkpoint.h5"))) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_THROW(resume(scene, in("used")), std::runtime_error);
+  EXPECT_THROW(resume_in_folder(scene, in("used")), std::runtime_error);
   ::kill(process, SIGKILL);
   ::waitpid(process, nullptr, 0);
-  EXPECT_TRUE(resume(scene, in("used"), stop_after(1)).facts.stopped);
+  EXPECT_TRUE(resume_in_folder(scene, in("used"), {}, stop_after(1)).facts.stopped);
 }
 
 /// Runs in a process where `hinder` has been called, and writes the summary if that can be; why the run ended.
@@ -179,7 +179,7 @@ std::string reason_when_hindered(const Scene& scene, const std::string& folder, 
                                  const StopRequest& each_step = {}) {
   const pid_t process = start_process([&] {
     hinder();
-    const auto outcome = run(scene, folder, each_step);
+    const auto outcome = run_in_folder(scene, folder, {}, each_step);
     core::write_text(folder + ".reason", outcome.facts.reason);
     write_summary_of(scene, folder, outcome);
     return true;
@@ -202,8 +202,8 @@ TEST_F(Resume, a_run_out_of_room_says_so_and_goes_on_from_its_last_checkpoint_wh
   EXPECT_NE(summary.find("cannot be written: File too large\""), summary.npos);
   const auto checkpoint = read_checkpoint(find_checkpoint(in("full")), scene);
   EXPECT_GT(checkpoint.outcome.state.totals.steps, 3);
-  write_summary_of(scene, in("full"), resume(scene, in("full")));
-  write_summary_of(scene, in("whole"), run(scene, in("whole")));
+  write_summary_of(scene, in("full"), resume_in_folder(scene, in("full")));
+  write_summary_of(scene, in("whole"), run_in_folder(scene, in("whole")));
   expect_same_results(in("full"), in("whole"));
 }
 
@@ -221,7 +221,7 @@ TEST_F(Resume, a_folder_made_read_only_ends_the_run_with_a_sentence_and_leaves_t
   EXPECT_NE(reason.find("Permission denied"), reason.npos) << reason;
   EXPECT_GE(read_checkpoint(find_checkpoint(in("ro")), scene).outcome.state.totals.steps, 6);
   for (const char* part : {"ro", "ro/vtu"}) fs::permissions(in(part), fs::perms::owner_all);
-  EXPECT_TRUE(resume(scene, in("ro"), stop_after(1)).facts.stopped);
+  EXPECT_TRUE(resume_in_folder(scene, in("ro"), {}, stop_after(1)).facts.stopped);
 }
 
 TEST_F(Resume, a_step_does_not_depend_on_what_the_solvers_keep) {
@@ -240,14 +240,14 @@ TEST_F(Resume, a_step_does_not_depend_on_what_the_solvers_keep) {
 TEST_F(Resume, a_static_stage_goes_on_from_its_last_checkpoint_to_the_same_bits) {
   scene = static_stage();
   scene.output.checkpoint_steps = 4;
-  write_summary_of(scene, in("whole"), run(scene, in("whole")));
-  auto outcome = run(scene, in("parts"), stop_after(10));
+  write_summary_of(scene, in("whole"), run_in_folder(scene, in("whole")));
+  auto outcome = run_in_folder(scene, in("parts"), {}, stop_after(10));
   for (const Index steps : {8, 16}) {
     ASSERT_TRUE(outcome.facts.stopped);
     EXPECT_EQ(read_checkpoint(find_checkpoint(in("parts")), scene).outcome.state.totals.steps, steps);
-    outcome = resume(scene, in("parts"), stop_after(9));
+    outcome = resume_in_folder(scene, in("parts"), {}, stop_after(9));
   }
-  write_summary_of(scene, in("parts"), resume(scene, in("parts")));
+  write_summary_of(scene, in("parts"), resume_in_folder(scene, in("parts")));
   expect_same_results(in("parts"), in("whole"));
 }
 
@@ -255,19 +255,19 @@ TEST_F(Resume, a_checkpoint_by_the_clock_in_a_static_stage_changes_no_bit) {
   scene = static_stage();
   scene.accuracy.temperature_tolerance = 1e-6;  // many steps of the integrator
   scene.accuracy.max_step = 0.05;
-  write_summary_of(scene, in("whole"), run(scene, in("whole")));
+  write_summary_of(scene, in("whole"), run_in_folder(scene, in("whole")));
   scene.output.checkpoint_interval = 1e-9;
-  ASSERT_TRUE(run(scene, in("parts"), stop_after(36)).facts.stopped);
+  ASSERT_TRUE(run_in_folder(scene, in("parts"), {}, stop_after(36)).facts.stopped);
   const Index steps = read_checkpoint(find_checkpoint(in("parts")), scene).outcome.state.totals.steps;
   EXPECT_GT(steps, 0);
   EXPECT_LT(steps, 36);
-  write_summary_of(scene, in("parts"), resume(scene, in("parts")));
+  write_summary_of(scene, in("parts"), resume_in_folder(scene, in("parts")));
   expect_same_results(in("parts"), in("whole"));
 }
 
 TEST_F(Resume, a_folder_without_a_checkpoint_is_refused) {
   try {
-    resume(scene, in("nothing"));
+    resume_in_folder(scene, in("nothing"));
     FAIL() << "nothing was thrown";
   } catch (const core::CaseError& error) {
     EXPECT_EQ(std::string(error.what()), in("nothing") +

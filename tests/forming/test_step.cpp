@@ -11,7 +11,7 @@
 
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/report/files/history.hpp"
-#include "forming/run/run.hpp"
+#include "forming/run/folder_run.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/interpolate.hpp"
@@ -31,7 +31,7 @@ class Pot : public ::testing::Test {
 };
 
 TEST_F(Pot, is_filled_by_a_plunger_that_stops_by_its_force) {
-  const auto outcome = run(scene, (folder / "results").string());
+  const auto outcome = run_in_folder(scene, (folder / "results").string());
   ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   const State& state = outcome.state;
   const double full = 10.0 * 10.0 * 10.0 / (12.0 * 12.0);  // mm
@@ -62,7 +62,7 @@ TEST_F(Pot, a_stage_too_short_for_its_tool_to_come_to_rest_is_warned_of) {
   const auto end_of = [&](const std::string& duration) {
     const std::string text =
         replaced("duration = \"0.4 s\"", "duration = \"" + duration + "\"\nend_speed = \"2 mm/s\"", pot);
-    const auto outcome = run(scene_of(text), tests::absent_folder());
+    const auto outcome = run_in_folder(scene_of(text), tests::absent_folder());
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
     const auto& warnings = outcome.facts.warnings;
     const bool warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& sentence) {
@@ -84,7 +84,7 @@ TEST_F(Pot, a_tool_moved_by_its_position_does_not_end_a_stage_that_waits_for_dri
          "motion.plunger = { force = \"-1 mN\", speed_limit = \"1 um/s\" }\nmotion.pot = { offset = [[\"0 s\", \"0 "
          "mm\"], [\"0.02 s\", \"-1 mm\"]] }" +
          text.substr(end);
-  const auto outcome = run(scene_of(text), tests::absent_folder());
+  const auto outcome = run_in_folder(scene_of(text), tests::absent_folder());
   EXPECT_EQ(outcome.facts.stages.back().end_reason, outcome.facts.completed ? "duration" : "failure");
 }
 
@@ -100,10 +100,10 @@ std::vector<double> written_times(const std::filesystem::path& pvd) {
 TEST_F(Pot, output_times_are_met_and_change_nothing_of_the_run) {
   scene.stages[0].duration = 0.05;
   scene.output.interval = 0;
-  const auto quiet = run(scene, (folder / "quiet").string());
+  const auto quiet = run_in_folder(scene, (folder / "quiet").string());
   scene.output.interval = 0.01;
   scene.output.times = {0.0123};
-  const auto watched = run(scene, (folder / "watched").string());
+  const auto watched = run_in_folder(scene, (folder / "watched").string());
   ASSERT_TRUE(quiet.facts.completed && watched.facts.completed);
   EXPECT_EQ(fingerprint(watched.state), fingerprint(quiet.state));
   const auto times = written_times(folder / "watched" / "glass.pvd");
@@ -174,7 +174,7 @@ TEST_F(Pot, a_failed_step_is_a_value_and_leaves_the_state_alone) {
 
 TEST_F(Pot, a_run_that_cannot_go_on_says_where_and_leaves_its_results) {
   scene.stages[0].tools.clear();
-  const auto outcome = run(scene, (folder / "results").string());
+  const auto outcome = run_in_folder(scene, (folder / "results").string());
   EXPECT_FALSE(outcome.facts.completed);
   EXPECT_EQ(outcome.facts.reason.rfind("stage press at 0.00000 s: ", 0), 0u) << outcome.facts.reason;
   EXPECT_TRUE(std::filesystem::exists(folder / "results" / "checkpoint.h5"));
@@ -183,7 +183,7 @@ TEST_F(Pot, a_run_that_cannot_go_on_says_where_and_leaves_its_results) {
 
 TEST_F(Pot, a_motion_that_starts_elsewhere_than_the_tool_stands_stops_the_run) {
   scene.stages[0].tools[1].motion = PositionMotion{{{0, 0.4}, {-1e-3, -3e-3}}};
-  const auto outcome = run(scene, (folder / "results").string());
+  const auto outcome = run_in_folder(scene, (folder / "results").string());
   EXPECT_FALSE(outcome.facts.completed);
   EXPECT_NE(outcome.facts.reason.find("tool plunger stands at 0 mm, its motion starts at -1 mm"), std::string::npos)
       << outcome.facts.reason;
@@ -191,7 +191,7 @@ TEST_F(Pot, a_motion_that_starts_elsewhere_than_the_tool_stands_stops_the_run) {
 
 TEST_F(Pot, a_tool_that_closes_inside_the_glass_stops_the_run) {
   scene.tools[1].position = -2e-3;
-  const auto outcome = run(scene, (folder / "results").string());
+  const auto outcome = run_in_folder(scene, (folder / "results").string());
   EXPECT_FALSE(outcome.facts.completed);
   EXPECT_NE(outcome.facts.reason.find("overlaps the glass by 2 mm"), std::string::npos) << outcome.facts.reason;
 }
@@ -215,7 +215,7 @@ TEST(StaticStage, heat_that_changes_fast_does_not_make_a_static_stage_step_back)
   Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/contact_cylinders", "draft");
   scene.accuracy.initial_step = scene.accuracy.max_step = 0.5;
   scene.stages[0].duration = 1;
-  const auto outcome = run(scene, tests::absent_folder());
+  const auto outcome = run_in_folder(scene, tests::absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_EQ(outcome.state.totals.rejected, 0);
   const double exact = 1236161 * M_PI * 0.02 * 0.02;

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/io/files.hpp"
-#include "forming/run/run.hpp"
+#include "forming/run/folder_run.hpp"
 #include "forming/step/work.hpp"
 #include "pot_scene.hpp"
 #include "scene_text.hpp"
@@ -27,7 +27,7 @@ Scene pot_and_air() {
 
 TEST(Work, done_on_the_glass_is_lost_or_in_its_surface_at_the_end_of_every_stage) {
   const std::string results = tests::absent_folder();
-  const auto outcome = run(pot_and_air(), results, {});
+  const auto outcome = run_in_folder(pot_and_air(), results);
   ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   ASSERT_EQ(outcome.facts.stages.size(), 2u);
   for (const StageRecord& stage : outcome.facts.stages) {
@@ -50,7 +50,7 @@ TEST(Work, done_on_the_glass_is_lost_or_in_its_surface_at_the_end_of_every_stage
 
 TEST(SolverStatistics, of_the_steps_is_summed_and_every_step_has_its_limit) {
   const std::string results = tests::absent_folder();
-  const auto outcome = run(pot_and_air(), results, {});
+  const auto outcome = run_in_folder(pot_and_air(), results);
   const SolverStatistics& statistics = outcome.facts.solver_statistics;
   const auto& by = statistics.limited_by;
   EXPECT_EQ(std::accumulate(by.begin(), by.end(), 0), outcome.state.totals.steps);

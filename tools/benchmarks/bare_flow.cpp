@@ -36,18 +36,18 @@ void constrain_boundary(const forming::Scene& scene, const forming::State& state
   const core::Mesh& mesh = state.glass.mesh;
   std::vector<bool> done(mesh.nodes.size(), false);
   for (const auto& edge : mesh.boundary_edges()) {
-    const auto kind = forming::mesh.boundaries()[edge.boundary_id].kind;
+    const auto kind = mesh.boundaries()[edge.boundary_id].kind;
     const core::Point along = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).normalized();
     core::Tensor normal = core::Tensor::Zero();
     normal.col(0) = core::Point(along[1], -along[0]);
     for (const Index node : edge.nodes) {
       const Index tool = state.glass.contact_tool[node];
-      if (done[node] || (tool < 0 && kind != forming::BoundaryKind::symmetry && kind != forming::BoundaryKind::fixed))
+      if (done[node] || (tool < 0 && kind != core::BoundaryKind::symmetry && kind != core::BoundaryKind::fixed))
         continue;
       done[node] = true;
       using Law = flow::Friction::Law;
       const Law law = tool >= 0 ? scene.tools[tool].friction.law : Law::slip;
-      const bool sticks = kind == forming::BoundaryKind::fixed || law == Law::stick || law == Law::grip;
+      const bool sticks = kind == core::BoundaryKind::fixed || law == Law::stick || law == Law::grip;
       constrain_node(matrix, node, sticks ? core::Tensor(core::Tensor::Identity()) : normal);
     }
   }

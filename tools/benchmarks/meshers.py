@@ -17,10 +17,10 @@ MESHERS = {
     "CGAL Lloyd": "CGAL, 5 Lloyd passes",
     "CGAL kept": "CGAL, outline kept",
     "CGAL kept Lloyd": "CGAL, outline kept, 5 Lloyd passes",
-    "CGAL kept mended": "CGAL, outline kept, mended below 0.7",
-    "CGAL kept mended more": "CGAL, outline kept, mended below 0.9",
+    "CGAL kept smoothed": "CGAL, outline kept, smoothed below 0.7",
+    "CGAL kept smoothed more": "CGAL, outline kept, smoothed below 0.9",
 }
-IN_RUNS = ("gmsh", "CGAL kept mended", "CGAL kept mended more")
+IN_RUNS = ("gmsh", "CGAL kept smoothed", "CGAL kept smoothed more")
 SETTINGS = ("max_step=0.1 s", "surface_size=1.5 mm", "surface_size=1.7 mm", "strain_per_step=0.29", "strain_per_step=0.27",
             "skin_size=0.66 mm", "skin_size=0.74 mm", "glass_growth=0.48", "elements_across=2.2", "temperature_per_step=36 K")
 # A disc of 5 mm sticks to a plate and a ram that presses it to a film of 0.8 mm.

@@ -3,16 +3,15 @@
 // interface element replaced by the classical coupling. For comparison only.
 #include <fmt/core.h>
 
-#include <exception>
-
 #include "classical/classical_interface.hpp"
 #include "core/case/case_error.hpp"
-#include "core/linear/blas_threads.hpp"
+#include "core/process/run_error.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/result_files.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat_step.hpp"
 #include "forming/step/step_control.hpp"
+#include "tools/blas_threads.hpp"
 
 namespace {
 
@@ -58,7 +57,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: classical_contact CASE OUTPUT\n");
     return 2;
   }
-  core::use_one_blas_thread();
+  tools::use_one_blas_thread();
   try {
     const Scene scene = read_scene(argv[1], "standard");
     if (scene.has_flow() || scene.tools.size() != 1 || scene.stages.size() != 1 || !scene.has_heat())
@@ -67,7 +66,7 @@ int main(int argc, char** argv) {
   } catch (const core::CaseError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;
-  } catch (const std::exception& error) {
+  } catch (const core::RunError& error) {
     fmt::print(stderr, "classical_contact: {}\n", error.what());
     return 1;
   }

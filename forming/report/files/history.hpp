@@ -1,9 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
+#include <vector>
 
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "forming/step/step_result.hpp"
 
 namespace parison::forming {
 
@@ -18,7 +20,16 @@ struct GlassFacts {
 };
 GlassFacts glass_facts(const Scene& scene, const State& state);
 
-/// A row of history.csv.
+/// The numbers of one row of history.csv.
+struct HistoryRow {
+  double time, dt, volume, glass_mean, heat_to_tools, heat_to_air, dissipation, energy_imbalance, contact_area;
+  std::string stage;
+  std::vector<double> tool_force, tool_position, probe;  ///< N, m, K
+  Index coupling_iterations, flow_solves, contact_changes, heat_substeps;
+  std::string limited_by;
+};
+
+/// The row of a step that ended in `state`.
 HistoryRow history_row(const Scene& scene, const State& state, const StepReport& report);
 
 /// Line of column names of history.csv, and a row as a line.

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/interface_point.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 

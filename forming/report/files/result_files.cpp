@@ -11,6 +11,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/vtu.hpp"
+#include "core/process/run_error.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/interface_rows.hpp"
 #include "thermal/properties.hpp"
@@ -34,6 +35,14 @@ void make_folder(const std::string& directory) {
   fs::create_directories(fs::path(directory) / "vtu", error);
   if (error)
     throw core::CaseError(fmt::format("{}: the folder for the results cannot be made: {}", directory, error.message()));
+}
+
+/// Whether there was such a file.
+bool remove_file(const std::string& path) {
+  std::error_code error;
+  const bool found = fs::remove(path, error);
+  if (error) throw core::RunError(fmt::format("{}: cannot be removed: {}", path, error.message()));
+  return found;
 }
 
 void add_temperature(const Body& body, const Eigen::VectorXd& temperature, core::VtuFields& fields) {
@@ -106,7 +115,7 @@ void ResultFiles::remove_vtu_files_from(std::size_t output) const {
   for (bool found = true; found; ++output) {
     found = false;
     for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
-      found = fs::remove(directory_ + '/' + vtu_file(body, output)) || found;
+      found = remove_file(directory_ + '/' + vtu_file(body, output)) || found;
   }
 }
 

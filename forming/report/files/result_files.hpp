@@ -7,6 +7,8 @@
 
 #include "core/io/files.hpp"
 #include "core/io/vtu.hpp"
+#include "core/mesh/interface_point.hpp"
+#include "forming/report/files/history.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/io/files.hpp"
+#include "core/process/gmsh_session.hpp"
 #include "forming/scene/read/read_section.hpp"
 
 namespace parison::forming {
@@ -99,16 +100,6 @@ Segment arc_through(const Point& start, const Point& mid, const Point& end) {
   return arc;
 }
 
-/// gmsh with an empty model, which it leaves empty.
-struct GmshModel {
-  GmshModel() {
-    gmsh::initialize(0, nullptr, false);
-    for (const char* off : {"General.Terminal", "General.AbortOnError"}) gmsh::option::setNumber(off, 0);
-    gmsh::model::add("section");
-  }
-  ~GmshModel() { gmsh::clear(); }
-};
-
 }  // namespace
 
 std::vector<Segment> read_step(const CaseNode& file, const std::string& path) {
@@ -119,7 +110,7 @@ std::vector<Segment> read_step(const CaseNode& file, const std::string& path) {
         file,
         fmt::format("\"{}\" is no STEP file (its first line does not say ISO-10303-21), allowed is one with a section",
                     path));
-  const GmshModel model;
+  const core::GmshSession gmsh;
   const auto curves = read_curves(file, path);
   const auto [first, second] = find_plane(file, path, curves);
   std::vector<Segment> segments;

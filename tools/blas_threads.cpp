@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/linear/blas_threads.hpp"
+#include "tools/blas_threads.hpp"
 
 /// OpenBLAS; absent where another BLAS is installed.
 extern "C" __attribute__((weak)) void openblas_set_num_threads(int count);
 
-namespace parison::core {
+namespace parison::tools {
 
 void use_one_blas_thread() {
   if (openblas_set_num_threads) openblas_set_num_threads(1);
 }
 
-}  // namespace parison::core
+}  // namespace parison::tools

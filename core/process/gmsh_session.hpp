@@ -1,0 +1,34 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+namespace parison::core {
+
+/// Exclusive use of gmsh, which has one state for the whole process: one session at a time, others wait. A session
+/// works in a model of its own, on one thread, with gmsh silent and its errors in the log.
+///
+/// At its end everything is as it was before: the models, the current model and the options of the program around it,
+/// whether gmsh is initialised, the C library's random numbers, the locale, and the number of OpenMP threads. While a
+/// session lasts, other threads must call neither gmsh nor std::rand.
+class GmshSession {
+ public:
+  GmshSession();
+  ~GmshSession();
+  GmshSession(const GmshSession&) = delete;
+  GmshSession& operator=(const GmshSession&) = delete;
+
+  /// Replaces the session's model by an empty one.
+  void renew_model();
+
+  /// Sets a numeric option until the end of the session.
+  void set_option(const char* name, double value);
+
+  /// Starts the random numbers of std::rand anew, for the session alone: as std::srand(1) does.
+  void restart_random_numbers();
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace parison::core

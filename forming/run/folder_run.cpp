@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/folder_run.hpp"
+
+#include <utility>
+
+#include "forming/run/checkpoint.hpp"
+#include "forming/run/observers/checkpoint_writer.hpp"
+#include "forming/run/observers/result_writer.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+Observers with_others(ResultWriter& results, CheckpointWriter& checkpoints, const Observers& others) {
+  Observers all{&results, &checkpoints};
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
+}  // namespace
+
+RunOutcome run_in_folder(const Scene& scene, const std::string& directory, const Observers& others,
+                         const StopRequest& stop, const remesh::Mesher& mesher) {
+  ResultWriter results(directory);
+  CheckpointWriter checkpoints(results);
+  return run(scene, with_others(results, checkpoints, others), stop, mesher);
+}
+
+RunOutcome resume_in_folder(const Scene& scene, const std::string& directory, const Observers& others,
+                            const StopRequest& stop, const remesh::Mesher& mesher) {
+  Checkpoint from = read_checkpoint(find_checkpoint(directory), scene);
+  ResultWriter results(directory, std::move(from.files));
+  CheckpointWriter checkpoints(results, from.outcome.state.totals.steps);
+  return resume(scene, std::move(from.outcome), with_others(results, checkpoints, others), stop, mesher);
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/observers/checkpoint_writer.hpp"
+
+#include "core/process/clock.hpp"
+#include "forming/run/checkpoint.hpp"
+
+namespace parison::forming {
+
+CheckpointWriter::CheckpointWriter(ResultWriter& results, Index last_checkpoint)
+    : results_(results), steps_(last_checkpoint), written_at_(core::wall_seconds()) {}
+
+bool CheckpointWriter::is_due(const RunView& run) const {
+  const Output& output = run.scene.output;
+  return core::wall_seconds() - written_at_ >= output.checkpoint_interval ||
+         (output.checkpoint_steps && run.state.totals.steps - steps_ >= *output.checkpoint_steps);
+}
+
+void CheckpointWriter::checkpoint_possible(const RunView& run, bool at_stage_boundary) {
+  if (run.state.totals.steps == steps_ || !(at_stage_boundary || is_due(run))) return;
+  write_checkpoint(results_.directory(), run.scene, {{run.state, run.facts}, results_.sync()});
+  written_at_ = core::wall_seconds();
+  steps_ = run.state.totals.steps;
+}
+
+}  // namespace parison::forming

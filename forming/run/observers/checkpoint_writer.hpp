@@ -1,0 +1,24 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/observers/result_writer.hpp"
+
+namespace parison::forming {
+
+/// Writes checkpoints beside the results at the boundaries of stages and when the case's wall time or steps between
+/// checkpoints are over.
+class CheckpointWriter : public RunObserver {
+ public:
+  /// `last_checkpoint` is the number of steps done at the one that the run is taken up from, -1 for a new run.
+  explicit CheckpointWriter(ResultWriter& results, Index last_checkpoint = -1);
+
+  void checkpoint_possible(const RunView& run, bool at_stage_boundary) override;
+
+ private:
+  bool is_due(const RunView& run) const;
+
+  ResultWriter& results_;
+  Index steps_;        ///< done at the last checkpoint
+  double written_at_;  ///< wall clock at the last checkpoint, s
+};
+
+}  // namespace parison::forming

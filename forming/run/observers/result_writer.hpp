@@ -1,0 +1,33 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+
+#include "forming/report/files/result_files.hpp"
+#include "forming/run/run_observer.hpp"
+
+namespace parison::forming {
+
+/// Writes the history, the fields and the interface of a run into its result folder.
+class ResultWriter : public RunObserver {
+ public:
+  /// In a new folder, which is made when the run begins.
+  explicit ResultWriter(std::string directory);
+  /// In the folder of a run that is taken up again; what has been written since is cut off.
+  ResultWriter(std::string directory, WrittenFiles written);
+
+  void run_begins(const RunView& run) override;
+  void step_taken(const RunView& run, const State& before, const StepReport& report) override;
+  void fields_due(const RunView& run, const State& at) override;
+
+  /// Brings everything to the disk and says how far it has come.
+  WrittenFiles sync();
+  const std::string& directory() const { return directory_; }
+
+ private:
+  std::string directory_;
+  std::optional<WrittenFiles> written_;  ///< before this run
+  std::optional<ResultFiles> files_;
+};
+
+}  // namespace parison::forming

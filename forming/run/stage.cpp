@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/stage.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/run/step_loop.hpp"
+#include "forming/run/warnings.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// A tool deeper than this in the glass at a stage's start is an error of the scene, m.
+constexpr double max_overlap = 0.5e-3;
+
+}  // namespace
+
+std::string stage_precondition_failure(const Scene& scene, const State& state) {
+  for (const auto& place : scene.stages[state.stage].tools) {
+    const auto* position = std::get_if<PositionMotion>(&place.motion);
+    const double now = state.tools[place.tool].offset;
+    if (position && std::abs(position->offset(0) - now) > 1e-6)
+      return fmt::format("tool {} stands at {:.4g} mm, its motion starts at {:.4g} mm", scene.tools[place.tool].name,
+                         1e3 * now, 1e3 * position->offset(0));
+  }
+  Penetration max_penetration{};
+  for (const Penetration& inside : penetrations(scene, state, 0))
+    if (inside.depth > max_penetration.depth) max_penetration = inside;
+  if (max_penetration.depth <= max_overlap) return "";
+  const Point& x = state.glass.mesh.nodes[max_penetration.node];
+  return fmt::format(
+      "tool {} in place overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the "
+      "stage's tools as it is",
+      scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1]);
+}
+
+bool begin_stage(RunInProgress& run, Index stage) {
+  State& state = run.outcome.state;
+  std::string& reason = run.outcome.facts.reason;
+  const std::string misplaced = misplaced_boundary(run.scene, state, stage);
+  state = start_stage(run.scene, state, stage);
+  state.next_step = run.scene.accuracy.initial_step;
+  state.next_limit = static_cast<Index>(StepLimit::initial);
+  run.workspace.static_stage.reset();
+  reason = misplaced.empty() ? stage_precondition_failure(run.scene, state) : misplaced;
+  const bool good = reason.empty();
+  notify(run, &RunObserver::stage_begins);
+  if (stage == 0) notify(run, &RunObserver::fields_due, state);
+  return good && (stage == 0 || !run.scene.has_flow() || remesh_glass(run, RemeshReason::stage_start));
+}
+
+void update_motion(const Scene& scene, State& state) {
+  const Stage& stage = scene.stages[state.stage];
+  for (const auto& tool : stage.tools) {
+    ToolState& body = state.tools[tool.tool];
+    if (!std::holds_alternative<ForceMotion>(tool.motion)) continue;
+    if (stage.end_speed && std::abs(body.velocity) > *stage.end_speed) state.has_moved = true;
+    body.peak_force = std::max(body.peak_force, std::abs(body.force));
+  }
+}
+
+void end_stage(RunInProgress& run, bool good) {
+  const State& state = run.outcome.state;
+  const Stage& stage = run.scene.stages[state.stage];
+  RunFacts& facts = run.outcome.facts;
+  const bool full = state.stage_time >= stage.duration - 1e-9;
+  const char* reason = facts.stopped ? "stop" : !good ? "failure" : full ? "duration" : "tools at rest";
+  facts.stages.push_back({stage.name, state.stage_start, state.time, reason, state.totals.work});
+  if (good && full && !facts.stopped) add_warnings(moving_tool_warnings(run.scene, state), facts);
+}
+
+}  // namespace parison::forming

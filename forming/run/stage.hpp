@@ -1,0 +1,22 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "forming/run/run_in_progress.hpp"
+
+namespace parison::forming {
+
+/// What makes the present stage impossible from where the tools and the glass stand; empty when nothing does.
+std::string stage_precondition_failure(const Scene& scene, const State& state);
+
+/// Enters a stage; false when it cannot begin, and the facts say why.
+bool begin_stage(RunInProgress& run, Index stage);
+
+/// Notes the largest forces of tools that a force drives, and whether one has moved faster than the speed that ends the
+/// stage.
+void update_motion(const Scene& scene, State& state);
+
+/// Records how a stage ended.
+void end_stage(RunInProgress& run, bool good);
+
+}  // namespace parison::forming

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/step_loop.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "forming/step/step.hpp"
+#include "forming/step/step_control.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Shortest step after a rejected one, of the rejected one.
+constexpr double shorten = 0.4, longest_retry = 0.9;
+
+constexpr const char* remesh_advice = "a smaller numerics.surface_size or a larger numerics.quality_floor may help";
+
+/// Tries one step of length dt, s, which `limit` kept from being longer.
+StepResult try_step(RunInProgress& run, double dt, StepLimit limit) {
+  notify(run, &RunObserver::step_begins);
+  StepResult result = coupled_step(run.scene, run.outcome.state, dt, run.workspace);
+  result.report.limit = limit;
+  notify(run, &RunObserver::step_tried, result);
+  for (const auto& [part, seconds] : result.report.seconds) run.outcome.facts.timing[part] += seconds;
+  return result;
+}
+
+/// Makes the result of a step the state of the run.
+void accept(RunInProgress& run, StepResult& result, const ProposedStep& proposed, AcceptedStep& step) {
+  State& state = run.outcome.state;
+  result.state.next_step = proposed.dt;
+  result.state.next_limit = static_cast<Index>(proposed.limit);
+  step = {std::move(state), std::move(result.report)};
+  state = std::move(result.state);
+  run.outcome.facts.reason.clear();
+}
+
+/// Sets the next step shorter after a rejected one of length dt, s; false when none is worth trying.
+bool shorten_step(RunInProgress& run, const StepResult& result, const ProposedStep& proposed, double dt) {
+  State& state = run.outcome.state;
+  std::string& reason = run.outcome.facts.reason;
+  ++state.totals.rejected;
+  run.workspace.static_stage.reset();
+  reason = result.converged ? "the step deforms the glass too much" : result.reason;
+  const double next = result.converged ? std::clamp(proposed.dt, shorten * dt, longest_retry * dt) : shorten * dt;
+  if (result.unrecoverable) return false;
+  if (next < run.scene.accuracy.min_step) {
+    reason += fmt::format("; steps below {:g} s, numerics.min_step, would be needed", run.scene.accuracy.min_step);
+    return false;
+  }
+  state.next_step = next;
+  state.next_limit = static_cast<Index>(result.converged ? proposed.limit : StepLimit::failure);
+  return true;
+}
+
+/// A step that converged and kept within its allowance; false when the smallest one did not.
+bool step_once(RunInProgress& run, AcceptedStep& step) {
+  const State& state = run.outcome.state;
+  double dt = clip_step_to_event(run.scene, state, state.next_step);
+  auto limit = dt < state.next_step ? StepLimit::event : static_cast<StepLimit>(state.next_limit);
+  for (;;) {
+    StepResult result = try_step(run, dt, limit);
+    const bool accepted = result.converged && !rejected_by_error_control(run.scene, result.report);
+    add_step(result.report, accepted, run.outcome.facts.solver_statistics);
+    const ProposedStep proposed = propose_step(run.scene, result.report, accepted ? state.next_step : dt);
+    if (accepted) {
+      accept(run, result, proposed, step);
+      return true;
+    }
+    if (!shorten_step(run, result, proposed, dt) || stop_requested(run)) return false;
+    dt = state.next_step;
+    limit = static_cast<StepLimit>(state.next_limit);
+  }
+}
+
+}  // namespace
+
+bool remesh_glass(RunInProgress& run, RemeshReason why) {
+  const bool must = why == RemeshReason::failed_step;
+  auto remeshed = [&] {
+    const core::ScopedTimer timer(run.outcome.facts.timing["remesh"]);
+    return remesh_state(run.scene, run.outcome.state, why, run.mesher);
+  }();
+  if (remeshed.ok) {
+    run.outcome.state = std::move(remeshed.state);
+    run.workspace.flow.reset();
+    return true;
+  }
+  const std::string sentence = fmt::format("no new glass mesh: {}", remeshed.reason);
+  State& state = run.outcome.state;
+  if (++state.totals.remeshing.failed == 1)
+    run.outcome.facts.warnings.push_back(fmt::format("at {:.5f} s {}", state.time, sentence));
+  auto& reason = run.outcome.facts.reason;
+  if (must) reason += fmt::format("{}{}; {}", reason.empty() ? "" : "; ", sentence, remesh_advice);
+  return !must;
+}
+
+bool advance(RunInProgress& run, AcceptedStep& step) {
+  const Scene& scene = run.scene;
+  if (scene.has_flow() && needs_remesh(scene, run.outcome.state) && !remesh_glass(run, RemeshReason::quality))
+    return false;
+  if (step_once(run, step)) return true;
+  if (run.outcome.facts.stopped) return false;
+  // A mesh that is still sound may be what holds the step back.
+  return scene.has_flow() && remesh_glass(run, RemeshReason::failed_step) && step_once(run, step);
+}
+
+}  // namespace parison::forming

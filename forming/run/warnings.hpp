@@ -1,0 +1,27 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "forming/report/summary.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+/// Sentences for the user of a run; empty where there is nothing to say.
+using Warnings = std::vector<std::string>;
+
+/// Of tools that were to come to rest in the present stage, which ended by its duration before they did.
+Warnings moving_tool_warnings(const Scene& scene, const State& state);
+
+/// Of what makes the results of a run less accurate than they look: neglected inertia, remeshes, balances, overshoots.
+Warnings accuracy_warnings(const Scene& scene, const State& state, const RunFacts& facts);
+
+/// Of interfaces over which no heat went in the whole run; bodies that start at one temperature say nothing.
+Warnings unused_interface_warnings(const Scene& scene, const State& state);
+
+/// Adds them to the warnings of a run.
+void add_warnings(const Warnings& warnings, RunFacts& facts);
+
+}  // namespace parison::forming

@@ -1,0 +1,42 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/mesh/interface_point.hpp"
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+/// What kept a step from being longer, and the names of these limits.
+enum class StepLimit { initial, growth, max_step, strain, temperature, motion, event, failure };
+inline constexpr std::array step_limits{"initial",     "growth", "max_step", "strain",
+                                        "temperature", "motion", "event",    "failure"};
+
+/// What one step did, beyond the new state.
+struct StepReport {
+  double dt = 0;
+  Index coupling_iterations = 0, flow_solves = 0, flow_factorisations = 0, contact_changes = 0,
+        heat_substeps = 0;    ///< in all coupling iterations
+  Index locked_contacts = 0;  ///< that pull but stay closed, in the last coupling iteration
+  StepLimit limit = StepLimit::initial;
+  double temperature_change = 0;              ///< largest of the glass surface, K
+  double predictor_corrector_difference = 0;  ///< by which the last coupling iteration still moved the mid-step mesh, m
+  double strain = 0;                          ///< largest rate of deformation times dt
+  std::vector<core::InterfacePoint> interface;  ///< of the step's end
+  std::map<std::string, double> seconds;        ///< by part: flow, heat, contact, remesh, output
+};
+
+/// What a step gives: the new state, or the reason why there is none.
+struct StepResult {
+  State state;
+  bool converged = false;
+  std::string reason;
+  bool unrecoverable = false;  ///< a shorter step fails as well
+  StepReport report;
+  std::vector<double> dissipation;  ///< of the flow, W at each quadrature point: flow::Solution::dissipation
+};
+
+}  // namespace parison::forming

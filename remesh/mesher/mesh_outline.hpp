@@ -1,0 +1,21 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "remesh/mesher/triangulate.hpp"
+
+namespace parison::remesh {
+
+/// A mesh, or the sentence that says why there is none.
+struct MeshedOutline {
+  core::Mesh mesh;
+  std::string reason;
+};
+
+/// Quadratic triangles inside the outline with exactly its edges. Node i is vertex i, boundary edge i is edge i; an
+/// edge that would fold its cell is straightened.
+MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshBoundary>& boundaries,
+                           const SizeField& size, const Mesher& mesher = triangulate);
+
+}  // namespace parison::remesh

@@ -1,0 +1,15 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/App.hpp>
+#include <functional>
+
+namespace parison::tools {
+
+/// A command with its options; returns the exit code.
+using Command = std::function<int()>;
+
+/// Adds all commands of `parison` with their options; parsing the command line puts the one that is asked for into
+/// `chosen`.
+void add_commands(CLI::App& app, Command& chosen);
+
+}  // namespace parison::tools

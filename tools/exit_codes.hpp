@@ -1,0 +1,13 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+namespace parison::tools {
+
+/// Exit codes of the program beside 0.
+enum ExitCode {
+  run_failed = 1,     ///< a run did not come to its end, or the system refused something
+  case_wrong = 2,     ///< the case file or the command line is wrong
+  internal_error = 3  ///< a mistake in the program, or no memory left
+};
+
+}  // namespace parison::tools

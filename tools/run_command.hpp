@@ -1,0 +1,26 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+namespace parison::tools {
+
+/// What `parison run`, `parison check` and `parison resume` are asked for.
+struct RunRequest {
+  std::string case_path;  ///< resume: empty for the case as it was
+  std::string accuracy = "standard";
+  std::vector<std::string> overrides;
+  std::string output;  ///< result folder; run: empty for results/NAME
+  bool error_bars = false;
+};
+
+/// Prints what a case needs. Like the others here it returns the exit code of the program.
+int check(const RunRequest& request);
+
+/// Runs a case into a new folder.
+int run(const RunRequest& request);
+
+/// Continues the run of a folder.
+int resume(const RunRequest& request);
+
+}  // namespace parison::tools
