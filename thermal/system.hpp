@@ -43,7 +43,7 @@ struct HeatSystem {
   std::vector<Index> first_boundary;  ///< of each body, in the count through all bodies
   std::vector<BodyLaws> bodies;
   std::vector<std::array<Index, 6>> cells;  ///< unknowns of each cell; in a problem of order 1 only the first three
-  std::vector<BatchUnknowns> batches;       ///< the same for all bodies' batches of cells
+  std::vector<BatchIndices<6>> batches;     ///< the same for all bodies' batches of cells
   Eigen::VectorXd source;                   ///< power of the volume source into each unknown at a source factor of 1, W
   Eigen::VectorXd body_source;              ///< the same for each body, W
   std::vector<HeatEdge> edges;
