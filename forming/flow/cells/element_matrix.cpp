@@ -207,8 +207,10 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
     const auto v = batch_velocity(mesh, batch, velocity);
     const int lanes = core::filled_lanes(geometry.cells, batch);
     for (int q = 0; q < cell_points; ++q) {
-      const BatchArray squared = 2 * squared_rate(geometry.at(batch, q), q, v);
-      for (Index lane = 0; lane < here; ++lane)
+      VectorizedArray squared;
+      set_squared_rate(geometry.at(batch, q), q, v, squared);
+      squared *= 2;
+      for (int lane = 0; lane < lanes; ++lane)
         viscosity[std::size_t(batch * batch_size + lane) * cell_points + q] *= law(squared[lane]);
     }
   }
@@ -286,9 +288,10 @@ void add_thinning_derivative(const Problem& problem, const CellGeometry& geometr
     const auto v = batch_velocity(*problem.mesh, batch, velocity);
     for (int q = 0; q < cell_points; ++q) {
       const auto& at = geometry.at(batch, q);
-      const BatchArray squared = 2 * squared_rate(at, q, v);
-      BatchArray derivative;  // of the viscosity with respect to the square of the shear rate
-      for (Index lane = 0; lane < batch_size; ++lane)
+      VectorizedArray squared, derivative;  // square of the shear rate; of the viscosity with respect to it
+      set_squared_rate(at, q, v, squared);
+      squared *= 2;
+      for (int lane = 0; lane < batch_size; ++lane)
         derivative[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q] * law.log_derivative(squared[lane]);
       const auto rate = rate_derivative(at, q, v);
       for (int i = 0; i < cell_velocities; ++i) {
