@@ -25,18 +25,6 @@ std::mutex& gmsh_mutex() {
   return mutex;
 }
 
-/// Whether gmsh is initialised. Version 4.8 has no query for it: where it is not, asking for an option leaves the value
-/// untouched or, after a gmsh::finalize, throws.
-bool is_initialised() {
-  double terminal = -1;
-  try {
-    gmsh::option::getNumber("General.Terminal", terminal);
-  } catch (const std::string&) {
-    return false;
-  }
-  return terminal >= 0;
-}
-
 /// The number of OpenMP threads of this thread, which initialising gmsh sets to one.
 class OpenMpThreads {
  public:
@@ -79,20 +67,23 @@ class RandomNumbers {
   char* before_;
 };
 
-/// gmsh, initialised and at the end finalised where the program around has not initialised it.
-class Initialised {
- public:
-  Initialised() : own_(!is_initialised()) {
-    if (own_) gmsh::initialize(0, nullptr, false);
+/// Whether gmsh is initialised. Version 4.8 has no query for it: where it is not, asking for an option leaves the value
+/// untouched or, after a gmsh::finalize, prints a line and throws.
+bool is_initialised() {
+  double terminal = -1;
+  try {
+    gmsh::option::getNumber("General.Terminal", terminal);
+  } catch (const std::string&) {
+    return false;
   }
-  ~Initialised() {
-    if (own_) gmsh::finalize();
-  }
-  Initialised(const Initialised&) = delete;
-  Initialised& operator=(const Initialised&) = delete;
+  return terminal >= 0;
+}
 
- private:
-  bool own_;
+/// gmsh, initialised where it is not. It stays so: whether it is could not be asked silently after gmsh::finalize.
+struct Initialised {
+  Initialised() {
+    if (!is_initialised()) gmsh::initialize(0, nullptr, false);
+  }
 };
 
 }  // namespace

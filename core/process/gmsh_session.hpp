@@ -8,8 +8,9 @@ namespace parison::core {
 /// works in a model of its own, on one thread, with gmsh silent and its errors in the log.
 ///
 /// At its end everything is as it was before: the models, the current model and the options of the program around it,
-/// whether gmsh is initialised, the C library's random numbers, the locale, and the number of OpenMP threads. While a
-/// session lasts, other threads must call neither gmsh nor std::rand.
+/// the C library's random numbers, the locale, and the number of OpenMP threads. gmsh is initialised by the first
+/// session that finds it is not, and never finalised. While a session lasts, other threads must call neither gmsh nor
+/// std::rand.
 class GmshSession {
  public:
   GmshSession();
@@ -23,7 +24,7 @@ class GmshSession {
   /// Sets a numeric option until the end of the session.
   void set_option(const char* name, double value);
 
-  /// Starts the random numbers of std::rand anew, for the session alone: as std::srand(1) does.
+  /// Starts the random numbers that gmsh takes from the C library anew, for the session alone, with seed 1.
   void restart_random_numbers();
 
  private:
