@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/commands.hpp"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
+#include "tools/bundled_cases.hpp"
 #include "tools/fit_law.hpp"
 #include "tools/run_command.hpp"
 #include "tools/tradeoff.hpp"
 
 namespace parison::tools {
 namespace {
+
+constexpr const char* what_a_case_is = "folder that holds a case.toml, a case file, or the name of a bundled case";
 
 /// Adds a command whose options fill a request, with what is to be done with that.
 template <typename Request>
@@ -22,7 +27,7 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* what, Command
 }
 
 void add_case_options(CLI::App& command, RunRequest& request) {
-  command.add_option("case", request.case_path, "folder that holds a case.toml, or a case file")->required();
+  command.add_option("case", request.case_path, what_a_case_is)->required()->transform(find_case);
   command.add_option("--accuracy", request.accuracy, "draft, standard, fine, or an error such as 0.5%")
       ->capture_default_str();
   command.add_option("--set", request.overrides, "KEY=VALUE in place of the case file's value; may be repeated")
@@ -42,7 +47,7 @@ void add_resume(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<RunRequest>();
   auto* command = add_command(app, "resume", "continue a run from its last checkpoint", chosen, request, resume);
   command->add_option("results", request->output, "folder with the results of the run")->required();
-  command->add_option("--case", request->case_path, "the case, where it has moved");
+  command->add_option("--case", request->case_path, "the case, where it has moved")->transform(find_case);
   command->add_flag("--error-bars", request->error_bars, "as for run; on a run that has completed too");
 }
 
@@ -57,7 +62,7 @@ void add_tradeoff(CLI::App& app, Command& chosen) {
   auto* command =
       add_command(app, "tradeoff", "run a convergence study of settings and model parts: error against CPU time",
                   chosen, request, tradeoff);
-  command->add_option("case", trade.case_path, "folder that holds a case.toml, or a case file")->required();
+  command->add_option("case", trade.case_path, what_a_case_is)->required()->transform(find_case);
   command->add_option("--output", trade.output,
                       "folder of the study; what has run there is not run again [results/tradeoff_NAME]");
   command->add_option(
@@ -85,9 +90,19 @@ void add_fit_law(CLI::App& app, Command& chosen) {
   command->add_option("--fix", request->fixed, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
       ->take_all()
       ->allow_extra_args(false);
-  command->add_option("--case", request->case_path, "case whose glass gives the viscosity at T_glass");
+  command->add_option("--case", request->case_path, "case whose glass gives the viscosity at T_glass")
+      ->transform(find_case);
   command->add_flag("--relative", request->relative,
                     "weigh residuals as shares: for scatter that grows with the value");
+}
+
+void add_cases(CLI::App& app, Command& chosen) {
+  app.add_subcommand("cases", "list the bundled cases")->callback([&chosen] {
+    chosen = [] {
+      fmt::print("{}", bundled_cases_table());
+      return 0;
+    };
+  });
 }
 
 }  // namespace
@@ -99,6 +114,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_check(app, chosen);
   add_tradeoff(app, chosen);
   add_fit_law(app, chosen);
+  add_cases(app, chosen);
 }
 
 }  // namespace parison::tools

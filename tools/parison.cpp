@@ -22,18 +22,6 @@ int fail(tools::ExitCode code, const char* what) {
   return code;
 }
 
-CLI::App* add_fit_law(CLI::App& app, parison::tools::FitLawRequest& fit) {
-  auto* command = app.add_subcommand("fit-law", "fit the pressure-viscosity law to measurements");
-  command->add_option("data", fit.data, "CSV file: p and h, or q, T_glass and T_tool; eta or T_glass")->required();
-  command->add_option("--fix", fit.fixed, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_option("--case", fit.case_path, "case whose glass gives the viscosity at T_glass")
-      ->transform(parison::tools::find_case);
-  command->add_flag("--relative", fit.relative, "weigh residuals as shares: for scatter that grows with the value");
-  return command;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
