@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "core/mesh/element.hpp"
 #include "remesh/mesher/mesh_outline.hpp"
 #include "remesh/surface/curve.hpp"
 #include "remesh/surface/lap.hpp"
@@ -19,40 +18,21 @@ using core::Point;
 
 namespace {
 
-constexpr double volume_tolerance = 2e-15;  ///< relative error of the restored volume
-constexpr double max_defect = 0.01;         ///< largest relative volume error of a resampled surface
-constexpr double max_lap = 1e-3;            ///< largest notch of a lap that is closed, in volumes of the body
-/// Where the free surface would move by more than `max_free_shift`, m, the whole surface moves, provided that this
-/// takes less than `max_whole_shift`, m.
-constexpr double max_free_shift = 20e-6, max_whole_shift = 3e-6;
+constexpr double max_defect = 0.01;  ///< relative volume a resampling may miss
+constexpr double max_lap = 1e-3;     ///< of the volume, in the notch of a lap that is closed
 
-/// Unit normals at the surface nodes that may move, zero at the others. Nodes in contact may move if `contacts` is set.
-std::vector<Point> shift_directions(const Mesh& mesh, const Surface& surface, bool contacts) {
+/// The resampled surface as it may be shifted, along its normals as meshed: fixed points stay.
+MovableSurface movable_surface(const Mesh& mesh, const Surface& surface) {
   const auto count = static_cast<std::size_t>(surface.outline.edge_count());
   const auto place = [&](Index node) { return node < mesh.vertex_count() ? node : node - mesh.vertex_count() + count; };
-  std::vector<Point> directions(mesh.nodes.size(), Point::Zero());
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
-    constexpr std::array<double, 3> ends{0, 1, 0.5};
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t at = place(edge.nodes[k]);
-      if (surface.fixed[at] || (!contacts && surface.contact[at])) continue;
-      directions[edge.nodes[k]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {ends[k], 1}).normal;
-    }
-  }
-  for (Point& direction : directions)
-    if (direction.norm() > 0) direction.normalize();
-  return directions;
-}
-
-/// Volume per metre of displacement along the directions, m2.
-double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<Point>& directions) {
-  double area = 0;
+  auto normals = surface_normals(mesh, std::vector<bool>(mesh.boundaries().size(), true));
+  std::vector<bool> contact(mesh.nodes.size(), false);
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     for (const Index node : edge.nodes) {
       if (surface.fixed[place(node)]) normals[node].setZero();
       contact[node] = surface.contact[place(node)];
     }
-  return {[normals](const Mesh&) { return normals; }, [contact](const Mesh&) { return contact; }, {}, 2e-15, 4};
+  return {[normals](const Mesh&) { return normals; }, [contact](const Mesh&) { return contact; }, {}};
 }
 
 std::string describe(const Point& x) {

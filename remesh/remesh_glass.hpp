@@ -10,11 +10,11 @@ namespace parison::remesh {
 struct Remeshed {
   core::Mesh mesh;
   bool ok = false;
-  std::string reason;                          ///< why there is no mesh, a sentence; empty when ok
+  std::string reason;                          ///< why not, a sentence
   double volume_before = 0, volume_after = 0;  ///< m3
-  int laps = 0;                                ///< places where the surface had folded onto itself and was closed
-  double lap_volume = 0;         ///< air enclosed there, m3; restoring the volume takes as much from the free surface
-  double coarsening_factor = 1;  ///< all edge lengths over those of the criteria; above 1 where max_cells limits them
+  int laps = 0;                  ///< places where the surface had folded onto itself a little and was closed
+  double lap_volume = 0;         ///< of the air closed in there, which the glass elsewhere gave, m3
+  double coarsening_factor = 1;  ///< than the criteria ask for, for the sake of max_cells
 };
 
 /// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to

@@ -20,7 +20,7 @@ struct Discretisation {
 
   /// The matrices of the linearised equations.
   const CellMatrices& jacobian() const {
-    return shear_thinning_jacobian.matrix.empty() ? cells : shear_thinning_jacobian;
+    return shear_thinning_jacobian.batches.empty() ? cells : shear_thinning_jacobian;
   }
 };
 

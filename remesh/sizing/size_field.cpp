@@ -15,16 +15,13 @@
 namespace parison::remesh {
 
 using core::Index;
-using core::Mesh;
 using core::Point;
 
 namespace {
 
-constexpr int bins_along = 64;                ///< bins along the longer side of the sources' bounding box
-constexpr int block = 8;                      ///< bins along a side of a block
-constexpr double max_turn = 20 * M_PI / 180;  ///< largest turn of the surface within one edge
-constexpr Index max_samples = 64;             ///< largest number of size sources along one old edge
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int bins_along = 64;
+constexpr int block = 8;             ///< bins along a block
+constexpr double bin_radius = 0.75;  ///< of a circle around a bin, a little more than half its diagonal, of its edge
 
 }  // namespace
 
@@ -110,10 +107,17 @@ std::vector<double> divide(double length, const std::function<double(double)>& s
   return result;
 }
 
+using core::Index;
+using core::Mesh;
+using core::Point;
+
 namespace {
 
-/// Value at the parameter s of an edge, linear between each two of its three nodes; infinite where one of the two
-/// values is.
+constexpr double max_turn = 20 * M_PI / 180;  ///< of the surface within one edge
+constexpr Index max_samples = 64;             ///< of the wishes along one old edge
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Nodal value at s of an edge, linear between its three nodes; infinite where one of the two is.
 template <class Nodal>
 double along(const std::array<Index, 3>& edge, double s, const Nodal& value) {
   const double start = value(edge[s < 0.5 ? 0 : 2]), end = value(edge[s < 0.5 ? 2 : 1]),
@@ -121,8 +125,7 @@ double along(const std::array<Index, 3>& edge, double s, const Nodal& value) {
   return fraction == 0 ? start : fraction == 1 ? end : (1 - fraction) * start + fraction * end;
 }
 
-/// Radius of curvature of each boundary edge, m: its arc length over its turn. Half of the kink at each end counts as a
-/// part of the turn.
+/// Radius of curvature along each boundary edge: half of the kinks to its neighbours count as turning of the edge.
 std::vector<double> curvature_radii(const Mesh& mesh) {
   const std::vector<Link> links = boundary_links(mesh);
   std::vector<double> radii(mesh.boundary_edges().size());
@@ -136,7 +139,7 @@ std::vector<double> curvature_radii(const Mesh& mesh) {
   return radii;
 }
 
-/// Estimated number of cells of a mesh of these sizes: the number of equilateral triangles with the body's area.
+/// About how many cells of these sizes fill the body: equilateral ones.
 double cell_count(const Mesh& old, const SizeField& size) {
   double count = 0;
   for (const auto& cell : old.cells()) {
@@ -147,7 +150,7 @@ double cell_count(const Mesh& old, const SizeField& size) {
   return count;
 }
 
-/// Adds the edge lengths that the error of the solution requires, where they are below the largest edge length inside.
+/// What the error of the solution asks for inside, where that is finer than the size there without anything else.
 void add_target_cell_sizes(const Mesh& old, const Criteria& criteria, std::vector<SizeSource>& sources) {
   for (std::size_t cell = 0; cell < criteria.target_cell_size.size(); ++cell) {
     const double target_size = std::max(criteria.target_cell_size[cell], criteria.smallest);

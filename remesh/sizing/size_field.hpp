@@ -7,22 +7,20 @@
 
 namespace parison::remesh {
 
-/// Target edge length `size` within the distance `reach` of a point, all in m.
+/// Wish for edges of `size` within `reach` of a point, all in m.
 struct SizeSource {
   core::Point at;
   double size;
   double reach = 0;
 };
 
-/// Edge length as a function of position, m: the smallest of the sources' sizes, each of which grows linearly, by
-/// `growth` per metre beyond its reach, and `largest`. The linear growth limits the gradation of the mesh (H.
-/// Borouchaki, F. Hecht, P. J. Frey, Int. J. Numer. Meth. Engng 43 (1998) 1143-1165).
+/// Edge length over space: the least of what the sources ask for, each growing by `growth` per metre beyond its reach.
 class SizeField {
  public:
   SizeField(std::vector<SizeSource> sources, double growth, double largest);
   double operator()(const core::Point& x) const { return coarsening_factor_ * finest(x); }
 
-  /// Multiplies every length.
+  /// Makes every length so many times as long.
   void coarsen(double factor) { coarsening_factor_ *= factor; }
   double coarsening_factor() const { return coarsening_factor_; }
 
@@ -34,15 +32,13 @@ class SizeField {
 
   std::vector<SizeSource> sources_;
   double growth_, largest_, coarsening_factor_ = 1;
-  core::Point low_;
-  double bin_ = 1;
-  int columns_ = 0, rows_ = 0;
-  std::vector<int> all_;
-  mutable std::vector<std::vector<int>> blocks_, bins_;  ///< candidate sources of each, set at the first query
+  std::vector<int> all_;  ///< numbers of the sources
+  core::UniformGrid bins_, blocks_;
+  /// Sources that can matter in each bin and each block, filled when first asked for.
+  mutable std::vector<std::vector<int>> in_bin_, in_block_;
 };
 
-/// Divides a curve of given length, m: arc lengths 0 = s_0 < ... < s_n = length between which the integral of 1/size is
-/// the same, about 1 or less, with n >= at_least.
+/// Arc lengths 0 = s_0 < ... < s_n = length such that each division holds the same integral of 1/size, at most about 1.
 std::vector<double> divide(double length, const std::function<double(double)>& size, core::Index at_least);
 
 }  // namespace parison::remesh

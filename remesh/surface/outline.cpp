@@ -44,6 +44,10 @@ std::pair<Index, Index> find_crossing(const Outline& outline) {
 
 namespace {
 
+constexpr double min_depth = 1e-5;     ///< penetration below which a point is left to the finished mesh, m
+constexpr int samples = 8;             ///< points along an edge at which penetration is tested
+constexpr int penetrating_parts = 32;  ///< parts of an edge that penetrates a tool
+
 bool penetrates_between(const Mesh& mesh, const ExteriorProjection& project_out, const Place& from, double to) {
   for (int k = 0; project_out && k <= samples; ++k)
     if (penetrates(mesh, project_out, {from.edge, from.s + (to - from.s) * k / samples})) return true;
