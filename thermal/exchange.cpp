@@ -88,10 +88,11 @@ void add_contact_heat(const HeatSystem& system, double time, const std::vector<E
   using Eigen::Vector3d;
   const HeatInterface& interface = system.interface;
   const auto [T1, T2] = side_temperatures(interface, temperature);
+  const std::vector<FreeSurface> air(exchange.begin(), exchange.end());  // by boundary, counted through all bodies
   Eigen::ArrayXd h(T1.size());
   system.problem->law(time, system.problem->interface, T1, h, nullptr);
   for (const HeatSegment& segment : interface.segments) {
-    const FreeSurface slave_air(exchange[segment.slave_boundary]), master_air(exchange[segment.master_boundary]);
+    const FreeSurface &slave_air = air[segment.slave_boundary], &master_air = air[segment.master_boundary];
     // Heat by unknown of the segment.
     Vector3d from_slave = Vector3d::Zero(), to_master = from_slave, covered1 = from_slave, covered2 = from_slave;
     for (Index i = segment.first_point; i < segment.last_point; ++i) {
@@ -192,12 +193,13 @@ ContactDerivatives linearise_contact(const HeatSystem& system, double time,
   const HeatInterface& interface = system.interface;
   if (interface.segments.empty()) return {};
   const auto [T1, T2] = side_temperatures(interface, temperature);
+  const std::vector<FreeSurface> air(exchange.begin(), exchange.end());  // by boundary, counted through all bodies
   Eigen::ArrayXd h(T1.size()), dh_dT(T1.size());
   system.problem->law(time, system.problem->interface, T1, h, &dh_dT);
   ContactDerivatives result{interface.area * h, interface.area * dh_dT * (T1 - T2), Eigen::ArrayXd(T1.size()),
                             Eigen::ArrayXd(T1.size())};
   for (const HeatSegment& segment : interface.segments) {
-    const FreeSurface slave_air(exchange[segment.slave_boundary]), master_air(exchange[segment.master_boundary]);
+    const FreeSurface &slave_air = air[segment.slave_boundary], &master_air = air[segment.master_boundary];
     for (Index i = segment.first_point; i < segment.last_point; ++i) {
       result.slave_air[i] = slave_air.derivative(interface.area[i], T1[i]);
       result.master_air[i] = master_air.derivative(interface.area[i], T2[i]);
