@@ -18,8 +18,10 @@ using core::Point;
 
 namespace {
 
-constexpr double max_defect = 0.01;  ///< relative volume a resampling may miss
-constexpr double max_lap = 1e-3;     ///< of the volume, in the notch of a lap that is closed
+constexpr double volume_tolerance = 2e-15;  ///< relative, at which the restored volume counts as reached
+constexpr int edge_points = 4;              ///< of the quadrature rule for the shifted area
+constexpr double max_defect = 0.01;         ///< relative volume a resampling may miss
+constexpr double max_lap = 1e-3;            ///< of the volume, in the notch of a lap that is closed
 
 /// The resampled surface as it may be shifted, along its normals as meshed: fixed points stay.
 MovableSurface movable_surface(const Mesh& mesh, const Surface& surface) {
@@ -32,7 +34,11 @@ MovableSurface movable_surface(const Mesh& mesh, const Surface& surface) {
       if (surface.fixed[place(node)]) normals[node].setZero();
       contact[node] = surface.contact[place(node)];
     }
-  return {[normals](const Mesh&) { return normals; }, [contact](const Mesh&) { return contact; }, {}};
+  return {[normals](const Mesh&) { return normals; },
+          [contact](const Mesh&) { return contact; },
+          {},
+          volume_tolerance,
+          edge_points};
 }
 
 std::string describe(const Point& x) {

@@ -75,7 +75,7 @@ class Conductivity {
  private:
   template <typename Number>
   [[gnu::always_inline]] void add_radiant(const Number& temperature, const Number& thin_wall, Number& sum) const {
-    const Number T = temperature < 0 ? Number{} : temperature;
+    const Number T = core::positive_part(temperature);
     sum += radiant_ * thin_wall * T * T * T;
   }
 
@@ -132,7 +132,7 @@ template <typename Law>
         temperature, [this](double T) { return phonon_.derivative(T); }, derivatives);
   if (radiant_ == 0) return;
   for (int q = 0; q < 6; ++q) {
-    const VectorizedArray T = temperature[q] < 0 ? VectorizedArray{} : temperature[q];
+    const VectorizedArray T = core::positive_part(temperature[q]);
     derivatives[q] += 3 * radiant_ * thin_wall[q] * T * T;
   }
 }

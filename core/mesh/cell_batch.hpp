@@ -13,8 +13,74 @@ namespace parison::core {
 
 /// Number of cells of a batch, which are computed side by side, each in a lane.
 inline constexpr int batch_size = 4;
-/// One number of each cell of a batch; arithmetic is lane by lane.
-typedef double VectorizedArray __attribute__((vector_size(batch_size * sizeof(double))));
+/// One number of each cell of a batch; arithmetic is lane by lane. A class and no bare vector type: the alignment of
+/// that depends on the instruction set of the function that uses it, and templates drop an alignment asked for.
+struct alignas(batch_size * sizeof(double)) VectorizedArray {
+  typedef double Lanes __attribute__((vector_size(batch_size * sizeof(double))));
+  Lanes lanes;
+
+  [[gnu::always_inline]] double operator[](int lane) const { return lanes[lane]; }
+  [[gnu::always_inline]] double& operator[](int lane) { return reinterpret_cast<double*>(&lanes)[lane]; }
+  [[gnu::always_inline]] VectorizedArray& operator+=(const VectorizedArray& x) { return lanes += x.lanes, *this; }
+  [[gnu::always_inline]] VectorizedArray& operator-=(const VectorizedArray& x) { return lanes -= x.lanes, *this; }
+  [[gnu::always_inline]] VectorizedArray& operator*=(const VectorizedArray& x) { return lanes *= x.lanes, *this; }
+  [[gnu::always_inline]] VectorizedArray& operator/=(const VectorizedArray& x) { return lanes /= x.lanes, *this; }
+  [[gnu::always_inline]] VectorizedArray& operator*=(double x) { return lanes *= x, *this; }
+};
+[[gnu::always_inline]] inline VectorizedArray operator-(const VectorizedArray& x) {
+  return {-x.lanes};
+}
+[[gnu::always_inline]] inline VectorizedArray operator+(const VectorizedArray& x, const VectorizedArray& y) {
+  return {x.lanes + y.lanes};
+}
+[[gnu::always_inline]] inline VectorizedArray operator+(double x, const VectorizedArray& y) {
+  return {x + y.lanes};
+}
+[[gnu::always_inline]] inline VectorizedArray operator+(const VectorizedArray& x, double y) {
+  return {x.lanes + y};
+}
+[[gnu::always_inline]] inline VectorizedArray operator-(const VectorizedArray& x, const VectorizedArray& y) {
+  return {x.lanes - y.lanes};
+}
+[[gnu::always_inline]] inline VectorizedArray operator-(double x, const VectorizedArray& y) {
+  return {x - y.lanes};
+}
+[[gnu::always_inline]] inline VectorizedArray operator-(const VectorizedArray& x, double y) {
+  return {x.lanes - y};
+}
+[[gnu::always_inline]] inline VectorizedArray operator*(const VectorizedArray& x, const VectorizedArray& y) {
+  return {x.lanes * y.lanes};
+}
+[[gnu::always_inline]] inline VectorizedArray operator*(double x, const VectorizedArray& y) {
+  return {x * y.lanes};
+}
+[[gnu::always_inline]] inline VectorizedArray operator*(const VectorizedArray& x, double y) {
+  return {x.lanes * y};
+}
+[[gnu::always_inline]] inline VectorizedArray operator/(const VectorizedArray& x, const VectorizedArray& y) {
+  return {x.lanes / y.lanes};
+}
+[[gnu::always_inline]] inline VectorizedArray operator/(double x, const VectorizedArray& y) {
+  return {x / y.lanes};
+}
+[[gnu::always_inline]] inline VectorizedArray operator/(const VectorizedArray& x, double y) {
+  return {x.lanes / y};
+}
+
+/// |x|, of each lane.
+[[gnu::always_inline]] inline double absolute(double x) {
+  return x < 0 ? -x : x;
+}
+[[gnu::always_inline]] inline VectorizedArray absolute(const VectorizedArray& x) {
+  return {x.lanes < 0 ? -x.lanes : x.lanes};
+}
+/// x, but zero where that is negative.
+[[gnu::always_inline]] inline double positive_part(double x) {
+  return x < 0 ? 0 : x;
+}
+[[gnu::always_inline]] inline VectorizedArray positive_part(const VectorizedArray& x) {
+  return {x.lanes < 0 ? VectorizedArray::Lanes{} : x.lanes};
+}
 
 /// Number of batches of so many cells.
 inline Index batch_count(Index cells) {

@@ -25,7 +25,7 @@ constexpr double diverged = 1e3;
 /// |x| + |y|.
 template <typename Number>
 [[gnu::always_inline]] inline void set_size(const Number& x, const Number& y, Number& size) {
-  size = (x < 0 ? -x : x) + (y < 0 ? -y : y);
+  size = absolute(x) + absolute(y);
 }
 
 /// Coordinates in the triangle of the chords of points `target`, which are relative to the origin.

@@ -37,7 +37,7 @@ core::BatchIndices<cell_unknowns> batch_unknowns(const core::Mesh& mesh, Index b
 }
 
 [[gnu::always_inline]] inline void absolute_value(const VectorizedArray& x, VectorizedArray& size) {
-  size = x < 0 ? -x : x;
+  size = core::absolute(x);
 }
 
 /// The product of the absolute values, |K| |x|.
