@@ -28,14 +28,18 @@ def make(path, name, arguments):
                   f"cases/*/README.md also {', '.join(sorted(tables.CASE_BLOCKS))}")
 
 
-def written(path):
-    """The document with every block made anew."""
+def written(path, missing):
+    """The document with every block made anew; a block whose figures are not stored stays, and the reason goes to `missing`."""
     text = path.read_text()
     found = []
 
     def replace(match):
         found.append(match)
-        return match[1] + make(path, match[2], match[3].split()) + "\n" + match[4]
+        try:
+            return match[1] + make(path, match[2], match[3].split()) + "\n" + match[4]
+        except Missing as reason:
+            missing.append(str(reason))
+            return match[0]
 
     result = BLOCK.sub(replace, text)
     if 2 * len(found) != len(MARK.findall(text)):
@@ -44,16 +48,18 @@ def written(path):
 
 
 def update(check):
-    """Writes all documents with blocks, or says which are stale; the number of those."""
-    stale = 0
+    """Writes all documents with blocks, or says which are stale; the number of those. Ends with Missing where figures are not stored."""
+    stale, missing = 0, []
     for path in documents():
         if not MARK.search(path.read_text()):
             continue
-        text = written(path)
+        text = written(path, missing)
         if text == path.read_text():
             continue
         stale += 1
         print(f"{path.relative_to(ROOT)}: " + ("its figures are not those stored; tools/readme_figures writes them" if check else "written"))
         if not check:
             path.write_text(text)
+    if missing:
+        raise Missing("\n".join(sorted(set(missing))))
     return stale

@@ -12,6 +12,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BENCHMARKS = ROOT / "tools/benchmarks/last.json"
 REFERENCES = ROOT / "tools/benchmarks/references.json"
+CALIBRATION = ROOT / "forming/scene/calibration.json"
 VERIFICATION = ROOT / "tests/figures.json"
 PERFECT = '"1e9 W/m2/K"'
 

@@ -62,6 +62,13 @@ def parts():
                   ["at the most, where the change is above 0.5 %", digits(benchmark("parts.worst"))]])
 
 
+def model():
+    calibration = store.read(store.CALIBRATION, "tools/bench --save")["model_parts"]
+    rows = [[part, digits(of["number"]), f"{digits(100 * of['thickness'])} %", f"{digits(100 * of['heat'])} %"]
+            for part, of in calibration["parts"].items()]
+    return table([f"part, measured on {calibration['case']}", "its number there", "wall thickness, mean", "heat into the tools"], rows)
+
+
 def bench():
     both = [("CPU time of the jar over its process time", "jar.{}.cpu", "", "1; 8"),
             ("share of flow in it", "jar.{}.flow", " %", ""), ("share of heat", "jar.{}.heat", " %", ""),
@@ -215,5 +222,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, parts, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, parts, model, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, shell)}
