@@ -142,4 +142,4 @@ def measure(which):
             if done.returncode:
                 raise RuntimeError(f"parison run {case} ended with {done.returncode}:\n{done.stdout[-800:]}")
             stored[name] = figures(case, results)
-    write(case, {name: stored[name] for name in RUNS[case] if name in stored})
+        write(case, {name: stored[name] for name in RUNS[case] if name in stored})
