@@ -86,7 +86,7 @@ std::string constant_lines(const contact::LawFit& fit) {
 
 std::string residual_line(const contact::LawFit& fit, bool is_flux, bool relative) {
   const auto larger = [](double x, double y) { return std::abs(x) < std::abs(y); };
-  const auto worst = std::max_element(fit.residual.begin(), fit.residual.end(), larger);
+  const auto max_residual = std::max_element(fit.residual.begin(), fit.residual.end(), larger);
   const double unit = relative ? 100 : 1;
   return fmt::format(
       "  residual: standard deviation {:.4g} {}, {} degrees of freedom; largest {:.4g} in measurement {} of {}\n",
@@ -94,7 +94,7 @@ std::string residual_line(const contact::LawFit& fit, bool is_flux, bool relativ
       relative  ? "%"
       : is_flux ? "W/m2"
                 : "W/m2/K",
-      fit.freedom, unit * *worst, worst - fit.residual.begin() + 1, fit.residual.size());
+      fit.freedom, unit * *max_residual, max_residual - fit.residual.begin() + 1, fit.residual.size());
 }
 
 std::string interface_lines(const contact::LawFit& fit) {

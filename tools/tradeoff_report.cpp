@@ -64,7 +64,7 @@ std::string as_csv(const Results& results, const VariantResult& base) {
     text += fmt::format("{},{},{},{},{},{:.4g},{},{},{},{:.4g},{},{}", r.variant.name, r.variant.group,
                         core::csv_text(r.variant.accuracy),
                         core::csv_text(fmt::format("{}", fmt::join(r.variant.overrides, "; "))), r.completed ? 1 : 0,
-                        r.cpu, r.steps, percent(r.profile.mean), percent(r.profile.largest), r.profile.where,
+                        r.cpu, r.steps, percent(r.profile.mean), percent(r.profile.max), r.profile.where,
                         percent(r.heat), r.on_front ? 1 : 0);
     for (const auto& quantity : results.front().quantities.values) {
       const auto *own = r.quantities.find(quantity.name),
@@ -106,7 +106,7 @@ std::string as_json(const Results& results, const VariantResult& base,
     json.add("cpu_over_best_line", is_preset(r) ? forming::over_front(results, r) : std::nan(""));
     json.add("error", r.error());
     json.add("thickness_mean", r.profile.mean);
-    json.add("thickness_max", r.profile.largest);
+    json.add("thickness_max", r.profile.max);
     json.add("thickness_max_at", r.profile.where);
     json.add("heat", r.heat);
     json.open_object("changes");
@@ -126,7 +126,7 @@ std::string numerics_table(const Results& results) {
     if (r.variant.group != "model")
       text += r.completed
                   ? fmt::format("| {} | {:.4g} | {} | {} | {} | {} |\n", r.variant.name, r.cpu, percent(r.profile.mean),
-                                percent(r.profile.largest), percent(r.heat), r.on_front ? "on the best line" : "")
+                                percent(r.profile.max), percent(r.heat), r.on_front ? "on the best line" : "")
                   : fmt::format("| {} | | | | | {} |\n", r.variant.name, r.reason);
   for (const VariantResult& r : results)
     if (is_preset(r) && r.completed)
@@ -151,7 +151,7 @@ std::string model_table(const Results& results, const VariantResult& base,
   for (const VariantResult& r : results)
     if (r.variant.group == "model")
       rows += r.completed ? fmt::format("| {} | {} | {} | {} | {:+.0f} | {} |\n", r.variant.what,
-                                        percent(r.profile.mean), percent(r.profile.largest), percent(r.heat),
+                                        percent(r.profile.mean), percent(r.profile.max), percent(r.heat),
                                         100 * (base.cpu - r.cpu) / base.cpu, changes(r, base))
                           : fmt::format("| {} | | | | | {} |\n", r.variant.what, r.reason);
   for (const forming::PartSensitivity& part : estimates)

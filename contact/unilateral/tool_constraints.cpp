@@ -69,7 +69,7 @@ struct ToolConstraints::Query {
     return (next(i) == j && segments[i].reentrant_after) || (next(j) == i && segments[j].reentrant_after);
   }
   bool projects_on(Index i) const;
-  bool hidden(Index i, const Point& foot) const;
+  bool hidden(Index i, const Point& closest_point) const;
   void add_segment(Index i, std::vector<GapConstraint>& found) const;
   void add_joint(Index i, std::vector<GapConstraint>& found) const;
   void keep_closest_exterior(std::vector<GapConstraint>& found) const;
@@ -92,11 +92,11 @@ bool ToolConstraints::Query::projects_on(Index i) const {
 }
 
 /// Whether another part of the outline lies between x and its closest point on segment i.
-bool ToolConstraints::Query::hidden(Index i, const Point& foot) const {
-  const Box path{x.cwiseMin(foot), x.cwiseMax(foot)};
+bool ToolConstraints::Query::hidden(Index i, const Point& closest_point) const {
+  const Box path{x.cwiseMin(closest_point), x.cwiseMax(closest_point)};
   for (Index j = 0; j < count(); ++j)
     if (j != i && overlap(path, segments[j].bounds) && !joined_at_reentrant_corner(i, j) &&
-        crosses(segment(j), x, foot))
+        crosses(segment(j), x, closest_point))
       return true;
   return false;
 }
@@ -104,9 +104,9 @@ bool ToolConstraints::Query::hidden(Index i, const Point& foot) const {
 void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& found) const {
   if (!segments[i].in_contact || !is_near(x, segments[i].bounds, max_off * reach) || !projects_on(i)) return;
   const double t = core::projected_parameter(segment(i), x);
-  const Point foot = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
-  const double gap = (x - foot).dot(normal);
-  if (std::abs(gap) <= reach && !hidden(i, foot)) found.push_back({gap, normal, i});
+  const Point closest_point = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
+  const double gap = (x - closest_point).dot(normal);
+  if (std::abs(gap) <= reach && !hidden(i, closest_point)) found.push_back({gap, normal, i});
 }
 
 /// Adds the constraint of the joint after segment i to a point that projects onto neither segment.

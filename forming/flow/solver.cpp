@@ -176,7 +176,7 @@ bool ActiveSetIteration::linearise_viscosity() {
   update_viscosity(problem_, iterate_.x.head(velocities_), discretisation);
   if (steady) return true;
   discretisation.shear_thinning_jacobian = discretisation.cells;
-  if (newton_.trusts(velocity_change_))
+  if (newton_.accepts(velocity_change_))
     add_thinning_derivative(problem_, discretisation.geometry, discretisation.viscosity, iterate_.x.head(velocities_),
                             discretisation.shear_thinning_jacobian);
   corrector_.forget();

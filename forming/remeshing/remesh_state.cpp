@@ -61,7 +61,7 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   result.skin_size = accuracy.skin_size;
   result.elements_across = accuracy.elements_across;
   result.growth = accuracy.glass_growth;
-  result.smallest = min_edge_fraction * accuracy.skin_size;
+  result.min_size = min_edge_fraction * accuracy.skin_size;
   result.straight_boundaries = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   result.contact.assign(mesh.nodes.size(), false);
   result.target_skin_size.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
@@ -274,7 +274,7 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
   core::Mesh& mesh = next.glass.mesh;
   mesh = std::move(made.mesh);
   if (!fit_surface(scene, state, mesh)) {
-    result.reason = "the new mesh folds where it is lifted out of a tool";
+    result.reason = "the new mesh has inverted cells where it is projected out of a tool";
     return result;
   }
   const auto transfer = remesh::make_transfer(state.glass.mesh, mesh);

@@ -38,7 +38,7 @@ std::string kind(const Quantity& quantity) {
   return quantity.name.substr(0, quantity.name.find('_'));
 }
 
-bool is_thinnest(const Quantity& quantity) {
+bool is_min_thickness(const Quantity& quantity) {
   return quantity.name.rfind("thickness_min", 0) == 0;
 }
 
@@ -70,7 +70,7 @@ struct Usual {
 std::map<std::string, Usual> usual_differences(const Quantities& run, const Quantities& coarse_run) {
   std::map<std::string, Usual> usual;
   for (const Quantity& quantity : run.values)
-    if (const Quantity* other = coarse_run.find(quantity.name); other && !is_thinnest(quantity))
+    if (const Quantity* other = coarse_run.find(quantity.name); other && !is_min_thickness(quantity))
       usual[kind(quantity)].sizes.push_back(std::abs(other->value - quantity.value) / size_of_kind(run, quantity));
   return usual;
 }
@@ -114,10 +114,10 @@ double usual_near(const std::vector<double>& profile, const std::vector<double>&
 }
 
 /// The thinnest wall and its place, which lies where the wall is as thin to within the error of its thickness.
-void add_thinnest(Quantities& run, const Quantities& coarse_run) {
+void add_min_thickness(Quantities& run, const Quantities& coarse_run) {
   double error = 0;
   for (Quantity& quantity : run.values) {
-    if (!is_thinnest(quantity) || coarse_run.profile.empty()) continue;
+    if (!is_min_thickness(quantity) || coarse_run.profile.empty()) continue;
     if (quantity.name == "thickness_min") {
       const int at = static_cast<int>(std::lround(run.find("thickness_min_at")->value / spacing));
       const Quantity* other = coarse_run.find(quantity.name);
@@ -141,7 +141,7 @@ ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const 
   auto usual = usual_differences(run, coarse_run);
   for (Quantity& quantity : bars.quantities.values) {
     const Quantity* other = coarse_run.find(quantity.name);
-    if (!other || is_thinnest(quantity)) continue;
+    if (!other || is_min_thickness(quantity)) continue;
     const double size = size_of_kind(run, quantity);
     const Usual& alike = usual[kind(quantity)];
     // What is usual bounds a chance agreement of two runs; it is scatter, which a finer run has less of but not by the
@@ -156,13 +156,13 @@ ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const 
     if (is_time(quantity))
       quantity.error = std::max(quantity.error, calibration().error_bars.chance_in_time * expected.thickness * size);
   }
-  add_thinnest(bars.quantities, coarse_run);
+  add_min_thickness(bars.quantities, coarse_run);
   const ProfileDifference profile = compare_profiles(coarse_run.profile, run.profile);
   // Not a number where there is no wall, or no tool receives heat.
   bars.profile_mean =
       std::max({richardson() * profile.mean, calibration().error_bars.chance_in_mean * expected.thickness, resolution});
-  bars.profile_max = std::max(
-      {richardson() * profile.largest, calibration().error_bars.chance_at_worst * expected.thickness, resolution});
+  bars.profile_max =
+      std::max({richardson() * profile.max, calibration().error_bars.chance_at_worst * expected.thickness, resolution});
   bars.heat = std::max({richardson() * heat_difference(coarse_run, run), scatter * expected.heat, resolution});
   return bars;
 }

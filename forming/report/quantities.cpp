@@ -58,13 +58,13 @@ void add_wall(const std::vector<ThicknessRow>& rows, Quantities& found) {
   found.profile = sample_profile(rows);
   const std::vector<int> places = inner_places(found.profile);
   if (places.empty()) return;
-  int thinnest = places.front();
+  int min_index = places.front();
   for (const int i : places)
-    if (found.profile[i] < found.profile[thinnest]) thinnest = i;
-  const double mean = 1e3 * thickness_range(rows).mean, lowest = found.profile[thinnest];
+    if (found.profile[i] < found.profile[min_index]) min_index = i;
+  const double mean = 1e3 * thickness_range(rows).mean, lowest = found.profile[min_index];
   found.values.push_back({"thickness_mean", "mm", mean, mean});
   found.values.push_back({"thickness_min", "mm", lowest, lowest});
-  found.values.push_back({"thickness_min_at", "of the arc", double(thinnest) / (profile_points - 1), 1});
+  found.values.push_back({"thickness_min_at", "of the arc", double(min_index) / (profile_points - 1), 1});
 }
 
 /// Of the outer surface, by area; the wall's where there is one.

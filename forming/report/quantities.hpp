@@ -41,8 +41,8 @@ Quantities read_quantities(const core::JsonValue& summary);
 
 /// How two profiles differ, as shares of the second one.
 struct ProfileDifference {
-  double mean, largest;  ///< NaN without a profile
-  double where;          ///< share of the arc where it is largest
+  double mean, max;  ///< NaN without a profile
+  double where;      ///< share of the arc where it is largest
 };
 /// Over places which are wall in both and which lie further than `profile_margin` of the arc from any that is not:
 /// there the finish begins and the thickness jumps.

@@ -71,7 +71,7 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
   return text;
 }
 
-std::string share_line(const char* label, double fraction) {
+std::string percent_line(const char* label, double fraction) {
   return std::isfinite(fraction) ? fmt::format("  {:<30}{:>14.2g} %\n", label, 100 * fraction) : "";
 }
 
@@ -103,9 +103,9 @@ std::string error_table(const Scene& scene, const ErrorBars& bars) {
   for (const Quantity& quantity : bars.quantities.values)
     text +=
         fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity), quantity.unit);
-  text += share_line("wall thickness, mean error", bars.profile_mean);
-  text += share_line("wall thickness, largest error", bars.profile_max);
-  text += share_line("heat into tools, error", bars.heat);
+  text += percent_line("wall thickness, mean error", bars.profile_mean);
+  text += percent_line("wall thickness, largest error", bars.profile_max);
+  text += percent_line("heat into tools, error", bars.heat);
   if (const auto target = scene.accuracy_choice.target)
     text += target_line(*target, std::fmax(bars.profile_mean, bars.heat));
   return text + fmt::format("  by a coarse run {:g} times coarser ({:.1f} s CPU)\n", coarsening_factor,

@@ -77,8 +77,7 @@ Warnings unused_interface_warnings(const Scene& scene, const State& state) {
   Warnings warnings;
   for (const Interface& interface : scene.interfaces) {
     const Tool& tool = scene.tools[interface.tool];
-    if (state.tools[interface.tool].heat_received == 0 &&
-        tool.initial_temperature != scene.glass.initial_temperature)
+    if (state.tools[interface.tool].heat_received == 0 && tool.initial_temperature != scene.glass.initial_temperature)
       warnings.push_back(
           fmt::format("the interface of the glass with {} was never used: in the whole run they did not come within "
                       "{:.4g} mm of each other",

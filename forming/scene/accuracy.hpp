@@ -42,7 +42,7 @@ struct Setting {
   double unit_size;  ///< SI
   double order;      ///< goes with this power of the edge length when a whole run is made coarser; 0: it does not
   std::array<double, 3> levels;
-  double least, most;  ///< that a case may ask for, SI
+  double min, max;  ///< that a case may ask for, SI
 };
 const std::vector<Setting>& settings();
 

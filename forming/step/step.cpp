@@ -50,7 +50,7 @@ bool find_velocities(const Scene& scene, const State& state, MidpointPredictor& 
 }
 
 /// Whether every cell of the glass has kept its sense.
-bool is_unfolded(StepResult& result) {
+bool has_no_inverted_cells(StepResult& result) {
   if (remesh::min_quality(result.state.glass.mesh) > 0) return true;
   result.reason = "a cell of the glass turned over";
   return false;
@@ -75,10 +75,10 @@ bool pass_once(const Scene& scene, const State& state, MidpointPredictor& predic
                StepResult& result) {
   if (!find_velocities(scene, state, predictor, dt, workspace, result)) return false;
   move_bodies(scene, 0.5 * dt, result.state);
-  if (scene.has_flow() && !is_unfolded(result)) return false;
+  if (scene.has_flow() && !has_no_inverted_cells(result)) return false;
   if (!step_heat(scene, dt, workspace, result)) return false;
   move_bodies(scene, 0.5 * dt, result.state);
-  return !scene.has_flow() || is_unfolded(result);
+  return !scene.has_flow() || has_no_inverted_cells(result);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace parison::forming {
 
 /// Time integrator of a static stage, in which nothing moves, kept from step to step, and the data that it refers to.
 struct StaticStage {
-  Index stage = 0;                                    ///< index into Scene::stages
+  Index stage = 0;                                   ///< index into Scene::stages
   std::vector<core::Mesh> meshes;                    ///< by body
   Eigen::VectorXd wall_thickness;                    ///< of the glass by node, m; empty where it limits no radiation
   std::optional<thermal::IdaIntegrator> integrator;  ///< its problem points to the two above

@@ -24,7 +24,7 @@ const char* si_unit(const Setting& setting) {
 std::string scaled(const Scene& scene, const std::string& key, double factor) {
   const Setting& s = setting(key);
   const double wanted = scene.accuracy.*s.value * factor / std::pow(scene.accuracy_choice.coarsening_factor, s.order);
-  const double value = std::clamp(wanted, s.least, s.most);
+  const double value = std::clamp(wanted, s.min, s.max);
   return fmt::format("numerics.{}={:.10g}{}", key, value, si_unit(s));
 }
 

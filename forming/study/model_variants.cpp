@@ -102,11 +102,11 @@ void add_flow_parts(Parts& parts) {
               {parts.of_glass(fmt::format("surface_tension={} N/m", usual.surface_tension))});
   if (scene.glass.flow->shear_thinning)
     parts.add("no_thinning", "shear thinning", {parts.of_glass("shear_thinning.time=1e-12 s")});
-  constexpr double little = 0.01;
+  constexpr double gravity_fraction = 0.01;
   std::vector<std::string> weightless;
   for (const Stage& stage : scene.stages)
     if (stage.gravity != 0)
-      weightless.push_back(fmt::format("stage.{}.gravity={:.6g} m/s2", stage.name, little * stage.gravity));
+      weightless.push_back(fmt::format("stage.{}.gravity={:.6g} m/s2", stage.name, gravity_fraction * stage.gravity));
   if (!weightless.empty())
     parts.add("no_gravity", "gravity, but for a hundredth that holds the glass in place", weightless);
   add_friction(parts);

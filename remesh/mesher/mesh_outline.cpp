@@ -15,8 +15,8 @@ using core::Point;
 
 namespace {
 
-constexpr double folded = 0.3;  ///< quality below which a straight edge is tried
-constexpr double poor = 0.55;   ///< quality below which corners move
+constexpr double straighten_below = 0.3;  ///< quality below which a straight edge is tried
+constexpr double poor = 0.55;             ///< quality below which corners move
 
 /// Numbers the mid-side nodes, those of the outline first, and gives the inner ones their place.
 bool add_mid_nodes(const Outline& outline, const Triangulation& triangles, Mesh& mesh) {
@@ -47,10 +47,10 @@ bool add_mid_nodes(const Outline& outline, const Triangulation& triangles, Mesh&
                      [](const auto& edge) { return edge.cell >= 0; });
 }
 
-void straighten_folded(Mesh& mesh) {
+void straighten_inverted(Mesh& mesh) {
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     const double curved_quality = cell_quality(mesh, edge.cell);
-    if (curved_quality >= folded) continue;
+    if (curved_quality >= straighten_below) continue;
     const auto [first, last, mid] = edge.nodes;
     const Point kept = mesh.nodes[mid];
     mesh.nodes[mid] = 0.5 * (mesh.nodes[first] + mesh.nodes[last]);
@@ -71,7 +71,7 @@ MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshB
   mesh.edit().vertex_count = mesh.node_count();
   mesh.edit().boundaries = boundaries;
   if (!add_mid_nodes(outline, triangles, mesh)) return {{}, "the mesher lost edges of the outline"};
-  straighten_folded(mesh);
+  straighten_inverted(mesh);
   return result;
 }
 

@@ -14,7 +14,7 @@ struct MeshedOutline {
 };
 
 /// Quadratic triangles inside the outline with exactly its edges. Node i is vertex i, boundary edge i is edge i; an
-/// edge that would fold its cell is straightened.
+/// edge that would invert its cell is straightened.
 MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshBoundary>& boundaries,
                            const SizeField& size, const Mesher& mesher = triangulate);
 

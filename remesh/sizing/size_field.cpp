@@ -153,7 +153,7 @@ double cell_count(const Mesh& old, const SizeField& size) {
 /// What the error of the solution asks for inside, where that is finer than the size there without anything else.
 void add_target_cell_sizes(const Mesh& old, const Criteria& criteria, std::vector<SizeSource>& sources) {
   for (std::size_t cell = 0; cell < criteria.target_cell_size.size(); ++cell) {
-    const double target_size = std::max(criteria.target_cell_size[cell], criteria.smallest);
+    const double target_size = std::max(criteria.target_cell_size[cell], criteria.min_size);
     if (target_size >= 2 * criteria.surface_size) continue;
     const auto& nodes = old.cells()[cell];
     const Point &a = old.nodes[nodes[0]], &b = old.nodes[nodes[1]], &c = old.nodes[nodes[2]], middle = (a + b + c) / 3;
@@ -173,15 +173,15 @@ SizeField size_field(const Mesh& old, const Criteria& criteria) {
   for (std::size_t i = 0; i < old.boundary_edges().size(); ++i) {
     const auto& edge = old.boundary_edges()[i].nodes;
     if (criteria.straight_boundaries.at(old.boundary_edges()[i].boundary_id)) continue;
-    const double bend = std::max(max_turn * radii[i], criteria.smallest);
+    const double bend = std::max(max_turn * radii[i], criteria.min_size);
     const auto skin = [&](Index node) {
       return criteria.target_skin_size.empty() ? infinity : criteria.target_skin_size[node];
     };
     const auto least = [&](const auto& at) { return std::min({at(edge[0]), at(edge[1]), at(edge[2])}); };
-    const double thinnest = least([&](Index node) { return wall[node]; });
+    const double min_thickness = least([&](Index node) { return wall[node]; });
     const double film_edge = film_size(least([&](Index node) { return film[node]; }), criteria.min_film_thickness);
-    const double finest =
-        std::min(film_edge, std::max(std::min(thinnest / criteria.elements_across, least(skin)), criteria.smallest));
+    const double finest = std::min(
+        film_edge, std::max(std::min(min_thickness / criteria.elements_across, least(skin)), criteria.min_size));
     const Index steps = std::clamp(static_cast<Index>(std::ceil(arc_length(old, edge, 1) / finest)), 2, max_samples);
     for (Index k = 0; k <= steps; ++k) {
       const double s = static_cast<double>(k) / steps;
@@ -189,8 +189,8 @@ SizeField size_field(const Mesh& old, const Criteria& criteria) {
       const double thickness = along(edge, s, [&](Index node) { return wall[node]; });
       const double in_film =
           film_size(along(edge, s, [&](Index node) { return film[node]; }), criteria.min_film_thickness);
-      const double across = std::min(in_film, std::max(thickness / criteria.elements_across, criteria.smallest));
-      const double target_size = std::max({along(edge, s, skin), criteria.skin_size, criteria.smallest});
+      const double across = std::min(in_film, std::max(thickness / criteria.elements_across, criteria.min_size));
+      const double target_size = std::max({along(edge, s, skin), criteria.skin_size, criteria.min_size});
       sources.push_back({at, std::min({criteria.surface_size, across, bend, target_size}), 0});
       if (across < 2 * criteria.surface_size) sources.push_back({at, across, 0.5 * thickness});
     }

@@ -23,9 +23,9 @@ Point outward_normal(const core::Mesh& mesh, const std::array<Index, 3>& edge, c
 
 }  // namespace
 
-double film_size(double thickness, double thinnest) {
+double film_size(double thickness, double min_thickness) {
   constexpr double elements = 4, thick = 1e-3;
-  return std::max(thickness, thinnest) / elements * std::max(1.0, thickness / thick);
+  return std::max(thickness, min_thickness) / elements * std::max(1.0, thickness / thick);
 }
 
 Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall,

@@ -12,6 +12,6 @@ Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall,
 
 /// Edge length in a film, m: a quarter of its thickness up to a millimetre; above that the number of elements across
 /// falls in inverse proportion to the thickness. Films thinner than `thinnest` have the edge length of that thickness.
-double film_size(double thickness, double thinnest);
+double film_size(double thickness, double min_thickness);
 
 }  // namespace parison::remesh

@@ -15,7 +15,7 @@ struct Criteria {
   double skin_size;                       ///< smallest edge that a thermal skin can require, m
   double elements_across;                 ///< number of elements across a wall
   double growth;                          ///< increase of the edge length per metre of distance
-  double smallest;                        ///< smallest edge outside films, m
+  double min_size;                        ///< smallest edge outside films, m
   std::vector<bool> straight_boundaries;  ///< symmetry boundaries, whose nodes stay on their line
   std::vector<bool> contact;              ///< for each old node, whether it touches a tool
   std::vector<core::Point> keep;          ///< tool corners, m; the surface gets a vertex where it passes one

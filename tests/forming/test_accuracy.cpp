@@ -82,7 +82,7 @@ TEST(Accuracy, a_profile_is_compared_away_from_where_the_wall_ends) {
   a[41] = 20;  // beside the end: left aside
   a[200] = 2.1;
   const auto difference = compare_profiles(a, b);
-  EXPECT_NEAR(difference.largest, 0.05, 1e-12);
+  EXPECT_NEAR(difference.max, 0.05, 1e-12);
   EXPECT_NEAR(difference.where, 0.5, 1e-12);
   EXPECT_TRUE(std::isnan(compare_profiles({}, b).mean));
 }

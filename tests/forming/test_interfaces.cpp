@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/io/files.hpp"
+#include "figure.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "scene_text.hpp"

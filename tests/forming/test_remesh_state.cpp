@@ -58,8 +58,10 @@ class RemeshState : public ::testing::Test {
     const RemeshStatistics& statistics = state.totals.remeshing;
     EXPECT_GE(remeshes(state), 3);
     const std::string order = linear ? "full cavity, linear temperatures: " : "full cavity: ";
-    tests::expect_at_most(order + "volume changed by one remesh", statistics.max_volume / state.glass.initial_volume, 1e-12);
-    tests::expect_at_most(order + "heat changed by all remeshes", std::abs(statistics.heat) / state.glass.initial_heat, 1e-9);
+    tests::expect_at_most(order + "volume changed by one remesh", statistics.max_volume / state.glass.initial_volume,
+                          1e-12);
+    tests::expect_at_most(order + "heat changed by all remeshes", std::abs(statistics.heat) / state.glass.initial_heat,
+                          1e-9);
     tests::expect_at_most(order + "new extreme of temperature", statistics.transfer_overshoot, 1e-9, "K");
     EXPECT_LE(std::abs(statistics.volume) / state.glass.initial_volume, 1e-9);
   }

@@ -72,7 +72,7 @@ TEST(TimeDependentBoundaries, a_static_stage_takes_them_at_the_time_of_the_run) 
   prescribe(scene.glass, "top", core::TimeFunction(core::Table{{0, 2}, {1400, 1200}}));
   scene.stages[0].duration = 0.5;
   scene.stages.push_back(scene.stages[0]);
-  const auto outcome = run(scene, tests::absent_folder());
+  const auto outcome = run(scene, {});
   ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_NEAR(outcome.state.time, 1, 1e-9);
   EXPECT_LT(max_difference(outcome.state.glass.mesh, outcome.state.glass.temperature, "top", 1300), 1e-6);
@@ -83,7 +83,7 @@ TEST(TimeDependentBoundaries, a_step_with_flow_takes_them_at_the_time_of_the_run
   prescribe(scene.tools[0], "outer", core::TimeFunction(core::Table{{0, 0.4}, {753.15, 653.15}}));
   scene.stages[0].duration = 0.05;
   scene.stages.push_back(scene.stages[0]);
-  const auto outcome = run(scene, tests::absent_folder());
+  const auto outcome = run(scene, {});
   ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_NEAR(outcome.state.time, 0.1, 1e-9);
   EXPECT_LT(max_difference(outcome.state.tools[0].mesh, outcome.state.tools[0].temperature, "outer", 728.15), 1e-6);

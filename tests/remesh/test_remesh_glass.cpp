@@ -226,7 +226,7 @@ void expect_led_out(const Bulge& bulge) {
     if ((old.nodes[edge.nodes[0]] - bulge.start).norm() < 1e-9) old.nodes[edge.nodes[2]] = bulge.mid;
   Criteria criteria = criteria_for(old, 1.8e-3);
   criteria.geometry = core::Geometry::planar;
-  criteria.skin_size = criteria.smallest = 0.35e-3;
+  criteria.skin_size = criteria.min_size = 0.35e-3;
   criteria.keep = {bulge.corner};
   const auto deepest = [&](const Mesh& mesh) {
     double depth = 0;

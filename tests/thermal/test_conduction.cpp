@@ -166,7 +166,7 @@ TEST(Conduction, a_Rosseland_slab_between_given_temperatures_follows_the_Kirchho
     off.add(std::abs(steady.temperature[0][i] - bisect([&](double T) { return transform(T) - here; }, cold, hot)));
   }
   off.at_most(2e-3);
-  const Response response = evaluate(make_heat_system(problem), steady.temperature[0]);
+  const Response response = evaluate(make_heat_system(problem), 0, steady.temperature[0]);
   double flux = 0;
   for (Index i = 0; i < mesh.node_count(); ++i)
     if (mesh.nodes[i][0] == 0) flux -= response.power[i] / (length / 60);

@@ -84,7 +84,7 @@ TEST(Contact, glass_on_steel_follows_the_exact_solution_by_TR_BDF2) {
 TEST(Contact, glass_on_steel_follows_the_exact_solution_by_IDA) {
   const Cylinders c(4, 40, 1.15);
   tests::Figure off("glass on steel, IDA: off by", "K");
-  IdaIntegrator integrator(c.problem, c.start, {0.01});
+  IdaIntegrator integrator(c.problem, 0, c.start, {0.01});
   HeatBalance balance;
   for (const Row& row : exact) {
     const IdaOutcome outcome = integrator.advance_to(row.time);

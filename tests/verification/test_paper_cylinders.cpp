@@ -23,14 +23,14 @@ struct Range {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
 };
 
-Range contact_temperature(const ToolState& body) {
+Range contact_temperature(const core::Mesh& mesh, const Eigen::VectorXd& temperature) {
   Range range;
-  const Index boundary = core::find_boundary(body.mesh, "contact");
-  for (const auto& edge : body.mesh.boundary_edges())
+  const Index boundary = core::find_boundary(mesh, "contact");
+  for (const auto& edge : mesh.boundary_edges())
     if (edge.boundary_id == boundary)
       for (const Index node : edge.nodes) {
-        range.lowest = std::min(range.lowest, body.temperature[node] - celsius);
-        range.highest = std::max(range.highest, body.temperature[node] - celsius);
+        range.lowest = std::min(range.lowest, temperature[node] - celsius);
+        range.highest = std::max(range.highest, temperature[node] - celsius);
       }
   return range;
 }
@@ -65,8 +65,8 @@ struct Outcome {
 };
 
 void record(const State& state, bool steel_is_slave, Outcome& run) {
-  run.glass.push_back(contact_temperature(state.bodies[steel_is_slave]));
-  run.steel.push_back(contact_temperature(state.bodies[!steel_is_slave]));
+  run.glass.push_back(contact_temperature(mesh_of(state, steel_is_slave), temperature_of(state, steel_is_slave)));
+  run.steel.push_back(contact_temperature(mesh_of(state, !steel_is_slave), temperature_of(state, !steel_is_slave)));
   run.heat = std::abs(state.totals.to_tools);
   run.imbalance = std::abs(state.tools[0].heat_received - state.totals.to_tools) / run.heat;
 }

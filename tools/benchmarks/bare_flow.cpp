@@ -17,13 +17,13 @@ using core::Index;
 namespace {
 
 /// Stiffness that holds a velocity, in diagonal entries of its node.
-constexpr double hold = 1e6;
+constexpr double penalty = 1e6;
 constexpr double max_residual = 1e-6;
 
 /// Holds velocities of a node in the directions that `directions` spans (its columns).
 void constrain_node(core::SymmetricMatrix& matrix, Index node, const core::Tensor& directions) {
   const Index first = matrix.column_start[dim * node], second = matrix.column_start[dim * node + 1];
-  const double size = hold * std::max(matrix.value[first], matrix.value[second]);
+  const double size = penalty * std::max(matrix.value[first], matrix.value[second]);
   const core::Tensor added = size * directions * directions.transpose();
   matrix.value[first] += added(0, 0);
   matrix.value[first + 1] += added(1, 0);
@@ -106,9 +106,9 @@ double BareFlow::seconds(const forming::Scene& scene, const forming::State& stat
   for (Index i = 0; i < matrix.size; ++i) expected[i] = 1 + i % 7;
   expected.tail(state.glass.mesh.vertex_count()) *= matrix.value[0];  // pressures weigh as the viscous forces do
   const Eigen::VectorXd rhs = core::multiply(matrix, expected);
-  std::array<double, 3> taken;
+  std::array<double, 3> times;
   Eigen::VectorXd solution;
-  for (double& seconds : taken) {
+  for (double& seconds : times) {
     const double start = cpu_seconds();
     if (!data_->solver->factorise(matrix)) throw std::runtime_error("the bare flow matrix is singular");
     solution = data_->solver->solve(rhs);
@@ -116,8 +116,8 @@ double BareFlow::seconds(const forming::Scene& scene, const forming::State& stat
   }
   const double residual = (core::multiply(matrix, solution) - rhs).norm() / rhs.norm();
   if (!(residual < max_residual)) throw std::runtime_error("the bare flow matrix was not solved");
-  std::sort(taken.begin(), taken.end());
-  return taken[1];
+  std::sort(times.begin(), times.end());
+  return times[1];
 }
 
 }  // namespace parison::bench

@@ -159,7 +159,7 @@ def runs(options):
             largest.append(100 * worst)
             shares.append(100 * summary["timing"]["remesh"] / summary["wall_seconds"])
         key, what = f"mesher_runs.{mesher}", MESHERS[mesher]
-        yield Figure(f"{key}.stopped", f"{what}: runs of the jar at draft, of {len(SETTINGS)}, that stop on a folded mesh", stopped,
+        yield Figure(f"{key}.stopped", f"{what}: runs of the jar at draft, of {len(SETTINGS)}, that stop on inverted cells", stopped,
                      0 if mesher == NOW else None)
         yield Figure(f"{key}.wall_mean", "  wall thickness against fine, mean of all runs", statistics.fmean(means), unit="%")
         yield Figure(f"{key}.wall_largest", "  largest error of any run", max(largest), unit="%")

@@ -302,7 +302,7 @@ void add_thinning_derivative(const Problem& problem, const CellGeometry& geometr
   }
 }
 
-bool NewtonGuard::trusts(double moved) {
+bool NewtonGuard::accepts(double moved) {
   const bool contracts = moved < last_moved_;
   last_moved_ = moved;
   if (left_ > 0) return --left_ == 0;

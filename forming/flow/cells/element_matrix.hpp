@@ -67,7 +67,7 @@ void add_thinning_derivative(const Problem& problem, const CellGeometry& geometr
 class NewtonGuard {
  public:
   /// Whether the next step may be Newton's after one that changed the velocities by `moved`, relative.
-  bool trusts(double moved);
+  bool accepts(double moved);
 
  private:
   double last_moved_ = std::numeric_limits<double>::infinity();

@@ -13,13 +13,13 @@ namespace {
 /// A setting of the accuracy level within what makes sense.
 double read_setting(const CaseNode& item, const Setting& setting) {
   const double value =
-      setting.least > 0 ? core::positive(item, setting.dimension) : core::not_negative(item, setting.dimension);
-  if (value >= setting.least && value <= setting.most) return value;
+      setting.min > 0 ? core::positive(item, setting.dimension) : core::not_negative(item, setting.dimension);
+  if (value >= setting.min && value <= setting.max) return value;
   const auto shown = [&](double si) {
     return fmt::format("{:g}{}{}", si / setting.unit_size, *setting.unit ? " " : "", setting.unit);
   };
-  core::refuse(item, fmt::format("{} was found, allowed are values from {} to {}", shown(value), shown(setting.least),
-                                 shown(setting.most)));
+  core::refuse(item, fmt::format("{} was found, allowed are values from {} to {}", shown(value), shown(setting.min),
+                                 shown(setting.max)));
 }
 
 /// Refuses a value above the one that bounds it, at whichever of the two the case gives.

@@ -61,18 +61,18 @@ Index opposite_tool(const Films& films, const State& state, Index node) {
 /// The thinnest film below `limit`, m, and its node. The distance between the tools is what counts, because near its
 /// rim a film touches them only along part of its edges.
 std::pair<double, Index> thinnest_film(const Scene& scene, const State& state, const Films& films, double limit) {
-  std::pair<double, Index> thinnest{std::numeric_limits<double>::infinity(), -1};
+  std::pair<double, Index> minimum{std::numeric_limits<double>::infinity(), -1};
   for (Index n = 0; n < films.thickness.size(); ++n) {
     double thickness = films.thickness[n];
-    if (!(thickness < std::min(thinnest.first, limit))) continue;
+    if (!(thickness < std::min(minimum.first, limit))) continue;
     if (const Index there = opposite_tool(films, state, n); there >= 0) {
       const Body& tool = scene.tools[there];
       const Point local = state.glass.mesh.nodes[n] - state.tools[there].offset * core::axis_direction();
       thickness = std::max(thickness, contact::signed_gap(tool.profile, contact_boundaries(tool), local));
     }
-    if (thickness < thinnest.first) thinnest = {thickness, n};
+    if (thickness < minimum.first) minimum = {thickness, n};
   }
-  return thinnest;
+  return minimum;
 }
 
 bool is_driven(const Scene& scene, const State& state, Index tool) {
@@ -98,16 +98,16 @@ std::string film_failure(const Scene& scene, const State& state) {
   const FilmLimit& limit = scene.glass.film;
   const Films films = find_films(scene, state, limit.min_thickness);
   const double allowed = (1 - film_tolerance) * limit.min_thickness;
-  const auto [thinnest, node] = thinnest_film(scene, state, films, allowed);
-  if (!(thinnest < allowed)) return "";
+  const auto [min_thickness, node] = thinnest_film(scene, state, films, allowed);
+  if (!(min_thickness < allowed)) return "";
   const bool freezes = limit.then == FilmLimit::Then::freeze;
   if (freezes && !is_crushed(scene, state, films, node)) return "";
   const Index there = opposite_tool(films, state, node);
-  const Point middle = state.glass.mesh.nodes[node] - 0.5 * thinnest * films.wall.normal[node];
+  const Point middle = state.glass.mesh.nodes[node] - 0.5 * min_thickness * films.wall.normal[node];
   return fmt::format(
       "the glass between {} and {} is {:.4g} mm thick near ({:.2f}, {:.2f}) mm, {} {:.4g} mm{}",
       scene.tools[state.glass.contact_tool[node]].name, there < 0 ? "its mirror image" : scene.tools[there].name,
-      1e3 * thinnest, 1e3 * middle[0], 1e3 * middle[1], freezes ? "it is frozen below" : "allowed are films of",
+      1e3 * min_thickness, 1e3 * middle[0], 1e3 * middle[1], freezes ? "it is frozen below" : "allowed are films of",
       1e3 * limit.min_thickness, freezes ? ", but the tools come nearer to each other by a given motion" : " and more");
 }
 
