@@ -112,7 +112,7 @@ TEST(Scene, an_outline_may_come_from_a_csv_file) {
   std::ofstream(write_scene(text) + "/outline.csv") << "r_mm,z_cm\n0,0\n20,0\n20,1\n0,1\n";
   EXPECT_NEAR(core::signed_area(scene_of(text).glass.profile), 2e-4, 1e-15);
   std::ofstream(write_scene(text) + "/outline.csv") << "r_mm,z_cm\n0,0\n20,x\n";
-  EXPECT_NE(complaint_about(text).find("outline.csv:3: glass.boundary_edges().csv: "), std::string::npos);
+  EXPECT_NE(complaint_about(text).find("outline.csv:3: glass.boundary.csv: "), std::string::npos);
 }
 
 TEST(Scene, arcs_meet_lines_and_the_axis_exactly) {

@@ -35,7 +35,7 @@ TEST(SceneErrors, wrong_unit) {
 
 TEST(SceneErrors, missing_csv_file) {
   const auto message = complaint_about(replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"none.csv\""));
-  EXPECT_EQ(message.rfind(std::to_string(line_of("(0, 0) (20, 0)")) + ": glass.boundary_edges().csv: no file \"", 0),
+  EXPECT_EQ(message.rfind(std::to_string(line_of("(0, 0) (20, 0)")) + ": glass.boundary.csv: no file \"", 0),
             0u)
       << message;
   EXPECT_NE(message.find("none.csv\", allowed is a CSV file beside the case file"), std::string::npos) << message;
@@ -48,7 +48,7 @@ TEST(SceneErrors, missing_case_file) {
 TEST(SceneErrors, self_crossing_profile) {
   expect_complaint("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"",
                    "{ name = \"surface\", path = \"(0, 0) (20, 10) (20, 0) (0, 10) mm\"",
-                   "glass.boundary_edges(): the outline crosses itself (boundary \"surface\" meets boundary "
+                   "glass.boundary: the outline crosses itself (boundary \"surface\" meets boundary "
                    "\"surface\" beside (0, 0) mm), "
                    "allowed is an outline that meets itself nowhere");
 }
@@ -56,7 +56,7 @@ TEST(SceneErrors, self_crossing_profile) {
 TEST(SceneErrors, profile_beyond_the_axis) {
   expect_complaint("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"",
                    "{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (-1, 10) mm\"",
-                   "glass.boundary_edges(): (-1, 10) mm lies beyond the axis, allowed are radii from zero");
+                   "glass.boundary: (-1, 10) mm lies beyond the axis, allowed are radii from zero");
 }
 
 TEST(SceneErrors, tool_overlapping_the_glass_at_the_start) {
@@ -158,9 +158,9 @@ TEST(SceneErrors, loads_on_glass_that_does_not_flow) {
 
 TEST(SceneErrors, text_that_is_no_path) {
   expect_complaint("(0, 0) (20, 0) (20, 10) (0, 10) mm", "(0, 0) (20) mm",
-                   "glass.boundary_edges().path: \"(20)\" has 1 coordinates, allowed are 2");
+                   "glass.boundary.path: \"(20)\" has 1 coordinates, allowed are 2");
   const auto message = complaint_about(replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm", "0, 0 to 20, 0"));
-  EXPECT_NE(message.find("glass.boundary_edges().path: \"0, 0 to 20, 0\" was found, allowed are points such as"),
+  EXPECT_NE(message.find("glass.boundary.path: \"0, 0 to 20, 0\" was found, allowed are points such as"),
             std::string::npos);
 }
 
@@ -231,11 +231,11 @@ TEST(SceneErrors, a_boundary_along_the_axis_is_a_symmetry) {
   expect_complaint(
       "{ name = \"axis\", path = \"(0, 0) mm\", condition = \"symmetry\" }",
       "{ name = \"axis\", path = \"(0, 0) mm\", condition = \"insulated\" }",
-      "glass.boundary_edges(): \"axis\" runs along the axis, allowed there is a boundary with the condition symmetry");
+      "glass.boundary: \"axis\" runs along the axis, allowed there is a boundary with the condition symmetry");
   const std::string tool_axis = "{ name = \"axis\", path = \"(0, -10) mm\", condition = \"symmetry\" }";
   expect_complaint(
       tool_axis, replaced("symmetry", "contact", tool_axis),
-      "tool.boundary_edges(): \"axis\" runs along the axis, allowed there is a boundary with the condition symmetry");
+      "tool.boundary: \"axis\" runs along the axis, allowed there is a boundary with the condition symmetry");
   EXPECT_EQ(complaint_about(replaced("symmetry", "insulated", replaced("axisymmetric", "planar"))), "");
 }
 
@@ -282,11 +282,11 @@ TEST(SceneErrors, csv_files_without_heading_or_rows) {
   EXPECT_EQ(complaint("r_mm,z_mm\n0,0\n20,0\n20,10\n0,10\n"), "");
   EXPECT_EQ(complaint("0,0\n20,0\n"),
             file +
-                ":1: glass.boundary_edges().csv: the heading is missing (\"0,0\" was found), allowed is a "
+                ":1: glass.boundary.csv: the heading is missing (\"0,0\" was found), allowed is a "
                 "heading such as r_mm,z_mm");
   for (const char* empty : {"", "\n\n", "r_mm,z_mm\n"})
     EXPECT_EQ(complaint(empty), std::to_string(line_of("(0, 0) (20, 0)")) +
-                                    ": glass.boundary_edges().csv: no points were found in \"" + file +
+                                    ": glass.boundary.csv: no points were found in \"" + file +
                                     "\", allowed is a heading such as r_mm,z_mm and rows of numbers");
 }
 

@@ -226,9 +226,9 @@ TEST(Section, what_is_no_section_is_refused_with_a_sentence) {
             "several outlines were found in the drawing, one with 1 curves and 2 curves beside it"},
            {dxf("branch.dxf", branch), "more than two curves of the drawing meet at (0, 98) mm"},
            {dxf("spline.dxf", spline),
-            "spline.dxf:16: tool.boundary_edges().path.file: a SPLINE was found, allowed are LINE, ARC"},
+            "spline.dxf:16: tool.boundary.path.file: a SPLINE was found, allowed are LINE, ARC"},
            {dxf("word.dxf", word),
-            "word.dxf:10: tool.boundary_edges().path.file: \"ninety\" was found, allowed is a number"}}) {
+            "word.dxf:10: tool.boundary.path.file: \"ninety\" was found, allowed is a number"}}) {
     const std::string said = complaint_about(with_blank(wrong.path));
     EXPECT_NE(said.find(wrong.sentence), said.npos) << wrong.path << "\n" << said;
     EXPECT_EQ(said.find('\n'), said.npos) << said;

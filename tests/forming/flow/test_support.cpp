@@ -110,7 +110,7 @@ TEST(Support, glass_enclosed_by_fixed_boundaries_is_refused) {
   EXPECT_EQ(
       complaint_about(text),
       std::to_string(line_of("boundary = [", text)) +
-          ": glass.boundary_edges(): every boundary is fixed or a symmetry plane and the pressure of the glass has no "
+          ": glass.boundary: every boundary is fixed or a symmetry plane and the pressure of the glass has no "
           "level; allowed is at least one boundary that is neither");
 }
 
