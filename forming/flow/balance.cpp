@@ -84,7 +84,7 @@ Eigen::VectorXd driven_velocities(const Problem& problem, const std::vector<Inde
 ToolSuperposition superpose(const Problem& problem, const CellMatrices& cells, const Constraints& constraints,
                             const Eigen::VectorXd& load, Eigen::MatrixXd correction, const Iterate& iterate) {
   const core::Mesh& mesh = *problem.mesh;
-  const Index velocities = dim * mesh.node_count(), driven = iterate.driven.size();
+  const Index velocities = dim * mesh.node_count(), driven = Index(iterate.driven.size());
   ToolSuperposition columns{std::move(correction), {}};
   columns.reaction = product(mesh, cells, columns.unknowns, constrained_batches(mesh, constraints)).topRows(velocities);
   columns.reaction.col(0) += iterate.force.head(velocities) - load.head(velocities);
@@ -96,7 +96,7 @@ ToolSuperposition superpose(const Problem& problem, const CellMatrices& cells, c
 Response balance_tools(const Problem& problem, const std::vector<NodeConstraint>& constraints,
                        const ToolSuperposition& columns) {
   const auto driven = driven_tools(problem);
-  const Index count = columns.unknowns.cols();
+  const Index count = Index(columns.unknowns.cols());
   Eigen::MatrixXd force = Eigen::MatrixXd::Zero(Index(driven.size()), count);
   std::vector<ContactForces> parts;
   for (Index column = 0; column < count; ++column) {

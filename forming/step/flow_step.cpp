@@ -157,7 +157,7 @@ double penetration_gained(const Scene& scene, const State& before, double dt, co
 /// is none.
 std::string collision_without_contact(const Scene& scene, const State& before, const State& updated, double dt) {
   const core::Mesh& glass = before.glass.mesh;
-  const auto may_touch = touching_nodes(scene, glass);
+  const auto may_touch = touching_nodes(glass);
   Eigen::VectorXd known = Eigen::VectorXd::Zero(glass.node_count());
   for (const auto& inside : penetrations(scene, before, 0))
     known[inside.node] = std::max(known[inside.node], inside.depth);

@@ -14,7 +14,7 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
   const core::Mesh& glass = state.glass.mesh;
   const auto slave = contact::make_surface(glass_body, glass, core::boundaries_of_kind(glass, BoundaryKind::contact),
                                            core::Point::Zero());
-  const auto nodes = contact_nodes(scene, glass);
+  const auto nodes = contact_nodes(glass);
   const auto& active_tools = scene.stages[state.stage].tools;
   std::vector<contact::Master> masters;
   for (std::size_t law = 0; law < scene.interfaces.size(); ++law) {

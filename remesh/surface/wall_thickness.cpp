@@ -54,7 +54,7 @@ class BoundaryRays {
     const core::Box box = core::bounding_box(mesh.nodes);
     const Point extent = box.high - box.low;
     const double size =
-        std::max(std::sqrt(extent.prod() / (4.0 * mesh.boundary_edges().size())), extent.maxCoeff() / 500);
+        std::max(std::sqrt(extent.prod() / (4.0 * double(mesh.boundary_edges().size()))), extent.maxCoeff() / 500);
     return {{box.low.array() - size, box.high.array() + size}, size};
   }
 

@@ -137,7 +137,7 @@ TEST(CaseFile, a_table_of_quantities_interpolates_and_has_to_rise) {
             "4: b: \"10 degC\" does not lie above the entry before, allowed are rising entries");
 }
 
-TEST(CaseFile, AQuantityOverTimeIsAConstantOrPairs) {
+TEST(CaseFile, a_quantity_over_time_is_a_constant_or_pairs) {
   const auto path = write_case("a = [['0 s', '2 m'],\n['2 s', '6 m'], ['4 s', '-1 m']]\nb = '3 m'\n");
   const auto file = read_case_file(path);
   const CaseTable root(file.root, {"a", "b"});
@@ -157,7 +157,7 @@ TEST(CaseFile, AQuantityOverTimeIsAConstantOrPairs) {
             "2: a: \"-1 m\" was found, allowed is a length such as \"2.5 mm\", not below zero");
 }
 
-TEST(CaseFile, BrokenTomlAndMissingFilesAreCaseErrors) {
+TEST(CaseFile, broken_toml_and_missing_files_are_case_errors) {
   const auto path = write_case("a = 1\nb = = 2\n");
   EXPECT_EQ(complaint(path, [&] { read_case_file(path); }).substr(0, 2), "2:");
   const auto absent = path + ".none";

@@ -248,7 +248,7 @@ bool Corrector::refactorise(const core::Mesh& mesh, const CellMatrices& cells, c
 Eigen::MatrixXd Corrector::base_solutions(const ConstraintChange& update, const CellMatrices& cells,
                                           const std::vector<NodeChange>& changed,
                                           const std::vector<SchurColumn*>& wanted) const {
-  const Index first = 1 + update.from.driven.size();
+  const Index first = 1 + Index(update.from.driven.size());
   const bool with_additional = additional_solution_.size() < additional_rhs_.size();
   const Index all = first + Index(wanted.size()) + with_additional;
   Loading loading{Eigen::MatrixXd::Zero(system_.size(), first), Eigen::MatrixXd::Zero(system_.size(), all)};
@@ -298,7 +298,7 @@ std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const 
   const Eigen::VectorXd residual = flow::residual(problem, constraints, load, from);
   const ConstraintChange update{problem, system_.base(), constraints, residual, from};
   Eigen::MatrixXd columns = base_solutions(update, cells, changed, wanted);
-  const Index known = 1 + from.driven.size();
+  const Index known = 1 + Index(from.driven.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i]->response = columns.col(known + Index(i));
   if (const Index last = known + Index(wanted.size()); columns.cols() > last) additional_solution_ = columns.col(last);
   columns.conservativeResize(Eigen::NoChange, known);

@@ -30,7 +30,7 @@ double fraction_of_edge(const core::InterfacePoint& point) {
 /// Arc length of interface points from the start of the glass surface.
 class ArcOfPoints {
  public:
-  ArcOfPoints(const Scene& scene, const core::Mesh& glass) {
+  explicit ArcOfPoints(const core::Mesh& glass) {
     std::vector<bool> surface = core::boundaries_of_kind(glass, BoundaryKind::symmetry);
     surface.flip();
     for (const ChainEdge& edge : walk_surface(glass, surface))
@@ -81,7 +81,7 @@ std::string interface_header() {
 std::string interface_lines(const Scene& scene, const State& state,
                             const std::vector<core::InterfacePoint>& interface) {
   if (!scene.has_heat()) return {};
-  const ArcOfPoints arc_of(scene, state.glass.mesh);
+  const ArcOfPoints arc_of(state.glass.mesh);
   std::vector<std::pair<double, const core::InterfacePoint*>> points;
   for (const core::InterfacePoint& point : interface)
     if (point.contact_weight > 0) points.push_back({arc_of(point), &point});

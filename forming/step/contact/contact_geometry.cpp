@@ -159,7 +159,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   const PlacedTools placed(scene, tools, offset);
   const Point axis = core::axis_direction();
   std::vector<flow::ContactCandidate> candidates;
-  const auto may_touch = touching_nodes(scene, glass);
+  const auto may_touch = touching_nodes(glass);
   for (const Index node : surface_nodes(glass)) {
     if (!may_touch[node]) continue;
     const Point v = flow::node_velocity(velocity, node);
@@ -184,13 +184,13 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   return candidates;
 }
 
-std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass) {
+std::vector<bool> touching_nodes(const core::Mesh& glass) {
   std::vector<bool> flags(glass.nodes.size(), false);
-  for (const Index node : contact_nodes(scene, glass)) flags[node] = true;
+  for (const Index node : contact_nodes(glass)) flags[node] = true;
   return flags;
 }
 
-std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass) {
+std::vector<Index> contact_nodes(const core::Mesh& glass) {
   const auto may_touch = core::boundaries_of_kind(glass, BoundaryKind::contact);
   std::vector<char> seen(glass.nodes.size(), 0);
   std::vector<Index> nodes;
@@ -214,7 +214,7 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, const std::vec
 }
 
 Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, double reach) {
-  return tool_gaps(scene, state, contact_nodes(scene, state.glass.mesh), tool, reach);
+  return tool_gaps(scene, state, contact_nodes(state.glass.mesh), tool, reach);
 }
 
 std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, const State& state) {

@@ -21,10 +21,10 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
                                                        const Eigen::VectorXd& velocity, double dt);
 
 /// Nodes on the contact boundaries of the glass, each once.
-std::vector<Index> contact_nodes(const Scene& scene, const core::Mesh& glass);
+std::vector<Index> contact_nodes(const core::Mesh& glass);
 
 /// Flags of the same among all nodes.
-std::vector<bool> touching_nodes(const Scene& scene, const core::Mesh& glass);
+std::vector<bool> touching_nodes(const core::Mesh& glass);
 
 /// Distance from each glass node to a tool, m; +infinity inside the glass and beyond `reach`. `nodes`: those of
 /// contact_nodes, when they are known.

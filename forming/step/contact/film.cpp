@@ -33,7 +33,7 @@ bool is_slot(const State& state, Index node, const core::BoundaryEdge& other) {
 }
 
 /// The films, and the wall thickness where it is at most `reach`, m.
-Films find_films(const Scene& scene, const State& state, double reach) {
+Films find_films(const State& state, double reach) {
   const core::Mesh& mesh = state.glass.mesh;
   const auto symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   std::vector<bool> contact(mesh.nodes.size());
@@ -96,7 +96,7 @@ bool is_crushed(const Scene& scene, const State& state, const Films& films, Inde
 std::string film_failure(const Scene& scene, const State& state) {
   if (touches_nothing(state)) return "";
   const FilmLimit& limit = scene.glass.film;
-  const Films films = find_films(scene, state, limit.min_thickness);
+  const Films films = find_films(state, limit.min_thickness);
   const double allowed = (1 - film_tolerance) * limit.min_thickness;
   const auto [min_thickness, node] = thinnest_film(scene, state, films, allowed);
   if (!(min_thickness < allowed)) return "";
@@ -115,7 +115,7 @@ std::vector<bool> frozen_cells(const Scene& scene, const State& state) {
   const FilmLimit& limit = scene.glass.film;
   if (limit.then != FilmLimit::Then::freeze || touches_nothing(state)) return {};
   const core::Mesh& mesh = state.glass.mesh;
-  const Films films = find_films(scene, state, std::numeric_limits<double>::infinity());
+  const Films films = find_films(state, std::numeric_limits<double>::infinity());
   if (films.thickness.minCoeff() >= limit.min_thickness) return {};
   Eigen::VectorXd nearest =
       films.wall.thickness;  // 1 on films, 0 on other walls; inside, the value of the nearest surface node

@@ -52,7 +52,7 @@ TEST(Dilatation, a_prescribed_dilatation_adds_its_mode_to_the_velocities_and_not
   const auto without = equilibrium_of(flow, 0), with = equilibrium_of(flow, rate);
   ASSERT_TRUE(without.converged && with.converged);
   EXPECT_EQ(without.active, with.active);
-  const Index vertices = flow.mesh.vertex_count(), velocities = without.response.unknowns.size() - vertices;
+  const Index vertices = flow.mesh.vertex_count(), velocities = Index(without.response.unknowns.size()) - vertices;
   EXPECT_LT(difference(with.response.unknowns.tail(vertices), without.response.unknowns.tail(vertices)), 1e-9);
   EXPECT_LT(difference(with.response.forces.normal, without.response.forces.normal), 1e-9);
   const Eigen::VectorXd added = with.response.unknowns.head(velocities) - without.response.unknowns.head(velocities);
