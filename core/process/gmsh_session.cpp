@@ -88,6 +88,28 @@ struct Initialised {
 
 }  // namespace
 
+/// The extent of the model that was synchronised last, from which gmsh takes the default size of elements in every
+/// model. Its options are read-only; a model of two points gives them their values back.
+struct Extent {
+  std::array<double, 3> low{}, high{};
+
+  Extent() {
+    constexpr std::array<const char*, 3> low_names{"General.MinX", "General.MinY", "General.MinZ"};
+    constexpr std::array<const char*, 3> high_names{"General.MaxX", "General.MaxY", "General.MaxZ"};
+    for (std::size_t i = 0; i < low.size(); ++i) {
+      gmsh::option::getNumber(low_names[i], low[i]);
+      gmsh::option::getNumber(high_names[i], high[i]);
+    }
+  }
+  template <typename Owner>
+  void restore(const Owner& owner) const {
+    owner.add_model();
+    for (const auto& [x, y, z] : {low, high}) gmsh::model::geo::addPoint(x, y, z);
+    gmsh::model::geo::synchronize();
+    gmsh::model::remove();
+  }
+};
+
 /// Members in the order in which they are taken; they are given back in the reverse order.
 struct GmshSession::Data {
   std::lock_guard<std::mutex> lock{gmsh_mutex()};
@@ -95,11 +117,13 @@ struct GmshSession::Data {
   Locale locale;
   RandomNumbers random;
   Initialised initialised;
+  Extent extent;
   std::vector<std::pair<std::string, double>> options;  ///< with the values they had before, in the order of setting
   std::string model_before;
 
   ~Data() {
     gmsh::model::remove();
+    extent.restore(*this);
     gmsh::model::setCurrent(model_before);
     for (auto option = options.rbegin(); option != options.rend(); ++option)
       gmsh::option::setNumber(option->first, option->second);
