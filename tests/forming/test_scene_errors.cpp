@@ -35,8 +35,7 @@ TEST(SceneErrors, wrong_unit) {
 
 TEST(SceneErrors, missing_csv_file) {
   const auto message = complaint_about(replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"none.csv\""));
-  EXPECT_EQ(message.rfind(std::to_string(line_of("(0, 0) (20, 0)")) + ": glass.boundary.csv: no file \"", 0),
-            0u)
+  EXPECT_EQ(message.rfind(std::to_string(line_of("(0, 0) (20, 0)")) + ": glass.boundary.csv: no file \"", 0), 0u)
       << message;
   EXPECT_NE(message.find("none.csv\", allowed is a CSV file beside the case file"), std::string::npos) << message;
 }

@@ -107,11 +107,10 @@ TEST(Support, glass_enclosed_by_fixed_boundaries_is_refused) {
   const auto unpressed = replaced("pressure.surface = \"0.1 bar\"\n", "");
   const auto text = replaced("condition = \"contact\" },\n  { name = \"axis\", path = \"(0, 0) mm\"",
                              "condition = \"fixed\" },\n  { name = \"axis\", path = \"(0, 0) mm\"", unpressed);
-  EXPECT_EQ(
-      complaint_about(text),
-      std::to_string(line_of("boundary = [", text)) +
-          ": glass.boundary: every boundary is fixed or a symmetry plane and the pressure of the glass has no "
-          "level; allowed is at least one boundary that is neither");
+  EXPECT_EQ(complaint_about(text),
+            std::to_string(line_of("boundary = [", text)) +
+                ": glass.boundary: every boundary is fixed or a symmetry plane and the pressure of the glass has no "
+                "level; allowed is at least one boundary that is neither");
 }
 
 }  // namespace
