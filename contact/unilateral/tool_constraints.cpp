@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/tolerances.hpp"
+
 namespace parison::contact {
 
 using core::Index;
@@ -14,7 +16,6 @@ namespace {
 
 constexpr double smooth_angle = M_PI / 9;  ///< 20 degrees: joints that turn less are smooth, closer normals are one
 constexpr double end_tolerance = 1e-9;     ///< slack at a segment's ends, in its lengths
-constexpr double touching = 1e-9;          ///< m
 /// A constrained point is at most this many reaches away from a segment's bounding box: one beside it, one past its
 /// end.
 constexpr double max_off = 2;
@@ -59,6 +60,7 @@ struct ToolConstraints::Query {
   const std::vector<BoundedSegment>& segments;
   const Point& x;
   double reach;
+  double coincident;  ///< m
 
   Index count() const { return static_cast<Index>(segments.size()); }
   const Segment& segment(Index i) const { return *segments[i].segment; }
@@ -120,7 +122,7 @@ void ToolConstraints::Query::add_joint(Index i, std::vector<GapConstraint>& foun
   const double distance = arm.norm(), side = arm.dot(before.normal_after) < 0 ? -1 : 1;
   if ((side < 0 && !before.smooth_after) || hidden(i, joint)) return;
   found.push_back(
-      {side * distance, distance > 1e-3 * touching ? Point(side / distance * arm) : before.normal_after, i});
+      {side * distance, distance > 1e-3 * coincident ? Point(side / distance * arm) : before.normal_after, i});
 }
 
 /// A point inside the tool is projected to the closest point of the outline: of the segments with negative gaps only
@@ -133,13 +135,13 @@ void ToolConstraints::Query::keep_closest_exterior(std::vector<GapConstraint>& f
                         })->segment;
   const auto needless = [&](const GapConstraint& c) {
     if (c.segment == nearest || joined_at_reentrant_corner(c.segment, nearest)) return false;
-    return c.gap < (joined(c.segment, nearest) ? touching : 0.0);
+    return c.gap < (joined(c.segment, nearest) ? coincident : 0.0);
   };
   found.erase(std::remove_if(found.begin(), found.end(), needless), found.end());
 }
 
 ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_boundaries)
-    : in_contact_(no_box()) {
+    : in_contact_(no_box()), coincident_(core::tolerance::coincident * core::size(tool)) {
   const auto& segments = tool.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment &segment = segments[i], &next = segments[i + 1 < segments.size() ? i + 1 : 0];
@@ -153,7 +155,7 @@ ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bo
 
 std::vector<GapConstraint> ToolConstraints::operator()(const Point& x, double reach) const {
   if (!is_near(x, in_contact_, max_off * reach)) return {};
-  const Query query{segments_, x, reach};
+  const Query query{segments_, x, reach, coincident_};
   std::vector<GapConstraint> found;
   for (Index i = 0; i < query.count(); ++i) {
     query.add_segment(i, found);

@@ -37,7 +37,8 @@ class ToolConstraints {
     core::Point normal_after;            ///< at the joint, unit: the mean of both segments' normals
   };
   std::vector<BoundedSegment> segments_;
-  Box in_contact_;  ///< contains the contact boundaries
+  Box in_contact_;     ///< contains the contact boundaries
+  double coincident_;  ///< distance of points that count as one, m
 };
 
 /// Of constraints whose normals differ by less than 20 degrees keeps the one with the smallest gap, and of all those

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/mesh/tolerances.hpp"
+
 namespace parison::contact {
 
 using core::Index;
@@ -10,8 +12,6 @@ using core::Point;
 using core::Segment;
 
 namespace {
-
-constexpr double joined = 1e-5;  ///< largest distance of joined ends, m
 
 Segment shifted(Segment segment, double offset) {
   const Point shift = offset * core::axis_direction();
@@ -38,6 +38,7 @@ std::vector<Segment> end_segments(const PlacedTool& tool, bool last) {
 bool lies_on(const PlacedTool& tool, const Point& x) {
   const Point local = x - tool.offset * core::axis_direction();
   const auto& segments = tool.profile->segments;
+  const double joined = core::tolerance::junction * core::size(*tool.profile);
   return std::any_of(segments.begin(), segments.end(), [&](const Segment& segment) {
     return tool.contact_boundaries[segment.boundary_id] && core::distance(segment, local, 2 * joined) < joined &&
            core::beyond_start(segment, local) < -joined && core::beyond_end(segment, local) < -joined;
@@ -51,6 +52,7 @@ std::vector<ToolJoint> tool_joints(const std::vector<PlacedTool>& tools) {
   for (std::size_t a = 0; a < tools.size(); ++a)
     for (std::size_t b = 0; b < tools.size(); ++b) {
       if (a == b) continue;
+      const double joined = core::tolerance::junction * core::size(*tools[a].profile);
       for (const Segment& before : end_segments(tools[a], true))
         for (const Segment& after : end_segments(tools[b], false))
           if ((before.end - after.start).norm() < joined) joints.push_back({Index(a), Index(b), before, after});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "contact/unilateral/tool_gap.hpp"
+#include "core/mesh/tolerances.hpp"
 #include "forming/remeshing/mesh_smoothing.hpp"
 #include "forming/remeshing/tool_corners.hpp"
 #include "forming/state/initial_state.hpp"
@@ -26,14 +27,6 @@ using core::dim;
 
 namespace {
 
-/// Largest distance from the ends of a boundary that a stage names to the surface of the glass, m.
-constexpr double max_end_distance = 5e-3;
-
-/// A new surface node is in contact where its gap is smaller than this, m, and the nearest old node was in contact.
-constexpr double touching = 2e-5;
-/// Surface nodes nearer to a tool than this, m, will be in contact soon: they get the edge length of the thermal
-/// boundary layer.
-constexpr double contact_proximity = 1.0e-3;
 /// Smallest edge length of the mesh over numerics.skin_size.
 constexpr double min_edge_fraction = 0.5;
 
@@ -66,6 +59,7 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   result.contact.assign(mesh.nodes.size(), false);
   result.target_skin_size.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
   for (Index n = 0; n < mesh.node_count(); ++n) result.contact[n] = state.glass.contact_tool[n] >= 0;
+  const double size = core::size(scene.glass.profile), contact_proximity = core::tolerance::contact_proximity * size;
   if (scene.has_heat())
     for (const auto& place : scene.stages[state.stage].tools) {
       const Eigen::VectorXd gaps = tool_gaps(scene, state, place.tool, contact_proximity);
@@ -75,7 +69,11 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   result.min_film_thickness = scene.glass.film.min_thickness;
   result.max_cells = accuracy.max_cells;
   result.keep = tool_corners(scene, state);
-  result.project_out = projector_out_of_tools(scene, state);
+  result.project_out = [project = projector_out_of_tools(scene, state),
+                        depth = core::tolerance::outline_penetration * size](const Point& x) -> Point {
+    const Point out = project(x);
+    return (out - x).norm() > depth ? out : x;
+  };
   if (accuracy.solution_error > 0) result.target_cell_size = solution_target_sizes(scene, state);
   return result;
 }
@@ -109,7 +107,9 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const r
     const Body& body = scene.tools[tool];
     const auto contact = contact_boundaries(body);
     const Point local = x - old.tools[tool].offset * core::axis_direction();
-    if (contact::signed_gap(body.profile, contact, local) < touching) tools[node] = tool;
+    if (contact::signed_gap(body.profile, contact, local) <
+        core::tolerance::contact_after_remesh * core::size(scene.glass.profile))
+      tools[node] = tool;
   }
   return tools;
 }
@@ -291,6 +291,7 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
 std::string misplaced_boundary(const Scene& scene, const State& state, Index stage) {
   const core::Mesh& mesh = state.glass.mesh;
   const auto may_touch = core::boundaries_of_kind(mesh, BoundaryKind::contact);
+  const double max_end_distance = core::tolerance::named_end * core::size(scene.glass.profile);
   for (const auto& named : scene.stages[stage].named_boundaries)
     for (const int end : {0, 1}) {
       const Point& x = end == 0 ? named.from : named.to;

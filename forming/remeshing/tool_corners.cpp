@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/unilateral/tool_gap.hpp"
+#include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 
 namespace parison::forming {
@@ -15,8 +16,6 @@ namespace {
 
 /// Turns sharper than this (sine) count.
 constexpr double sharp = 0.2;
-/// Corners nearer to each other than this are one, m.
-constexpr double same = 1e-5;
 constexpr int chords_of_arc = 32;
 
 double cross(const Point& a, const Point& b) {
@@ -33,12 +32,13 @@ Chain chain_of(const core::Segment& segment, const Point& shift) {
   return chain;
 }
 
-void add(const Point& corner, std::vector<Point>& corners) {
+/// Adds a corner unless it is nearer than `same`, m, to one of the others.
+void add(const Point& corner, double same, std::vector<Point>& corners) {
   const auto near = [&](const Point& other) { return (other - corner).norm() < same; };
   if (std::none_of(corners.begin(), corners.end(), near)) corners.push_back(corner);
 }
 
-void add_crossings(const Chain& first, const Chain& second, std::vector<Point>& corners) {
+void add_crossings(const Chain& first, const Chain& second, double same, std::vector<Point>& corners) {
   constexpr double end = 1e-6;
   const auto within = [](double t) { return t > -end && t < 1 + end; };
   for (std::size_t i = 0; i + 1 < first.size(); ++i)
@@ -47,12 +47,12 @@ void add_crossings(const Chain& first, const Chain& second, std::vector<Point>& 
       const double area = cross(u, v);
       if (std::abs(area) < sharp * u.norm() * v.norm()) continue;
       const double along_first = cross(w, v) / area, along_second = cross(w, u) / area;
-      if (within(along_first) && within(along_second)) add(first[i] + along_first * u, corners);
+      if (within(along_first) && within(along_second)) add(first[i] + along_first * u, same, corners);
     }
 }
 
 /// Whether a point lies inside an active tool: no glass gets there.
-bool is_hidden(const Scene& scene, const State& state, const Point& x) {
+bool is_hidden(const Scene& scene, const State& state, const Point& x, double same) {
   const auto& places = scene.stages[state.stage].tools;
   return std::any_of(places.begin(), places.end(), [&](const auto& place) {
     const Body& tool = scene.tools[place.tool];
@@ -64,6 +64,7 @@ bool is_hidden(const Scene& scene, const State& state, const Point& x) {
 }  // namespace
 
 std::vector<Point> tool_corners(const Scene& scene, const State& state) {
+  const double same = core::tolerance::junction * core::size(scene.glass.profile);
   std::vector<Point> corners;
   std::vector<std::vector<Chain>> chains;
   for (const auto& place : scene.stages[state.stage].tools) {
@@ -79,14 +80,14 @@ std::vector<Point> tool_corners(const Scene& scene, const State& state) {
       if (touches(segments[i])) chains.back().push_back(chain_of(segments[i], shift));
       if ((touches(segments[i]) || touches(next)) &&
           std::abs(cross(core::tangent_at(segments[i], 1), core::tangent_at(next, 0))) > sharp)
-        add(segments[i].end + shift, corners);
+        add(segments[i].end + shift, same, corners);
     }
   }
   for (std::size_t a = 0; a < chains.size(); ++a)
     for (std::size_t b = a + 1; b < chains.size(); ++b)
       for (const Chain& first : chains[a])
-        for (const Chain& second : chains[b]) add_crossings(first, second, corners);
-  const auto hidden = [&](const Point& corner) { return is_hidden(scene, state, corner); };
+        for (const Chain& second : chains[b]) add_crossings(first, second, same, corners);
+  const auto hidden = [&](const Point& corner) { return is_hidden(scene, state, corner, same); };
   corners.erase(std::remove_if(corners.begin(), corners.end(), hidden), corners.end());
   return corners;
 }

@@ -6,34 +6,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/tolerances.hpp"
 #include "forming/run/step_loop.hpp"
 #include "forming/run/warnings.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 
 namespace parison::forming {
 
-namespace {
-
-/// A tool deeper than this in the glass at a stage's start is an error of the scene, m.
-constexpr double max_overlap = 0.5e-3;
-
-}  // namespace
+namespace {}  // namespace
 
 std::string stage_precondition_failure(const Scene& scene, const State& state) {
+  const double size = core::size(scene.glass.profile);
   for (const auto& place : scene.stages[state.stage].tools) {
     const auto* position = std::get_if<PositionMotion>(&place.motion);
     const double now = state.tools[place.tool].offset;
-    if (position && std::abs(position->offset(0) - now) > 1e-6)
+    if (position && std::abs(position->offset(0) - now) > core::tolerance::motion_start * size)
       return fmt::format("tool {} stands at {:.4g} mm, its motion starts at {:.4g} mm", scene.tools[place.tool].name,
                          1e3 * now, 1e3 * position->offset(0));
   }
   Penetration max_penetration{};
   for (const Penetration& inside : penetrations(scene, state, 0))
     if (inside.depth > max_penetration.depth) max_penetration = inside;
-  if (max_penetration.depth <= max_overlap) return "";
+  if (max_penetration.depth <= core::tolerance::stage_overlap * size) return "";
   const Point& x = state.glass.mesh.nodes[max_penetration.node];
   return fmt::format(
-      "tool {} in place overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the "
+      "active tool {} overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the "
       "stage's tools as it is",
       scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1]);
 }

@@ -51,7 +51,7 @@ Warnings accuracy_warnings(const Scene& scene, const State& state, const RunFact
   const Totals& totals = state.totals;
   if (totals.max_reynolds > 1)
     warnings.push_back(
-        fmt::format("inertia was left out, but the Reynolds number reached {:.2g}", totals.max_reynolds));
+        fmt::format("inertia is neglected, but the Reynolds number reached {:.2g}", totals.max_reynolds));
   warn_of_remeshing(scene, totals.remeshing, warnings);
   if (const double imbalance = max_work_imbalance(facts); imbalance > work_imbalance_limit)
     warnings.push_back(
@@ -59,17 +59,17 @@ Warnings accuracy_warnings(const Scene& scene, const State& state, const RunFact
                     "accuracy or a smaller numerics.strain_per_step helps",
                     100 * imbalance));
   if (totals.clamped_lookups > 0)
-    warnings.push_back(fmt::format("a conductance table was asked {} times outside its range", totals.clamped_lookups));
+    warnings.push_back(fmt::format("{} look-ups of a conductance table lay outside its range and were clamped",
+                                   totals.clamped_lookups));
   if (const double span = temperature_range(scene).span(); totals.overshoot > overshoot_limit * span)
-    warnings.push_back(
-        fmt::format("a temperature rose {:.0f} K above the hottest of the scene for a moment, {:.2g} % of the span "
-                    "of all: skins too thin for the mesh; a smaller numerics.skin_size helps",
-                    totals.overshoot, 100 * totals.overshoot / span));
+    warnings.push_back(fmt::format(
+        "a temperature overshot the highest initial or boundary temperature by {:.0f} K, {:.2g} % of their range: "
+        "thermal boundary layers are thinner than the mesh resolves; a smaller numerics.skin_size helps",
+        totals.overshoot, 100 * totals.overshoot / span));
   if (const long locked = facts.solver_statistics.locked_contacts;
       static_cast<double>(locked) > locked_limit * totals.steps)
     warnings.push_back(fmt::format(
-        "in all steps together {} contacts stayed closed although they pull, as they kept opening and closing",
-        locked));
+        "{} contacts, summed over all steps, were locked although in tension, because the active set cycled", locked));
   return warnings;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/tolerances.hpp"
 #include "remesh/mesher/mesh_profile.hpp"
 #include "thermal/problem.hpp"
 
@@ -29,8 +30,6 @@ core::Mesh mesh_of(const Body& body, double size, double contact_size, double gr
   return mesh;
 }
 
-/// Largest edge inside a tool, m.
-constexpr double coarse_tool_size = 8e-3;
 /// Largest edge inside the gob, in edges on its surface.
 constexpr double inner_glass_size = 4;
 
@@ -74,7 +73,8 @@ ToolState initial_tool(const Scene& scene, const Tool& tool) {
   const Accuracy& accuracy = scene.accuracy;
   ToolState state;
   const double factor = edge_factor(scene);
-  state.mesh = mesh_of(tool, coarse_tool_size, factor * accuracy.tool_contact_size, accuracy.tool_growth);
+  state.mesh = mesh_of(tool, core::tolerance::tool_edge * core::size(scene.glass.profile),
+                       factor * accuracy.tool_contact_size, accuracy.tool_growth);
   if (tool.thermal) state.temperature.setConstant(state.mesh.node_count(), tool.initial_temperature);
   state.offset = tool.position;
   state.max_surface_temperature = tool.initial_temperature;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/mesh/element.hpp"
+#include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
@@ -32,7 +33,13 @@ constexpr double initial_fraction = 0.1;
 
 /// Penetration into a tool, m, above which another coupling iteration is made, and increase of the penetration above
 /// which the step is rejected after the last one.
-constexpr double max_depth = 1e-6, max_last_depth = 4e-6;
+struct DepthLimits {
+  double iterate, reject;
+
+  explicit DepthLimits(const Scene& scene)
+      : iterate(core::tolerance::penetration * core::size(scene.glass.profile)),
+        reject(core::tolerance::rejected_penetration * core::size(scene.glass.profile)) {}
+};
 
 /// Steps no longer than this share of a stage's first step are accepted whatever the penetration.
 constexpr double min_step_ratio = 0.1;
@@ -142,7 +149,7 @@ double reynolds(const Scene& scene, const flow::Solution& solution, const core::
 double penetration_gained(const Scene& scene, const State& before, double dt, const FlowPass& pass,
                           const State& updated, MidpointPredictor& predictor) {
   std::vector<bool> deep(before.glass.mesh.nodes.size(), false);
-  const double known = max_penetration(scene, before), allowed = std::max(max_depth, known);
+  const double known = max_penetration(scene, before), allowed = std::max(DepthLimits(scene).iterate, known);
   double found_depth = known;
   for (const auto& inside : penetrations(scene, updated, dt)) {
     found_depth = std::max(found_depth, inside.depth);
@@ -162,7 +169,7 @@ std::string collision_without_contact(const Scene& scene, const State& before, c
   for (const auto& inside : penetrations(scene, before, 0))
     known[inside.node] = std::max(known[inside.node], inside.depth);
   for (const auto& inside : penetrations(scene, updated, dt))
-    if (!may_touch[inside.node] && inside.depth > known[inside.node] + max_last_depth)
+    if (!may_touch[inside.node] && inside.depth > known[inside.node] + DepthLimits(scene).reject)
       for (const auto& edge : glass.boundary_edges())
         if (std::count(edge.nodes.begin(), edge.nodes.end(), inside.node))
           return fmt::format("tool {} runs into {} of the glass, which cannot touch: its condition is not contact",
@@ -229,7 +236,7 @@ bool iterate_until_converged(const Scene& scene, const State& state, MidpointPre
     solution = flow_iteration(scene, state, predictor, dt, workspace, result, gained);
     if (!solution) return false;
   }
-  if (gained > max_last_depth && dt > min_step_ratio * scene.accuracy.initial_step) {
+  if (gained > DepthLimits(scene).reject && dt > min_step_ratio * scene.accuracy.initial_step) {
     result.reason = collision_without_contact(scene, state, result.state, dt);
     result.unrecoverable = !result.reason.empty() && dt <= scene.accuracy.initial_step;
     if (result.reason.empty())

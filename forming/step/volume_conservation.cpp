@@ -8,6 +8,7 @@
 
 #include "contact/unilateral/tool_gap.hpp"
 #include "core/mesh/element.hpp"
+#include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "remesh/surface/restore_volume.hpp"
@@ -83,7 +84,7 @@ std::vector<Point> shift_directions(const core::Mesh& mesh) {
 
 /// Flags of the nodes that touch active tools.
 std::vector<bool> nodes_at_tools(const Scene& scene, const State& state, const core::Mesh& mesh) {
-  constexpr double touching = 2e-6;
+  const double touching = core::tolerance::at_tool * core::size(scene.glass.profile);
   std::vector<bool> at_tool(mesh.nodes.size(), false);
   for (const auto& place : scene.stages[state.stage].tools) {
     const Body& body = scene.tools[place.tool];

@@ -28,22 +28,27 @@ void set_options(int algorithm, core::GmshSession& gmsh) {
   gmsh.set_option("Mesh.Smoothing", 0);  // smooth_poor_triangles does that cheaper
 }
 
-/// Power of two that brings the body to about 100 units, far from gmsh's absolute tolerances; exact to undo.
+/// Factor that makes the larger extent of the body 100 units: far from gmsh's absolute tolerances, and the same numbers
+/// whatever the size of the body is.
 double unit_scale(const Outline& outline) {
   Point low = outline.vertices[0], high = low;
   for (const Point& x : outline.vertices) {
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   }
-  return std::ldexp(1.0, 7 - std::ilogb((high - low).maxCoeff()));
+  return 100 / (high - low).maxCoeff();
 }
 
 std::size_t tag_of(Index vertex) {
   return static_cast<std::size_t>(vertex) + 1;
 }
 
+/// A point in units of gmsh, to 6e-8 of them: round-off in the outline, as of a scaled copy of the body, does not
+/// change the triangulation. The vertices of the outline keep their own coordinates.
 std::array<double, 3> scaled(const Point& x, double scale) {
-  return {scale * x[0], scale * x[1], 0};
+  constexpr double resolution = 1.0 / (1 << 24);
+  const auto rounded = [&](double value) { return resolution * std::round(scale * value / resolution); };
+  return {rounded(x[0]), rounded(x[1]), 0};
 }
 
 /// Hands gmsh the loop from vertex `first` to `last` as one curve that is meshed already.
@@ -69,9 +74,10 @@ int add_curve(const Outline& outline, double scale, Index first, Index last) {
 /// straight line, from which gmsh knows which way is up. Node i + 1 is vertex i.
 void add_outline(const Outline& outline, double scale) {
   for (std::size_t k = 0; k + 1 < outline.loop_start.size(); ++k)
-    for (const Index end : {outline.loop_start[k], outline.loop_start[k + 1] - 1})
-      gmsh::model::geo::addPoint(scale * outline.vertices[end][0], scale * outline.vertices[end][1], 0, 0,
-                                 static_cast<int>(tag_of(end)));
+    for (const Index end : {outline.loop_start[k], outline.loop_start[k + 1] - 1}) {
+      const auto x = scaled(outline.vertices[end], scale);
+      gmsh::model::geo::addPoint(x[0], x[1], 0, 0, static_cast<int>(tag_of(end)));
+    }
   gmsh::model::geo::synchronize();
   std::vector<int> loops;
   for (std::size_t k = 0; k + 1 < outline.loop_start.size(); ++k) {
@@ -143,8 +149,10 @@ Triangulation triangulate_by_gmsh(const Outline& outline, const SizeField& size,
   forget_last_body(session);
   const double scale = unit_scale(outline);
   add_outline(outline, scale);
-  gmsh::model::mesh::setSizeCallback(
-      [&](int, int, double x, double y, double) { return scale * size(Point(x / scale, y / scale)); });
+  // In single precision, for the same reason as the rounded coordinates.
+  gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double) {
+    return static_cast<float>(scale * size(Point(x / scale, y / scale)));
+  });
   gmsh::logger::start();
   gmsh::model::mesh::generate(2);
   std::vector<std::string> log;

@@ -24,7 +24,8 @@ Point outward_normal(const core::Mesh& mesh, const std::array<Index, 3>& edge, c
 }  // namespace
 
 double film_size(double thickness, double min_thickness) {
-  constexpr double elements = 4, thick = 1e-3;
+  constexpr double elements = 4;
+  const double thick = 1e-3 / 0.3e-3 * min_thickness;  // 1 mm where the thinnest film is the default of 0.3 mm
   return std::max(thickness, min_thickness) / elements * std::max(1.0, thickness / thick);
 }
 

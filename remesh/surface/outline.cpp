@@ -44,7 +44,6 @@ std::pair<Index, Index> find_crossing(const Outline& outline) {
 
 namespace {
 
-constexpr double min_depth = 1e-5;     ///< penetration below which a point is left to the finished mesh, m
 constexpr int samples = 8;             ///< points along an edge at which penetration is tested
 constexpr int penetrating_parts = 32;  ///< parts of an edge that penetrates a tool
 
@@ -60,8 +59,7 @@ Point exterior_point(const Mesh& mesh, const ExteriorProjection& project_out, co
   const auto& nodes = mesh.boundary_edges()[place.edge].nodes;
   const Point x = place.s == 0 ? mesh.nodes[nodes[0]] : point_on(mesh, nodes, place.s);
   if (!project_out) return x;
-  const Point out = project_out(x);
-  return (out - x).norm() > min_depth ? out : x;
+  return project_out(x);
 }
 
 bool penetrates(const Mesh& mesh, const ExteriorProjection& project_out, const Place& place) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/mesh/element.hpp"
+#include "core/mesh/tolerances.hpp"
 
 namespace parison::remesh {
 
@@ -15,10 +16,6 @@ using core::Point;
 
 namespace {
 
-constexpr double max_shift = 0.05e-3;  ///< of the free surface in one round, m
-/// The whole surface is shifted where the free part would have to move by more than `max_free_shift` and the whole one
-/// by less than `max_whole_shift`, m.
-constexpr double max_free_shift = 20e-6, max_whole_shift = 3e-6;
 /// Rounds; after the first `max_free_rounds` the whole surface is shifted.
 constexpr int max_rounds = 26, max_free_rounds = 20;
 
@@ -60,6 +57,10 @@ std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& co
 }
 
 double restore_volume(const MovableSurface& surface, core::Geometry geometry, double target, Mesh& mesh) {
+  // The whole surface is shifted where the free part would have to move far and the whole one by a little only.
+  const double size = core::size(mesh), max_shift = core::tolerance::shift * size;
+  const double max_free_shift = core::tolerance::free_shift * size,
+               max_whole_shift = core::tolerance::whole_shift * size;
   bool everywhere = false;
   double volume = core::volume(mesh, geometry);
   for (int round = 0; round < max_rounds && std::abs(target - volume) > surface.volume_tolerance * target; ++round) {

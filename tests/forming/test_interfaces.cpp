@@ -107,7 +107,7 @@ TEST(Interfaces, a_skin_that_the_mesh_does_not_resolve_is_warned_of) {
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
     const auto& warnings = outcome.facts.warnings;
     const bool warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
-      return text.find("skins too thin for the mesh") != text.npos;
+      return text.find("thermal boundary layers are thinner than the mesh resolves") != text.npos;
     });
     const double fraction = outcome.state.totals.overshoot / temperature_range(scene).span();
     std::printf("h = %s: a temperature %.2g %% of the span above the hottest\n", h.c_str(), 100 * fraction);

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "core/mesh/tolerances.hpp"
+
 namespace parison::flow {
 
 using core::dim;
 
 namespace {
 
-/// Velocities into a tool below this count as round-off, m/s: over seconds they penetrate nanometres.
-constexpr double velocity_round_off = 1e-8;
 /// A contact opened this often in one solve is locked in the active set, which would cycle otherwise.
 constexpr int max_releases = 3;
 /// A node whose slip changed its sign this often takes the secant of the friction law.
@@ -34,8 +34,8 @@ ActiveSetChange update_active_set(const Problem& problem, const Response& respon
                                   std::vector<int>& releases) {
   const Eigen::VectorXd lumped = lumped_forces(problem, active, response.forces.normal);
   const double force_noise = 1e-6 * response.forces.normal.lpNorm<Eigen::Infinity>();
-  const double speed_noise =
-      1e-9 * response.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() + velocity_round_off;
+  const double speed_noise = 1e-9 * response.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() +
+                             core::tolerance::round_off_speed * core::size(*problem.mesh);
   const Point axis = core::axis_direction();
   ActiveSetChange change;
   for (std::size_t i = 0; i < active.size(); ++i) {

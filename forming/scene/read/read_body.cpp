@@ -63,7 +63,7 @@ MeshSpec read_mesh(const CaseNode& node, const Body& body) {
   if (const auto* item = table.find("growth")) mesh.growth = core::positive(*item, dimension::none);
   if (table.find("mapped")) mesh.mapped = read_mapped(table, body);
   if (const auto* ratio = table.find("ratio"); ratio && !mesh.mapped)
-    core::refuse(*ratio, "a ratio was found, allowed is it beside mapped");
+    core::refuse(*ratio, "a ratio was found, allowed is ratio only together with mapped");
   return mesh;
 }
 

@@ -136,7 +136,8 @@ std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory
 std::vector<Segment> read_path_part(const CaseNode& node, const std::string& directory) {
   if (node.kind != CaseNode::Kind::table) return parse_path(node);
   std::vector<Segment> parts = read_section(node, directory);
-  if (parts.empty()) core::refuse(node, "the stretch of the drawing has no length, allowed are two different points");
+  if (parts.empty())
+    core::refuse(node, "the part of the drawing between from and to has no length, allowed are two different points");
   parts.insert(parts.begin(), Segment{});
   parts.front().end = parts[1].start;
   return parts;

@@ -11,6 +11,7 @@
 #include "contact/unilateral/tool_gap.hpp"
 #include "contact/unilateral/tool_junction.hpp"
 #include "core/mesh/profile.hpp"
+#include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 
 namespace parison::forming {
@@ -19,13 +20,9 @@ using core::dim;
 
 namespace {
 
-/// Nodes farther from a tool than this become contact candidates only if they can move that far within the step, m.
-constexpr double near = 1e-3;
 /// Penetrated nodes are moved to the surface over 20 ms; moving them within one step would overpressurise a full
 /// cavity.
 constexpr double recovery_time = 20e-3;
-/// A node whose gap is smaller than this is in contact from the start of the step, m.
-constexpr double touching = 1e-9;
 
 struct ToolConstraint {
   Index tool;
@@ -44,8 +41,12 @@ struct PlacedTools {
   std::vector<Tool> tools;
   std::vector<contact::ToolJoint> joints;
   std::vector<contact::ToolTJunction> t_junctions;
+  double near;  ///< nodes farther away, m, become contact candidates only if they can move that far within the step
+  double coincident;  ///< gap below which a node is in contact from the start of the step, m
 
-  PlacedTools(const Scene& scene, const std::vector<Index>& active_tools, const std::vector<double>& offset) {
+  PlacedTools(const Scene& scene, const std::vector<Index>& active_tools, const std::vector<double>& offset)
+      : near(core::tolerance::contact_proximity * core::size(scene.glass.profile)),
+        coincident(core::tolerance::coincident * core::size(scene.glass.profile)) {
     std::vector<contact::PlacedTool> placed;
     for (const Index tool : active_tools) {
       const auto& profile = scene.tools[tool].profile;
@@ -85,8 +86,8 @@ std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Poi
 
 /// Fraction of a step during which a node is in contact, from its gap at the step's start and its displacement along
 /// the tool's normal (negative towards the tool), both m.
-double fraction_in_contact(double gap, double motion) {
-  if (gap <= touching) return 1;
+double fraction_in_contact(double gap, double motion, double coincident) {
+  if (gap <= coincident) return 1;
   return motion < 0 ? std::max(0.0, 1 + gap / motion) : 0;
 }
 
@@ -112,7 +113,7 @@ PlacedTools placed_tools(const Scene& scene, const State& state) {
 /// they are.
 Point projected_out(const PlacedTools& tools, const Point& x) {
   Point out = x;
-  for (const auto& [tool, constraint] : node_constraints(tools, x, near))
+  for (const auto& [tool, constraint] : node_constraints(tools, x, tools.near))
     if (constraint.gap < 0) out -= constraint.gap * constraint.normal;
   return out;
 }
@@ -167,7 +168,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
     for (const Index tool : tools)
       fastest = std::max({fastest, std::abs(speed[tool]), motions[tool].force ? motions[tool].speed_limit : 0.0});
     const Point reached = glass.nodes[node] + dt * v;
-    for (const auto& [tool, constraint] : node_constraints(placed, reached, near + 2 * dt * fastest)) {
+    for (const auto& [tool, constraint] : node_constraints(placed, reached, placed.near + 2 * dt * fastest)) {
       const bool tied =
           scene.tools[tool].friction.law == flow::Friction::Law::grip && state.glass.contact_tool[node] == tool;
       const Point relative = v - speed[tool] * axis;
@@ -177,7 +178,8 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       // there, because next to a corner the linearised gap can be negative for a node that is outside.
       const double kept = gap < 0 ? depth_inside(placed, state, tool, glass.nodes[node]) : 0.0;
       const double rate = tied ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
-      const double fraction = state.glass.contact_tool[node] == tool ? 1 : fraction_in_contact(gap, dt * approach);
+      const double fraction =
+          state.glass.contact_tool[node] == tool ? 1 : fraction_in_contact(gap, dt * approach, placed.coincident);
       candidates.push_back({node, tool, constraint.normal, rate, tied, fraction, relative});
     }
   }

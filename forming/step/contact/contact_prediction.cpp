@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/mesh/tolerances.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 
 namespace parison::forming {
@@ -11,12 +12,10 @@ using core::dim;
 
 namespace {
 
-/// A node nearer than this to the end of a segment of a tool's outline lies on its corner, m.
-constexpr double at_corner = 1e-5;
-
 bool is_at_corner(const Scene& scene, const State& state, Index tool, Index node) {
   const Point local = state.glass.mesh.nodes[node] - state.tools[tool].offset * core::axis_direction();
   const auto& segments = scene.tools[tool].profile.segments;
+  const double at_corner = core::tolerance::junction * core::size(scene.glass.profile);
   return std::any_of(segments.begin(), segments.end(),
                      [&](const core::Segment& segment) { return (segment.end - local).norm() < at_corner; });
 }

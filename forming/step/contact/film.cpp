@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contact/unilateral/tool_gap.hpp"
+#include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 #include "remesh/surface/film.hpp"
 #include "remesh/surface/wall_thickness.hpp"
@@ -19,8 +20,6 @@ namespace {
 
 /// Relative tolerance on the smallest film thickness: a film of just that thickness is allowed.
 constexpr double film_tolerance = 1e-3;
-/// Tools whose relative speed is smaller than this count as standing, m/s.
-constexpr double static_speed = 1e-6;
 
 struct Films {
   remesh::Wall wall;
@@ -88,7 +87,8 @@ bool is_crushed(const Scene& scene, const State& state, const Films& films, Inde
   const double outward = films.wall.normal[node].dot(core::axis_direction());
   const double speed = state.tools[here].velocity;
   const double closing = outward * ((there < 0 ? -speed : state.tools[there].velocity) - speed);
-  return closing > static_speed && !is_driven(scene, state, here) && (there < 0 || !is_driven(scene, state, there));
+  const double standing = core::tolerance::standing_speed * core::size(scene.glass.profile);
+  return closing > standing && !is_driven(scene, state, here) && (there < 0 || !is_driven(scene, state, there));
 }
 
 }  // namespace
