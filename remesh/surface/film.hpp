@@ -11,8 +11,8 @@ Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall,
                                const std::vector<bool>& symmetry_boundaries, const std::vector<bool>& contact);
 
 /// Edge length in a film, m: a quarter of its thickness up to 10/3 of the smallest thickness; above that the number of
-/// elements across falls in inverse proportion to the thickness. Films thinner than `thinnest` have the edge length of
-/// that thickness.
+/// elements across falls in inverse proportion to the thickness. Films thinner than `min_thickness` have the edge
+/// length of that thickness.
 double film_size(double thickness, double min_thickness);
 
 }  // namespace parison::remesh
