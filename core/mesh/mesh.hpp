@@ -62,6 +62,8 @@ class Mesh {
   const std::vector<std::array<Index, 6>>& cells() const { return topology_->cells; }
   const std::vector<BoundaryEdge>& boundary_edges() const { return topology_->boundary_edges; }
   const std::vector<MeshBoundary>& boundaries() const { return topology_->boundaries; }
+  /// What the boundary does to which an edge belongs.
+  BoundaryKind kind_of(const BoundaryEdge& edge) const { return topology_->boundaries[edge.boundary_id].kind; }
   Index node_count() const { return static_cast<Index>(nodes.size()); }
   Index cell_count() const { return static_cast<Index>(cells().size()); }
 

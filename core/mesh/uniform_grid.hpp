@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
@@ -62,26 +61,6 @@ class UniformGrid {
     const Bin first = bin_at(box.low), last = bin_at(box.high);
     for (int row = first[1]; row <= last[1]; ++row)
       for (int column = first[0]; column <= last[0]; ++column) visit(Bin{column, row});
-  }
-  /// Calls visit(bin, exit) for the bins along a ray until it returns false or the ray leaves the grid; `exit` is the
-  /// distance at which the ray leaves the bin, in units of the direction's length (Amanatides & Woo 1987).
-  template <typename Visit>
-  void for_each_bin(const Point& start, const Point& direction, const Visit& visit) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Bin bin = bin_at(start), step;
-    Point exit, stride;
-    for (int k = 0; k < dim; ++k) {
-      step[k] = direction[k] > 0 ? 1 : -1;
-      stride[k] = direction[k] != 0 ? size_ / std::abs(direction[k]) : infinity;
-      const double wall = low_[k] + size_ * (bin[k] + (direction[k] > 0 ? 1 : 0));
-      exit[k] = direction[k] != 0 ? (wall - start[k]) / direction[k] : infinity;
-    }
-    while (holds(bin)) {
-      const int k = exit[0] < exit[1] ? 0 : 1;
-      if (!visit(bin, exit[k])) break;
-      exit[k] += stride[k];
-      bin[k] += step[k];
-    }
   }
 
  private:

@@ -156,7 +156,7 @@ std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& sta
   const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry),
                           loaded = loaded_boundaries(scene, mesh);
   const bool any_loaded = std::count(loaded.begin(), loaded.end(), true) > 0;
-  const Eigen::VectorXd thickness = remesh::wall_thickness(mesh, symmetry);
+  const Eigen::VectorXd thickness = remesh::wall_thickness(mesh);
   const std::vector<Point> normals = node_normals(mesh, symmetry);
   std::vector<Index> nodes;
   std::vector<ThicknessRow> rows = make_rows(scene, mesh, nodes);

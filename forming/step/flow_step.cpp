@@ -8,13 +8,11 @@
 #include <numeric>
 #include <optional>
 
-#include "core/mesh/element.hpp"
 #include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/contact_prediction.hpp"
-#include "forming/step/contact/film.hpp"
 #include "forming/step/predictor.hpp"
 #include "forming/step/volume_conservation.hpp"
 #include "forming/step/work.hpp"
@@ -64,15 +62,18 @@ struct FlowPass {
 };
 
 /// Solves the flow on the predicted mesh in the middle of the step, and corrects its volume.
-FlowPass solve_flow(const Scene& scene, const State& state, const ActiveContacts& active,
-                    const MidpointPredictor& predictor, double dt, Workspace& workspace) {
+FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const MidpointPredictor& predictor,
+                    Workspace& workspace) {
+  const Scene& scene = start.scene;
+  const State& state = start.state;
+  const double dt = start.dt;
   const core::Mesh middle = midpoint_mesh(scene, state, predictor.velocity, dt);
   flow::Problem problem{};
   problem.mesh = &middle;
   problem.geometry = scene.geometry;
   problem.material = &*scene.glass.flow;
   problem.temperature = &predictor.temperature;
-  problem.frozen = frozen_cells(scene, state);
+  problem.frozen = start.frozen;
   problem.gravity = scene.stages[state.stage].gravity;
   problem.dilatation_rate =
       prescribed_dilatation_rate(scene, state, middle, predictor.trusted ? &predictor.velocity : nullptr, dt);
@@ -128,30 +129,23 @@ void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::
     state.probes[inside[i]] += dt * moving.row(static_cast<Index>(i)).transpose();
 }
 
-/// Reynolds number rho rate L^2 / eta: L is twice the volume over the surface (the thickness of a wall), eta the
+/// Reynolds number rho rate L^2 / eta: L is the thickness of a wall of the glass's volume and surface, eta the
 /// viscosity that gives the dissipation at the mean rate of deformation.
-double reynolds(const Scene& scene, const flow::Solution& solution, const core::Mesh& mesh) {
-  double dissipation = 0, surface = 0;
-  for (const double w : solution.dissipation) dissipation += w;
-  const auto symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
-  for (const auto& edge : mesh.boundary_edges())
-    if (!symmetry[edge.boundary_id])
-      for (const auto& at : core::edge_rule(2))
-        surface += core::map_edge_point(mesh, edge.nodes, scene.geometry, at).area;
-  const double volume = core::volume(mesh, scene.geometry), length = 2 * volume / surface;
-  const double rate = solution.mean_rate, viscosity = dissipation / (rate * rate * volume);
-  return dissipation > 0 ? scene.glass.flow->density * rate * length * length / viscosity : 0;
+double reynolds(const StepStart& start, const flow::Solution& solution) {
+  const double dissipation = std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
+  const double rate = solution.mean_rate, viscosity = dissipation / (rate * rate * start.state.glass.initial_volume);
+  return dissipation > 0 ? start.scene.glass.flow->density * rate * start.wall * start.wall / viscosity : 0;
 }
 
 /// Increase of the largest penetration by the velocities, m; 0 where the penetration is allowed. The next coupling
 /// iteration has other candidates; those of nodes that penetrate too deep are added to them, so that such a node does
 /// not alternate between two tools in a re-entrant corner.
-double penetration_gained(const Scene& scene, const State& before, double dt, const FlowPass& pass,
-                          const State& updated, MidpointPredictor& predictor) {
-  std::vector<bool> deep(before.glass.mesh.nodes.size(), false);
-  const double known = max_penetration(scene, before), allowed = std::max(DepthLimits(scene).iterate, known);
+double penetration_gained(const StepStart& start, const FlowPass& pass, const State& updated,
+                          MidpointPredictor& predictor) {
+  std::vector<bool> deep(start.state.glass.mesh.nodes.size(), false);
+  const double known = start.max_penetration, allowed = std::max(DepthLimits(start.scene).iterate, known);
   double found_depth = known;
-  for (const auto& inside : penetrations(scene, updated, dt)) {
+  for (const auto& inside : penetrations(start.scene, updated, start.dt)) {
     found_depth = std::max(found_depth, inside.depth);
     if (inside.depth > allowed) deep[inside.node] = true;
   }
@@ -162,18 +156,20 @@ double penetration_gained(const Scene& scene, const State& before, double dt, co
 
 /// A sentence that names the tool which a step drives into a boundary of the glass without contact; empty where there
 /// is none.
-std::string collision_without_contact(const Scene& scene, const State& before, const State& updated, double dt) {
-  const core::Mesh& glass = before.glass.mesh;
+std::string collision_without_contact(const StepStart& start, const State& updated) {
+  const core::Mesh& glass = start.state.glass.mesh;
   const auto may_touch = touching_nodes(glass);
   Eigen::VectorXd known = Eigen::VectorXd::Zero(glass.node_count());
-  for (const auto& inside : penetrations(scene, before, 0))
-    known[inside.node] = std::max(known[inside.node], inside.depth);
-  for (const auto& inside : penetrations(scene, updated, dt))
-    if (!may_touch[inside.node] && inside.depth > known[inside.node] + DepthLimits(scene).reject)
-      for (const auto& edge : glass.boundary_edges())
-        if (std::count(edge.nodes.begin(), edge.nodes.end(), inside.node))
-          return fmt::format("tool {} runs into {} of the glass, which cannot touch: its condition is not contact",
-                             scene.tools[inside.tool].name, glass.boundaries()[edge.boundary_id].name);
+  for (const auto& inside : start.penetrations) known[inside.node] = std::max(known[inside.node], inside.depth);
+  const double tolerance = DepthLimits(start.scene).reject;
+  Eigen::VectorXi entered = Eigen::VectorXi::Constant(glass.node_count(), -1);  // the tool
+  for (const auto& inside : penetrations(start.scene, updated, start.dt))
+    if (!may_touch[inside.node] && inside.depth > known[inside.node] + tolerance) entered[inside.node] = inside.tool;
+  for (const auto& edge : glass.boundary_edges())
+    for (const Index node : edge.nodes)
+      if (entered[node] >= 0)
+        return fmt::format("tool {} runs into {} of the glass, which cannot touch: its condition is not contact",
+                           start.scene.tools[entered[node]].name, glass.boundaries()[edge.boundary_id].name);
   return "";
 }
 
@@ -191,9 +187,9 @@ double predictor_corrector_difference(const Eigen::VectorXd& velocity, const Eig
 
 /// One coupling iteration: the flow on the predicted midpoint mesh gives the velocities of glass and tools, and these
 /// the next prediction. `result.reason` tells why a solve failed.
-std::optional<flow::Solution> flow_iteration(const Scene& scene, const State& state, MidpointPredictor& predictor,
-                                             double dt, Workspace& workspace, StepResult& result, double& gained) {
-  auto pass = solve_flow(scene, state, result.state.glass.active_contacts, predictor, dt, workspace);
+std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace,
+                                             StepResult& result, double& gained) {
+  auto pass = solve_flow(start, result.state.glass.active_contacts, predictor, workspace);
   ++result.report.coupling_iterations;
   result.report.flow_solves += pass.solution.iterations;
   result.report.flow_factorisations += pass.solution.factorisations;
@@ -203,11 +199,11 @@ std::optional<flow::Solution> flow_iteration(const Scene& scene, const State& st
     result.reason = pass.solution.reason;
     return std::nullopt;
   }
-  store_flow(scene, pass, dt, result.state);
-  result.report.strain = pass.solution.high_rate * dt;
+  store_flow(start.scene, pass, start.dt, result.state);
+  result.report.strain = pass.solution.high_rate * start.dt;
   result.report.predictor_corrector_difference =
-      predictor_corrector_difference(result.state.glass.velocity, predictor.velocity, dt);
-  gained = penetration_gained(scene, state, dt, pass, result.state, predictor);
+      predictor_corrector_difference(result.state.glass.velocity, predictor.velocity, start.dt);
+  gained = penetration_gained(start, pass, result.state, predictor);
   predictor.velocity = result.state.glass.velocity;
   predictor.trusted = true;
   return std::move(pass.solution);
@@ -226,18 +222,21 @@ std::vector<double> heating(flow::Solution solution) {
 
 }  // namespace
 
-bool iterate_until_converged(const Scene& scene, const State& state, MidpointPredictor& predictor, double dt,
-                             Workspace& workspace, StepResult& result) {
+bool iterate_until_converged(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace,
+                             StepResult& result) {
+  const Scene& scene = start.scene;
+  const State& state = start.state;
+  const double dt = start.dt;
   double gained = 0;
   const double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
   const auto converged = [&] { return gained == 0 && result.report.predictor_corrector_difference <= tolerance; };
   std::optional<flow::Solution> solution;
   for (int iteration = 0; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
-    solution = flow_iteration(scene, state, predictor, dt, workspace, result, gained);
+    solution = flow_iteration(start, predictor, workspace, result, gained);
     if (!solution) return false;
   }
   if (gained > DepthLimits(scene).reject && dt > min_step_ratio * scene.accuracy.initial_step) {
-    result.reason = collision_without_contact(scene, state, result.state, dt);
+    result.reason = collision_without_contact(start, result.state);
     result.unrecoverable = !result.reason.empty() && dt <= scene.accuracy.initial_step;
     if (result.reason.empty())
       result.reason = fmt::format("the step carries glass {:.2g} um into a tool", 1e6 * gained);
@@ -245,7 +244,7 @@ bool iterate_until_converged(const Scene& scene, const State& state, MidpointPre
   }
   auto& totals = result.state.totals;
   accumulate_work(scene, state, *solution, dt, totals.work);
-  totals.max_reynolds = std::max(totals.max_reynolds, reynolds(scene, *solution, state.glass.mesh));
+  totals.max_reynolds = std::max(totals.max_reynolds, reynolds(start, *solution));
   result.dissipation = heating(std::move(*solution));
   move_glass_probes(scene, state.glass.mesh, result.state.glass.velocity, dt, result.state);
   return true;

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/step/step.hpp"
+#include "forming/step/step_start.hpp"
 
 namespace parison::forming {
 
@@ -15,7 +16,7 @@ struct MidpointPredictor {
 /// Velocities, contact and work of a step, stored in `result`: the flow is solved on the midpoint mesh of its own
 /// velocities, in fixed-point iterations until that mesh has converged and the contact holds. `predictor` is left as
 /// the last iteration made it; `result.reason` tells why the step failed.
-bool iterate_until_converged(const Scene& scene, const State& state, MidpointPredictor& predictor, double dt,
-                             Workspace& workspace, StepResult& result);
+bool iterate_until_converged(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace,
+                             StepResult& result);
 
 }  // namespace parison::forming

@@ -117,7 +117,7 @@ Meshes meshes_of(const State& state) {
 Eigen::VectorXd limiting_wall_thickness(const Scene& scene, const core::Mesh& glass) {
   const auto& radiation = scene.glass.thermal->radiation;
   if (!radiation || !radiation->thin_wall) return {};
-  return remesh::wall_thickness(glass, core::boundaries_of_kind(glass, BoundaryKind::symmetry));
+  return remesh::wall_thickness(glass);
 }
 
 /// Whether glass and tools stand still for the whole stage.

@@ -9,6 +9,7 @@
 #include "forming/step/flow_step.hpp"
 #include "forming/step/heat_step.hpp"
 #include "forming/step/predictor.hpp"
+#include "forming/step/step_start.hpp"
 #include "forming/step/surface_temperature.hpp"
 #include "forming/step/thermal_interface.hpp"
 #include "forming/step/volume_conservation.hpp"
@@ -39,14 +40,13 @@ void move_bodies(const Scene& scene, double dt, State& state) {
 }
 
 /// Velocities of the step: by the flow, or as the tools are told.
-bool find_velocities(const Scene& scene, const State& state, MidpointPredictor& predictor, double dt,
-                     Workspace& workspace, StepResult& result) {
-  if (!scene.has_flow()) {
-    store_tool_velocities(scene, dt, result.state);
+bool find_velocities(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace, StepResult& result) {
+  if (!start.scene.has_flow()) {
+    store_tool_velocities(start.scene, start.dt, result.state);
     return true;
   }
   const core::ScopedTimer timer(result.report.seconds["flow"]);
-  return iterate_until_converged(scene, state, predictor, dt, workspace, result);
+  return iterate_until_converged(start, predictor, workspace, result);
 }
 
 /// Whether every cell of the glass has kept its sense.
@@ -71,9 +71,10 @@ bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& 
 }
 
 /// Flow, half the motion, heat, the other half.
-bool pass_once(const Scene& scene, const State& state, MidpointPredictor& predictor, double dt, Workspace& workspace,
-               StepResult& result) {
-  if (!find_velocities(scene, state, predictor, dt, workspace, result)) return false;
+bool pass_once(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace, StepResult& result) {
+  const Scene& scene = start.scene;
+  const double dt = start.dt;
+  if (!find_velocities(start, predictor, workspace, result)) return false;
   move_bodies(scene, 0.5 * dt, result.state);
   if (scene.has_flow() && !has_no_inverted_cells(result)) return false;
   if (!step_heat(scene, dt, workspace, result)) return false;
@@ -86,6 +87,7 @@ bool pass_once(const Scene& scene, const State& state, MidpointPredictor& predic
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
   workspace.heat.factored_step = 0;  // its factor comes from earlier steps
   workspace.clamped_lookups = state.totals.clamped_lookups;
+  const StepStart start = step_start(scene, state, dt);
   StepResult result;
   MidpointPredictor predictor;
   if (scene.has_flow())
@@ -100,7 +102,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
       result.state = state;
       result.state.glass.active_contacts = std::move(active);
     }
-    if (!pass_once(scene, state, predictor, dt, workspace, result)) return result;
+    if (!pass_once(start, predictor, workspace, result)) return result;
   }
   State& after = result.state;
   if (scene.has_flow()) update_rates(state, dt, after);

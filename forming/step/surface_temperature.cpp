@@ -54,9 +54,8 @@ double surface_temperature_change(const Scene& scene, const State& before, const
   const core::Mesh& mesh = before.glass.mesh;
   const Eigen::VectorXd& from = before.glass.temperature;
   Eigen::VectorXd change = Eigen::VectorXd::Zero(mesh.node_count());
-  const auto symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   for (const auto& edge : mesh.boundary_edges())
-    if (!symmetry[edge.boundary_id])
+    if (mesh.kind_of(edge) != BoundaryKind::symmetry)
       for (const Index node : edge.nodes) change[node] = std::abs(after.glass.temperature[node] - from[node]);
   for (;;) {
     Eigen::Index largest = 0;

@@ -72,7 +72,7 @@ std::vector<Point> shift_directions(const core::Mesh& mesh) {
   counts.flip();
   auto directions = remesh::surface_normals(mesh, counts);
   for (const auto& edge : mesh.boundary_edges()) {
-    const BoundaryKind kind = mesh.boundaries()[edge.boundary_id].kind;
+    const BoundaryKind kind = mesh.kind_of(edge);
     const Point normal = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1}).normal;
     for (const Index node : edge.nodes) {
       if (kind == BoundaryKind::symmetry) directions[node] -= directions[node].dot(normal) * normal;

@@ -164,10 +164,10 @@ void add_target_cell_sizes(const Mesh& old, const Criteria& criteria, std::vecto
 }  // namespace
 
 SizeField size_field(const Mesh& old, const Criteria& criteria) {
-  const remesh::Wall behind = remesh::surface_wall(old, criteria.straight_boundaries);
+  const remesh::Wall behind = remesh::surface_wall(old);
   Eigen::VectorXd wall = behind.thickness;
   remesh::spread_inward(old, wall);
-  const Eigen::VectorXd film = film_thickness(old, behind, criteria.straight_boundaries, criteria.contact);
+  const Eigen::VectorXd film = film_thickness(old, behind, criteria.contact);
   const std::vector<double> radii = curvature_radii(old);
   std::vector<SizeSource> sources;
   for (std::size_t i = 0; i < old.boundary_edges().size(); ++i) {

@@ -2,6 +2,7 @@
 #include "remesh/surface/film.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "remesh/surface/curve.hpp"
@@ -29,19 +30,32 @@ double film_size(double thickness, double min_thickness) {
   return std::max(thickness, min_thickness) / elements * std::max(1.0, thickness / thick);
 }
 
-Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall,
-                               const std::vector<bool>& symmetry_boundaries, const std::vector<bool>& contact) {
+Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall, const std::vector<bool>& contact) {
   Eigen::VectorXd thickness = Eigen::VectorXd::Constant(mesh.node_count(), std::numeric_limits<double>::infinity());
   if (contact.empty()) return thickness;
   for (Index node = 0; node < mesh.node_count(); ++node) {
     if (wall.far_edge[node] < 0 || !contact[node]) continue;
     const core::BoundaryEdge& other = mesh.boundary_edges()[wall.far_edge[node]];
     const auto touches = [&](Index n) { return contact[n]; };
-    if (!symmetry_boundaries[other.boundary_id] && std::none_of(other.nodes.begin(), other.nodes.end(), touches))
-      continue;
+    const bool mirror = mesh.kind_of(other) == core::BoundaryKind::symmetry;
+    if (!mirror && std::none_of(other.nodes.begin(), other.nodes.end(), touches)) continue;
     const Point opposite = mesh.nodes[node] - wall.thickness[node] * wall.normal[node];
     if (outward_normal(mesh, other.nodes, opposite).dot(wall.normal[node]) < facing)
       thickness[node] = wall.thickness[node];
+  }
+  return thickness;
+}
+
+Eigen::VectorXd film_between_tools(const core::Mesh& mesh, const remesh::Wall& wall,
+                                   const std::vector<Index>& contact_tool) {
+  std::vector<bool> contact(contact_tool.size());
+  for (std::size_t n = 0; n < contact.size(); ++n) contact[n] = contact_tool[n] >= 0;
+  Eigen::VectorXd thickness = film_thickness(mesh, wall, contact);
+  for (Index node = 0; node < thickness.size(); ++node) {
+    if (!std::isfinite(thickness[node])) continue;
+    const auto& other = mesh.boundary_edges()[wall.far_edge[node]].nodes;
+    const auto same_tool = [&](Index n) { return contact_tool[n] == contact_tool[node]; };
+    if (std::any_of(other.begin(), other.end(), same_tool)) thickness[node] = std::numeric_limits<double>::infinity();
   }
   return thickness;
 }

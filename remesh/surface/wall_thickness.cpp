@@ -2,6 +2,9 @@
 #include "remesh/surface/wall_thickness.hpp"
 
 #include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -10,7 +13,6 @@
 #include <utility>
 
 #include "core/mesh/element.hpp"
-#include "core/mesh/uniform_grid.hpp"
 
 namespace parison::remesh {
 
@@ -28,10 +30,32 @@ Point edge_derivative(const Mesh& mesh, const std::array<Index, 3>& edge, double
   return d[0] * mesh.nodes[edge[0]] + d[1] * mesh.nodes[edge[1]] + d[2] * mesh.nodes[edge[2]];
 }
 
-/// Finds where rays leave a body.
+namespace index = boost::geometry::index;
+using BoostPoint = boost::geometry::model::point<double, core::dim, boost::geometry::cs::cartesian>;
+using BoostBox = boost::geometry::model::box<BoostPoint>;
+using BoostSegment = boost::geometry::model::segment<BoostPoint>;
+using IndexedBox = std::pair<BoostBox, Index>;
+
+/// Box around a quadratic edge, a tenth wider on every side than around its nodes.
+BoostBox box_of(const Mesh& mesh, const std::array<Index, 3>& edge) {
+  const Point &a = mesh.nodes[edge[0]], &b = mesh.nodes[edge[1]], &c = mesh.nodes[edge[2]];
+  Point low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+  const double widened = 0.1 * (high - low).maxCoeff();
+  return {{low[0] - widened, low[1] - widened}, {high[0] + widened, high[1] + widened}};
+}
+
+/// Finds where rays leave a body, by an R-tree of the boxes of its boundary edges.
 class BoundaryRays {
  public:
-  explicit BoundaryRays(const Mesh& mesh) : mesh_(mesh), edges_(grid_over(mesh), edge_boxes(mesh)) {}
+  explicit BoundaryRays(const Mesh& mesh) : mesh_(mesh) {
+    std::vector<IndexedBox> boxes;
+    boxes.reserve(mesh.boundary_edges().size());
+    for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+      boxes.emplace_back(box_of(mesh, edge.nodes), static_cast<Index>(boxes.size()));
+    edges_ = decltype(edges_)(boxes);
+    const BoostBox all = edges_.bounds();
+    extent_ = boost::geometry::distance(all.min_corner(), all.max_corner());
+  }
 
   struct Hit {
     double distance = infinity;  ///< m
@@ -41,31 +65,15 @@ class BoundaryRays {
   /// First edge at which the ray along a unit vector from a node leaves the body; edges of that node do not count.
   /// Edges beyond `reach`, m, may be missed.
   Hit first_exit(Index from, const Point& direction, double reach) const {
+    const Point start = mesh_.nodes[from], end = start + std::min(reach, extent_) * direction;
     Hit hit;
-    edges_.grid().for_each_bin(mesh_.nodes[from], direction, [&](const core::UniformGrid::Bin& bin, double exit) {
-      for (const Index edge : edges_.boxes_in(bin)) try_edge(from, direction, edge, hit);
-      return std::min(hit.distance, reach) > exit;
-    });
+    edges_.query(index::intersects(BoostSegment{{start[0], start[1]}, {end[0], end[1]}}),
+                 boost::make_function_output_iterator(
+                     [&](const IndexedBox& box) { try_edge(from, direction, box.second, hit); }));
     return hit;
   }
 
  private:
-  static core::UniformGrid grid_over(const Mesh& mesh) {
-    const core::Box box = core::bounding_box(mesh.nodes);
-    const Point extent = box.high - box.low;
-    const double size =
-        std::max(std::sqrt(extent.prod() / (4.0 * double(mesh.boundary_edges().size()))), extent.maxCoeff() / 500);
-    return {{box.low.array() - size, box.high.array() + size}, size};
-  }
-
-  static std::vector<core::Box> edge_boxes(const Mesh& mesh) {
-    std::vector<core::Box> boxes;
-    boxes.reserve(mesh.boundary_edges().size());
-    for (const core::BoundaryEdge& edge : mesh.boundary_edges())
-      boxes.push_back(core::bounding_box(mesh, edge.nodes, 0.1));
-    return boxes;
-  }
-
   void try_edge(Index from, const Point& direction, Index i, Hit& hit) const {
     const auto& edge = mesh_.boundary_edges()[i].nodes;
     if (edge[0] == from || edge[1] == from || edge[2] == from) return;
@@ -80,18 +88,20 @@ class BoundaryRays {
       if (derivative > 0) s = std::clamp(s - left.dot(edge_point(mesh_, edge, s) - start) / derivative, 0.0, 1.0);
     }
     const double distance = direction.dot(edge_point(mesh_, edge, s) - start);
-    if (distance > 0 && distance < hit.distance) hit = {distance, i};
+    const bool nearer = distance < hit.distance || (distance == hit.distance && i < hit.edge);
+    if (distance > 0 && nearer) hit = {distance, i};
   }
 
   const Mesh& mesh_;
-  core::BoxGrid edges_;
+  double extent_ = 0;  ///< m: no chord of the body is longer
+  index::rtree<IndexedBox, index::quadratic<8>> edges_;
 };
 
 /// Sum of the outward unit normals of the edges that meet at each node; zero inside and on symmetry boundaries.
-std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries) {
+std::vector<Point> surface_normals(const Mesh& mesh) {
   std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
-    if (symmetry_boundaries.at(edge.boundary_id)) continue;
+    if (mesh.kind_of(edge) == core::BoundaryKind::symmetry) continue;
     constexpr std::array<double, 3> places{0, 1, 0.5};
     for (int k = 0; k < 3; ++k) {
       const Point along = edge_derivative(mesh, edge.nodes, places[k]).normalized();
@@ -172,27 +182,28 @@ void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
     if (!std::isfinite(value[i]) && source[i] >= 0) value[i] = value[source[i]];
 }
 
-Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries, double reach) {
+Wall surface_wall(const Mesh& mesh, double reach) {
   const BoundaryRays rays(mesh);
   Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
-            surface_normals(mesh, symmetry_boundaries)};
+            surface_normals(mesh)};
+  const auto mirrors = [&](const core::BoundaryEdge& edge) {
+    return mesh.kind_of(edge) == core::BoundaryKind::symmetry;
+  };
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     for (const Index node : edge.nodes) {
-      if (symmetry_boundaries[edge.boundary_id] || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6)
-        continue;
+      if (mirrors(edge) || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6) continue;
       wall.normal[node].normalize();
       const BoundaryRays::Hit hit = rays.first_exit(node, -wall.normal[node], reach);
       if (hit.edge < 0) continue;
       wall.far_edge[node] = hit.edge;
-      wall.thickness[node] =
-          symmetry_boundaries[mesh.boundary_edges()[hit.edge].boundary_id] ? 2 * hit.distance : hit.distance;
+      wall.thickness[node] = mirrors(mesh.boundary_edges()[hit.edge]) ? 2 * hit.distance : hit.distance;
     }
   }
   return wall;
 }
 
-Eigen::VectorXd wall_thickness(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries) {
-  Eigen::VectorXd thickness = surface_wall(mesh, symmetry_boundaries, infinity).thickness;
+Eigen::VectorXd wall_thickness(const Mesh& mesh) {
+  Eigen::VectorXd thickness = surface_wall(mesh, infinity).thickness;
   spread_inward(mesh, thickness);
   return thickness;
 }

@@ -19,14 +19,13 @@ struct Wall {
   std::vector<Index> far_edge;  ///< boundary edge on the other side, -1 without a wall
   std::vector<Point> normal;    ///< outward; of unit length where there is a wall
 };
-Wall surface_wall(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries,
-                  double reach = std::numeric_limits<double>::infinity());
+Wall surface_wall(const Mesh& mesh, double reach = std::numeric_limits<double>::infinity());
 
 /// Replaces infinite nodal values by the value of the nearest node with a finite one.
 void spread_inward(const Mesh& mesh, Eigen::VectorXd& value);
 
 /// Wall thickness at each node, m: at the surface the distance through the body along the inward normal, inside that of
 /// the nearest surface node.
-Eigen::VectorXd wall_thickness(const Mesh& mesh, const std::vector<bool>& symmetry_boundaries);
+Eigen::VectorXd wall_thickness(const Mesh& mesh);
 
 }  // namespace parison::remesh

@@ -23,15 +23,15 @@ Mesh wedge(double angle) {
 
 /// Share of the nodes of the bottom that see a film, with the named boundaries in contact; `mirror` is a symmetry
 /// boundary.
-double share_of_film(const Mesh& mesh, const std::vector<std::string>& touching, const std::string& mirror = "") {
-  std::vector<bool> contact(mesh.nodes.size(), false), symmetry(mesh.boundaries().size(), false);
-  const Index mirrored = core::find_boundary(mesh, mirror);
-  if (mirrored >= 0) symmetry[mirrored] = true;
+double share_of_film(Mesh mesh, const std::vector<std::string>& touching, const std::string& mirror = "") {
+  std::vector<bool> contact(mesh.nodes.size(), false);
+  for (auto& boundary : mesh.edit().boundaries)
+    if (boundary.name == mirror) boundary.kind = core::BoundaryKind::symmetry;
   for (const std::string& name : touching)
     for (const auto& edge : mesh.boundary_edges())
       if (edge.boundary_id == core::find_boundary(mesh, name))
         for (const Index node : edge.nodes) contact[node] = true;
-  const Eigen::VectorXd film = film_thickness(mesh, remesh::surface_wall(mesh, symmetry), symmetry, contact);
+  const Eigen::VectorXd film = film_thickness(mesh, remesh::surface_wall(mesh), contact);
   double thin = 0, all = 0;
   for (const auto& edge : mesh.boundary_edges())
     if (edge.boundary_id == core::find_boundary(mesh, "bottom")) {

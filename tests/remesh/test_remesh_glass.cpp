@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <limits>
 
@@ -366,22 +365,6 @@ TEST(RemeshGlass, a_hundred_remeshes_keep_the_shape_the_volume_and_the_memory) {
     for (const Index node : edge.nodes) deviation = std::max(deviation, core::distance(exact, mesh.nodes[node]));
   std::printf("surface off the exact gob by %.2e mm\n", 1e3 * deviation);
   EXPECT_LT(deviation, 20e-6);
-}
-
-TEST(RemeshGlass, six_thousand_triangles_are_quick) {
-  const Mesh old = meshed(gob(), 1e-3);
-  const Criteria criteria = criteria_for(old, 0.4e-3);
-  double best = 1;  // s of processor time, so that neighbours on the machine do not count
-  Remeshed made;
-  for (int pass = 0; pass < 5; ++pass) {
-    const std::clock_t start = std::clock();
-    made = remesh_glass(old, criteria);
-    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  ASSERT_TRUE(made.ok) << made.reason;
-  std::printf("%d cells in %.3f s\n", made.mesh.cell_count(), best);
-  EXPECT_GT(made.mesh.cell_count(), 5000);
-  EXPECT_LT(best, 0.2 * std::max(1.0, made.mesh.cell_count() / 6000.0));
 }
 
 }  // namespace

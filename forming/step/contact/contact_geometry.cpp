@@ -193,12 +193,11 @@ std::vector<bool> touching_nodes(const core::Mesh& glass) {
 }
 
 std::vector<Index> contact_nodes(const core::Mesh& glass) {
-  const auto may_touch = core::boundaries_of_kind(glass, BoundaryKind::contact);
   std::vector<char> seen(glass.nodes.size(), 0);
   std::vector<Index> nodes;
   nodes.reserve(3 * glass.boundary_edges().size());
   for (const auto& edge : glass.boundary_edges())
-    if (may_touch[edge.boundary_id])
+    if (glass.kind_of(edge) == BoundaryKind::contact)
       for (const Index node : edge.nodes)
         if (!std::exchange(seen[node], 1)) nodes.push_back(node);
   return nodes;
@@ -229,10 +228,9 @@ std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, co
 
 void project_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {
   const PlacedTools tools = placed_tools(scene, state);
-  const auto on_line = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   std::vector<bool> fixed(mesh.nodes.size(), false);
   for (const auto& edge : mesh.boundary_edges())
-    if (on_line[edge.boundary_id])
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry)
       for (const Index node : edge.nodes) fixed[node] = true;
   for (const Index node : surface_nodes(mesh))
     if (!fixed[node]) mesh.nodes[node] = projected_out(tools, mesh.nodes[node]);

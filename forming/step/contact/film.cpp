@@ -26,22 +26,10 @@ struct Films {
   Eigen::VectorXd thickness;  ///< per node, m; infinite where the glass is no film
 };
 
-bool is_slot(const State& state, Index node, const core::BoundaryEdge& other) {
-  return std::any_of(other.nodes.begin(), other.nodes.end(),
-                     [&](Index n) { return state.glass.contact_tool[n] == state.glass.contact_tool[node]; });
-}
-
 /// The films, and the wall thickness where it is at most `reach`, m.
-Films find_films(const State& state, double reach) {
-  const core::Mesh& mesh = state.glass.mesh;
-  const auto symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
-  std::vector<bool> contact(mesh.nodes.size());
-  for (std::size_t n = 0; n < contact.size(); ++n) contact[n] = state.glass.contact_tool[n] >= 0;
-  Films films{remesh::surface_wall(mesh, symmetry, reach), {}};
-  films.thickness = remesh::film_thickness(mesh, films.wall, symmetry, contact);
-  for (Index n = 0; n < mesh.node_count(); ++n)  // glass in a slot of a single tool cannot be pressed thinner
-    if (std::isfinite(films.thickness[n]) && is_slot(state, n, mesh.boundary_edges()[films.wall.far_edge[n]]))
-      films.thickness[n] = std::numeric_limits<double>::infinity();
+Films find_films(const GlassState& glass, double reach) {
+  Films films{remesh::surface_wall(glass.mesh, reach), {}};
+  films.thickness = remesh::film_between_tools(glass.mesh, films.wall, glass.contact_tool);
   return films;
 }
 
@@ -96,7 +84,7 @@ bool is_crushed(const Scene& scene, const State& state, const Films& films, Inde
 std::string film_failure(const Scene& scene, const State& state) {
   if (touches_nothing(state)) return "";
   const FilmLimit& limit = scene.glass.film;
-  const Films films = find_films(state, limit.min_thickness);
+  const Films films = find_films(state.glass, limit.min_thickness);
   const double allowed = (1 - film_tolerance) * limit.min_thickness;
   const auto [min_thickness, node] = thinnest_film(scene, state, films, allowed);
   if (!(min_thickness < allowed)) return "";
@@ -115,7 +103,7 @@ std::vector<bool> frozen_cells(const Scene& scene, const State& state) {
   const FilmLimit& limit = scene.glass.film;
   if (limit.then != FilmLimit::Then::freeze || touches_nothing(state)) return {};
   const core::Mesh& mesh = state.glass.mesh;
-  const Films films = find_films(state, std::numeric_limits<double>::infinity());
+  const Films films = find_films(state.glass, std::numeric_limits<double>::infinity());
   if (films.thickness.minCoeff() >= limit.min_thickness) return {};
   Eigen::VectorXd nearest =
       films.wall.thickness;  // 1 on films, 0 on other walls; inside, the value of the nearest surface node

@@ -1,0 +1,25 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+
+namespace parison::forming {
+
+/// The start of a step, with what all its coupling iterations ask of the glass there, computed once. Refers to the
+/// scene and the state.
+struct StepStart {
+  const Scene& scene;
+  const State& state;
+  double dt;                              ///< length of the step, s
+  std::vector<bool> frozen;               ///< flags of cells that do not flow; empty where there are none
+  std::vector<Penetration> penetrations;  ///< of glass nodes into active tools
+  double max_penetration = 0;             ///< m
+  double wall = 0;                        ///< twice the volume of the glass over its surface, m
+};
+
+StepStart step_start(const Scene& scene, const State& state, double dt);
+
+}  // namespace parison::forming
