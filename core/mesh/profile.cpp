@@ -110,7 +110,8 @@ int winding(const Segment& segment, const Point& x) {
   const bool in_circle = segment.is_arc && (x - segment.centre).squaredNorm() < segment.radius * segment.radius;
   if (!rises && !falls && !in_circle) return 0;
   const double side = cross(b - a, x - a);
-  const bool left = side > 0 || (side == 0 && a[1] == b[1] && a[0] < b[0]);
+  // A point on a segment counts as inside where the body lies on its right, so on the axis, or above it.
+  const bool left = side > 0 || (side == 0 && (falls || (a[1] == b[1] && a[0] < b[0])));
   int turns = rises && left ? 1 : falls && !left ? -1 : 0;
   const bool turns_left = segment.to > segment.from;  // then the arc lies on the right of its chord
   if (in_circle && turns_left != left) turns += turns_left ? 1 : -1;

@@ -45,7 +45,8 @@ double beyond_end(const Segment& segment, const Point& x);
 double signed_area(const Profile& profile);
 /// The outline in the opposite direction.
 Profile reversed(const Profile& profile);
-/// Whether x lies inside the outline, by its winding number about x.
+/// Whether x lies inside the outline, by its winding number about x. Points of the outline count as inside where the
+/// body lies on their right, such as those of the axis, or above them.
 bool contains(const Profile& profile, const Point& x);
 /// Distance from x to a segment, m, at most `known`.
 double distance(const Segment& segment, const Point& x, double known);

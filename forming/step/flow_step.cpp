@@ -88,6 +88,7 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
   auto equilibrium = workspace.flow->find_equilibrium(problem, warm);
   correct_volume(scene, state, dt, equilibrium);
   auto solution = flow::evaluate(problem, std::move(equilibrium));
+  keep_on_symmetry(state.glass.mesh, solution.velocity);
   return {std::move(problem.candidates), std::move(solution)};
 }
 

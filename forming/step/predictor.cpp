@@ -18,6 +18,17 @@ constexpr double smooth = 0.5;
 
 }  // namespace
 
+void keep_on_symmetry(const core::Mesh& mesh, Eigen::VectorXd& velocity) {
+  for (const auto& edge : mesh.boundary_edges()) {
+    if (mesh.kind_of(edge) != BoundaryKind::symmetry) continue;
+    const Point along = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).normalized();
+    for (const Index node : edge.nodes) {
+      auto own = velocity.segment<dim>(dim * node);
+      own = along.dot(own) * along;
+    }
+  }
+}
+
 Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, double dt) {
   const Eigen::VectorXd& now = state.glass.temperature;
   if (state.glass.temperature_rate.size() == 0) return now;
@@ -35,6 +46,7 @@ Eigen::VectorXd predicted_velocity(const State& state, double ahead) {
     const double inward = active.normal[i].dot(own - tool_speed * core::axis_direction());
     own -= std::min(0.0, inward) * active.normal[i];
   }
+  keep_on_symmetry(state.glass.mesh, velocity);
   return velocity;
 }
 

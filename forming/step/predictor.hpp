@@ -5,6 +5,10 @@
 
 namespace parison::forming {
 
+/// Removes from a nodal velocity (two per node, m/s) what crosses the symmetry lines of `mesh`, so that their nodes
+/// stay on them to the bit where they are parallel to an axis.
+void keep_on_symmetry(const core::Mesh& mesh, Eigen::VectorXd& velocity);
+
 /// Temperature of the glass after `dt` at the rate of the last step, changed by no more than a step may change it, K
 /// per node.
 Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, double dt);

@@ -62,6 +62,17 @@ Point exterior_point(const Mesh& mesh, const ExteriorProjection& project_out, co
   return project_out(x);
 }
 
+Point project_along(const ExteriorProjection& project_out, const Point& x, const Point& along) {
+  constexpr int max_projections = 200;  // a pointed tip is left in steps that are shares of the rest
+  Point out = x;
+  for (int k = 0; project_out && k < max_projections; ++k) {
+    const double step = along.dot(project_out(out) - out);
+    if (step == 0) break;
+    out += step * along;
+  }
+  return out;
+}
+
 bool penetrates(const Mesh& mesh, const ExteriorProjection& project_out, const Place& place) {
   return exterior_point(mesh, project_out, place) != exterior_point(mesh, {}, place);
 }

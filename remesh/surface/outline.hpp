@@ -28,6 +28,10 @@ std::pair<core::Index, core::Index> find_crossing(const Outline& outline);
 /// Takes a point that lies inside a tool out to its surface; others stay to the bit. Empty where there are no tools.
 using ExteriorProjection = std::function<core::Point(const core::Point&)>;
 
+/// The same for a point of a symmetry line with unit tangent `along`: the point of the line at which it leaves the
+/// tool. Coordinates across an axis-parallel line stay to the bit.
+core::Point project_along(const ExteriorProjection& project_out, const core::Point& x, const core::Point& along);
+
 /// A point on the boundary of a mesh.
 struct Place {
   core::Index edge;  ///< boundary edge

@@ -123,11 +123,25 @@ class Resampler {
     return criteria_.contact[nodes[2]] && criteria_.contact[nodes[place.s < 0.5 ? 0 : 1]];
   }
 
+  /// The symmetry edge that starts or ends at a place, -1 where there is none.
+  Index symmetry_edge_at(const Place& place) const {
+    if (place.s > 0) return -1;
+    for (const Index edge : {place.edge, links_[place.edge].previous})
+      if (criteria_.straight_boundaries[old_.boundary_edges()[edge].boundary_id]) return edge;
+    return -1;
+  }
+
+  /// The first vertex of a curve. On a symmetry line it leaves a tool along the line.
   Point start_of(const BoundaryCurve& curve) const {
     const Place& place = curve.parts.front().from;
+    if (const Index line = symmetry_edge_at(place); line >= 0) {
+      const auto& nodes = old_.boundary_edges()[line].nodes;
+      const Point along = (old_.nodes[nodes[1]] - old_.nodes[nodes[0]]).normalized();
+      return project_along(criteria_.project_out, exterior_point(old_, {}, place), along);
+    }
     const auto kept = kept_.find(place.edge);
     if (kept != kept_.end() && kept->second.s == place.s) return kept->second.vertex;
-    return exterior_point(old_, curve.straight ? ExteriorProjection() : criteria_.project_out, place);
+    return exterior_point(old_, criteria_.project_out, place);
   }
 
   void add(const BoundaryCurve& curve, const BoundaryCurve& next, Index at_least) {

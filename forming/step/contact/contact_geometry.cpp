@@ -13,6 +13,7 @@
 #include "core/mesh/profile.hpp"
 #include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
+#include "remesh/surface/outline.hpp"
 
 namespace parison::forming {
 
@@ -228,12 +229,20 @@ std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, co
 
 void project_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh) {
   const PlacedTools tools = placed_tools(scene, state);
-  std::vector<bool> fixed(mesh.nodes.size(), false);
+  const auto out = [&](const Point& x) { return projected_out(tools, x); };
+  std::vector<Point> line(mesh.nodes.size(), Point::Zero());  // tangent of the symmetry line on which a node lies
   for (const auto& edge : mesh.boundary_edges())
     if (mesh.kind_of(edge) == BoundaryKind::symmetry)
-      for (const Index node : edge.nodes) fixed[node] = true;
-  for (const Index node : surface_nodes(mesh))
-    if (!fixed[node]) mesh.nodes[node] = projected_out(tools, mesh.nodes[node]);
+      for (const Index node : edge.nodes)
+        line[node] = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).normalized();
+  const auto may_touch = touching_nodes(mesh);
+  for (const Index node : surface_nodes(mesh)) {
+    Point& x = mesh.nodes[node];
+    if (line[node].isZero())
+      x = out(x);
+    else if (may_touch[node])
+      x = remesh::project_along(out, x, line[node]);
+  }
 }
 
 std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead) {

@@ -35,8 +35,8 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
 /// A function that projects points inside an active tool onto its surface and returns all others unchanged.
 std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, const State& state);
 
-/// Projects the surface nodes of `mesh` that lie inside an active tool onto its surface; nodes of symmetry boundaries
-/// stay.
+/// Projects the surface nodes of `mesh` that lie inside an active tool onto its surface: where the surface meets a
+/// symmetry line along that line; the other nodes of symmetry boundaries stay.
 void project_out_of_tools(const Scene& scene, const State& state, core::Mesh& mesh);
 
 /// Constraints of a node whose normals differ by less than 3 degrees (this is the cosine) count as one.
