@@ -13,15 +13,13 @@
 
 namespace parison::forming {
 
-namespace {}  // namespace
-
 std::string stage_precondition_failure(const Scene& scene, const State& state) {
   const double size = core::size(scene.glass.profile);
   for (const auto& place : scene.stages[state.stage].tools) {
     const auto* position = std::get_if<PositionMotion>(&place.motion);
     const double now = state.tools[place.tool].offset;
     if (position && std::abs(position->offset(0) - now) > core::tolerance::motion_start * size)
-      return fmt::format("tool {} stands at {:.4g} mm, its motion starts at {:.4g} mm", scene.tools[place.tool].name,
+      return fmt::format("tool {} is at {:.4g} mm, but its motion starts at {:.4g} mm", scene.tools[place.tool].name,
                          1e3 * now, 1e3 * position->offset(0));
   }
   Penetration max_penetration{};
@@ -30,8 +28,8 @@ std::string stage_precondition_failure(const Scene& scene, const State& state) {
   if (max_penetration.depth <= core::tolerance::stage_overlap * size) return "";
   const Point& x = state.glass.mesh.nodes[max_penetration.node];
   return fmt::format(
-      "active tool {} overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the "
-      "stage's tools as it is",
+      "active tool {} overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit between "
+      "the tools of the stage",
       scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1]);
 }
 

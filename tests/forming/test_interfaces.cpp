@@ -55,9 +55,9 @@ TEST(Interfaces, a_table_of_wrong_order_or_size_is_refused) {
                     row = "[\"500 W/m2/K\", \"400 W/m2/K\"]";
   EXPECT_EQ(table(p, eta, "[" + row + ", " + row + "]"), "");
   EXPECT_EQ(table("[\"1 MPa\", \"1 kPa\"]", eta, "[" + row + ", " + row + "]"),
-            "interface.pressure: \"1 kPa\" does not lie above the entry before, allowed are rising entries");
+            "interface.pressure: \"1 kPa\" is not greater than the entry before, allowed are increasing entries");
   EXPECT_EQ(table(p, "[\"1e6 Pa.s\", \"1e6 Pa.s\"]", "[" + row + ", " + row + "]"),
-            "interface.viscosity: \"1e6 Pa.s\" does not lie above the entry before, allowed are rising entries");
+            "interface.viscosity: \"1e6 Pa.s\" is not greater than the entry before, allowed are increasing entries");
   EXPECT_EQ(table("[\"0 Pa\", \"1 kPa\"]", eta, "[" + row + ", " + row + "]")
                 .rfind("interface.pressure: \"0 Pa\" was found", 0),
             0u);

@@ -26,7 +26,7 @@ contact::PressureViscosityConductance read_pressure_viscosity(const CaseNode& no
   law.h0 = core::positive(table.get("h0"), dimension::conductance);
   law.h1 = core::positive(table.get("h1"), dimension::conductance);
   if (law.h1 < law.h0)
-    core::refuse(table.get("h1"), fmt::format("\"{}\" lies below h0, allowed is h1 from h0 on", table.get("h1").text));
+    core::refuse(table.get("h1"), fmt::format("\"{}\" is below h0, allowed is h1 not below h0", table.get("h1").text));
   law.p_ref = core::positive(table.get("p_ref"), dimension::pressure);
   law.eta_ref = core::positive(table.get("eta_ref"), dimension::viscosity);
   law.a = core::not_negative(table.get("a"), dimension::none);
@@ -34,14 +34,14 @@ contact::PressureViscosityConductance read_pressure_viscosity(const CaseNode& no
   return law;
 }
 
-/// Rising quantities above zero.
+/// Increasing quantities above zero.
 std::vector<double> read_axis(const CaseNode& node, const core::Dimension& dimension) {
   std::vector<double> axis;
   for (const auto& item : core::list(node)) {
     axis.push_back(core::positive(item, dimension));
     if (axis.size() > 1 && !(axis.back() > axis[axis.size() - 2]))
-      core::refuse(item,
-                   fmt::format("\"{}\" does not lie above the entry before, allowed are rising entries", item.text));
+      core::refuse(
+          item, fmt::format("\"{}\" is not greater than the entry before, allowed are increasing entries", item.text));
   }
   if (axis.empty()) core::refuse(node, "an empty list was found, allowed is at least one entry");
   return axis;

@@ -97,7 +97,8 @@ std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory
   const auto path = std::filesystem::path(directory) / core::text(node);
   std::ifstream file(path);
   if (!file)
-    core::refuse(node, fmt::format("no file \"{}\", allowed is a CSV file beside the case file", path.string()));
+    core::refuse(node, fmt::format("no file \"{}\", allowed is a CSV file with its path relative to the case file",
+                                   path.string()));
   CaseNode row = node;
   row.file = path.string();
   row.line = 0;
@@ -132,7 +133,7 @@ std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory
   return parts;
 }
 
-/// Points, an arc, or a stretch of a drawing after a point where it starts.
+/// Points, an arc, or a part of a drawing preceded by the point where it starts.
 std::vector<Segment> read_path_part(const CaseNode& node, const std::string& directory) {
   if (node.kind != CaseNode::Kind::table) return parse_path(node);
   std::vector<Segment> parts = read_section(node, directory);
@@ -219,19 +220,18 @@ void check_outline(const Profile& profile, core::Geometry geometry, const CaseNo
   const auto [a, b] = core::find_self_crossing(profile);
   if (a >= 0) {
     const auto &one = profile.segments[a], &other = profile.segments[b];
-    core::refuse(
-        boundaries.items[one.boundary_id],
-        fmt::format("the outline crosses itself (boundary \"{}\" meets boundary \"{}\" beside ({:g}, {:g}) mm), "
-                    "allowed is an outline that meets itself nowhere",
-                    profile.boundary_names[one.boundary_id], profile.boundary_names[other.boundary_id],
-                    1e3 * one.start[0], 1e3 * one.start[1]));
+    core::refuse(boundaries.items[one.boundary_id],
+                 fmt::format("the outline crosses itself (boundary \"{}\" meets boundary \"{}\" near ({:g}, {:g}) mm), "
+                             "allowed is an outline that does not touch itself",
+                             profile.boundary_names[one.boundary_id], profile.boundary_names[other.boundary_id],
+                             1e3 * one.start[0], 1e3 * one.start[1]));
   }
   for (const auto& segment : profile.segments)
     for (int i = 0; i <= 16; ++i)
       if (const auto x = core::point_at(segment, i / 16.0); core::depth(geometry, x) < -joined)
-        core::refuse(
-            boundaries.items[segment.boundary_id],
-            fmt::format("({:g}, {:g}) mm lies beyond the axis, allowed are radii from zero", 1e3 * x[0], 1e3 * x[1]));
+        core::refuse(boundaries.items[segment.boundary_id],
+                     fmt::format("({:g}, {:g}) mm is on the wrong side of the axis, allowed are radii from zero",
+                                 1e3 * x[0], 1e3 * x[1]));
 }
 
 }  // namespace parison::forming

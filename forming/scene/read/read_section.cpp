@@ -70,13 +70,12 @@ void extend(const CaseNode& file, Chain& chain, Chain& left) {
         fmt::format("the curves of the drawing leave a gap of {:.3g} mm at {}, allowed are ends that meet to 1e-4 mm",
                     1e3 * nearest, in_mm(where)));
   core::refuse(
-      file,
-      fmt::format("several outlines were found in the drawing, one with {} curves and {} curves beside it, allowed is "
-                  "one (a layer chooses among those of a DXF file)",
-                  chain.size(), left.size()));
+      file, fmt::format("several outlines were found in the drawing, one with {} curves and {} more curves, allowed is "
+                        "one (in a DXF file a layer can select it)",
+                        chain.size(), left.size()));
 }
 
-/// A place on a chain: the number of the segment and how far along it, as one number.
+/// A position on a chain: the index of the segment plus the parameter on it, 0 to 1.
 double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
   double best = std::numeric_limits<double>::infinity(), place = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -88,11 +87,11 @@ double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
   }
   if (best > 2 * on_drawing)
     core::refuse(node,
-                 fmt::format("{} lies {:.3g} mm off the drawing, allowed are points on it", in_mm(x), 1e3 * best));
+                 fmt::format("{} is {:.3g} mm away from the drawing, allowed are points on it", in_mm(x), 1e3 * best));
   return place;
 }
 
-/// The part of a segment between two of its places, 0 to 1.
+/// The part of a segment between two parameters, 0 to 1.
 Segment part_of(const Segment& segment, double from, double to) {
   Segment part = segment;
   if (from > 0) part.start = core::point_at(segment, from);
@@ -102,7 +101,7 @@ Segment part_of(const Segment& segment, double from, double to) {
   return part;
 }
 
-/// The segments from one place to a later one, round a closed chain if need be.
+/// The segments from one position to a later one, around a closed chain if need be.
 Chain interval(const Chain& chain, double from, double to) {
   Chain result;
   for (double at = from; at < to;) {
@@ -133,8 +132,8 @@ Chain read_drawing(const CaseTable& table, const std::string& directory) {
     for (const char* key : {"unit", "layer"})
       if (const auto* node = table.find(key))
         core::refuse(
-            *node, fmt::format(
-                       "a {} was found, allowed is it for DXF files; a STEP file has its own unit and no layers", key));
+            *node,
+            fmt::format("a {} was found, allowed only for DXF files; a STEP file has its own unit and no layers", key));
     return read_step(file, path.string());
   }
   const auto unit = core::parse_quantity("1 " + core::text(table.get("unit")), core::dimension::length);
@@ -166,18 +165,21 @@ std::vector<Segment> read_section(const CaseNode& node, const std::string& direc
   clean(curves);
   const CaseNode &first = table.get("from"), *via = table.find("via"), *last = table.find("to");
   const double count = static_cast<double>(curves.size()), from = place_on(first, curves, read_point(first));
-  if (via && !is_closed(curves)) core::refuse(*via, "a via was found, allowed is it where the drawn outline is closed");
+  if (via && !is_closed(curves)) core::refuse(*via, "a via was found, allowed only where the drawn outline is closed");
   if (!last && is_closed(curves)) return interval(curves, from, from + count);
   if (!last && from != 0 && from != count)
     core::refuse(
-        first, fmt::format("{} is no end of the drawn line, allowed are its ends, or a \"to\" beside it", first.text));
+        first,
+        fmt::format("{} is not an end of the drawn line, allowed are its ends, or any point together with a \"to\"",
+                    first.text));
   double to = last ? place_on(*last, curves, read_point(*last)) : count - from;
   if (!is_closed(curves))
     return to > from ? interval(curves, from, to) : interval(turned(curves), count - from, count - to);
   if (!via)
     core::refuse(*last,
-                 "a closed outline has two ways to this point, allowed is a \"via\" beside it: a point on the stretch "
-                 "between the two");
+                 "a closed outline can be followed to this point in two directions, allowed is \"to\" together with a "
+                 "\"via\": a "
+                 "point on the part that is wanted");
   double via_place = place_on(*via, curves, read_point(*via));
   if (to <= from) to += count;
   if (via_place < from) via_place += count;

@@ -20,7 +20,7 @@ using Space = std::array<double, 3>;
 
 constexpr double step_unit = 1e-3;  // what the reader of STEP files converts every file to, m
 
-/// A curve as the CAD kernel has it, at three places of its parameter.
+/// A curve as the CAD kernel has it, at three values of its parameter.
 struct Curve {
   bool is_arc;
   Space start, mid, end;
@@ -49,7 +49,7 @@ std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
   gmsh::model::occ::synchronize();
   gmsh::model::getEntities(found, 3);
   if (!found.empty())
-    core::refuse(file, fmt::format("\"{}\" holds a solid, allowed is a section: curves or a plane face", path));
+    core::refuse(file, fmt::format("\"{}\" contains a solid, allowed is a section: curves or a plane face", path));
   gmsh::model::getEntities(found, 1);
   if (found.empty())
     core::refuse(file, fmt::format("no curves were found in \"{}\", allowed is a STEP file with a section", path));
@@ -60,7 +60,7 @@ std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
     if (kind != "Line" && kind != "Circle")
       core::refuse(
           file,
-          fmt::format("\"{}\" holds a curve of the kind {}, allowed are lines and circular arcs (convert it in the CAD "
+          fmt::format("\"{}\" contains a curve of type {}, allowed are lines and circular arcs (convert it in the CAD "
                       "program, or give its points as CSV)",
                       path, kind));
     add_curve(tag, kind == "Circle", curves);
@@ -68,7 +68,7 @@ std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
   return curves;
 }
 
-/// The two axes of the coordinate plane through the origin that holds all curves: (x, y), (x, z) or (y, z).
+/// The two axes of the coordinate plane through the origin that contains all curves: (x, y), (x, z) or (y, z).
 std::array<int, 2> find_plane(const CaseNode& file, const std::string& path, const std::vector<Curve>& curves) {
   Space away{};
   for (const Curve& curve : curves)
@@ -104,7 +104,8 @@ Segment arc_through(const Point& start, const Point& mid, const Point& end) {
 
 std::vector<Segment> read_step(const CaseNode& file, const std::string& path) {
   if (!std::filesystem::is_regular_file(path))
-    core::refuse(file, fmt::format("no file \"{}\", allowed is a drawing beside the case file", path));
+    core::refuse(file,
+                 fmt::format("no file \"{}\", allowed is a drawing with its path relative to the case file", path));
   if (core::read_text(path).rfind("ISO-10303-21", 0) != 0)
     core::refuse(
         file,

@@ -127,7 +127,7 @@ void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode
     if (inside.depth > touching)
       core::refuse(
           *tools[entry.tool],
-          fmt::format("\"{}\" overlaps the glass at the start by {:.3g} mm, beside ({:g}, {:g}) mm; allowed is "
+          fmt::format("\"{}\" overlaps the glass at the start by {:.3g} mm, near ({:g}, {:g}) mm; allowed is "
                       "contact to within {:g} mm",
                       tool.name, 1e3 * inside.depth, 1e3 * inside.point[0], 1e3 * inside.point[1], 1e3 * touching));
   }
@@ -137,8 +137,7 @@ void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode
   if (!scene.has_heat()) return;
   bool glass_can_touch = can_touch(scene.glass);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
-    glass_can_touch =
-        glass_can_touch || !scene.stages[i].named_boundaries.empty();  // a named stretch is open to contact
+    glass_can_touch = glass_can_touch || !scene.stages[i].named_boundaries.empty();  // a named boundary may touch
     if (!glass_can_touch) continue;
     for (const auto& entry : scene.stages[i].tools) {
       const auto& tool = scene.tools[entry.tool];
@@ -171,8 +170,9 @@ void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>&
         core::CaseNode place = *stages[i];
         place.key += ".motion." + scene.tools[entry.tool].name;
         core::refuse(
-            place, fmt::format("starts at {:g} mm, but the tool stands at {:g} mm then; allowed is a start from there",
-                               1e3 * first, 1e3 * *at[entry.tool]));
+            place,
+            fmt::format("starts at {:g} mm, but the tool is at {:g} mm then; allowed is a motion that starts there",
+                        1e3 * first, 1e3 * *at[entry.tool]));
       }
       at[entry.tool].reset();
       if (!scene.stages[i].end_speed) at[entry.tool] = position->offset(scene.stages[i].duration);
@@ -187,20 +187,20 @@ void check_support(const Scene& scene, const core::CaseTable& root) {
       }))
     core::refuse(
         core::CaseTable(root.get("glass"), {"material", "temperature", "mesh", "film", "boundary"}).get("boundary"),
-        "every boundary is fixed or a symmetry plane and the pressure of the glass has no level; allowed is at "
-        "least one boundary that is neither");
+        "every boundary is fixed or a symmetry plane, so the pressure of the glass has no reference value; allowed is "
+        "at least one boundary that is neither");
   if (constrained_along_axis(scene.glass)) return;
   const auto stages = root.tables("stage");
-  bool named = false;  // a stretch that may touch
+  bool named = false;  // a boundary that may touch
   for (std::size_t i = 0; i < stages.size(); ++i) {
     named = named || !scene.stages[i].named_boundaries.empty();
     if (!scene.stages[i].tools.empty() && (named || can_touch(scene.glass))) continue;
     core::CaseNode place = *stages[i];
     place.key += ".tools";
-    core::refuse(place,
-                 fmt::format("nothing holds the glass along the axis in stage \"{}\"; allowed is a tool that it can "
-                             "touch, a fixed boundary or a symmetry plane across the axis",
-                             scene.stages[i].name));
+    core::refuse(
+        place, fmt::format("nothing constrains the glass along the axis in stage \"{}\"; allowed is a tool that it can "
+                           "touch, a fixed boundary or a symmetry plane across the axis",
+                           scene.stages[i].name));
   }
 }
 
