@@ -65,7 +65,7 @@ TEST(SceneErrors, tool_overlapping_the_glass_at_the_start) {
   const auto expected =
       std::to_string(line_of("[[tool]]")) + ": tool: \"plate\" overlaps the glass at the start by 1 mm, ";
   EXPECT_EQ(message.substr(0, expected.size()), expected);
-  EXPECT_EQ(complaint_about(replaced("(30, 0) (0, 0) mm", "(30, 0.0009) (0, 0.0009) mm")), "");
+  EXPECT_EQ(complaint_about(replaced("(30, 0) (0, 0) mm", "(30, 0.0003) (0, 0.0003) mm")), "");
 }
 
 TEST(SceneErrors, tool_inside_the_glass_is_found_by_its_own_points) {

@@ -223,7 +223,7 @@ TEST(Section, what_is_no_section_is_refused_with_a_sentence) {
            {drawing(bundled("blank.dxf"), "unit = \"mm\", "), "several outlines were found in the drawing"},
            {drawing(bundled("blank.dxf"), dxf_blank, "(0, 90) mm"),
             "(0, 90) mm is 8 mm away from the drawing, allowed are points on it"},
-           {dxf("gap.dxf", gap), "leave a gap of 0.02 mm at (0, 98) mm, allowed are ends that meet to 1e-4 mm"},
+           {dxf("gap.dxf", gap), "leave a gap of 0.02 mm at (0, 98) mm, allowed are ends that meet to 0.0002 mm"},
            {dxf("two.dxf", two), "several outlines were found in the drawing, one with 1 curves and 2 more curves"},
            {dxf("branch.dxf", branch), "more than two curves of the drawing meet at (0, 98) mm"},
            {dxf("spline.dxf", spline),

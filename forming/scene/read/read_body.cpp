@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include "core/mesh/element.hpp"
 #include "forming/scene/read/scene_reading.hpp"
+#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
@@ -12,7 +12,7 @@ using core::CaseTable;
 namespace dimension = core::dimension;
 
 Boundary read_boundary(const CaseNode& node) {
-  const CaseTable table(node, {"name", "path", "csv", "condition"});
+  const CaseTable table = boundary_table(node);
   Boundary boundary{core::identifier(table.get("name")), BoundaryKind::contact, {}, {}};
   const auto& condition = table.get("condition");
   if (condition.kind != CaseNode::Kind::table) {
@@ -69,9 +69,10 @@ MeshSpec read_mesh(const CaseNode& node, const Body& body) {
 
 /// Refuses a segment on the axis that is not a symmetry boundary.
 void check_axis(const Body& body, core::Geometry geometry, const CaseNode& boundaries) {
-  constexpr double on_axis = 1e-7;  // m2 per metre
+  if (geometry == core::Geometry::planar) return;
+  const double on_axis = tolerance::joined * core::size(body.profile);
   for (const auto& segment : body.profile.segments) {
-    const auto off = [&](double t) { return core::depth(geometry, core::point_at(segment, t)) > on_axis; };
+    const auto off = [&](double t) { return core::point_at(segment, t)[0] > on_axis; };
     if (off(0) || off(0.5) || off(1) || body.boundaries[segment.boundary_id].kind == BoundaryKind::symmetry) continue;
     core::refuse(boundaries.items[segment.boundary_id],
                  fmt::format("\"{}\" runs along the axis, allowed there is only the condition symmetry",

@@ -157,7 +157,6 @@ class DxfCurves {
 
   /// The bulge is the tangent of a quarter of the angle that the arc turns.
   void add_bulge(const Point& start, const Point& end, double bulge) {
-    if ((end - start).norm() <= section_joined) return;
     if (bulge == 0) return add_line(start, end);
     Segment arc;
     arc.is_arc = true;

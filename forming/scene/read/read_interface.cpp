@@ -67,8 +67,13 @@ contact::TableConductance read_table(const CaseNode& node) {
   return law;
 }
 
+/// An interface of any law.
+CaseTable interface_table(const CaseNode& node) {
+  return with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
+}
+
 contact::ConductanceLaw read_law(const CaseNode& node, bool with_flow) {
-  const auto table = with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
+  const auto table = interface_table(node);
   const int law = core::choice(table.get("law"), {"constant", "pressure-viscosity", "table"});
   if (law > 0 && !with_flow)
     core::refuse(table.get("law"), "the glass does not flow and has no contact pressure, allowed is \"constant\"");
@@ -80,9 +85,10 @@ contact::ConductanceLaw read_law(const CaseNode& node, bool with_flow) {
 }  // namespace
 
 std::vector<Interface> read_interfaces(const CaseNode& node, const Scene& scene) {
-  constexpr double default_transition_gap = 1e-4;  // m: a gap as wide passes no heat from surface to surface
+  // A property of the layer of air, so that it does not grow with the bodies: a gap as wide passes no contact heat.
+  constexpr double default_transition_gap = 1e-4;  // m
   const auto law = read_law(node, scene.has_flow());
-  const auto table = with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
+  const auto table = interface_table(node);
   double width = default_transition_gap;
   if (const auto* item = table.find("transition_gap")) width = core::positive(*item, dimension::length);
   std::vector<Interface> interfaces;

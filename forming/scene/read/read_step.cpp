@@ -9,6 +9,7 @@
 #include "core/io/files.hpp"
 #include "core/process/gmsh_session.hpp"
 #include "forming/scene/read/read_section.hpp"
+#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
@@ -70,13 +71,17 @@ std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
 
 /// The two axes of the coordinate plane through the origin that contains all curves: (x, y), (x, z) or (y, z).
 std::array<int, 2> find_plane(const CaseNode& file, const std::string& path, const std::vector<Curve>& curves) {
-  Space away{};
+  Space away{}, low = curves.front().start, high = low;
   for (const Curve& curve : curves)
     for (const Space& x : {curve.start, curve.mid, curve.end})
-      for (int k = 0; k < 3; ++k) away[k] = std::max(away[k], std::abs(x[k]));
-  if (away[2] < section_joined) return {0, 1};
-  if (away[1] < section_joined) return {0, 2};
-  if (away[0] < section_joined) return {1, 2};
+      for (int k = 0; k < 3; ++k) {
+        away[k] = std::max(away[k], std::abs(x[k]));
+        low[k] = std::min(low[k], x[k]), high[k] = std::max(high[k], x[k]);
+      }
+  const double in_plane = tolerance::joined * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  if (away[2] < in_plane) return {0, 1};
+  if (away[1] < in_plane) return {0, 2};
+  if (away[0] < in_plane) return {1, 2};
   core::refuse(
       file,
       fmt::format("the curves of \"{}\" lie in no coordinate plane, allowed are x and y, x and z, or y and z", path));

@@ -29,6 +29,8 @@ struct BodyContext {
 Glass read_glass(const core::CaseNode& node, const BodyContext& context);
 Tool read_tool(const core::CaseNode& node, const BodyContext& context);
 
+/// A table of a body's list of boundaries, with the keys that it may have.
+core::CaseTable boundary_table(const core::CaseNode& node);
 /// A point such as "(31, 14) mm".
 core::Point read_point(const core::CaseNode& node);
 /// The closed outline of a list of boundaries, each with its path or CSV file, in the order and sense of the file.
