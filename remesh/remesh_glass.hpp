@@ -12,9 +12,9 @@ struct Remeshed {
   bool ok = false;
   std::string reason;                          ///< why not, a sentence
   double volume_before = 0, volume_after = 0;  ///< m3
-  int laps = 0;                  ///< places where the surface had folded onto itself a little and was closed
-  double lap_volume = 0;         ///< of the air closed in there, which the glass elsewhere gave, m3
-  double coarsening_factor = 1;  ///< than the criteria ask for, for the sake of max_cells
+  int laps = 0;                                ///< small folds of the surface onto itself that were closed
+  double lap_volume = 0;                       ///< of the air closed in there, which the glass elsewhere gave, m3
+  double coarsening_factor = 1;                ///< than the criteria ask for, for the sake of max_cells
 };
 
 /// A new mesh of the same body: the surface resampled, the inside meshed anew, the enclosed volume restored to

@@ -83,7 +83,7 @@ class Conductivity {
   double radiant_ = 0;  ///< W/m/K4
 };
 
-/// Specific enthalpy and its slope, the heat capacity.
+/// Specific enthalpy and its derivative, the heat capacity.
 struct EnthalpyValue {
   double h;  ///< J/kg
   double c;  ///< J/kg/K

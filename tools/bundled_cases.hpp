@@ -13,7 +13,7 @@ std::filesystem::path shared_file(const std::string& name);
 /// A name of neither is refused with the names there are.
 std::string find_case(const std::string& given);
 
-/// A line for each bundled case, its name and the title of its README, and where they stand.
+/// A line for each bundled case, its name and the title of its README, and their folder.
 std::string bundled_cases_table();
 
 }  // namespace parison::tools

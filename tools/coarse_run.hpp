@@ -7,7 +7,7 @@
 
 namespace parison::tools {
 
-/// The coarse run of the error bars, beside its run on another core; whoever drops it while it runs asks it to stop
+/// The coarse run of the error bars, parallel to its run on another core; its destructor asks a running one to stop
 /// and waits until it has.
 class CoarseRun : public forming::RunObserver {
  public:
@@ -19,7 +19,7 @@ class CoarseRun : public forming::RunObserver {
   void step_taken(const forming::RunView& run, const forming::State& before,
                   const forming::StepReport& report) override;
 
-  /// Returns when it has ended, and tells that it waits; a request to stop is passed on.
+  /// Returns when it has ended, and prints that it waits; a request to stop is passed on.
   void wait();
 
  private:

@@ -30,7 +30,7 @@ void add_case_options(CLI::App& command, RunRequest& request) {
   command.add_option("case", request.case_path, what_a_case_is)->required()->transform(find_case);
   command.add_option("--accuracy", request.accuracy, "draft, standard, fine, or an error such as 0.5%")
       ->capture_default_str();
-  command.add_option("--set", request.overrides, "KEY=VALUE in place of the case file's value; may be repeated")
+  command.add_option("--set", request.overrides, "KEY=VALUE that replaces the value in the case file; may be repeated")
       ->take_all()
       ->allow_extra_args(false);
 }
@@ -48,7 +48,7 @@ void add_resume(CLI::App& app, Command& chosen) {
   auto* command = add_command(app, "resume", "continue a run from its last checkpoint", chosen, request, resume);
   command->add_option("results", request->output, "folder with the results of the run")->required();
   command->add_option("--case", request->case_path, "the case, where it has moved")->transform(find_case);
-  command->add_flag("--error-bars", request->error_bars, "as for run; on a run that has completed too");
+  command->add_flag("--error-bars", request->error_bars, "as for run; also for a run that has completed");
 }
 
 void add_check(CLI::App& app, Command& chosen) {
@@ -64,12 +64,13 @@ void add_tradeoff(CLI::App& app, Command& chosen) {
                   chosen, request, tradeoff);
   command->add_option("case", trade.case_path, what_a_case_is)->required()->transform(find_case);
   command->add_option("--output", trade.output,
-                      "folder of the study; what has run there is not run again [results/tradeoff_NAME]");
-  command->add_option(
-      "--reference", trade.reference,
-      "accuracy that the others are held against [fine; \"fine coarser 0.5\" where the case maps its mesh]");
-  command->add_option("--base", trade.base, "accuracy at which one thing at a time is changed")->capture_default_str();
-  command->add_option("--study", trade.study, "TOML file of [[variant]] tables in place of the standard study");
+                      "folder of the study; variants that have run there are not run again [results/tradeoff_NAME]");
+  command->add_option("--reference", trade.reference,
+                      "accuracy of the reference that the others are compared with [fine; \"fine coarser 0.5\" where "
+                      "the case maps its mesh]");
+  command->add_option("--base", trade.base, "accuracy at which one setting at a time is changed")
+      ->capture_default_str();
+  command->add_option("--study", trade.study, "TOML file of [[variant]] tables that replaces the standard study");
   command->add_option("--only", trade.groups, "groups to run: accuracy, mesh, time, coupling, order, model")
       ->delimiter(',');
   command->add_option("--set", trade.overrides, "KEY=VALUE for every variant")->take_all()->allow_extra_args(false);

@@ -3,7 +3,7 @@
 
 namespace parison::tools {
 
-/// Exit codes of the program beside 0.
+/// Exit codes of the program other than 0.
 enum ExitCode {
   run_failed = 1,     ///< a run did not come to its end, or the system refused something
   case_wrong = 2,     ///< the case file or the command line is wrong

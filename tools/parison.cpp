@@ -43,10 +43,10 @@ int main(int argc, char** argv) {
   } catch (const std::system_error& error) {  // of std::filesystem
     return fail(tools::run_failed, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(tools::internal_error, "no memory is left; what was run stands at its last checkpoint");
+    return fail(tools::internal_error, "out of memory; a run can be resumed from its last checkpoint");
   } catch (const std::exception& error) {
     fmt::print(stderr,
-               "parison: a mistake in the program, not in the case: {}; what was run stands at its last "
+               "parison: an error in the program, not in the case: {}; a run can be resumed from its last "
                "checkpoint\n",
                error.what());
     return tools::internal_error;

@@ -45,7 +45,7 @@ int report_errors(const Scene& scene, const RunOutcome& outcome, const std::stri
   return 0;
 }
 
-/// Writes the summary of a run and tells how it ended; its coarse run is null where no error bars are wanted.
+/// Writes the summary of a run and prints how it ended; its coarse run is null where no error bars are wanted.
 int report(const Scene& scene, const RunOutcome& outcome, const std::string& output, CoarseRun* coarse_run) {
   const auto& facts = outcome.facts;
   if (!facts.completed) fmt::print(stderr, "parison: the run stopped in {}\n", facts.reason);
@@ -84,8 +84,7 @@ int resume(const RunRequest& request) {
   const forming::CaseOrigin origin = forming::read_origin(forming::find_checkpoint(output));
   if (request.case_path.empty() && !std::filesystem::exists(origin.file))
     throw core::CaseError(
-        fmt::format("{}: its case \"{}\" is no longer there, allowed is --case with the place it has moved to", output,
-                    origin.file));
+        fmt::format("{}: its case \"{}\" no longer exists, give its new location with --case", output, origin.file));
   const Scene scene = forming::read_scene(request.case_path.empty() ? origin.file : request.case_path, origin.accuracy,
                                           origin.overrides);
   fmt::print("{} at {} accuracy, from the last checkpoint in {}\n", scene.name, scene.accuracy_name, output);

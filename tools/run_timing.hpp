@@ -5,7 +5,7 @@
 
 namespace parison::tools {
 
-/// CPU times of the further runs of a variant, s, kept beside its folder. Throws core::CaseError where a line is no
+/// CPU times of the further runs of a variant, s, kept next to its folder. Throws core::CaseError where a line is no
 /// time.
 std::vector<double> read_timings(const std::string& folder);
 

@@ -16,7 +16,7 @@ struct TradeoffRequest {
   bool list = false;  ///< names the variants and runs none
 };
 
-/// Runs the study of a case in a folder, as far as it has not run yet, and writes what it says. Returns the exit code.
+/// Runs the study of a case in a folder, without what has run before, and writes its results. Returns the exit code.
 int tradeoff(const TradeoffRequest& request);
 
 }  // namespace parison::tools

@@ -168,7 +168,8 @@ std::string model_table(const Results& results, const VariantResult& base,
          rows;
 }
 
-/// Whether the accuracy level says nothing: where a case maps its mesh and sets its steps the presets compute the same.
+/// Whether the accuracy level has no effect: where a case maps its mesh and sets its steps the presets compute the
+/// same.
 bool presets_agree(const Results& results) {
   const VariantResult* first = nullptr;
   int alike = 0;

@@ -9,7 +9,7 @@
 namespace parison::contact {
 
 /// The conductance at all points of an interface, prepared for many evaluations with the same pressures and new
-/// viscosities. A point gets the same bits wherever it stands among the others.
+/// viscosities. The result at a point does not depend on its index, to the last bit.
 class InterfaceConductance {
  public:
   /// `laws` are indexed by core::InterfacePoint::law.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double smooth_angle = M_PI / 9;  ///< 20 degrees: joints that turn less are smooth, closer normals are one
 constexpr double end_tolerance = 1e-9;     ///< slack at a segment's ends, in its lengths
-/// A constrained point is at most this many reaches away from a segment's bounding box: one beside it, one past its
+/// A constrained point is at most this many reaches away from a segment's bounding box: one next to it, one past its
 /// end.
 constexpr double max_off = 2;
 

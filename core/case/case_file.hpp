@@ -10,7 +10,7 @@
 
 namespace parison::core {
 
-/// A value of a case file and the place where it stands.
+/// A value of a case file and its location in the file.
 struct CaseNode {
   enum class Kind { text, number, flag, list, table };
   Kind kind = Kind::table;
@@ -34,11 +34,11 @@ struct CaseFile {
 /// Parses a case file, or the case.toml of a folder.
 CaseFile read_case_file(const std::string& path);
 
-/// Puts a value in place of the file's: `path=value`, the path keys joined by dots, the entry of a list by its number
+/// Replaces a value of the file: `path=value`, the path keys joined by dots, the entry of a list by its number
 /// from 0 or its name (an interface's by a tool it is for, which then gets one of its own), the value TOML or plain
 /// text.
 void override_value(CaseFile& file, const std::string& assignment);
-/// A TOML value as it may stand in a case file, or a text without quotes; `place` is where it is meant for.
+/// A TOML value as in a case file, or a text without quotes; `place` is the node that it replaces.
 CaseNode parse_value(const std::string& text, const CaseNode& place);
 
 /// Throws a CaseError about a node: `file:line: key: message`.
@@ -74,7 +74,7 @@ bool flag(const CaseNode& node);
 const std::string& text(const CaseNode& node);
 /// A text of letters, digits, '_' and '-' only.
 const std::string& identifier(const CaseNode& node);
-/// A node that stands for the key of another one.
+/// A node that represents the key of another one.
 CaseNode key_of(const CaseNode& node);
 const std::vector<CaseNode>& list(const CaseNode& node);
 const std::vector<CaseNode>& entries(const CaseNode& table);

@@ -7,7 +7,7 @@ namespace parison::core {
 
 namespace {
 
-/// Index of the interval of x that holds `at`, between 0 and size - 2.
+/// Index of the interval of x that contains `at`, between 0 and size - 2.
 std::size_t interval(const std::vector<double>& x, double at) {
   const auto above = std::upper_bound(x.begin(), x.end(), at);
   const auto last = static_cast<std::ptrdiff_t>(x.size()) - 2;

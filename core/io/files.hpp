@@ -18,7 +18,7 @@ void replace_file(const std::string& path, const std::string& text);
 /// Returns when the file, or what a folder lists, is on the disk (fsync).
 void sync_to_disk(const std::string& path);
 
-/// A text file that is appended to; one process at a time may hold it.
+/// A text file that is appended to; one process at a time may have it open.
 class GrowingFile {
  public:
   /// Opens it with its first `size` bytes, cutting off what follows; 0 makes it where there is none.

@@ -44,8 +44,8 @@ class Hdf5Group {
   Close close_;
 };
 
-/// Makes a file of what `fill` writes into its root group. It is on the disk when this returns; until then its place
-/// holds what it held before.
+/// Makes a file of what `fill` writes into its root group. It is on the disk when this returns; until then the old
+/// file stays.
 void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& root)>& fill);
 
 /// The root group of an existing file; the file closes with it.

@@ -30,7 +30,7 @@ namespace {
 
 constexpr int vtk_dim = 3;
 
-/// A finite value that single precision cannot hold becomes the nearest that it can.
+/// A finite value that single precision cannot represent becomes the nearest that it can.
 float single(double value) {
   constexpr double largest = std::numeric_limits<float>::max();
   return static_cast<float>(value > largest ? largest : value < -largest ? -largest : value);

@@ -59,7 +59,7 @@ Permuted permute(const SymmetricMatrix& matrix, const Index* order, bool upper) 
 }  // namespace
 
 /// The matrix is handed over in the order of elimination: CHOLMOD would order it anew at each factorisation. Its factor
-/// holds the order for the solves.
+/// has the order for the solves.
 struct Cholesky::Data {
   mutable cholmod_common common;
   std::optional<Permuted> permuted;  ///< unless the matrix is in that order itself

@@ -70,7 +70,7 @@ struct Mumps {
     const SolverTimer timer(SolverTimer::Work::factorisation);
     return run(2);
   }
-  /// `place`: of each unknown in the order of elimination, from 1.
+  /// `place`: position of each unknown in the order of elimination, from 1.
   void analyse(const SymmetricMatrix& matrix, std::vector<int> in_order);
   bool factorise(const SymmetricMatrix& matrix);
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);

@@ -18,7 +18,7 @@ void Cliques::add(const Index* begin, Index count) {
 
 namespace {
 
-/// Which cliques hold each unknown, and at which of their places.
+/// Which cliques contain each unknown, and at which of their positions.
 struct Uses {
   std::vector<Index> start, clique, place;
 };
@@ -131,7 +131,7 @@ Eigen::VectorXd multiply(const SymmetricMatrix& matrix, const Eigen::VectorXd& x
 
 namespace {
 
-/// A graph in compressed rows; an edge may stand in either of its ends' rows, or in both.
+/// A graph in compressed rows; an edge may be in the row of either end, or in both.
 struct Graph {
   std::vector<Index> start, neighbour;
 };
@@ -149,7 +149,7 @@ double operations(const double* info) {
   return 2 * info[AMD_NMULTSUBS_LDL];
 }
 
-/// A number that stands for an unknown in the fingerprint of a pattern (the finaliser of splitmix64).
+/// A number that represents an unknown in the fingerprint of a pattern (the finaliser of splitmix64).
 std::uint64_t mark(std::uint64_t unknown) {
   std::uint64_t z = (unknown + 1) * 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;

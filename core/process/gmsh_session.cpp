@@ -53,7 +53,7 @@ class Locale {
   std::string name_;
 };
 
-/// A stream of std::rand beside that of the program, which goes on where it was at the end of the scope.
+/// A stream of std::rand of its own; that of the program continues where it was at the end of the scope.
 class RandomNumbers {
  public:
   RandomNumbers() : before_(initstate(1, state_.data(), state_.size())) {}

@@ -44,7 +44,7 @@ struct Material {
 
 /// Tangential behaviour of the glass on a tool while it is pressed against it.
 struct Friction {
-  enum class Law { slip, stick, navier, grip } law = Law::stick;  ///< grip: stick that also holds in tension
+  enum class Law { slip, stick, navier, grip } law = Law::stick;  ///< grip: sticks in tension too
   double coefficient = 0;                                         ///< Navier beta, Pa.s/m
   std::optional<double> coulomb;                                  ///< cap of the shear stress, times contact pressure
 };

@@ -37,7 +37,7 @@ std::string failed_precondition(const Problem& problem) {
 }
 
 /// The tools as boundary conditions of a dilatation added to a solved problem: tools in force balance yield without a
-/// force, tools at their speed limit and tools of given velocity stand still.
+/// force, tools at their speed limit and tools of given velocity do not move.
 Problem tools_for_dilatation(Problem problem, const std::vector<double>& tool_velocity) {
   for (std::size_t t = 0; t < problem.tools.size(); ++t) {
     ToolMotion& tool = problem.tools[t];
@@ -115,9 +115,9 @@ bool ActiveSetIteration::advance() {
   if (result_.iterations++ == max_iterations) return fail("the contact set did not converge");
   if (!constrain_nodes())
     return fail(
-        "the glass is not held: no tool, symmetry plane or fixed boundary carries it (a fall is not computed: "
-        "glass has to touch a tool)");
-  if (!solve_linearised()) return fail("the flow matrix is singular: the glass is not held");
+        "the glass is not constrained: no tool, symmetry plane or fixed boundary supports it (free fall is not "
+        "computed; the glass must touch a tool)");
+  if (!solve_linearised()) return fail("the flow matrix is singular: the glass is not constrained");
   balance_driven_tools();
   const bool steady = linearise_viscosity();
   const bool same_contacts = update_contacts();

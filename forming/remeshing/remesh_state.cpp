@@ -78,8 +78,8 @@ remesh::Criteria criteria(const Scene& scene, const State& state) {
   return result;
 }
 
-/// The old surface node nearest to a new one: among the nodes of the old cell that holds it or, where none of them lies
-/// on the surface, among all.
+/// The old surface node nearest to a new one: among the nodes of the old cell that contains it or, where none of them
+/// lies on the surface, among all.
 Index nearest_surface_node(const core::Mesh& from, const std::vector<bool>& on_surface, Index cell, const Point& x) {
   Index best = -1;
   const auto consider = [&](Index node) {

@@ -12,7 +12,7 @@
 namespace parison::forming {
 namespace {
 
-/// Half width that holds 90 % of a normal scatter, in its root mean square.
+/// Half width of the interval that contains 90 % of a normal distribution, in standard deviations.
 constexpr double scatter = 1.64;
 /// No bar is narrower: share of size_of_kind.
 constexpr double resolution = 1e-4;
@@ -90,7 +90,7 @@ double chance_of_mean(const Quantities& run, const Quantities& coarse_run) {
   return count ? std::sqrt(square / count / waves) : 0;
 }
 
-/// A wall ends at a node or at the next: what one place more or less at each end of a stretch changes in the mean, mm.
+/// A wall ends at one node or at the next: change of the mean by one point more or less at each end of a part, mm.
 double step_of_mean(const Quantities& run, double mean) {
   double square = 0;
   int count = 0;
@@ -102,7 +102,7 @@ double step_of_mean(const Quantities& run, double mean) {
   return count ? std::sqrt(square) / count : 0;
 }
 
-/// How wrong the wall usually is near a place of the profile, mm.
+/// Usual error of the wall thickness near a point of the profile, mm.
 double usual_near(const std::vector<double>& profile, const std::vector<double>& other, int at) {
   const int reach = static_cast<int>(std::lround(neighbourhood / spacing));
   double square = 0;
@@ -113,7 +113,7 @@ double usual_near(const std::vector<double>& profile, const std::vector<double>&
   return count ? std::sqrt(square / count) : 0;
 }
 
-/// The thinnest wall and its place, which lies where the wall is as thin to within the error of its thickness.
+/// The thinnest wall and its position, uncertain over the points that are as thin to within the error of the thickness.
 void add_min_thickness(Quantities& run, const Quantities& coarse_run) {
   double error = 0;
   for (Quantity& quantity : run.values) {

@@ -7,9 +7,9 @@ namespace parison::forming {
 /// Edges and steps of the coarse run over those of the run itself.
 inline constexpr double coarsening_factor = 1.5;
 
-/// What a coarse run says about a run: Richardson's estimate with the order that the convergence study of the presets
-/// showed. Quantities of one kind lend each other the usual size of their differences, as one of them may vanish by
-/// chance.
+/// Error estimates of a run from a coarse run: Richardson's estimate with the order that the convergence study of the
+/// presets showed. Quantities of one kind lend each other the usual size of their differences, as one of them may
+/// vanish by chance.
 struct ErrorBars {
   Quantities quantities;             ///< those of the run, with their errors
   double profile_mean, profile_max;  ///< of the wall thickness, shares; NaN without a wall
@@ -20,7 +20,7 @@ struct ErrorBars {
 struct ExpectedErrors {
   double thickness = 0, heat = 0;
 };
-/// No bar is narrower than what `expected` says of it.
+/// No bar is narrower than its `expected` error.
 ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const ExpectedErrors& expected = {});
 
 }  // namespace parison::forming

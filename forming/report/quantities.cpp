@@ -24,7 +24,7 @@ bool has_wall(const Scene& scene) {
                                          [](const Stage& stage) { return !stage.pressure.empty(); });
 }
 
-/// Thickness at even shares of the arc, linear between the rows; NaN beside one that is no wall.
+/// Thickness at even shares of the arc, linear between the rows; NaN next to a row that is no wall.
 std::vector<double> sample_profile(const std::vector<ThicknessRow>& rows) {
   std::vector<double> profile(profile_points, none);
   const double first = rows.front().arc, whole = rows.back().arc - first;

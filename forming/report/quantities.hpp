@@ -12,22 +12,22 @@ namespace parison::forming {
 
 struct Summary;
 
-/// A result that one asks a run for, in the unit it is shown in.
+/// A quantity of interest, in the unit it is shown in.
 struct Quantity {
   std::string name, unit;
   double value;
-  double scale;  ///< what a share of it is taken of: its own size, for temperatures the span of the scene
+  double scale;  ///< reference of relative errors: its own size, for temperatures the span of the scene
   double error = std::numeric_limits<double>::quiet_NaN();  ///< estimated; NaN where none was asked for
 };
 
-/// Even places of the wall-thickness profile along the outer arc, its ends included.
+/// Number of evenly spaced points of the wall-thickness profile along the outer arc, with both ends.
 inline constexpr int profile_points = 401;
 
 /// The quantities of interest of a run.
 struct Quantities {
   std::vector<Quantity> values;
-  /// Wall thickness at even shares of the outer arc, mm; NaN where the other side does not face it, and empty where the
-  /// scene has no wall.
+  /// Wall thickness at evenly spaced points of the outer arc, mm; NaN where there is no opposite side, and empty where
+  /// the scene has no wall.
   std::vector<double> profile;
 
   const Quantity* find(const std::string& name) const;
@@ -44,12 +44,12 @@ struct ProfileDifference {
   double mean, max;  ///< NaN without a profile
   double where;      ///< share of the arc where it is largest
 };
-/// Over places which are wall in both and which lie further than `profile_margin` of the arc from any that is not:
-/// there the finish begins and the thickness jumps.
+/// Over the points that are wall in both profiles and lie farther than `profile_margin` of the arc from any point that
+/// is not wall: there the finish begins and the thickness jumps.
 ProfileDifference compare_profiles(const std::vector<double>& profile, const std::vector<double>& reference);
 inline constexpr double profile_margin = 0.02;
 
-/// Heat wrongly given to tools over all heat given to them; NaN where no tool received any.
+/// Sum of the errors of the heats into the tools over the whole heat into them; NaN where no tool received any.
 double heat_difference(const Quantities& run, const Quantities& reference);
 
 }  // namespace parison::forming

@@ -6,7 +6,7 @@
 
 namespace parison::forming {
 
-/// What the steps of a run took. Sums hold rejected steps too, `limited_by` those that were taken.
+/// Cost of the steps of a run. Sums include rejected steps, `limited_by` counts accepted ones only.
 struct SolverStatistics {
   long coupling_iterations = 0, flow_solves = 0, flow_factorisations = 0, contact_changes = 0, heat_substeps = 0;
   long locked_contacts = 0;  ///< contacts, over all steps, that pulled but stayed closed

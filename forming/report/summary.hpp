@@ -68,7 +68,7 @@ struct ErrorBars;
 void add_error_bars(const std::string& directory, const Scene& scene, const State& state, const ErrorBars& bars,
                     Summary& summary);
 
-/// Each quantity of interest with its estimated error, and what that says of a target.
+/// Each quantity of interest with its estimated error, and whether the target was met.
 std::string error_table(const Scene& scene, const ErrorBars& bars);
 
 /// What a process engineer asks for, as a table for the terminal.

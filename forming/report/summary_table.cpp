@@ -81,17 +81,17 @@ std::string error_text(const Quantity& quantity) {
   return fmt::format("+- {:.2g}", quantity.error);
 }
 
-/// A bar is a bound, as a rule two to five times the error: one wider than the target says little until it is five
-/// times so.
+/// A bar is an upper bound, usually two to five times the error. A bar wider than the target decides little unless it
+/// is five times as wide.
 std::string target_line(double target, double bar) {
   constexpr double widest = 5;
   std::string verdict = fmt::format("probably missed: the bar of {:.2g} % is more than five times as wide", 100 * bar);
   if (!std::isfinite(bar))
-    verdict = "not to be told, with neither a wall nor tools that receive heat";
+    verdict = "unknown, as there is neither a wall nor a tool that receives heat";
   else if (bar <= target)
     verdict = "met";
   else if (bar <= widest * target)
-    verdict = fmt::format("expected, not proved: the bar of {:.2g} % is a bound, as a rule two to five times the error",
+    verdict = fmt::format("probably met: the bar of {:.2g} % is an upper bound, usually two to five times the error",
                           100 * bar);
   return fmt::format("  target {:.3g} % (wall in the mean, heat into tools): {}\n", 100 * target, verdict);
 }

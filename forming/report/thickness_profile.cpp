@@ -115,7 +115,7 @@ std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>&
   return normals;
 }
 
-/// Rows with place and area, in the order of walking the outer surface; `nodes` says whose they are.
+/// Rows with position and area, in the order of walking the outer surface; `nodes` gets the node of each.
 std::vector<ThicknessRow> make_rows(const Scene& scene, const core::Mesh& mesh, std::vector<Index>& nodes) {
   std::vector<ThicknessRow> rows;
   std::vector<Index> row_of(mesh.nodes.size(), -1);

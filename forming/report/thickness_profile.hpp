@@ -8,19 +8,19 @@
 
 namespace parison::forming {
 
-/// Which boundaries of the glass mesh the last stage with a pressure loads with it, be it 0: the inner side of the
-/// container.
+/// Which boundaries of the glass mesh carry a pressure (even one of 0) in the last stage that names a pressure: the
+/// inner side of the container.
 std::vector<bool> loaded_boundaries(const Scene& scene, const core::Mesh& glass);
 
-/// A boundary edge with its place along a stretch of the surface.
+/// A boundary edge and its position along a part of the surface.
 struct ChainEdge {
   Index edge;     ///< index into Mesh::boundary
-  double start;   ///< arc length from the stretch's start to its first node, m
+  double start;   ///< arc length from the start of the part to the first node of the edge, m
   double length;  ///< m
 };
 
-/// The boundary edges on wanted boundaries in the order of walking them, from where they begin; further parts go on
-/// counting.
+/// The boundary edges on wanted boundaries in the order of walking them, from where they begin; the arc length
+/// continues over further parts.
 std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_boundaries);
 
 /// Glass boundary edges of the outer surface: neither on a symmetry boundary nor on one that a stage loads with a

@@ -8,17 +8,16 @@
 
 namespace parison::forming {
 
-/// A moment from which a run can go on: the state decides all that follows, the rest is what was told of the past.
+/// A restart point of a run: the state determines everything that follows, the rest records the past.
 struct Checkpoint {
   RunOutcome outcome;
   WrittenFiles files;
 };
 
-/// Writes the checkpoint of a result folder, where the one before is kept beside it. Each appears complete or not at
-/// all.
+/// Writes the checkpoint of a result folder and keeps the one before. Each file is complete or does not exist.
 void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint);
 
-/// Whether a folder holds a complete checkpoint.
+/// Whether a folder contains a complete checkpoint.
 bool has_checkpoint(const std::string& directory);
 
 /// The last complete checkpoint of a result folder; throws core::CaseError where there is none.

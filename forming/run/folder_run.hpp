@@ -7,7 +7,7 @@
 namespace parison::forming {
 
 /// Runs a scene and writes its results and checkpoints into a new folder; other observers come after these. Throws
-/// core::CaseError where the folder exists and holds anything.
+/// core::CaseError where the folder exists and is not empty.
 RunOutcome run_in_folder(const Scene& scene, const std::string& directory, const Observers& others = {},
                          const StopRequest& stop = {}, const remesh::Mesher& mesher = remesh::triangulate);
 

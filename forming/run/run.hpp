@@ -12,9 +12,9 @@ namespace parison::forming {
 /// Asked after each step whether the run is to stop there.
 using StopRequest = std::function<bool()>;
 
-/// Runs a scene through all its stages. A run that cannot go on, be it for a file that the system refuses to an
-/// observer, says why in the facts and returns what it has. Glass is remeshed by `mesher`. Throws core::RunError where
-/// a body cannot be meshed at the start, and what an observer throws in RunObserver::run_begins.
+/// Runs a scene through all its stages. A run that cannot continue (also because an observer cannot
+/// write a file) gives the reason in the facts and returns what it has. Glass is remeshed by `mesher`. Throws
+/// core::RunError where a body cannot be meshed at the start, and what an observer throws in RunObserver::run_begins.
 RunOutcome run(const Scene& scene, const Observers& observers = {}, const StopRequest& stop = {},
                const remesh::Mesher& mesher = remesh::triangulate);
 

@@ -36,7 +36,7 @@ void notify(RunInProgress& run, void (RunObserver::*event)(const RunView&, Param
 /// integrator with a memory of its own, which ends after `output.checkpoint_steps` steps and after 300 of its own.
 void offer_checkpoint(RunInProgress& run, bool at_stage_boundary);
 
-/// Whether the run was stopped on request; then the facts say so.
+/// Whether the run was stopped on request; this is recorded in the facts.
 bool stop_requested(RunInProgress& run);
 
 }  // namespace parison::forming

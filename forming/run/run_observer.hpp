@@ -28,7 +28,7 @@ class RunObserver {
 
   /// Before the first stage, or where a run is taken up again. What is thrown here leaves the run.
   virtual void run_begins(const RunView&) {}
-  /// A stage has begun, or has failed to as the facts say.
+  /// A stage has begun or has failed to begin (see the facts).
   virtual void stage_begins(const RunView&) {}
   /// A step is tried from the state of the view; nothing but the step lies between this call and the next.
   virtual void step_begins(const RunView&) {}

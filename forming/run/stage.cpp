@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/mesh/tolerances.hpp"
@@ -13,15 +14,13 @@
 
 namespace parison::forming {
 
-namespace {}  // namespace
-
 std::string stage_precondition_failure(const Scene& scene, const State& state) {
   const double size = core::size(scene.glass.profile);
   for (const auto& place : scene.stages[state.stage].tools) {
     const auto* position = std::get_if<PositionMotion>(&place.motion);
     const double now = state.tools[place.tool].offset;
     if (position && std::abs(position->offset(0) - now) > core::tolerance::motion_start * size)
-      return fmt::format("tool {} stands at {:.4g} mm, its motion starts at {:.4g} mm", scene.tools[place.tool].name,
+      return fmt::format("tool {} is at {:.4g} mm, but its motion starts at {:.4g} mm", scene.tools[place.tool].name,
                          1e3 * now, 1e3 * position->offset(0));
   }
   Penetration max_penetration{};
@@ -30,8 +29,8 @@ std::string stage_precondition_failure(const Scene& scene, const State& state) {
   if (max_penetration.depth <= core::tolerance::stage_overlap * size) return "";
   const Point& x = state.glass.mesh.nodes[max_penetration.node];
   return fmt::format(
-      "active tool {} overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit into the "
-      "stage's tools as it is",
+      "active tool {} overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit between "
+      "the tools of the stage",
       scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1]);
 }
 
@@ -60,14 +59,41 @@ void update_motion(const Scene& scene, State& state) {
   }
 }
 
+namespace {
+
+bool is_full(const Stage& stage, const State& state) {
+  constexpr double same_time = 1e-9;  // s
+  return state.stage_time >= stage.duration - same_time;
+}
+
+/// Whether the driven tools have moved faster than the end speed and all are slower again.
+bool tools_at_rest(const Stage& stage, const State& state) {
+  return stage.end_speed && state.has_moved &&
+         std::all_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
+           return !std::holds_alternative<ForceMotion>(tool.motion) ||
+                  std::abs(state.tools[tool.tool].velocity) < *stage.end_speed;
+         });
+}
+
+/// The condition by which the present stage has ended.
+const char* end_reason(const RunInProgress& run, bool good) {
+  const State& state = run.outcome.state;
+  const Stage& stage = run.scene.stages[state.stage];
+  if (run.outcome.facts.stopped) return "stop";
+  if (!good) return "failure";
+  if (is_full(stage, state)) return "duration";
+  assert(tools_at_rest(stage, state));  // a new condition of stage_over needs its own reason here
+  return "tools at rest";
+}
+
+}  // namespace
+
 void end_stage(RunInProgress& run, bool good) {
   const State& state = run.outcome.state;
   const Stage& stage = run.scene.stages[state.stage];
   RunFacts& facts = run.outcome.facts;
-  const bool full = state.stage_time >= stage.duration - 1e-9;
-  const char* reason = facts.stopped ? "stop" : !good ? "failure" : full ? "duration" : "tools at rest";
-  facts.stages.push_back({stage.name, state.stage_start, state.time, reason, state.totals.work});
-  if (good && full && !facts.stopped) add_warnings(moving_tool_warnings(run.scene, state), facts);
+  facts.stages.push_back({stage.name, state.stage_start, state.time, end_reason(run, good), state.totals.work});
+  if (good && is_full(stage, state) && !facts.stopped) add_warnings(moving_tool_warnings(run.scene, state), facts);
 }
 
 }  // namespace parison::forming

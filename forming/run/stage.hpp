@@ -6,7 +6,7 @@
 
 namespace parison::forming {
 
-/// What makes the present stage impossible from where the tools and the glass stand; empty when nothing does.
+/// Why the present stage cannot begin with the present positions of tools and glass; empty when it can.
 std::string stage_precondition_failure(const Scene& scene, const State& state);
 
 /// Enters a stage; false when it cannot begin, and the facts say why.

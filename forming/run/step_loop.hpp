@@ -11,7 +11,7 @@ struct AcceptedStep {
 };
 
 /// Takes one step of the stage that the step control accepts, on a new glass mesh where the old one is too distorted or
-/// may be what holds the step back. False when the smallest step failed or the run was stopped; the facts say why.
+/// may be what limits the step. False when the smallest step failed or the run was stopped; the facts say why.
 bool advance(RunInProgress& run, AcceptedStep& step);
 
 /// Gives the present state a new glass mesh. False when none could be made and the old one cannot go on; the facts say

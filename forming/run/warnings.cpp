@@ -22,8 +22,8 @@ void warn_of_remeshing(const Scene& scene, const RemeshStatistics& remeshing, Wa
   if (remeshing.failed > 1) warnings.push_back(fmt::format("{} new glass meshes could not be made", remeshing.failed));
   if (remeshing.laps > 0)
     warnings.push_back(fmt::format(
-        "the glass folded onto itself at {} places, which were closed with {:.2g} mm3 of air in them: marks of "
-        "laps are to be expected there",
+        "the glass folded onto itself at {} points. The folds were closed and enclose {:.2g} mm3 of air; the container "
+        "would show fold marks (laps) there",
         remeshing.laps, 1e9 * remeshing.lap_volume));
   if (remeshing.coarsening_factor > 1)
     warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have about {:g} cells",
@@ -54,12 +54,12 @@ Warnings accuracy_warnings(const Scene& scene, const State& state, const RunFact
         fmt::format("inertia is neglected, but the Reynolds number reached {:.2g}", totals.max_reynolds));
   warn_of_remeshing(scene, totals.remeshing, warnings);
   if (const double imbalance = max_work_imbalance(facts); imbalance > work_imbalance_limit)
-    warnings.push_back(
-        fmt::format("the work done on the glass and what became of it differ by {:.2g} % at a stage's end; a higher "
-                    "accuracy or a smaller numerics.strain_per_step helps",
-                    100 * imbalance));
+    warnings.push_back(fmt::format(
+        "the work done on the glass and the work dissipated or stored differ by {:.2g} % at a stage's end; a higher "
+        "accuracy or a smaller numerics.strain_per_step helps",
+        100 * imbalance));
   if (totals.clamped_lookups > 0)
-    warnings.push_back(fmt::format("{} look-ups of a conductance table lay outside its range and were clamped",
+    warnings.push_back(fmt::format("{} look-ups of a conductance table were outside its range and were clamped",
                                    totals.clamped_lookups));
   if (const double span = temperature_range(scene).span(); totals.overshoot > overshoot_limit * span)
     warnings.push_back(fmt::format(
@@ -78,10 +78,10 @@ Warnings unused_interface_warnings(const Scene& scene, const State& state) {
   for (const Interface& interface : scene.interfaces) {
     const Tool& tool = scene.tools[interface.tool];
     if (state.tools[interface.tool].heat_received == 0 && tool.initial_temperature != scene.glass.initial_temperature)
-      warnings.push_back(
-          fmt::format("the interface of the glass with {} was never used: in the whole run they did not come within "
-                      "{:.4g} mm of each other",
-                      tool.name, 1e3 * interface.transition_gap));
+      warnings.push_back(fmt::format(
+          "the interface of the glass with {} was never used: during the whole run they stayed farther apart than "
+          "{:.4g} mm",
+          tool.name, 1e3 * interface.transition_gap));
   }
   return warnings;
 }

@@ -18,7 +18,7 @@ Warnings moving_tool_warnings(const Scene& scene, const State& state);
 /// Of what makes the results of a run less accurate than they look: neglected inertia, remeshes, balances, overshoots.
 Warnings accuracy_warnings(const Scene& scene, const State& state, const RunFacts& facts);
 
-/// Of interfaces over which no heat went in the whole run; bodies that start at one temperature say nothing.
+/// Of interfaces that exchanged no heat in the whole run; bodies that start at the same temperature are skipped.
 Warnings unused_interface_warnings(const Scene& scene, const State& state);
 
 /// Adds them to the warnings of a run.

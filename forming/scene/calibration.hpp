@@ -16,14 +16,14 @@ struct ErrorLaw {
   double at(double level) const;
 };
 
-/// What a part of the model changed where it was measured, and the dimensionless number that it had there.
+/// The change that a part of the model caused where it was measured, and its dimensionless number there.
 struct MeasuredPart {
   double number;
   double thickness, heat;  ///< change of the wall thickness in the mean and of the heat into the tools, as fractions
 };
 
 /// Figures measured on bundled cases, from which errors and the effects of model parts are estimated on others. They
-/// stand in forming/scene/calibration.json, which `tools/bench --save` writes and the build takes into the program.
+/// are in forming/scene/calibration.json, which `tools/bench --save` writes and the build takes into the program.
 struct Calibration {
   struct {
     MeasuredBy by;
@@ -36,7 +36,7 @@ struct Calibration {
   } model_parts;
   struct {
     MeasuredBy by;
-    double pressed_freedom;    ///< what changes a wall between tools on both sides, over what changes a blown one
+    double pressed_freedom;    ///< change of a wall between tools on both sides over that of a blown wall
     double pressed_open_heat;  ///< heat of its open surface likewise
     double heat_of_strain;     ///< change of the heat into the tools over the strain of glass that nothing forms
   } model_shapes;

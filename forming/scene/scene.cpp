@@ -39,7 +39,7 @@ void read_stages(const CaseTable& root, Scene& scene) {
   if (scene.stages.empty()) core::refuse(stages, "no stage was found, allowed is at least one");
 }
 
-/// Outlines may stand in files of their own.
+/// Of the case file and of all outlines, which may be in other files.
 std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
   const auto add = [&](const Body& body) {
     for (const core::Segment& s : body.profile.segments)

@@ -59,7 +59,7 @@ struct FilmLimit {
   enum class Then { stop, freeze } then = Then::stop;  ///< the run ends, or the film flows no more
 };
 
-/// The body that flows; always body 0. Without `flow` it stands still.
+/// The body that flows; always body 0. Without `flow` it does not move.
 struct Glass : Body {
   std::optional<flow::Material> flow;
   FilmLimit film;
@@ -73,7 +73,7 @@ struct Tool : Body {
 struct Interface {
   Index tool;  ///< index into Scene::tools
   contact::ConductanceLaw law;
-  double transition_gap;  ///< gap over which contact hands over to air, m
+  double transition_gap;  ///< gap over which the exchange changes from contact to air, m
 };
 
 /// A tool's motion during a stage.
@@ -88,10 +88,10 @@ using Motion = std::variant<std::monostate, PositionMotion, ForceMotion>;
 
 struct StageTool {
   Index tool;     ///< index into Scene::tools
-  Motion motion;  ///< monostate: stands still at its present offset
+  Motion motion;  ///< monostate: stays at its present offset
 };
 
-/// Names a stretch of the glass surface at the stage's start: from the surface point nearest `from` to the one nearest
+/// Names a part of the glass surface at the stage's start: from the surface point nearest `from` to the one nearest
 /// `to`, walked with the glass on the left.
 struct NamedBoundary {
   std::string name;
@@ -128,7 +128,7 @@ struct Scene {
   std::string name;
   std::string file, directory;         ///< the case file and its folder
   std::uint64_t fingerprint = 0;       ///< of the case file's text, the overrides and all outlines
-  std::vector<std::string> overrides;  ///< values of the case file that others replace, "path=value"
+  std::vector<std::string> overrides;  ///< values that replace those of the case file, "path=value"
   core::Geometry geometry;
   Glass glass;
   std::vector<Tool> tools;

@@ -32,7 +32,8 @@ enum class Needs { nothing, heat_or_flow, flow };
 /// How the field gets to a new mesh: with the heat content kept, by interpolation, by interpolation and zero off the
 /// contacts, from the nearest surface node in contact, or not at all.
 enum class TransferRule { conserve_heat, interpolate, interpolate_in_contact, nearest_contact, reset };
-/// What a stage's start does to it: nothing, the value at rest, or that where its tool is taken away.
+/// What a stage's start does to it: keep it, reset it to its value at rest, or reset it where its tool is no longer
+/// active.
 enum class StageStart { keep, reset, reset_without_tool };
 /// Its value at a time within a step: between those of both ends, or that of the step.
 enum class WithinStep { linear, of_step };
@@ -45,7 +46,7 @@ struct FieldDeclaration {
   using Values = FieldValues;
   const char *name, *unit;
   Location location;
-  int components;  ///< numbers at each place
+  int components;  ///< numbers at each node or point
   Needs needs;
   TransferRule transfer;
   StageStart stage_start;

@@ -13,7 +13,7 @@ using core::Index;
 
 namespace {
 
-/// The cell that holds a point, by looking at all; none when the point lies outside or on the border.
+/// The cell that contains a point, by a search over all cells; none when the point lies outside or on the border.
 remesh::CellGrid::Found find_inside(const core::Mesh& mesh, const core::Point& x) {
   remesh::CellGrid::Found found;
   for (Index cell = 0; cell < mesh.cell_count() && found.cell < 0; ++cell) {

@@ -67,7 +67,7 @@ struct RemeshStatistics {
   double min_median = 1;              ///< quality of the median cell after any remesh
   Index failed = 0;                   ///< new meshes that could not be made
   double lap_volume = 0;              ///< of the air in those, m3
-  Index laps = 0;                     ///< places where the glass had folded onto itself a little and was closed
+  Index laps = 0;                     ///< small folds of the glass onto itself that were closed
   double coarsening_factor = 1;       ///< by which a mesh was coarser than asked for, for the sake of max_cells
 };
 
@@ -94,14 +94,14 @@ struct State {
   double stage_time = 0;              ///< since the stage's start, s
   double stage_start = 0;             ///< time of the stage's start, s
   bool has_moved = false;             ///< a tool was faster in this stage than the speed that ends it
-  double next_step = 0;               ///< what the step control wishes, s
+  double next_step = 0;               ///< proposed by the step control, s
   Index next_limit = 0;               ///< the StepLimit of that
-  double heat_substep = 0;            ///< what the heat solver wishes, s
+  double heat_substep = 0;            ///< proposed by the heat solver, s
   std::vector<Index> heat_couplings;  ///< four by four, thermal::Coupling; empty for a new mesh
   double last_step = 0;               ///< s, 0 when there is no velocity to extrapolate from
   GlassState glass;
   std::vector<ToolState> tools;  ///< in the order of the scene
-  bool moves_smoothly = false;   ///< the last change of velocity was much as the acceleration before had told
+  bool moves_smoothly = false;   ///< the last change of velocity was close to what the acceleration before predicts
   std::vector<Point> probes;     ///< present positions, in the body's frame
   Totals totals;
 };

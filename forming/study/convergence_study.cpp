@@ -20,7 +20,7 @@ const char* si_unit(const Setting& setting) {
   return setting.dimension.length ? " m" : setting.dimension.time ? " s" : setting.dimension.temperature ? " K" : "";
 }
 
-/// One setting `factor` times its value at the base; coarsening comes on top of what a case says.
+/// One setting `factor` times its value at the base; coarsening multiplies the settings of a case.
 std::string scaled(const Scene& scene, const std::string& key, double factor) {
   const Setting& s = setting(key);
   const double wanted = scene.accuracy.*s.value * factor / std::pow(scene.accuracy_choice.coarsening_factor, s.order);

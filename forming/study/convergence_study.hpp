@@ -13,10 +13,10 @@ struct Variant {
   std::string group;  ///< reference, accuracy, mesh, time, coupling, order, or model
   std::string accuracy;
   std::vector<std::string> overrides;
-  std::string what;  ///< what a variant of the group model leaves out
+  std::string what;  ///< which part a variant of the group model neglects
 };
 
-/// The accuracy that the others are held against: where the case maps its mesh the presets alone would all compute the
+/// The accuracy of the reference: where the case maps its mesh the presets alone would all compute the
 /// same.
 std::string usual_reference(const Scene& scene);
 

@@ -82,11 +82,12 @@ void require_columns(const CaseNode& at, const std::vector<Column>& columns, boo
   if (has("h") == has("q")) core::refuse(at, "one of the columns h and q is needed, not both");
   if (!has("p")) core::refuse(at, "the column p is missing");
   if (has("q") && !(has("T_glass") && has("T_tool")))
-    core::refuse(at, "a heat flux q needs the columns T_glass and T_tool beside it");
+    core::refuse(at, "a heat flux q also needs the columns T_glass and T_tool");
   if (!has("eta") && !has("T_glass"))
     core::refuse(at, "the column eta is missing, or T_glass with a case that names a viscosity");
   if (!has("eta") && !with_viscosity)
-    core::refuse(at, "the column eta is missing; T_glass serves with a case whose glass has a viscosity: --case CASE");
+    core::refuse(
+        at, "the column eta is missing; to use T_glass instead give a case whose glass has a viscosity: --case CASE");
 }
 
 Row read_row(const CaseNode& at, const std::string& line, const std::vector<Column>& columns) {

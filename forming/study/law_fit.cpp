@@ -59,7 +59,7 @@ void add_intervals(LawFit& fit, const LawUnknowns& unknowns, const Eigen::Vector
   }
 }
 
-/// Holds an exponent that came out below zero at zero; without b only p_ref is left to place x = 1. False when none
+/// Fixes an exponent that came out below zero at zero; without b only p_ref remains to scale x. False when none
 /// did.
 bool fix_negative_exponent(const Law& found, LawFitOptions& options, std::vector<std::string>& warnings) {
   for (const int constant : {a, b})

@@ -30,7 +30,7 @@ struct LawMeasurement {
 };
 
 struct LawFitOptions {
-  PressureViscosityConductance fixed;  ///< values of the constants that are held; the others are not looked at
+  PressureViscosityConductance fixed;  ///< values of the constants that are fixed; the others are ignored
   std::array<bool, law_constants> is_fixed{};
   bool relative = false;  ///< residuals as a share of the fitted value: for scatter that grows with the value
 };
@@ -38,7 +38,7 @@ struct LawFitOptions {
 struct FittedConstant {
   double value = 0, low = 0, high = 0;  ///< with its 95 % interval; SI
   bool fixed = false;
-  bool known = true;  ///< whether the data say it; otherwise the interval means nothing
+  bool known = true;  ///< whether the data determine it; otherwise the interval means nothing
 };
 
 struct LawFit {
@@ -50,10 +50,10 @@ struct LawFit {
   std::vector<std::string> warnings;
 };
 
-/// Least squares by Levenberg and Marquardt (Eigen) from several starts. p_ref and eta_ref stand for one constant, so
-/// one of them is to be held. Intervals by Student's t with the slopes at the optimum, for h0, h1, p_ref and eta_ref on
-/// a logarithmic scale. An exponent that comes out below zero is held at zero. Throws CaseError where there are too few
-/// data.
+/// Least squares by Levenberg and Marquardt (Eigen) from several starts. p_ref and eta_ref form one constant, so
+/// one of them must be fixed. Intervals by Student's t with the derivatives at the optimum, for h0, h1, p_ref and
+/// eta_ref on a logarithmic scale. An exponent that comes out below zero is fixed at zero. Throws CaseError where there
+/// are too few data.
 LawFit fit_law(const std::vector<LawMeasurement>& data, const LawFitOptions& options);
 
 }  // namespace parison::contact

@@ -11,7 +11,7 @@ namespace {
 using Law = PressureViscosityConductance;
 using namespace law_constant;
 
-/// Residuals and their slopes as Eigen's Levenberg-Marquardt asks for them.
+/// Residuals and their derivatives as Eigen's Levenberg-Marquardt asks for them.
 struct Residuals : Eigen::DenseFunctor<double> {
   const std::vector<LawMeasurement>& data;
   const LawUnknowns& unknowns;

@@ -14,7 +14,7 @@ inline bool is_exponent(int constant) {
 
 /// The free constants as the fit sees them: logarithms, but the exponents themselves.
 struct LawUnknowns {
-  PressureViscosityConductance fixed;  ///< with the held constants
+  PressureViscosityConductance fixed;  ///< with the fixed constants
   std::vector<int> free;
 
   PressureViscosityConductance law(const Eigen::VectorXd& x) const;

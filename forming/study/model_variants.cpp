@@ -56,7 +56,7 @@ void add_heat_parts(Parts& parts) {
   const Scene& scene = parts.scene;
   if (const auto& radiation = scene.glass.thermal->radiation; !radiation) {
     parts.add("with_radiation",
-              "radiation inside the glass, which the case leaves out: put in as container glass has it",
+              "radiation inside the glass, which the case neglects: added with the values of container glass",
               {parts.of_glass(fmt::format("radiation={{refractive_index={}, absorption=\"{} 1/m\", thin_wall={}}}",
                                           usual.radiation.refractive_index, usual.radiation.absorption,
                                           usual.radiation.thin_wall))});
@@ -98,7 +98,7 @@ void add_flow_parts(Parts& parts) {
   if (scene.glass.flow->surface_tension > 0)
     parts.add("no_tension", "surface tension", {parts.of_glass("surface_tension=0 N/m")});
   else
-    parts.add("with_tension", "surface tension, which the case leaves out: put in as container glass has it",
+    parts.add("with_tension", "surface tension, which the case neglects: added with the value of container glass",
               {parts.of_glass(fmt::format("surface_tension={} N/m", usual.surface_tension))});
   if (scene.glass.flow->shear_thinning)
     parts.add("no_thinning", "shear thinning", {parts.of_glass("shear_thinning.time=1e-12 s")});
@@ -108,7 +108,7 @@ void add_flow_parts(Parts& parts) {
     if (stage.gravity != 0)
       weightless.push_back(fmt::format("stage.{}.gravity={:.6g} m/s2", stage.name, gravity_fraction * stage.gravity));
   if (!weightless.empty())
-    parts.add("no_gravity", "gravity, but for a hundredth that holds the glass in place", weightless);
+    parts.add("no_gravity", "gravity, reduced to 1 % so that the glass stays in position", weightless);
   add_friction(parts);
 }
 

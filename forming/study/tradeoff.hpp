@@ -9,7 +9,7 @@
 
 namespace parison::forming {
 
-/// A variant that has run, beside the variant that it is compared with.
+/// A variant that has run, and the variant that it is compared with.
 struct VariantResult {
   Variant variant;
   bool completed = false;

@@ -18,7 +18,7 @@ namespace {
 constexpr double straighten_below = 0.3;  ///< quality below which a straight edge is tried
 constexpr double poor = 0.55;             ///< quality below which corners move
 
-/// Numbers the mid-side nodes, those of the outline first, and gives the inner ones their place.
+/// Numbers the mid-side nodes, those of the outline first, and gives the inner ones their positions.
 bool add_mid_nodes(const Outline& outline, const Triangulation& triangles, Mesh& mesh) {
   const auto key = [](Index a, Index b) {
     return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));

@@ -7,7 +7,7 @@
 
 namespace parison::remesh {
 
-/// A mesh, or the sentence that says why there is none.
+/// A mesh, or the reason why there is none.
 struct MeshedOutline {
   core::Mesh mesh;
   std::string reason;

@@ -38,7 +38,7 @@ class SizeField {
   mutable std::vector<std::vector<int>> in_bin_, in_block_;
 };
 
-/// Arc lengths 0 = s_0 < ... < s_n = length such that each division holds the same integral of 1/size, at most about 1.
+/// Arc lengths 0 = s_0 < ... < s_n = length such that each division has the same integral of 1/size, at most about 1.
 std::vector<double> divide(double length, const std::function<double(double)>& size, core::Index at_least);
 
 }  // namespace parison::remesh

@@ -62,7 +62,7 @@ CellGrid::Found CellGrid::find(const Point& x) const {
   return best;
 }
 
-/// Tries the cells in the bins `ring` columns or rows away from one; true when one holds the point.
+/// Tries the cells in the bins `ring` columns or rows away from one; true when one contains the point.
 bool CellGrid::try_ring(const core::UniformGrid::Bin& centre, int ring, const Point& x, Found& best) const {
   const core::UniformGrid& grid = cells_.grid();
   for (int row = std::max(0, centre[1] - ring); row <= std::min(grid.count()[1] - 1, centre[1] + ring); ++row)
@@ -75,7 +75,7 @@ bool CellGrid::try_ring(const core::UniformGrid::Bin& centre, int ring, const Po
   return false;
 }
 
-/// Keeps the cell when it is nearer than the best so far; true when it holds the point.
+/// Keeps the cell when it is nearer than the best so far; true when it contains the point.
 bool CellGrid::try_cell(Index cell, const Point& x, Found& best) const {
   const core::Box& box = cells_.box(cell);
   if ((x - x.cwiseMax(box.low).cwiseMin(box.high)).norm() >= best.miss) return false;

@@ -16,9 +16,9 @@ class CellGrid {
   struct Found {
     core::Index cell = -1;
     std::array<double, 2> at{};                             ///< reference coordinates, inside or on the border
-    double miss = std::numeric_limits<double>::infinity();  ///< from the point to the place found, m; 0 inside
+    double miss = std::numeric_limits<double>::infinity();  ///< from the point to the nearest point found, m; 0 inside
   };
-  /// The cell that holds x, or else the nearest one.
+  /// The cell that contains x, or else the nearest one.
   Found find(const core::Point& x) const;
 
   /// Sets `cells` to those whose boxes meet the given one.

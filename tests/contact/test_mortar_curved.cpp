@@ -123,12 +123,12 @@ TEST(CurvedInterface, chords_whose_sagitta_is_wider_than_the_transition_stay_in_
         if (straight_master) master = chorded(master);
         const auto state = touching(slave, [&](const Point& x) { return 0.01 - x.norm() + lift; });
         const double sagitta = 0.01 * (1 - std::cos(M_PI / 4 / a));
-        for (const double handover : {50 * std::abs(lift) + 0.2 * sagitta, 50 * std::abs(lift) + 2 * sagitta}) {
+        for (const double transition_gap : {50 * std::abs(lift) + 0.2 * sagitta, 50 * std::abs(lift) + 2 * sagitta}) {
           const auto points = build_interface(contact_surface(0, slave), contact_surface(1, master), state,
-                                              {Geometry::planar, handover, 0});
+                                              {Geometry::planar, transition_gap, 0});
           const double own = own_loads(slave, Geometry::planar).sum();
           EXPECT_NEAR(weighted_contact_area(points), own, 1e-3 * own)
-              << a << "/" << b << " " << straight_master << " " << handover / sagitta << " " << lift;
+              << a << "/" << b << " " << straight_master << " " << transition_gap / sagitta << " " << lift;
         }
       }
 }
@@ -229,9 +229,9 @@ TEST(KinkedInterface, neighbouring_slave_points_see_neighbouring_master_points_a
     ASSERT_GT(points.size(), 100u);
     for (std::size_t i = 1; i < points.size(); ++i) {
       const Point along = points[i].position - points[i - 1].position;
-      const double stretch = (seen[i] - seen[i - 1]).dot(along) / along.squaredNorm();
-      EXPECT_GT(stretch, 0.4) << gap << ": " << points[i].position.transpose();
-      EXPECT_LT(stretch, 1.6) << gap << ": " << points[i].position.transpose();
+      const double ratio = (seen[i] - seen[i - 1]).dot(along) / along.squaredNorm();
+      EXPECT_GT(ratio, 0.4) << gap << ": " << points[i].position.transpose();
+      EXPECT_LT(ratio, 1.6) << gap << ": " << points[i].position.transpose();
     }
   }
 }

@@ -56,7 +56,7 @@ TEST(DimensionlessNumbers, glass_that_does_not_flow_has_no_inertia_and_no_emissi
   const std::string heat = describe_scene(case_of("contact_cylinders"));
   EXPECT_EQ(line_with(heat, "  inertia"), "  inertia             off  the glass does not flow");
   const std::string flow = describe_scene(case_of("shell_inflation"));
-  EXPECT_EQ(line_with(flow, "  inertia"), "  inertia             off  left out: see the Reynolds number");
+  EXPECT_EQ(line_with(flow, "  inertia"), "  inertia             off  neglected: see the Reynolds number");
   const std::string air = "air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n";
   const auto blown = replaced("[material.soft]", air + "[material.soft]");
   EXPECT_EQ(line_with(describe_scene(scene_of(blown)), "  air and"), "  air and radiation   on   air in rest, press");

@@ -55,9 +55,9 @@ TEST(Interfaces, a_table_of_wrong_order_or_size_is_refused) {
                     row = "[\"500 W/m2/K\", \"400 W/m2/K\"]";
   EXPECT_EQ(table(p, eta, "[" + row + ", " + row + "]"), "");
   EXPECT_EQ(table("[\"1 MPa\", \"1 kPa\"]", eta, "[" + row + ", " + row + "]"),
-            "interface.pressure: \"1 kPa\" does not lie above the entry before, allowed are rising entries");
+            "interface.pressure: \"1 kPa\" is not greater than the entry before, allowed are increasing entries");
   EXPECT_EQ(table(p, "[\"1e6 Pa.s\", \"1e6 Pa.s\"]", "[" + row + ", " + row + "]"),
-            "interface.viscosity: \"1e6 Pa.s\" does not lie above the entry before, allowed are rising entries");
+            "interface.viscosity: \"1e6 Pa.s\" is not greater than the entry before, allowed are increasing entries");
   EXPECT_EQ(table("[\"0 Pa\", \"1 kPa\"]", eta, "[" + row + ", " + row + "]")
                 .rfind("interface.pressure: \"0 Pa\" was found", 0),
             0u);
@@ -125,8 +125,8 @@ TEST(Interfaces, one_on_bodies_that_never_meet_is_warned_of) {
   ASSERT_EQ(apart.facts.warnings.size(), 1u);
   EXPECT_EQ(
       apart.facts.warnings[0],
-      "the interface of the glass with plunger was never used: in the whole run they did not come within 0.1 mm of "
-      "each other");
+      "the interface of the glass with plunger was never used: during the whole run they stayed farther apart than "
+      "0.1 mm");
   const auto together = run_in_folder(scene_of(static_scene("10")), tests::absent_folder());
   EXPECT_TRUE(together.facts.warnings.empty());
 }

@@ -235,7 +235,7 @@ TEST(LawData, mistakes_are_refused_with_row_and_column) {
   EXPECT_EQ(complaint_about("p_kPa,h_W/m2/K\n1,1\n").rfind("1: the column eta is missing", 0), 0u);
   EXPECT_EQ(complaint_about("eta_Pa.s,h_W/m2/K\n1,1\n"), "1: the column p is missing");
   EXPECT_EQ(complaint_about("p_kPa,eta_Pa.s,q_W/m2\n1,1,1\n", true),
-            "1: a heat flux q needs the columns T_glass and T_tool beside it");
+            "1: a heat flux q also needs the columns T_glass and T_tool");
   EXPECT_EQ(complaint_about(heading).rfind("1: no rows were found", 0), 0u);
   EXPECT_NE(complaint_about("p_bar,q_kW/m2,T_glass_degC,T_tool_degC\n1,1,900,500\n").find("--case CASE"),
             std::string::npos);

@@ -16,7 +16,7 @@ const std::string blank_points =
     "[\"(31, 14) (29.5, 20) (27.5, 84) mm\", \"arc centre (13.5, 84) mm radius 14 mm from 0 deg to 90 deg\", "
     "\"(0, 98) mm\"]";
 
-/// The small scene with a blank beside it whose inner side is `path`, the rest of its outline drawn by points.
+/// The small scene and a blank whose inner side is `path`, the rest of its outline drawn by points.
 std::string with_blank(const std::string& path) {
   return replaced("[[interface]]\n",
                   "[[tool]]\nname = \"blank\"\nmaterial = \"iron\"\ntemperature = \"400 degC\"\nfriction = \"slip\"\n"
@@ -133,7 +133,7 @@ TEST(Section, a_section_may_be_drawn_in_any_coordinate_plane) {
   EXPECT_NE(complaint_about(with_blank(oblique)).find("oblique.step\" lie in no coordinate plane"), std::string::npos);
 }
 
-TEST(Section, a_stretch_may_begin_and_end_within_a_curve) {
+TEST(Section, a_part_of_a_drawing_may_begin_and_end_within_a_curve) {
   const core::Profile cut = blank_of("[" + drawing(bundled("blank.step"), "via = \"(30, 18) mm\", ", "(27.5, 84) mm") +
                                      ", { file = \"" + bundled("blank.dxf") +
                                      "\", unit = \"mm\", layer = \"BLANK\", from = \"(27.5, 84) mm\", via = \"(10, 98) "
@@ -204,26 +204,27 @@ TEST(Section, what_is_no_section_is_refused_with_a_sentence) {
     occ::addSpline({1, 2, 3, 4});
   });
   for (const Refused& wrong : std::vector<Refused>{
-           {drawing("absent.step", ""), "absent.step\", allowed is a drawing beside the case file"},
-           {drawing("absent.dxf", "unit = \"mm\", "), "absent.dxf\", allowed is a drawing beside the case file"},
+           {drawing("absent.step", ""), "absent.step\", allowed is a drawing with its path relative to the case file"},
+           {drawing("absent.dxf", "unit = \"mm\", "),
+            "absent.dxf\", allowed is a drawing with its path relative to the case file"},
            {drawing("blank.dwg", ""), "\"blank.dwg\" was found, allowed are drawings named .step, .stp or .dxf"},
            {drawing(broken, ""), "is no STEP file (its first line does not say ISO-10303-21)"},
-           {drawing(solid, ""), "solid.step\" holds a solid, allowed is a section: curves or a plane face"},
+           {drawing(solid, ""), "solid.step\" contains a solid, allowed is a section: curves or a plane face"},
            {drawing(empty, ""), "no curves were found in"},
-           {drawing(curved, ""), "holds a curve of the kind BSpline, allowed are lines and circular arcs"},
+           {drawing(curved, ""), "contains a curve of type BSpline, allowed are lines and circular arcs"},
            {drawing(bundled("blank.step"), ""),
-            "a closed outline has two ways to this point, allowed is a \"via\" beside it"},
+            "a closed outline can be followed to this point in two directions, allowed is \"to\" together with a "
+            "\"via\""},
            {drawing(bundled("blank.step"), round_the_inside + "unit = \"mm\", "),
-            "a unit was found, allowed is it for DXF files"},
+            "a unit was found, allowed only for DXF files"},
            {drawing(bundled("blank.dxf"), "unit = \"kg\", "), "is a mass"},
            {drawing(bundled("blank.dxf"), "unit = \"mm\", layer = \"MOULD\", "),
             "allowed is a DXF file with some on this layer"},
            {drawing(bundled("blank.dxf"), "unit = \"mm\", "), "several outlines were found in the drawing"},
            {drawing(bundled("blank.dxf"), dxf_blank, "(0, 90) mm"),
-            "(0, 90) mm lies 8 mm off the drawing, allowed are points on it"},
-           {dxf("gap.dxf", gap), "leave a gap of 0.02 mm at (0, 98) mm, allowed are ends that meet to 1e-4 mm"},
-           {dxf("two.dxf", two),
-            "several outlines were found in the drawing, one with 1 curves and 2 curves beside it"},
+            "(0, 90) mm is 8 mm away from the drawing, allowed are points on it"},
+           {dxf("gap.dxf", gap), "leave a gap of 0.02 mm at (0, 98) mm, allowed are ends that meet to 0.0002 mm"},
+           {dxf("two.dxf", two), "several outlines were found in the drawing, one with 1 curves and 2 more curves"},
            {dxf("branch.dxf", branch), "more than two curves of the drawing meet at (0, 98) mm"},
            {dxf("spline.dxf", spline),
             "spline.dxf:16: tool.boundary.path.file: a SPLINE was found, allowed are LINE, ARC"},

@@ -168,7 +168,7 @@ TEST_F(Pot, a_failed_step_is_a_value_and_leaves_the_state_alone) {
   Workspace workspace;
   const auto result = coupled_step(scene, state, 1e-3, workspace);
   EXPECT_FALSE(result.converged);
-  EXPECT_NE(result.reason.find("not held"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find("not constrained"), std::string::npos) << result.reason;
   EXPECT_EQ(state.totals.steps, 0);
 }
 
@@ -181,11 +181,11 @@ TEST_F(Pot, a_run_that_cannot_go_on_says_where_and_leaves_its_results) {
   EXPECT_TRUE(std::filesystem::exists(folder / "results" / "glass.pvd"));
 }
 
-TEST_F(Pot, a_motion_that_starts_elsewhere_than_the_tool_stands_stops_the_run) {
+TEST_F(Pot, a_motion_that_does_not_start_at_the_position_of_its_tool_stops_the_run) {
   scene.stages[0].tools[1].motion = PositionMotion{{{0, 0.4}, {-1e-3, -3e-3}}};
   const auto outcome = run_in_folder(scene, (folder / "results").string());
   EXPECT_FALSE(outcome.facts.completed);
-  EXPECT_NE(outcome.facts.reason.find("tool plunger stands at 0 mm, its motion starts at -1 mm"), std::string::npos)
+  EXPECT_NE(outcome.facts.reason.find("tool plunger is at 0 mm, but its motion starts at -1 mm"), std::string::npos)
       << outcome.facts.reason;
 }
 

@@ -16,9 +16,9 @@ Point around(const Point& x) {
 
 /// How the meshes differ from touching ones.
 struct Flaws {
-  bool chords = false;      ///< all edges straight
-  double gap = 0;           ///< the outer body is this much wider, m; negative: the bodies overlap
-  double handover = 50e-6;  ///< m
+  bool chords = false;            ///< all edges straight
+  double gap = 0;                 ///< the outer body is this much wider, m; negative: the bodies overlap
+  double transition_gap = 50e-6;  ///< m
 };
 
 /// Heat from the inner body, 1150 degC inside, to the outer, 485 degC outside; the contact is `first` against `second`
@@ -33,7 +33,7 @@ double heat_across(Geometry geometry, int first, int second, Index slave, const 
   const double facing = slave == 0 ? contact_radius + flaws.gap : contact_radius;  // the master's exact profile
   const double sign = slave == 0 ? 1 : -1;
   pair.join(
-      slave, flaws.handover, [&](const Point& x) { return sign * (facing - x.norm()); },
+      slave, flaws.transition_gap, [&](const Point& x) { return sign * (facing - x.norm()); },
       [](const Point&) { return 1e5; });
   pair.problem.law = thermal::test::constant_conductance(h);
   pair.problem.bodies[0].prescribed[Side::top] = 1423;

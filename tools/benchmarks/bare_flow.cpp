@@ -16,7 +16,7 @@ using core::Index;
 
 namespace {
 
-/// Stiffness that holds a velocity, in diagonal entries of its node.
+/// Penalty stiffness that fixes a velocity, in diagonal entries of its node.
 constexpr double penalty = 1e6;
 constexpr double max_residual = 1e-6;
 

@@ -16,8 +16,8 @@ class BareFlow {
   BareFlow();
   ~BareFlow();
 
-  /// CPU time for the matrix of a state's glass with its closed contacts held, median of three, s. Throws when the
-  /// solution leaves a residual that shows it is none.
+  /// CPU time for the matrix of a state's glass with its closed contacts constrained, median of three, s. Throws when
+  /// the solution leaves a residual that shows it is none.
   double seconds(const forming::Scene& scene, const forming::State& state);
 
  private:

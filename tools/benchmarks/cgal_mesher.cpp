@@ -111,7 +111,7 @@ void refine(const remesh::SizeField& size, bool keep_edges, Delaunay& triangles)
   faces.refine(CGAL::Null_mesh_visitor());
 }
 
-/// Puts the points that stand on an edge of the outline, shares of its chord, on the edge itself.
+/// Puts the points that belong to an edge of the outline, shares of its chord, on the edge itself.
 void add_edge(const remesh::Outline& from, Index edge, Index end, const std::vector<double>& fractions,
               remesh::Outline& to) {
   const Point &a = from.vertices[edge], &b = from.vertices[end], &mid = from.mids[edge];

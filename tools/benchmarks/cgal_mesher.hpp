@@ -11,7 +11,7 @@ struct CgalOptions {
   double smooth_below;  ///< quality below which the corners of triangles are moved; 0: as gmsh's
 };
 
-/// Triangles in an outline of one loop, whose edges hold the points that the mesher put on them.
+/// Triangles in an outline of one loop, whose edges contain the points that the mesher put on them.
 struct CgalMesh {
   remesh::Outline outline;
   remesh::Triangulation triangles;

@@ -83,7 +83,7 @@ def interface(options):
                      100 * (built + assembled) / whole, 3, unit="%")
         yield Figure(f"{key}.built", "  of which building", 100 * built / whole, unit="%")
         yield Figure(f"{key}.assembled", "  of which assembly in the heat solver", 100 * assembled / whole, unit="%")
-        yield Figure(f"{key}.watched", "  beside it, the surface's change of temperature for the step's control",
+        yield Figure(f"{key}.watched", "  in addition, the surface's change of temperature for the step's control",
                      100 * watched / whole, unit="%")
         yield Figure(f"{key}.milliseconds", "interface built and assembled, a step", 1e3 * (built + assembled) / len(rows),
                      unit="ms")

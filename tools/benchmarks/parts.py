@@ -7,7 +7,7 @@ from benchmarks.common import BUILD, ROOT, Figure, build, new_path, run
 
 CASES = ("tumbler", "bottle", "contact_cylinders")  # the estimates of the jar are its own study
 PARTS = {"no_radiation": "internal radiation", "with_radiation": "internal radiation", "no_thin_wall": "thin-wall limit",
-         "no_emission": "emission to around", "no_air_cooling": "cooling by air", "fixed_tools": "warming of tools",
+         "no_emission": "surface radiation", "no_air_cooling": "cooling by air", "fixed_tools": "warming of tools",
          "no_tension": "surface tension", "with_tension": "surface tension", "no_gravity": "gravity", "all_slip": "friction on tools"}
 MATTERS = 0.005  # smaller changes than this, estimated and measured, are left aside
 LEAST = MATTERS / 100  # for the ratio

@@ -34,12 +34,12 @@ def of_case(case):
 
 
 def known(cases):
-    """Cases and their references; says which are left out."""
+    """Cases and their references; prints which are skipped."""
     for case in cases:
         try:
             yield case, of_case(case)
         except Skipped as reason:
-            print(f"    {case} left out: {reason}", flush=True)
+            print(f"    {case} skipped: {reason}", flush=True)
 
 
 def store(case, summary, draft):
@@ -51,7 +51,7 @@ def store(case, summary, draft):
 
 @lru_cache
 def tell_age(case, draft_state):
-    """Says so when the draft run ends otherwise than beside the reference."""
+    """Says so when the draft run ends otherwise than it did with the reference."""
     if case in MINUTES and of_case(case).get("draft_state") != draft_state:
         print(f"    note: the reference of {case} was made by another state of the program or on another machine; "
               "`tools/bench --update-references` makes it anew", flush=True)

@@ -16,7 +16,7 @@ namespace {
 
 /// Viscosity of frozen glass, of what it would be.
 constexpr double frozen_factor = 1e6;
-/// Bulk viscosity in units of the shear viscosity at the same place.
+/// Bulk viscosity in units of the shear viscosity at the same point.
 constexpr double bulk_ratio = 1e10;
 
 /// Viscosity, weights and body force at one quadrature point of a batch.

@@ -13,7 +13,7 @@ inline constexpr int cell_velocities = 6 * core::dim;
 inline constexpr int cell_unknowns = cell_velocities + 3;
 using CellMatrix = Eigen::Matrix<double, cell_unknowns, cell_unknowns, Eigen::RowMajor>;
 
-/// Entries of a cell's lower triangle, packed by rows, and the place of one of them, column <= row.
+/// Entries of a cell's lower triangle, packed by rows, and the index of one of them, column <= row.
 inline constexpr int cell_entries = cell_unknowns * (cell_unknowns + 1) / 2;
 constexpr int packed(int row, int column) {
   return row * (row + 1) / 2 + column;

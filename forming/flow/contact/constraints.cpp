@@ -20,7 +20,7 @@ constexpr double parallel = 0.05;
 
 /// The equality constraints of all nodes.
 struct NodeEqualityMap {
-  std::vector<Index> of_node;  ///< place of each node in `equalities`, -1 where it has none
+  std::vector<Index> of_node;  ///< index of each node in `equalities`, -1 where it has none
   std::vector<NodeEqualities> equalities;
 
   /// Adds an equality to a node, unless it depends on those that the node has already.
@@ -237,7 +237,7 @@ Eigen::Matrix<double, motions, motions> constrained_motions(const Problem& probl
 
 std::string free_motion(const Problem& problem) {
   const auto sentence = [](const char* motion) {
-    return std::string("the glass is not held: it is free to ") + motion +
+    return std::string("the glass is not constrained: it is free to ") + motion +
            ", which no tool, symmetry plane or fixed boundary prevents";
   };
   const auto constrained = constrained_motions(problem);

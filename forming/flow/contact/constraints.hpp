@@ -48,7 +48,7 @@ struct NodeConstraint {
 /// The constrained nodes with one active set.
 struct Constraints {
   std::vector<NodeConstraint> nodes;
-  std::vector<Index> index_of;  ///< place of each node in `nodes`, -1 where it is free
+  std::vector<Index> index_of;  ///< index of each node in `nodes`, -1 where it is free
   /// Friction force of each node with a friction tool, linear in the slip: stiffness x slip + load, N.s/m and N.
   Eigen::VectorXd tangential_stiffness, tangential_load;
 
@@ -75,7 +75,7 @@ Constraints make_constraints(const Problem& problem, const std::vector<bool>& ac
 /// An axisymmetric body can only translate along its axis.
 bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Constraints& constraints);
 
-/// A sentence that names a rigid-body motion of the glass which nothing can prevent; empty where there is none.
+/// A sentence that names a rigid-body motion of the glass that is not constrained; empty where there is none.
 /// Symmetry planes, fixed boundaries and all candidates count, active or not; tools with friction resist sideways
 /// motion as well.
 std::string free_motion(const Problem& problem);

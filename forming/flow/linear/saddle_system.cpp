@@ -10,8 +10,8 @@ using core::dim;
 
 namespace {
 
-/// For each vertex the place in the elimination order after which its pressure is eliminated. The pivot of a pressure
-/// nearly vanishes before a velocity that it acts on has been eliminated, and those at the boundary may all be
+/// For each vertex the position in the elimination order after which its pressure is eliminated. The pivot of a
+/// pressure nearly vanishes before a velocity that it acts on has been eliminated, and those at the boundary may all be
 /// constrained, so it waits for the first interior node around.
 std::vector<Index> pressure_places(const core::Mesh& mesh, const std::vector<Index>& place) {
   std::vector<bool> inside(mesh.nodes.size(), true);

@@ -33,7 +33,7 @@ class SaddleSystem {
   core::Assembly assembly_;
   core::IndefiniteSolver linear_;
   Index vertices_;
-  std::vector<Index> diagonal_;  ///< places of the diagonal entries among the matrix's values
+  std::vector<Index> diagonal_;  ///< indices of the diagonal entries among the matrix's values
   bool factorised_ = false;
   Constraints base_;
 };

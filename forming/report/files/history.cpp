@@ -18,7 +18,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// From the present content itself, not from what the heat solver says about its changes.
+/// From the present heat content itself, not from the changes that the heat solver reports.
 double energy_imbalance(const Scene& scene, const State& state) {
   const Totals& totals = state.totals;
   const double unexplained =

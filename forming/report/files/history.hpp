@@ -9,14 +9,14 @@
 
 namespace parison::forming {
 
-/// The state of the glass as one looks at it: volume, mass, heat.
+/// Quantities of the glass derived from its state: volume, mass, heat.
 struct GlassFacts {
   double volume;                 ///< m3
   double mass;                   ///< kg
   double mean, lowest, highest;  ///< temperature, K; NaN without heat
   double volume_drift;           ///< relative to the start, remeshing included
-  double
-      energy_imbalance;  ///< what the heat given off does not explain, relative to it; remeshing counts as unexplained
+  double energy_imbalance;  ///< change of heat content that the heat given off does not explain, relative to that heat;
+                            ///< includes changes by remeshing
 };
 GlassFacts glass_facts(const Scene& scene, const State& state);
 

@@ -23,16 +23,16 @@ struct WrittenFiles {
 /// The files of a run in its result folder; they observe and never steer.
 class ResultFiles {
  public:
-  /// Makes the folder; throws core::CaseError where it exists and holds anything.
+  /// Makes the folder; throws core::CaseError where it exists and is not empty.
   ResultFiles(const Scene& scene, const std::string& directory);
-  /// Goes on in a folder from where its files were; what has been written since is cut off.
+  /// Continues in a folder from where its files were; whatever was written since is cut off.
   ResultFiles(const Scene& scene, const std::string& directory, const WrittenFiles& written);
 
   /// A row of history.csv; with the system when this returns.
   void row(const HistoryRow& row);
   /// VTU files of all bodies and the rows of interface.csv; a second call at the same time does nothing.
   void fields(const State& state, const std::vector<core::InterfacePoint>& interface);
-  /// Brings everything to the disk and says how far it has come.
+  /// Flushes everything to the disk and returns how much has been written.
   WrittenFiles sync();
 
   const std::string& directory() const { return directory_; }
@@ -49,7 +49,7 @@ class ResultFiles {
   std::vector<core::PvdCollection> collections_;  ///< glass, then the tools
   std::vector<double> output_times_;
   std::size_t synced_ = 0;     ///< outputs on the disk or on their way
-  std::future<void> syncing_;  ///< brings the files of the last outputs to the disk while the run goes on
+  std::future<void> syncing_;  ///< flushes the files of the last outputs to the disk while the run continues
 };
 
 }  // namespace parison::forming

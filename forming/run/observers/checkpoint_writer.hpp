@@ -4,7 +4,7 @@
 
 namespace parison::forming {
 
-/// Writes checkpoints beside the results at the boundaries of stages and when the case's wall time or steps between
+/// Writes checkpoints into the result folder at the boundaries of stages and when the case's wall time or steps between
 /// checkpoints are over.
 class CheckpointWriter : public RunObserver {
  public:

@@ -13,14 +13,14 @@ class ResultWriter : public RunObserver {
  public:
   /// In a new folder, which is made when the run begins.
   explicit ResultWriter(std::string directory);
-  /// In the folder of a run that is taken up again; what has been written since is cut off.
+  /// In the folder of a run that is resumed; whatever was written since the checkpoint is cut off.
   ResultWriter(std::string directory, WrittenFiles written);
 
   void run_begins(const RunView& run) override;
   void step_taken(const RunView& run, const State& before, const StepReport& report) override;
   void fields_due(const RunView& run, const State& at) override;
 
-  /// Brings everything to the disk and says how far it has come.
+  /// Flushes everything to the disk and returns how much has been written.
   WrittenFiles sync();
   const std::string& directory() const { return directory_; }
 

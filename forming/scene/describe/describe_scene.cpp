@@ -40,7 +40,7 @@ std::string flow_parts(const Scene& scene) {
                on ? "the material names none" : no_flow);
   text += part("contact with tools", on && !scene.tools.empty(),
                fmt::format("unilateral, tools: {}", scene.tools.size()), on ? "the scene has no tools" : no_flow);
-  return text + part("inertia", false, "", on ? "left out: see the Reynolds number" : no_flow);
+  return text + part("inertia", false, "", on ? "neglected: see the Reynolds number" : no_flow);
 }
 
 std::string heat_parts(const Scene& scene) {
@@ -73,7 +73,7 @@ std::string number_lines(const DimensionlessNumbers& numbers, core::Geometry geo
                       1e3 * numbers.length, shown(numbers.speed), shown(numbers.viscosity));
   text += fmt::format("  {:<20}{:<12}inertia over viscous stress\n", "Reynolds", shown(numbers.reynolds));
   text += fmt::format("  {:<20}{:<12}viscous stress over surface tension\n", "capillary", shown(numbers.capillary));
-  text += fmt::format("  {:<20}{:<12}carried over conducted heat\n", "Peclet", shown(numbers.peclet));
+  text += fmt::format("  {:<20}{:<12}convected over conducted heat\n", "Peclet", shown(numbers.peclet));
   text += fmt::format("  {:<20}{:<12}surface exchange over conduction, largest h\n", "Biot", shown(numbers.biot));
   return text + fmt::format("  {:<20}{:<12}dissipated over conducted heat\n", "Brinkman", shown(numbers.brinkman));
 }
@@ -101,7 +101,7 @@ std::string choice_text(const Scene& scene) {
   const AccuracyChoice& choice = scene.accuracy_choice;
   if (!choice.target) return "preset";
   if (!scene.is_of_error_law())
-    return "target, by a law for glass that flows on a mesh of the presets: not of this scene";
+    return "target, by a law for glass that flows on a mesh of the presets: does not apply to this scene";
   return fmt::format(
       "target: wall thickness and heat into tools to {:.3g} %, by the errors measured on the bundled containers",
       100 * *choice.target);
@@ -111,7 +111,7 @@ std::string expected_text(const Scene& scene) {
   if (!scene.is_of_error_law()) return "";
   const AccuracyChoice& choice = scene.accuracy_choice;
   return fmt::format("; error expected {:.2g} %{}", 100 * expected_error(choice.effective_level()),
-                     scene.accuracy_origin.empty() ? "" : " but for what case and --set change");
+                     scene.accuracy_origin.empty() ? "" : " except for settings changed by the case or --set");
 }
 
 /// Whether a setting is for meshes that the case maps itself.

@@ -17,7 +17,7 @@ struct DimensionlessNumbers {
 };
 DimensionlessNumbers dimensionless_numbers(const Scene& scene);
 
-/// m/s, of a tool in a stage; 0 where it stands.
+/// m/s, of a tool in a stage; 0 where it does not move.
 double fastest(const StageTool& tool);
 
 /// What a scene needs, for the terminal: physics on and off and why, numbers, stages and accuracy.

@@ -94,7 +94,7 @@ double quickest_drive(const Scene& scene) {
   return quickest;
 }
 
-/// Seconds in which a tool is in place.
+/// Time in which a tool is active, s.
 double active_time(const Scene& scene, std::size_t tool) {
   double time = 0;
   for (const Stage& stage : scene.stages)
@@ -114,17 +114,17 @@ void add_friction(Estimator& e) {
   if (slipping > 0)
     e.scale("friction on tools", false, "share of tools that slip", slipping / placed, measured("friction on tools"));
   else
-    e.scale("friction on tools", true, "share of tools that hold", 1, measured("friction on tools"));
+    e.scale("friction on tools", true, "share of tools with friction", 1, measured("friction on tools"));
 }
 
-/// A stress beside those that form the glass.
+/// A stress that acts in addition to those that form the glass.
 void add_stress(Estimator& e, const char* name, bool in_scene, double stress, const MeasuredPart& jar) {
   const double strain = hot_strain(stress, lasting(e.scene), *e.numbers.viscosity);
-  constexpr const char* number_name = "strain it would make in hot glass";
+  constexpr const char* number_name = "strain it would cause in hot glass";
   if (e.shape == Shaped::unformed)
     return e.add(name, in_scene, number_name, strain, strain, calibration().model_shapes.heat_of_strain * strain);
-  // What forms the jar, and its cooling, hold most of the strain back; where a pressure forms the glass alone it counts
-  // beside that.
+  // The loads that form the jar, and its cooling, suppress most of the strain. Where only a pressure forms the glass,
+  // the stress is also compared with that pressure.
   double pressure = 0;
   for (const Stage& stage : e.scene.stages) pressure = std::max(pressure, max_pressure(stage));
   const double ratio = strain / jar.number, relative_stress = e.shape == Shaped::blown ? stress / pressure : 0;
@@ -186,8 +186,9 @@ Conductivities conductivities(const Scene& scene, double length) {
           thermal::conductivity(material, hot, 1)};
 }
 
-/// By how much more heat glass of one conductivity would give its tools than that of another, with tools held cold or
-/// warming: half-spaces, for the highest conductance and the whole time in place; the tool with the most counts.
+/// Relative increase of the heat into a tool when the glass has one conductivity instead of another, with isothermal or
+/// warming tools: half-spaces, for the highest conductance and the whole time in which the tool is active; the tool
+/// with the most counts.
 struct Exchange {
   double conductivity;
   bool isothermal = false;
@@ -209,15 +210,15 @@ double gain(const Scene& scene, const Exchange& more, const Exchange& less) {
   return most;
 }
 
-/// Parts that act through the heat between glass and tools; what nothing forms has no more to change it than the exact
-/// solution says.
+/// Parts that act through the heat between glass and tools; for glass that nothing forms the exact solution itself
+/// is the estimate.
 void add_exchange(Estimator& e, const char* name, bool in_scene, double more_heat, const MeasuredPart& jar) {
-  constexpr const char* number_name = "of the heat between half-spaces";
+  constexpr const char* number_name = "change of the heat between half-spaces";
   if (e.shape != Shaped::unformed) return e.scale(name, in_scene, number_name, more_heat, jar);
   e.add(name, in_scene, number_name, more_heat, e.freedom * more_heat / jar.number * jar.thickness, more_heat);
 }
 
-/// Whether the scene says what is around the glass.
+/// Whether the scene gives the surroundings of the glass.
 bool has_air(const Stage& stage) {
   const thermal::SurfaceExchange unsaid;
   const auto differ = [](const core::TimeFunction& a, const core::TimeFunction& b) {
@@ -244,10 +245,10 @@ void add_surface(Estimator& e, double conductivity) {
     e.scale(name, in_scene, "its Biot number", std::abs(flux) * e.numbers.length / (conductivity * hot), jar);
   };
   const bool emits = e.scene.glass.emissivity > 0;
-  cooling("emission to around", emits,
+  cooling("surface radiation", emits,
           4 * stefan_boltzmann * (emits ? e.scene.glass.emissivity : container_glass.emissivity) *
               (std::pow(hot, 4) - std::pow(around, 4)),
-          measured("emission to around"));
+          measured("surface radiation"));
   cooling("cooling by air", h > 0, (h > 0 ? h : container_glass.air) * (hot - air), measured("cooling by air"));
 }
 
@@ -285,11 +286,11 @@ std::string describe_sensitivity(const Scene& scene) {
   const double asked = scene.accuracy_choice.target.value_or(expected_error(scene.accuracy_choice.effective_level()));
   const char* shape = shaped(scene, dimensionless_numbers(scene)) == Shaped::unformed ? "shape" : "thickness";
   std::string text = fmt::format(
-      "\nwhat a part of the model changes, roughly: from one number each, as measured on {} (commit {}, {})\n"
+      "\nrough effect of each part of the model, each scaled by one number from runs of {} (commit {}, {})\n"
       "(`parison tradeoff CASE --only model` measures most of them)\n",
       calibration().model_parts.by.case_name, calibration().model_parts.by.commit, calibration().model_parts.by.date);
   for (const PartSensitivity& part : parts) {
-    text += fmt::format("  {:<20}{:<9}", part.name, part.in_scene ? "in" : "left out");
+    text += fmt::format("  {:<20}{:<11}", part.name, part.in_scene ? "in" : "neglected");
     if (scene.has_flow()) text += fmt::format("{} {:>6.2g} %, ", shape, 100 * part.thickness);
     if (scene.has_heat()) text += fmt::format("heat {:>6.2g} %", 100 * part.heat);
     text += fmt::format("   {} {:.2g}\n", part.number_name, part.number);
@@ -298,7 +299,7 @@ std::string describe_sensitivity(const Scene& scene) {
     const double change = std::max(part.thickness, part.heat);
     if (!part.in_scene && change > asked)
       text += fmt::format(
-          "  warning: {} is left out and may change the result by some {:.2g} %, more than the {:.2g} % that {}\n",
+          "  warning: {} is neglected and may change the result by some {:.2g} %, more than the {:.2g} % that {}\n",
           part.name, 100 * change, 100 * asked,
           scene.accuracy_choice.target ? "are asked for" : "go with this accuracy");
   }

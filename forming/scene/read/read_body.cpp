@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include "core/mesh/element.hpp"
 #include "forming/scene/read/scene_reading.hpp"
+#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
@@ -12,7 +12,7 @@ using core::CaseTable;
 namespace dimension = core::dimension;
 
 Boundary read_boundary(const CaseNode& node) {
-  const CaseTable table(node, {"name", "path", "csv", "condition"});
+  const CaseTable table = boundary_table(node);
   Boundary boundary{core::identifier(table.get("name")), BoundaryKind::contact, {}, {}};
   const auto& condition = table.get("condition");
   if (condition.kind != CaseNode::Kind::table) {
@@ -42,7 +42,7 @@ MeshSpec::Mapped read_mapped(const CaseTable& mesh, const Body& body) {
                                    "boundary",
                                    node.items.size()));
   if (body.boundaries.size() != 4 || core::signed_area(body.profile) < 0)
-    core::refuse(node, "a mapped mesh was found, allowed is it where four boundaries run counterclockwise");
+    core::refuse(node, "a mapped mesh was found, allowed only on a body whose four boundaries run counterclockwise");
   MeshSpec::Mapped mapped{core::count(node.items[0]), core::count(node.items[1])};
   if (const auto* ratio = mesh.find("ratio")) {
     if (core::list(*ratio).size() != 2)
@@ -63,24 +63,25 @@ MeshSpec read_mesh(const CaseNode& node, const Body& body) {
   if (const auto* item = table.find("growth")) mesh.growth = core::positive(*item, dimension::none);
   if (table.find("mapped")) mesh.mapped = read_mapped(table, body);
   if (const auto* ratio = table.find("ratio"); ratio && !mesh.mapped)
-    core::refuse(*ratio, "a ratio was found, allowed is ratio only together with mapped");
+    core::refuse(*ratio, "a ratio was found, allowed only together with mapped");
   return mesh;
 }
 
-/// Refuses a stretch of the axis that is no symmetry boundary.
+/// Refuses a segment on the axis that is not a symmetry boundary.
 void check_axis(const Body& body, core::Geometry geometry, const CaseNode& boundaries) {
-  constexpr double on_axis = 1e-7;  // m2 per metre
+  if (geometry == core::Geometry::planar) return;
+  const double on_axis = tolerance::joined * core::size(body.profile);
   for (const auto& segment : body.profile.segments) {
-    const auto off = [&](double t) { return core::depth(geometry, core::point_at(segment, t)) > on_axis; };
+    const auto off = [&](double t) { return core::point_at(segment, t)[0] > on_axis; };
     if (off(0) || off(0.5) || off(1) || body.boundaries[segment.boundary_id].kind == BoundaryKind::symmetry) continue;
     core::refuse(boundaries.items[segment.boundary_id],
-                 fmt::format("\"{}\" runs along the axis, allowed there is a boundary with the condition symmetry",
+                 fmt::format("\"{}\" runs along the axis, allowed there is only the condition symmetry",
                              body.boundaries[segment.boundary_id].name));
   }
 }
 
-/// Whether a stretch of an outline can be one of symmetry: straight, and where the section turns about the axis on it
-/// or across it.
+/// Whether a segment can be a symmetry boundary: it is straight and, in an axisymmetric scene, on the axis or normal
+/// to it.
 bool is_symmetric(const core::Segment& segment, core::Geometry geometry) {
   const core::Point first = core::point_at(segment, 0), along = core::point_at(segment, 1) - first;
   const double slack = 1e-6 * along.norm();
@@ -96,7 +97,7 @@ void check_symmetry(const Body& body, core::Geometry geometry, const CaseNode& b
     const core::Point x = core::point_at(segment, 0.5);
     core::refuse(
         boundaries.items[segment.boundary_id],
-        fmt::format("\"{}\" has the condition symmetry beside ({:g}, {:g}) mm, allowed is that on straight stretches{}",
+        fmt::format("\"{}\" has the condition symmetry near ({:g}, {:g}) mm, allowed is symmetry on straight lines{}",
                     body.boundaries[segment.boundary_id].name, 1e3 * x[0], 1e3 * x[1],
                     geometry == core::Geometry::planar ? "" : " on the axis or across it"));
   }
@@ -187,8 +188,8 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
     const auto& material = find_material(item, context);
     if (!material.thermal)
       core::refuse(item,
-                   fmt::format("\"{}\" has no conductivity and heat_capacity, allowed is a material that carries heat "
-                               "as the glass does",
+                   fmt::format("\"{}\" has no conductivity and heat_capacity, allowed is a material that carries heat, "
+                               "because the glass does",
                                material.name));
     if (material.thermal->radiation && material.thermal->radiation->thin_wall)
       core::refuse(item,

@@ -42,7 +42,9 @@ std::string trimmed(const std::string& text) {
 
 std::vector<Group> read_groups(const CaseNode& file, const std::string& path) {
   std::ifstream in(path);
-  if (!in) core::refuse(file, fmt::format("no file \"{}\", allowed is a drawing beside the case file", path));
+  if (!in)
+    core::refuse(file,
+                 fmt::format("no file \"{}\", allowed is a drawing with its path relative to the case file", path));
   std::vector<Group> groups;
   std::string code, value;
   for (int line = 1; std::getline(in, code) && std::getline(in, value); line += 2) {
@@ -81,7 +83,10 @@ class DxfCurves {
 
   void add(const Entity& entity) {
     if (number(entity, 230, 1) < 0)
-      refuse(entity, fmt::format("a {} drawn on the back of its plane was found, allowed is the front", entity.kind));
+      refuse(entity,
+             fmt::format(
+                 "a {} with a negative extrusion direction (seen from behind) was found, allowed is a positive one",
+                 entity.kind));
     if (entity.kind == "LINE")
       add_line(point(entity, 10, 20), point(entity, 11, 21));
     else if (entity.kind == "ARC")
@@ -152,7 +157,6 @@ class DxfCurves {
 
   /// The bulge is the tangent of a quarter of the angle that the arc turns.
   void add_bulge(const Point& start, const Point& end, double bulge) {
-    if ((end - start).norm() <= section_joined) return;
     if (bulge == 0) return add_line(start, end);
     Segment arc;
     arc.is_arc = true;
@@ -169,8 +173,9 @@ class DxfCurves {
   void begin_polyline(const Entity& entity) {
     const int flags = static_cast<int>(number(entity, 70, 0));
     if ((flags & ~(1 | 128)) != 0)
-      refuse(entity, fmt::format("a {} that is fitted or in space was found, allowed is a plane one of lines and arcs",
-                                 entity.kind));
+      refuse(entity,
+             fmt::format("a curve-fitted or three-dimensional {} was found, allowed is a plane one of lines and arcs",
+                         entity.kind));
     closed_ = (flags & 1) != 0;
     vertices_.clear();
   }
@@ -204,7 +209,7 @@ class DxfCurves {
   bool closed_ = false;
 };
 
-/// What a drawing says beside its curves, and what belongs to the paper.
+/// Texts, dimensions and the like, and everything in paper space.
 bool is_annotation(const Entity& entity) {
   static const std::vector<std::string> kinds{"TEXT",  "MTEXT",    "DIMENSION", "LEADER",   "MULTILEADER",
                                               "POINT", "VIEWPORT", "HATCH",     "TOLERANCE"};

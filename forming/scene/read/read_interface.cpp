@@ -26,7 +26,7 @@ contact::PressureViscosityConductance read_pressure_viscosity(const CaseNode& no
   law.h0 = core::positive(table.get("h0"), dimension::conductance);
   law.h1 = core::positive(table.get("h1"), dimension::conductance);
   if (law.h1 < law.h0)
-    core::refuse(table.get("h1"), fmt::format("\"{}\" lies below h0, allowed is h1 from h0 on", table.get("h1").text));
+    core::refuse(table.get("h1"), fmt::format("\"{}\" is below h0, allowed is h1 not below h0", table.get("h1").text));
   law.p_ref = core::positive(table.get("p_ref"), dimension::pressure);
   law.eta_ref = core::positive(table.get("eta_ref"), dimension::viscosity);
   law.a = core::not_negative(table.get("a"), dimension::none);
@@ -34,14 +34,14 @@ contact::PressureViscosityConductance read_pressure_viscosity(const CaseNode& no
   return law;
 }
 
-/// Rising quantities above zero.
+/// Increasing quantities above zero.
 std::vector<double> read_axis(const CaseNode& node, const core::Dimension& dimension) {
   std::vector<double> axis;
   for (const auto& item : core::list(node)) {
     axis.push_back(core::positive(item, dimension));
     if (axis.size() > 1 && !(axis.back() > axis[axis.size() - 2]))
-      core::refuse(item,
-                   fmt::format("\"{}\" does not lie above the entry before, allowed are rising entries", item.text));
+      core::refuse(
+          item, fmt::format("\"{}\" is not greater than the entry before, allowed are increasing entries", item.text));
   }
   if (axis.empty()) core::refuse(node, "an empty list was found, allowed is at least one entry");
   return axis;
@@ -67,8 +67,13 @@ contact::TableConductance read_table(const CaseNode& node) {
   return law;
 }
 
+/// An interface of any law.
+CaseTable interface_table(const CaseNode& node) {
+  return with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
+}
+
 contact::ConductanceLaw read_law(const CaseNode& node, bool with_flow) {
-  const auto table = with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
+  const auto table = interface_table(node);
   const int law = core::choice(table.get("law"), {"constant", "pressure-viscosity", "table"});
   if (law > 0 && !with_flow)
     core::refuse(table.get("law"), "the glass does not flow and has no contact pressure, allowed is \"constant\"");
@@ -80,9 +85,10 @@ contact::ConductanceLaw read_law(const CaseNode& node, bool with_flow) {
 }  // namespace
 
 std::vector<Interface> read_interfaces(const CaseNode& node, const Scene& scene) {
-  constexpr double default_transition_gap = 1e-4;  // m: a gap as wide passes no heat from surface to surface
+  // A property of the layer of air, so that it does not grow with the bodies: a gap as wide passes no contact heat.
+  constexpr double default_transition_gap = 1e-4;  // m
   const auto law = read_law(node, scene.has_flow());
-  const auto table = with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
+  const auto table = interface_table(node);
   double width = default_transition_gap;
   if (const auto* item = table.find("transition_gap")) width = core::positive(*item, dimension::length);
   std::vector<Interface> interfaces;

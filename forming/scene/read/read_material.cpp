@@ -27,7 +27,7 @@ thermal::Radiation read_radiation(const CaseNode& node) {
           core::flag(table.get("thin_wall"))};
 }
 
-/// The table of a law and the law's place among the allowed ones.
+/// The index of a table's law among the allowed ones.
 int law_of(const CaseNode& node, const std::vector<std::string>& allowed) {
   for (const auto& item : core::entries(node))
     if (item.name == "law") return core::choice(item, allowed);
@@ -76,10 +76,11 @@ NamedMaterial read_material(const CaseNode& node) {
   }
   for (const auto* key : {"radiation", "emissivity"})
     if (const auto* item = table.find(key); item && !material.thermal)
-      core::refuse(*item, "the material carries no heat, allowed is this key beside conductivity and heat_capacity");
+      core::refuse(
+          *item, "the material carries no heat, this key is allowed only together with conductivity and heat_capacity");
   for (const auto* key : {"shear_thinning", "surface_tension"})
     if (const auto* item = table.find(key); item && !material.flow)
-      core::refuse(*item, "the material does not flow, allowed is this key beside viscosity");
+      core::refuse(*item, "the material does not flow, this key is allowed only together with viscosity");
   if (const auto* emissivity = table.find("emissivity")) {
     material.emissivity = core::not_negative(*emissivity, dimension::none);
     if (material.emissivity > 1)

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 
-#include "core/mesh/element.hpp"
 #include "forming/scene/read/read_section.hpp"
 #include "forming/scene/read/scene_reading.hpp"
+#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
@@ -19,8 +20,6 @@ using core::Point;
 using core::Profile;
 using core::Segment;
 namespace dimension = core::dimension;
-
-constexpr double joined = 1e-7;  // ends closer than this are one point, m
 
 double part_quantity(const CaseNode& node, const std::string& text, const core::Dimension& expected) {
   const auto parsed = core::parse_quantity(text, expected);
@@ -97,7 +96,8 @@ std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory
   const auto path = std::filesystem::path(directory) / core::text(node);
   std::ifstream file(path);
   if (!file)
-    core::refuse(node, fmt::format("no file \"{}\", allowed is a CSV file beside the case file", path.string()));
+    core::refuse(node, fmt::format("no file \"{}\", allowed is a CSV file with its path relative to the case file",
+                                   path.string()));
   CaseNode row = node;
   row.file = path.string();
   row.line = 0;
@@ -132,7 +132,7 @@ std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory
   return parts;
 }
 
-/// Points, an arc, or a stretch of a drawing after a point where it starts.
+/// Points, an arc, or a part of a drawing preceded by the point where it starts.
 std::vector<Segment> read_path_part(const CaseNode& node, const std::string& directory) {
   if (node.kind != CaseNode::Kind::table) return parse_path(node);
   std::vector<Segment> parts = read_section(node, directory);
@@ -158,6 +158,7 @@ std::vector<Segment> read_path(const CaseTable& boundary, const std::string& dir
 /// Draws segments one after the other, joining what does not meet by lines.
 struct Pen {
   Profile& profile;
+  double joined;  ///< points closer than this are one, m
   Point at = Point::Zero(), first = Point::Zero();
   bool started = false;
 
@@ -188,7 +189,23 @@ struct Pen {
   }
 };
 
+/// The outline whose boundaries have these parts.
+Profile draw(const std::vector<std::vector<Segment>>& paths, double joined) {
+  Profile profile;
+  Pen pen{profile, joined};
+  const auto last = static_cast<core::Index>(paths.size()) - 1;
+  for (core::Index i = 0; i <= last; ++i) {
+    for (const Segment& part : paths[i]) pen.draw(part, i);
+    if (i == last) pen.close(i);
+  }
+  return profile;
+}
+
 }  // namespace
+
+CaseTable boundary_table(const CaseNode& node) {
+  return CaseTable(node, {"name", "path", "csv", "condition"});
+}
 
 Point read_point(const CaseNode& node) {
   core::text(node);
@@ -199,17 +216,19 @@ Point read_point(const CaseNode& node) {
 }
 
 Profile read_outline(const CaseNode& boundaries, const std::string& directory) {
-  Profile profile;
-  Pen pen{profile};
-  const auto last = static_cast<core::Index>(core::list(boundaries).size()) - 1;
-  for (core::Index i = 0; i <= last; ++i) {
-    const CaseTable boundary(boundaries.items[i], {"name", "path", "csv", "condition"});
-    profile.boundary_names.push_back(core::text(boundary.get("name")));
-    for (const auto& part : read_path(boundary, directory)) pen.draw(part, i);
-    if (i == last) pen.close(i);
-    if (profile.segments.empty() || profile.segments.back().boundary_id != i)
-      core::refuse(boundary.node(), "the path has no length, allowed is at least one line or arc");
+  std::vector<std::string> names;
+  std::vector<std::vector<Segment>> paths;
+  for (const auto& item : core::list(boundaries)) {
+    const CaseTable boundary = boundary_table(item);
+    names.push_back(core::text(boundary.get("name")));
+    paths.push_back(read_path(boundary, directory));
   }
+  Profile profile = draw(paths, tolerance::joined * core::size(draw(paths, 0)));
+  profile.boundary_names = std::move(names);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    if (std::none_of(profile.segments.begin(), profile.segments.end(),
+                     [&](const Segment& segment) { return segment.boundary_id == static_cast<core::Index>(i); }))
+      core::refuse(boundaries.items[i], "the path has no length, allowed is at least one line or arc");
   if (profile.segments.size() < 2)
     core::refuse(boundaries, fmt::format("{} lines were found, allowed is a closed outline", profile.segments.size()));
   return profile;
@@ -219,19 +238,20 @@ void check_outline(const Profile& profile, core::Geometry geometry, const CaseNo
   const auto [a, b] = core::find_self_crossing(profile);
   if (a >= 0) {
     const auto &one = profile.segments[a], &other = profile.segments[b];
-    core::refuse(
-        boundaries.items[one.boundary_id],
-        fmt::format("the outline crosses itself (boundary \"{}\" meets boundary \"{}\" beside ({:g}, {:g}) mm), "
-                    "allowed is an outline that meets itself nowhere",
-                    profile.boundary_names[one.boundary_id], profile.boundary_names[other.boundary_id],
-                    1e3 * one.start[0], 1e3 * one.start[1]));
+    core::refuse(boundaries.items[one.boundary_id],
+                 fmt::format("the outline crosses itself (boundary \"{}\" meets boundary \"{}\" near ({:g}, {:g}) mm), "
+                             "allowed is an outline that does not touch itself",
+                             profile.boundary_names[one.boundary_id], profile.boundary_names[other.boundary_id],
+                             1e3 * one.start[0], 1e3 * one.start[1]));
   }
+  if (geometry == core::Geometry::planar) return;
+  const double joined = tolerance::joined * core::size(profile);
   for (const auto& segment : profile.segments)
     for (int i = 0; i <= 16; ++i)
-      if (const auto x = core::point_at(segment, i / 16.0); core::depth(geometry, x) < -joined)
-        core::refuse(
-            boundaries.items[segment.boundary_id],
-            fmt::format("({:g}, {:g}) mm lies beyond the axis, allowed are radii from zero", 1e3 * x[0], 1e3 * x[1]));
+      if (const auto x = core::point_at(segment, i / 16.0); x[0] < -joined)
+        core::refuse(boundaries.items[segment.boundary_id],
+                     fmt::format("({:g}, {:g}) mm is on the wrong side of the axis, allowed are radii from zero",
+                                 1e3 * x[0], 1e3 * x[1]));
 }
 
 }  // namespace parison::forming

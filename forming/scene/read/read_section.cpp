@@ -8,8 +8,10 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "forming/scene/read/scene_reading.hpp"
+#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
@@ -20,64 +22,69 @@ using core::Point;
 using core::Segment;
 using Chain = std::vector<Segment>;
 
-constexpr double on_drawing = 1e-5;  // a point of the case may lie so far off the curves, m
-
-bool meet(const Point& a, const Point& b) {
-  return (a - b).norm() <= section_joined;
+/// Whether two ends in a drawing of this size meet.
+bool meet(const Point& a, const Point& b, double size) {
+  return (a - b).norm() <= tolerance::joined * size;
 }
 
 Chain turned(const Chain& chain) {
   return core::reversed({chain, {}}).segments;
 }
 
+/// Diagonal of the box around the curves, m; core::size takes the end of each segment for the start of another.
+double size_of(Chain curves) {
+  const Chain back = turned(curves);
+  curves.insert(curves.end(), back.begin(), back.end());
+  return core::size(core::Profile{std::move(curves), {}});
+}
+
 std::string in_mm(const Point& x) {
   return fmt::format("({:.6g}, {:.6g}) mm", 1e3 * x[0], 1e3 * x[1]);
 }
 
-bool is_closed(const Chain& chain) {
-  return chain.size() > 1 && meet(chain.front().start, chain.back().end);
+bool is_closed(const Chain& chain, double size) {
+  return chain.size() > 1 && meet(chain.front().start, chain.back().end, size);
 }
 
 /// Moves the curves that follow the chain's end, one after the other, from `left` to it.
-void extend(const CaseNode& file, Chain& chain, Chain& left) {
-  while (!is_closed(chain)) {
+void extend(const CaseNode& file, Chain& chain, Chain& left, double size) {
+  while (!is_closed(chain, size)) {
     const Point end = chain.back().end;
-    const auto follows = [&](const Segment& s) { return meet(s.start, end) || meet(s.end, end); };
+    const auto follows = [&](const Segment& s) { return meet(s.start, end, size) || meet(s.end, end, size); };
     const auto next = std::find_if(left.begin(), left.end(), follows);
     if (next == left.end()) return;
     if (std::count_if(left.begin(), left.end(), follows) > 1)
       core::refuse(
           file, fmt::format("more than two curves of the drawing meet at {}, allowed is one outline without branches",
                             in_mm(end)));
-    chain.push_back(meet(next->start, end) ? *next : turned({*next})[0]);
+    chain.push_back(meet(next->start, end, size) ? *next : turned({*next})[0]);
     left.erase(next);
   }
 }
 
 /// Says why curves are left over: a gap where an end of theirs is near one of the chain, else several outlines.
-[[noreturn]] void refuse_rest(const CaseNode& file, const Chain& chain, const Chain& left) {
-  constexpr double a_gap = 1e-3;  // m
+[[noreturn]] void refuse_rest(const CaseNode& file, const Chain& chain, const Chain& left, double size) {
   double nearest = std::numeric_limits<double>::infinity();
   Point where = Point::Zero();
-  if (!is_closed(chain))
+  if (!is_closed(chain, size))
     for (const Segment& segment : left)
       for (const Point& x : {segment.start, segment.end})
         for (const Point& end : {chain.front().start, chain.back().end})
           if ((x - end).norm() < nearest) nearest = (x - end).norm(), where = end;
-  if (nearest < a_gap)
+  if (nearest < tolerance::drawing_gap * size)
     core::refuse(
         file,
-        fmt::format("the curves of the drawing leave a gap of {:.3g} mm at {}, allowed are ends that meet to 1e-4 mm",
-                    1e3 * nearest, in_mm(where)));
+        fmt::format("the curves of the drawing leave a gap of {:.3g} mm at {}, allowed are ends that meet to {:.1g} mm",
+                    1e3 * nearest, in_mm(where), 1e3 * tolerance::joined * size));
   core::refuse(
-      file,
-      fmt::format("several outlines were found in the drawing, one with {} curves and {} curves beside it, allowed is "
-                  "one (a layer chooses among those of a DXF file)",
-                  chain.size(), left.size()));
+      file, fmt::format("several outlines were found in the drawing, one with {} curves and {} more curves, allowed is "
+                        "one (in a DXF file a layer can select it)",
+                        chain.size(), left.size()));
 }
 
-/// A place on a chain: the number of the segment and how far along it, as one number.
+/// A position on a chain: the index of the segment plus the parameter on it, 0 to 1.
 double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
+  const double on_drawing = tolerance::on_drawing * size_of(chain);
   double best = std::numeric_limits<double>::infinity(), place = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     double t = core::closest_parameter(chain[i], x);
@@ -88,11 +95,11 @@ double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
   }
   if (best > 2 * on_drawing)
     core::refuse(node,
-                 fmt::format("{} lies {:.3g} mm off the drawing, allowed are points on it", in_mm(x), 1e3 * best));
+                 fmt::format("{} is {:.3g} mm away from the drawing, allowed are points on it", in_mm(x), 1e3 * best));
   return place;
 }
 
-/// The part of a segment between two of its places, 0 to 1.
+/// The part of a segment between two parameters, 0 to 1.
 Segment part_of(const Segment& segment, double from, double to) {
   Segment part = segment;
   if (from > 0) part.start = core::point_at(segment, from);
@@ -102,7 +109,7 @@ Segment part_of(const Segment& segment, double from, double to) {
   return part;
 }
 
-/// The segments from one place to a later one, round a closed chain if need be.
+/// The segments from one position to a later one, around a closed chain if need be.
 Chain interval(const Chain& chain, double from, double to) {
   Chain result;
   for (double at = from; at < to;) {
@@ -115,10 +122,19 @@ Chain interval(const Chain& chain, double from, double to) {
 
 /// Coordinates that vanish but for round-off are made zero, so that curves meet axes exactly.
 void clean(Chain& chain) {
+  const double zero = tolerance::drawing_round_off * size_of(chain);
   for (Segment& segment : chain)
     for (Point* x : {&segment.start, &segment.end, &segment.centre})
       for (double& component : *x)
-        if (std::abs(component) < 1e-12) component = 0;
+        if (std::abs(component) < zero) component = 0;
+}
+
+/// Drops what has no length, such as the side between two equal vertices of a polyline.
+Chain with_length(Chain curves) {
+  const double least = tolerance::joined * size_of(curves);
+  const auto is_point = [&](const Segment& segment) { return core::length(segment) <= least; };
+  curves.erase(std::remove_if(curves.begin(), curves.end(), is_point), curves.end());
+  return curves;
 }
 
 Chain read_drawing(const CaseTable& table, const std::string& directory) {
@@ -133,14 +149,14 @@ Chain read_drawing(const CaseTable& table, const std::string& directory) {
     for (const char* key : {"unit", "layer"})
       if (const auto* node = table.find(key))
         core::refuse(
-            *node, fmt::format(
-                       "a {} was found, allowed is it for DXF files; a STEP file has its own unit and no layers", key));
+            *node,
+            fmt::format("a {} was found, allowed only for DXF files; a STEP file has its own unit and no layers", key));
     return read_step(file, path.string());
   }
   const auto unit = core::parse_quantity("1 " + core::text(table.get("unit")), core::dimension::length);
   if (!unit.problem.empty()) core::refuse(table.get("unit"), unit.problem);
   const auto* layer = table.find("layer");
-  auto curves = read_dxf(file, path.string(), layer ? core::text(*layer) : "", unit.value);
+  Chain curves = with_length(read_dxf(file, path.string(), layer ? core::text(*layer) : "", unit.value));
   if (curves.empty())
     core::refuse(layer ? *layer : file,
                  fmt::format("no lines or arcs were found in \"{}\", allowed is a DXF file with some{}", path.string(),
@@ -148,36 +164,41 @@ Chain read_drawing(const CaseTable& table, const std::string& directory) {
   return curves;
 }
 
-}  // namespace
-
-std::vector<Segment> chain(const CaseNode& file, std::vector<Segment> curves) {
+/// Brings curves into one chain, each end meeting the next start; refuses gaps, branches and several chains.
+Chain chained(const CaseNode& file, Chain curves) {
+  const double size = size_of(curves);
   Chain one{curves.front()};
   curves.erase(curves.begin());
-  extend(file, one, curves);
+  extend(file, one, curves, size);
   one = turned(one);
-  extend(file, one, curves);
-  if (!curves.empty()) refuse_rest(file, one, curves);
+  extend(file, one, curves, size);
+  if (!curves.empty()) refuse_rest(file, one, curves, size);
   return one;
 }
 
+}  // namespace
+
 std::vector<Segment> read_section(const CaseNode& node, const std::string& directory) {
   const CaseTable table(node, {"file", "from", "via", "to", "unit", "layer"});
-  Chain curves = chain(table.get("file"), read_drawing(table, directory));
+  Chain curves = chained(table.get("file"), read_drawing(table, directory));
   clean(curves);
+  const bool closed = is_closed(curves, size_of(curves));
   const CaseNode &first = table.get("from"), *via = table.find("via"), *last = table.find("to");
   const double count = static_cast<double>(curves.size()), from = place_on(first, curves, read_point(first));
-  if (via && !is_closed(curves)) core::refuse(*via, "a via was found, allowed is it where the drawn outline is closed");
-  if (!last && is_closed(curves)) return interval(curves, from, from + count);
+  if (via && !closed) core::refuse(*via, "a via was found, allowed only where the drawn outline is closed");
+  if (!last && closed) return interval(curves, from, from + count);
   if (!last && from != 0 && from != count)
     core::refuse(
-        first, fmt::format("{} is no end of the drawn line, allowed are its ends, or a \"to\" beside it", first.text));
+        first,
+        fmt::format("{} is not an end of the drawn line, allowed are its ends, or any point together with a \"to\"",
+                    first.text));
   double to = last ? place_on(*last, curves, read_point(*last)) : count - from;
-  if (!is_closed(curves))
-    return to > from ? interval(curves, from, to) : interval(turned(curves), count - from, count - to);
+  if (!closed) return to > from ? interval(curves, from, to) : interval(turned(curves), count - from, count - to);
   if (!via)
     core::refuse(*last,
-                 "a closed outline has two ways to this point, allowed is a \"via\" beside it: a point on the stretch "
-                 "between the two");
+                 "a closed outline can be followed to this point in two directions, allowed is \"to\" together with a "
+                 "\"via\": a "
+                 "point on the part that is wanted");
   double via_place = place_on(*via, curves, read_point(*via));
   if (to <= from) to += count;
   if (via_place < from) via_place += count;

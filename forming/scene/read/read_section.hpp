@@ -9,20 +9,15 @@
 
 namespace parison::forming {
 
-/// Drawing ends closer than this meet, m.
-inline constexpr double section_joined = 1e-7;
-
-/// The curves of a DXF file in the order of the file, m; `layer` empty for all layers, `unit` of a drawing unit in m.
+/// The curves of a DXF file in the order of the file, m, those without length included; `layer` empty for all layers,
+/// `unit` of a drawing unit in m.
 std::vector<core::Segment> read_dxf(const core::CaseNode& file, const std::string& path, const std::string& layer,
                                     double unit);
 
-/// The curves of a section in a STEP file, m; it lies in a coordinate plane.
+/// The curves of a section in a STEP file, m; the section must lie in a coordinate plane.
 std::vector<core::Segment> read_step(const core::CaseNode& file, const std::string& path);
 
-/// Brings curves into one chain, each end meeting the next start; refuses gaps, branches and several chains.
-std::vector<core::Segment> chain(const core::CaseNode& file, std::vector<core::Segment> curves);
-
-/// The stretch of a drawing that a table { file, from, to, unit, layer } names.
+/// The part of a drawing that a table { file, from, via, to, unit, layer } selects.
 std::vector<core::Segment> read_section(const core::CaseNode& node, const std::string& directory);
 
 }  // namespace parison::forming

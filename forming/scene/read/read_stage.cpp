@@ -27,7 +27,7 @@ bool needs_air(const Body& body) {
   return body.thermal && (body.emissivity > 0 || std::any_of(body.boundaries.begin(), body.boundaries.end(), open));
 }
 
-/// Tools out of place stand in the air too.
+/// Tools that are not active are in the air too.
 void refuse_missing_air(const CaseNode& stage, const Scene& scene) {
   const Body* body = needs_air(scene.glass) ? &scene.glass : nullptr;
   for (const Tool& tool : scene.tools)
@@ -48,7 +48,8 @@ Motion read_motion(const CaseNode& node, const Scene& scene) {
       core::refuse(node, "offset and force were found, allowed is one of them");
     return PositionMotion{core::quantity_table(*offset, dimension::time, dimension::length)};
   }
-  if (!scene.has_flow()) core::refuse(table.get("force"), "a force on glass that does not flow, allowed is offset");
+  if (!scene.has_flow())
+    core::refuse(table.get("force"), "a force was found but the glass does not flow, allowed is offset");
   const auto& force = table.get("force");
   if (core::quantity(force, dimension::force) == 0)
     core::refuse(force, fmt::format("\"{}\" was found, allowed is a force other than zero", force.text));
@@ -75,11 +76,13 @@ std::vector<StageTool> read_stage_tools(const CaseTable& table, const Scene& sce
     for (const auto& item : core::entries(*node)) {
       const auto at = std::find(active_names.begin(), active_names.end(), item.name);
       if (at == active_names.end())
-        core::refuse(item, fmt::format("a motion of \"{}\", which is not in place, allowed are the stage's tools: {}",
-                                       item.name, fmt::join(active_names, ", ")));
+        core::refuse(
+            item,
+            fmt::format("a motion of \"{}\", which is not active in this stage, allowed are the stage's tools: {}",
+                        item.name, fmt::join(active_names, ", ")));
       tools[at - active_names.begin()].motion = read_motion(item, scene);
       if (std::count_if(tools.begin(), tools.end(), is_driven) > flow::max_driven_tools)
-        core::refuse(item, fmt::format("one more tool driven by a force was found, allowed are {} in a stage",
+        core::refuse(item, fmt::format("too many tools driven by a force were found, allowed are {} in a stage",
                                        flow::max_driven_tools));
     }
   return tools;
@@ -119,7 +122,7 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
   if (!scene.has_flow())
     for (const auto* key : {"gravity", "pressure", "end_speed", "name_boundary"})
       if (const auto* item = table.find(key))
-        core::refuse(*item, "the glass does not flow, allowed is this key where its material has a viscosity");
+        core::refuse(*item, "the glass does not flow, this key is allowed only where its material has a viscosity");
   if (const auto* item = table.find("gravity")) stage.gravity = core::quantity(*item, dimension::acceleration);
   read_named_boundaries(table, scene, stage);
   if (const auto* pressures = table.find("pressure"))
@@ -130,7 +133,7 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
   if (const auto* item = table.find("end_speed")) {
     stage.end_speed = core::positive(*item, dimension::speed);
     if (std::none_of(stage.tools.begin(), stage.tools.end(), is_driven))
-      core::refuse(*item, "an end speed was found, allowed is it where a force drives a tool");
+      core::refuse(*item, "an end speed was found, allowed only where a force drives a tool");
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/io/files.hpp"
 #include "core/process/gmsh_session.hpp"
 #include "forming/scene/read/read_section.hpp"
+#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
@@ -20,7 +21,7 @@ using Space = std::array<double, 3>;
 
 constexpr double step_unit = 1e-3;  // what the reader of STEP files converts every file to, m
 
-/// A curve as the CAD kernel has it, at three places of its parameter.
+/// A curve as the CAD kernel has it, at three values of its parameter.
 struct Curve {
   bool is_arc;
   Space start, mid, end;
@@ -49,7 +50,7 @@ std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
   gmsh::model::occ::synchronize();
   gmsh::model::getEntities(found, 3);
   if (!found.empty())
-    core::refuse(file, fmt::format("\"{}\" holds a solid, allowed is a section: curves or a plane face", path));
+    core::refuse(file, fmt::format("\"{}\" contains a solid, allowed is a section: curves or a plane face", path));
   gmsh::model::getEntities(found, 1);
   if (found.empty())
     core::refuse(file, fmt::format("no curves were found in \"{}\", allowed is a STEP file with a section", path));
@@ -60,7 +61,7 @@ std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
     if (kind != "Line" && kind != "Circle")
       core::refuse(
           file,
-          fmt::format("\"{}\" holds a curve of the kind {}, allowed are lines and circular arcs (convert it in the CAD "
+          fmt::format("\"{}\" contains a curve of type {}, allowed are lines and circular arcs (convert it in the CAD "
                       "program, or give its points as CSV)",
                       path, kind));
     add_curve(tag, kind == "Circle", curves);
@@ -68,15 +69,19 @@ std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
   return curves;
 }
 
-/// The two axes of the coordinate plane through the origin that holds all curves: (x, y), (x, z) or (y, z).
+/// The two axes of the coordinate plane through the origin that contains all curves: (x, y), (x, z) or (y, z).
 std::array<int, 2> find_plane(const CaseNode& file, const std::string& path, const std::vector<Curve>& curves) {
-  Space away{};
+  Space away{}, low = curves.front().start, high = low;
   for (const Curve& curve : curves)
     for (const Space& x : {curve.start, curve.mid, curve.end})
-      for (int k = 0; k < 3; ++k) away[k] = std::max(away[k], std::abs(x[k]));
-  if (away[2] < section_joined) return {0, 1};
-  if (away[1] < section_joined) return {0, 2};
-  if (away[0] < section_joined) return {1, 2};
+      for (int k = 0; k < 3; ++k) {
+        away[k] = std::max(away[k], std::abs(x[k]));
+        low[k] = std::min(low[k], x[k]), high[k] = std::max(high[k], x[k]);
+      }
+  const double in_plane = tolerance::joined * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  if (away[2] < in_plane) return {0, 1};
+  if (away[1] < in_plane) return {0, 2};
+  if (away[0] < in_plane) return {1, 2};
   core::refuse(
       file,
       fmt::format("the curves of \"{}\" lie in no coordinate plane, allowed are x and y, x and z, or y and z", path));
@@ -104,7 +109,8 @@ Segment arc_through(const Point& start, const Point& mid, const Point& end) {
 
 std::vector<Segment> read_step(const CaseNode& file, const std::string& path) {
   if (!std::filesystem::is_regular_file(path))
-    core::refuse(file, fmt::format("no file \"{}\", allowed is a drawing beside the case file", path));
+    core::refuse(file,
+                 fmt::format("no file \"{}\", allowed is a drawing with its path relative to the case file", path));
   if (core::read_text(path).rfind("ISO-10303-21", 0) != 0)
     core::refuse(
         file,

@@ -6,14 +6,13 @@
 #include <optional>
 
 #include "forming/scene/read/scene_reading.hpp"
+#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
 
-constexpr double touching = 1e-6;  // bodies may overlap by this much at the start, m
-
-/// Points along an outline, dense enough to find any overlap worth naming.
-std::vector<core::Point> samples(const core::Profile& profile) {
+/// Points along an outline, dense enough to find an overlap deeper than `touching`, m.
+std::vector<core::Point> samples(const core::Profile& profile, double touching) {
   double perimeter = 0;
   for (const auto& segment : profile.segments) perimeter += core::length(segment);
   return core::polyline(profile, perimeter / 2000, touching / 2);
@@ -41,7 +40,7 @@ bool can_touch(const Body& body) {
 
 /// Whether symmetry planes or fixed boundaries keep the glass from moving along the axis.
 bool constrained_along_axis(const Glass& glass) {
-  constexpr double across = 1e-3;
+  constexpr double across = 1e-3;  // smallest cosine of the angle between normal and axis
   return std::any_of(glass.profile.segments.begin(), glass.profile.segments.end(), [&](const core::Segment& segment) {
     const BoundaryKind kind = glass.boundaries[segment.boundary_id].kind;
     return kind == BoundaryKind::fixed ||
@@ -116,19 +115,20 @@ void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables) {
 
 void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode*>& tools) {
   if (scene.stages.empty()) return;
-  const auto glass = samples(scene.glass.profile);
+  const double touching = tolerance::initial_overlap * core::size(scene.glass.profile);
+  const auto glass = samples(scene.glass.profile, touching);
   for (const auto& entry : scene.stages.front().tools) {
     const auto& tool = scene.tools[entry.tool];
     const core::Point shift = tool.position * core::axis_direction();
     auto inside = max_overlap_point(glass, -shift, tool.profile);
-    auto other = max_overlap_point(samples(tool.profile), shift, scene.glass.profile);
+    auto other = max_overlap_point(samples(tool.profile, touching), shift, scene.glass.profile);
     other.point += shift;
     if (other.depth > inside.depth) inside = other;
     if (inside.depth > touching)
       core::refuse(
           *tools[entry.tool],
-          fmt::format("\"{}\" overlaps the glass at the start by {:.3g} mm, beside ({:g}, {:g}) mm; allowed is "
-                      "contact to within {:g} mm",
+          fmt::format("\"{}\" overlaps the glass at the start by {:.3g} mm, near ({:g}, {:g}) mm; allowed is "
+                      "contact to within {:.2g} mm",
                       tool.name, 1e3 * inside.depth, 1e3 * inside.point[0], 1e3 * inside.point[1], 1e3 * touching));
   }
 }
@@ -137,8 +137,7 @@ void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode
   if (!scene.has_heat()) return;
   bool glass_can_touch = can_touch(scene.glass);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
-    glass_can_touch =
-        glass_can_touch || !scene.stages[i].named_boundaries.empty();  // a named stretch is open to contact
+    glass_can_touch = glass_can_touch || !scene.stages[i].named_boundaries.empty();  // a named boundary may touch
     if (!glass_can_touch) continue;
     for (const auto& entry : scene.stages[i].tools) {
       const auto& tool = scene.tools[entry.tool];
@@ -156,7 +155,7 @@ void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode
 }
 
 void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>& stages) {
-  constexpr double same_place = 1e-6;     // m
+  const double same_place = core::tolerance::motion_start * core::size(scene.glass.profile);
   std::vector<std::optional<double>> at;  // of each tool, where it is known
   for (const Tool& tool : scene.tools) at.emplace_back(tool.position);
   for (std::size_t i = 0; i < scene.stages.size(); ++i)
@@ -171,8 +170,9 @@ void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>&
         core::CaseNode place = *stages[i];
         place.key += ".motion." + scene.tools[entry.tool].name;
         core::refuse(
-            place, fmt::format("starts at {:g} mm, but the tool stands at {:g} mm then; allowed is a start from there",
-                               1e3 * first, 1e3 * *at[entry.tool]));
+            place,
+            fmt::format("starts at {:g} mm, but the tool is at {:g} mm then; allowed is a motion that starts there",
+                        1e3 * first, 1e3 * *at[entry.tool]));
       }
       at[entry.tool].reset();
       if (!scene.stages[i].end_speed) at[entry.tool] = position->offset(scene.stages[i].duration);
@@ -186,21 +186,21 @@ void check_support(const Scene& scene, const core::CaseTable& root) {
         return boundary.kind == BoundaryKind::fixed || boundary.kind == BoundaryKind::symmetry;
       }))
     core::refuse(
-        core::CaseTable(root.get("glass"), {"material", "temperature", "mesh", "film", "boundary"}).get("boundary"),
-        "every boundary is fixed or a symmetry plane and the pressure of the glass has no level; allowed is at "
-        "least one boundary that is neither");
+        *member(&root.get("glass"), "boundary"),
+        "every boundary is fixed or a symmetry plane, so the pressure of the glass has no reference value; allowed is "
+        "at least one boundary that is neither");
   if (constrained_along_axis(scene.glass)) return;
   const auto stages = root.tables("stage");
-  bool named = false;  // a stretch that may touch
+  bool named = false;  // a boundary that may touch
   for (std::size_t i = 0; i < stages.size(); ++i) {
     named = named || !scene.stages[i].named_boundaries.empty();
     if (!scene.stages[i].tools.empty() && (named || can_touch(scene.glass))) continue;
     core::CaseNode place = *stages[i];
     place.key += ".tools";
-    core::refuse(place,
-                 fmt::format("nothing holds the glass along the axis in stage \"{}\"; allowed is a tool that it can "
-                             "touch, a fixed boundary or a symmetry plane across the axis",
-                             scene.stages[i].name));
+    core::refuse(
+        place, fmt::format("nothing constrains the glass along the axis in stage \"{}\"; allowed is a tool that it can "
+                           "touch, a fixed boundary or a symmetry plane across the axis",
+                           scene.stages[i].name));
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace parison::forming {
 
-/// A material as the case file gives it; what it does not give, the scene does not compute.
+/// A material as the case file gives it; properties that are missing are not computed.
 struct NamedMaterial {
   std::string name;
   std::optional<thermal::Material> thermal;
@@ -19,7 +19,7 @@ struct NamedMaterial {
 };
 std::vector<NamedMaterial> read_materials(const core::CaseNode& node);
 
-/// What the reading of a body looks up.
+/// What is needed to read a body.
 struct BodyContext {
   std::string directory;  ///< of the case file
   core::Geometry geometry;
@@ -29,6 +29,8 @@ struct BodyContext {
 Glass read_glass(const core::CaseNode& node, const BodyContext& context);
 Tool read_tool(const core::CaseNode& node, const BodyContext& context);
 
+/// A table of a body's list of boundaries, with the keys that it may have.
+core::CaseTable boundary_table(const core::CaseNode& node);
 /// A point such as "(31, 14) mm".
 core::Point read_point(const core::CaseNode& node);
 /// The closed outline of a list of boundaries, each with its path or CSV file, in the order and sense of the file.
@@ -38,7 +40,8 @@ void check_outline(const core::Profile& profile, core::Geometry geometry, const 
 
 /// The interfaces of one [[interface]] entry, one for each tool it names.
 std::vector<Interface> read_interfaces(const core::CaseNode& node, const Scene& scene);
-/// A stage; `air` is the top-level air, null where the case has none. `scene` holds what stands before the stage.
+/// A stage; `air` is the top-level air, null where the case has none. `scene` contains everything read before the
+/// stage.
 Stage read_stage(const core::CaseNode& node, const core::CaseNode* air, const Scene& scene);
 Probe read_probe(const core::CaseNode& node, const Scene& scene);
 Output read_output(const core::CaseNode& node);
@@ -51,13 +54,14 @@ std::vector<std::string> tool_names(const Scene& scene);
 /// Refuses a list of tables two of which have the same name.
 void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables);
 
-/// Refuses edge lengths that would give a body more cells than a run can carry.
+/// Refuses edge lengths that would give a body more cells than a run can handle.
 void check_sizes(const Scene& scene, const core::CaseTable& root);
 /// Refuses tools that overlap the glass at the start.
 void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode*>& tools);
-/// Refuses flows without a unique answer: glass that nothing holds along the axis, and glass enclosed on all sides.
+/// Refuses flows without a unique answer: glass that nothing constrains along the axis, and glass enclosed on all
+/// sides.
 void check_support(const Scene& scene, const core::CaseTable& root);
-/// Refuses a motion that does not start where the stages before leave its tool, as far as those say it.
+/// Refuses a motion that does not start where the stages before leave its tool, where that is known.
 void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>& stages);
 /// Refuses stages in which hot bodies can touch without an interface between them.
 void check_interfaces(const Scene& scene, const std::vector<const core::CaseNode*>& stages);

@@ -23,8 +23,8 @@ FlowProblem block(Geometry geometry) {
 }
 
 void expect_named(FlowProblem& flow, const std::string& motion) {
-  const std::string sentence =
-      "the glass is not held: it is free to " + motion + ", which no tool, symmetry plane or fixed boundary prevents";
+  const std::string sentence = "the glass is not constrained: it is free to " + motion +
+                               ", which no tool, symmetry plane or fixed boundary prevents";
   EXPECT_EQ(free_motion(flow.bound()), sentence);
   const auto solution = flow.solve();
   EXPECT_FALSE(solution.converged);
@@ -94,12 +94,12 @@ TEST(Support, glass_shut_in_by_tools_presses_with_its_weight_alone) {
 namespace parison::forming {
 namespace {
 
-TEST(Support, a_stage_in_which_nothing_holds_the_glass_is_refused) {
+TEST(Support, a_stage_in_which_nothing_constrains_the_glass_is_refused) {
   const std::string stage = "name = \"rest\"\nduration = \"1 s\"\ntools = [\"plate\"]";
   const auto text = replaced(stage, "name = \"rest\"\nduration = \"1 s\"");
   EXPECT_EQ(complaint_about(text),
             std::to_string(line_of("[[stage]]", text)) +
-                ": stage.tools: nothing holds the glass along the axis in stage \"rest\"; allowed is a tool "
+                ": stage.tools: nothing constrains the glass along the axis in stage \"rest\"; allowed is a tool "
                 "that it can touch, a fixed boundary or a symmetry plane across the axis");
 }
 
@@ -109,8 +109,8 @@ TEST(Support, glass_enclosed_by_fixed_boundaries_is_refused) {
                              "condition = \"fixed\" },\n  { name = \"axis\", path = \"(0, 0) mm\"", unpressed);
   EXPECT_EQ(complaint_about(text),
             std::to_string(line_of("boundary = [", text)) +
-                ": glass.boundary: every boundary is fixed or a symmetry plane and the pressure of the glass has no "
-                "level; allowed is at least one boundary that is neither");
+                ": glass.boundary: every boundary is fixed or a symmetry plane, so the pressure of the glass has no "
+                "reference value; allowed is at least one boundary that is neither");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace parison::mortar_test {
 namespace {
 
-constexpr double radius = 0.02, dome = 1e-4, handover = 50e-6;
+constexpr double radius = 0.02, dome = 1e-4, transition_gap = 50e-6;
 
 /// Glass at 1150 degC over two domed tools at 485 degC, an inner disc and an outer ring that meet between glass nodes
 /// and rise and fall out of time; all insulated. Contact spreads from the middle of the dome outwards.
@@ -54,7 +54,7 @@ struct Press {
       for (Index i = 0; i < gap.size(); ++i)
         if (upper.nodes[i][1] == 0) pressure[i] = std::max(pressure[i], -5e9 * gap[i]);
       masters.push_back(
-          {contact::make_surface(1 + t, moved[t], {false, false, true, false}, Point::Zero()), gap, handover, 0});
+          {contact::make_surface(1 + t, moved[t], {false, false, true, false}, Point::Zero()), gap, transition_gap, 0});
     }
     thermal::Problem problem{
         Geometry::axisymmetric,
