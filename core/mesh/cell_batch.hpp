@@ -86,7 +86,7 @@ struct alignas(batch_size * sizeof(double)) VectorizedArray {
 inline Index batch_count(Index cells) {
   return (cells + batch_size - 1) / batch_size;
 }
-/// Number of lanes of a batch that hold a cell of their own; the others repeat the last cell.
+/// Number of lanes of a batch that have a cell of their own; the others repeat the last cell.
 inline int filled_lanes(Index cells, Index batch) {
   return static_cast<int>(std::min<Index>(batch_size, cells - batch * batch_size));
 }
@@ -200,7 +200,7 @@ struct MappedPoint {
   std::array<Number, dim> along_a, along_b;  ///< derivatives with respect to the reference coordinates, m
   Number determinant;                        ///< of the Jacobian, m2; not positive where the cell is inverted
 };
-/// Maps point q of `shapes`; x holds the nodes' coordinates, [component][node].
+/// Maps point q of `shapes`; x contains the nodes' coordinates, [component][node].
 template <typename Number, int points>
 [[gnu::always_inline]] inline void map_point(const CellShapes<6, points>& shapes, int q,
                                              const std::array<std::array<Number, 6>, dim>& x, MappedPoint<Number>& at) {
@@ -225,7 +225,7 @@ template <typename Number, int points, typename Gradients>
   }
 }
 
-/// What a unit of cross-section area stands for: 2 pi r, or 1 m; both linear in r.
+/// What a unit of cross-section area represents: 2 pi r, or 1 m; both linear in r.
 struct Depth {
   double at_axis, growth;
 

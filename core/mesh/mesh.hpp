@@ -11,14 +11,14 @@
 
 namespace parison::core {
 
-/// What a unit of cross-section area stands for: a ring of circumference 2 pi r, or a slab 1 m deep.
+/// What a unit of cross-section area represents: a ring of circumference 2 pi r, or a slab 1 m deep.
 enum class Geometry { planar, axisymmetric };
 
 /// What a part of a body's boundary does.
 enum class BoundaryKind {
   contact,      ///< may touch other bodies; air and pressure of the stage where it does not
   symmetry,     ///< axis or symmetry plane: no normal motion, no heat
-  fixed,        ///< held still, no heat
+  fixed,        ///< zero velocity, no heat flux
   cooled,       ///< its own exchange in every stage
   insulated,    ///< free, no heat
   temperature,  ///< given temperature

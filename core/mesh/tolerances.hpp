@@ -10,7 +10,7 @@ double size(const Profile& profile);
 double size(const Mesh& mesh);
 
 /// All tolerances on lengths, as shares of the size of a body, so that a scene and its scaled copy give the same
-/// result. Each was found on containers whose gob measures 66 mm; the length that it is there stands beside it.
+/// result. Each was found on containers whose gob measures 66 mm; the length there is given with it.
 namespace tolerance {
 
 /// Coincident points: gaps that count as closed (1 nm, far above round-off and far below any gap that matters).
@@ -40,8 +40,8 @@ inline constexpr double shift = 7.5e-4, free_shift = 3e-4, whole_shift = 4.5e-5;
 inline constexpr double stage_overlap = 7.5e-3, motion_start = 1.5e-5;
 /// Largest edge inside a tool (8 mm: a quarter of a wall).
 inline constexpr double tool_edge = 0.12;
-/// Speeds, per second: into a tool, that count as round-off (10 nm/s: nanometres in a run); of tools that stand (1
-/// um/s).
+/// Speeds, per second: into a tool, that count as round-off (10 nm/s: nanometres in a run); of tools that do not move
+/// (1 um/s).
 inline constexpr double round_off_speed = 1.5e-7, standing_speed = 1.5e-5;
 
 }  // namespace tolerance

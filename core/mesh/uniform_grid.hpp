@@ -42,7 +42,7 @@ class UniformGrid {
 
   double bin_size() const { return size_; }
   const Bin& count() const { return count_; }
-  /// The bin that holds x, or the nearest one.
+  /// The bin that contains x, or the nearest one.
   Bin bin_at(const Point& x) const {
     Bin bin;
     for (int k = 0; k < dim; ++k)

@@ -239,8 +239,7 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
   if (gained > DepthLimits(scene).reject && dt > min_step_ratio * scene.accuracy.initial_step) {
     result.reason = collision_without_contact(start, result.state);
     result.unrecoverable = !result.reason.empty() && dt <= scene.accuracy.initial_step;
-    if (result.reason.empty())
-      result.reason = fmt::format("the step carries glass {:.2g} um into a tool", 1e6 * gained);
+    if (result.reason.empty()) result.reason = fmt::format("the step moves glass {:.2g} um into a tool", 1e6 * gained);
     return false;
   }
   auto& totals = result.state.totals;

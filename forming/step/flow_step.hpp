@@ -14,8 +14,8 @@ struct MidpointPredictor {
 };
 
 /// Velocities, contact and work of a step, stored in `result`: the flow is solved on the midpoint mesh of its own
-/// velocities, in fixed-point iterations until that mesh has converged and the contact holds. `predictor` is left as
-/// the last iteration made it; `result.reason` tells why the step failed.
+/// velocities, in fixed-point iterations until that mesh has converged and the contact no longer changes. `predictor`
+/// is left as the last iteration made it; `result.reason` gives the reason why the step failed.
 bool iterate_until_converged(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace,
                              StepResult& result);
 

@@ -120,7 +120,7 @@ Eigen::VectorXd limiting_wall_thickness(const Scene& scene, const core::Mesh& gl
   return remesh::wall_thickness(glass);
 }
 
-/// Whether glass and tools stand still for the whole stage.
+/// Whether glass and tools do not move for the whole stage.
 bool is_static(const Scene& scene, const Stage& stage) {
   return !scene.has_flow() && std::all_of(stage.tools.begin(), stage.tools.end(), [](const auto& tool) {
     return std::holds_alternative<std::monostate>(tool.motion);

@@ -13,7 +13,7 @@ using core::dim;
 
 namespace {
 
-/// The motion is smooth where the last acceleration told the next change of velocity to this share.
+/// The motion is smooth where the last acceleration predicts the next change of velocity to within this relative error.
 constexpr double smooth = 0.5;
 
 }  // namespace

@@ -13,11 +13,11 @@ void keep_on_symmetry(const core::Mesh& mesh, Eigen::VectorXd& velocity);
 /// per node.
 Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, double dt);
 
-/// Velocity of the glass nodes `ahead` after the state, from the last two steps while that serves; what touches a tool
-/// does not go on into it.
+/// Velocity of the glass nodes `ahead` after the state, from the last two steps while the motion is smooth; nodes in
+/// contact do not move into their tool.
 Eigen::VectorXd predicted_velocity(const State& state, double ahead);
 
-/// Where the glass stands in the middle of a step with velocity `midpoint_velocity` there, to third order in the step;
+/// Mesh of the glass in the middle of a step with velocity `midpoint_velocity` there, to third order in the step;
 /// its volume is the first.
 core::Mesh midpoint_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& midpoint_velocity, double dt);
 

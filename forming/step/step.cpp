@@ -39,7 +39,7 @@ void move_bodies(const Scene& scene, double dt, State& state) {
   }
 }
 
-/// Velocities of the step: by the flow, or as the tools are told.
+/// Velocities of the step: by the flow, or as prescribed for the tools.
 bool find_velocities(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace, StepResult& result) {
   if (!start.scene.has_flow()) {
     store_tool_velocities(start.scene, start.dt, result.state);
@@ -52,11 +52,11 @@ bool find_velocities(const StepStart& start, MidpointPredictor& predictor, Works
 /// Whether every cell of the glass has kept its sense.
 bool has_no_inverted_cells(StepResult& result) {
   if (remesh::min_quality(result.state.glass.mesh) > 0) return true;
-  result.reason = "a cell of the glass turned over";
+  result.reason = "a cell of the glass mesh is inverted";
   return false;
 }
 
-/// Heat over the step, on the bodies and the interface as they stand in its middle.
+/// Heat over the step, on the bodies and the interface at their positions in its middle.
 bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& result) {
   if (!scene.has_heat()) return true;
   {
@@ -114,7 +114,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
     after.totals.max_penetration = std::max(after.totals.max_penetration, max_penetration(scene, after));
   if (scene.has_flow()) after.totals.max_drift = std::max(after.totals.max_drift, std::abs(volume_drift(scene, after)));
   result.report.dt = dt;
-  // Where everything stands still the heat integrator alone decides on its steps.
+  // Where nothing moves the heat integrator alone chooses the steps.
   if (scene.has_heat() && !workspace.static_stage)
     result.report.temperature_change = surface_temperature_change(scene, state, after, result.report.interface);
   result.converged = true;

@@ -23,7 +23,7 @@ namespace {
 constexpr double volume_recovery_time = 5e-3;
 
 /// A dilatation mode that changes the volume by less than this share of the volume per unit of dilatation is not used:
-/// the contacts leave the glass no room.
+/// the contacts prevent the dilatation.
 constexpr double min_response = 0.5;
 
 /// Volume gained by straight motion at `velocity` over dt, m3, in excess of dt times the integral of div v over the

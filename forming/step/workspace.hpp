@@ -21,7 +21,7 @@ struct StaticStage {
 };
 
 /// Solver data that is kept from step to step for speed. The result of a step depends on the state and the step size
-/// alone, to the last bit, whatever the workspace holds. The one exception is `static_stage`: the history of its
+/// alone, to the last bit, whatever the workspace contains. The one exception is `static_stage`: the history of its
 /// integrator is no part of the state, so a checkpoint is written only when it has expired.
 struct Workspace {
   std::optional<flow::Solver> flow;  ///< sparsity pattern and its analysis, for as long as the glass keeps its mesh

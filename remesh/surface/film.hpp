@@ -5,7 +5,7 @@
 namespace parison::remesh {
 
 /// Thickness of the body at the surface nodes where it is a film between tools, m; infinite elsewhere. Both sides of a
-/// film touch a tool (`contact`, one flag for each node; a symmetry boundary stands for its mirror image), and their
+/// film touch a tool (`contact`, one flag for each node; a symmetry boundary represents its mirror image), and their
 /// outward normals are opposite to within 18 degrees, which excludes glass that tapers off at a tool.
 Eigen::VectorXd film_thickness(const core::Mesh& mesh, const remesh::Wall& wall, const std::vector<bool>& contact);
 

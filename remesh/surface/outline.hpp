@@ -14,7 +14,7 @@ namespace parison::remesh {
 struct Outline {
   std::vector<core::Point> vertices, mids;  ///< m
   std::vector<core::Index> boundary_ids;    ///< boundary of each edge
-  std::vector<core::Index> loop_start{0};   ///< loop k holds vertices loop_start[k] ... loop_start[k+1]-1
+  std::vector<core::Index> loop_start{0};   ///< loop k has vertices loop_start[k] ... loop_start[k+1]-1
 
   core::Index edge_count() const { return static_cast<core::Index>(vertices.size()); }
 };

@@ -13,7 +13,7 @@ using core::Point;
 
 /// The wall behind each surface node: the ray along the inward normal up to the boundary edge at which it leaves the
 /// body. At a symmetry boundary the body continues as its mirror image, so the thickness is twice the distance. Walls
-/// thicker than `reach`, m, may be left out.
+/// thicker than `reach`, m, may be missing.
 struct Wall {
   Eigen::VectorXd thickness;    ///< at each node, m; infinite inside the body and without a wall
   std::vector<Index> far_edge;  ///< boundary edge on the other side, -1 without a wall
