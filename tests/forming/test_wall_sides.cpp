@@ -6,6 +6,7 @@
 
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
+#include "forming/report/summary.hpp"
 #include "forming/report/thickness_profile.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/state/initial_state.hpp"
@@ -306,7 +307,10 @@ boundary = [{ name = "top", path = "(40, 0) (0, 0) mm", condition = "contact" },
 
 TEST(WallSides, a_run_without_any_pressure_gives_the_thickness_of_its_disc_with_places_and_marks) {
   const std::string folder = tests::absent_folder();
-  ASSERT_TRUE(run_in_folder(scene_of(sagging_disc), folder).facts.completed);
+  const Scene scene = scene_of(sagging_disc);
+  const RunOutcome end = run_in_folder(scene, folder);
+  ASSERT_TRUE(end.facts.completed);
+  write_summary(folder, scene, end.state, end.facts);
   const core::JsonValue summary = core::read_json(core::read_text(folder + "/summary.json"), "summary.json");
   const core::JsonValue& thickness = *summary.find("thickness");
   for (const char* key : {"min_mm", "mean_mm", "max_mm"}) EXPECT_NEAR(thickness.number_of(key), 6, 0.1) << key;
@@ -325,7 +329,10 @@ TEST(WallSides, a_run_that_leaves_a_gob_says_that_it_is_no_wall) {
   gob = replaced("path = \"(30, 6) (0, 6) mm\"", "path = \"arc centre (0, 20) mm radius 20 mm from 0 deg to 90 deg\"",
                  gob);
   const std::string folder = tests::absent_folder();
-  ASSERT_TRUE(run_in_folder(scene_of(gob), folder).facts.completed);
+  const Scene scene = scene_of(gob);
+  const RunOutcome end = run_in_folder(scene, folder);
+  ASSERT_TRUE(end.facts.completed);
+  write_summary(folder, scene, end.state, end.facts);
   const core::JsonValue summary = core::read_json(core::read_text(folder + "/summary.json"), "summary.json");
   const core::JsonValue& thickness = *summary.find("thickness");
   EXPECT_EQ(thickness.text_of("absent").rfind("the glass is no wall: ", 0), 0u) << thickness.text_of("absent");
