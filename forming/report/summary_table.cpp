@@ -18,10 +18,14 @@ std::string line(const std::string& label, const std::string& value) {
   return fmt::format("  {:<22}{}\n", label, value);
 }
 
+/// A place for a line of the terminal.
+std::string at(const Point& x) {
+  return fmt::format("({:.1f}, {:.1f}) mm", 1e3 * x[0], 1e3 * x[1]);
+}
+
 std::string thickness_lines(const Summary& summary) {
   const ThicknessRange& range = summary.thickness;
   if (!std::isfinite(range.mean)) return line("wall thickness", summary.no_wall.empty() ? "n/a" : summary.no_wall);
-  const auto at = [](const Point& x) { return fmt::format("({:.1f}, {:.1f}) mm", 1e3 * x[0], 1e3 * x[1]); };
   return line("wall thickness", fmt::format("min {:.2f} mm, mean {:.2f} mm, max {:.2f} mm", 1e3 * range.lowest,
                                             1e3 * range.mean, 1e3 * range.highest)) +
          line("at (r, z)", fmt::format("min {}, max {}", at(range.lowest_at), at(range.highest_at)));
@@ -107,8 +111,8 @@ std::string target_line(double target, double bar) {
 std::string error_table(const Scene& scene, const ErrorBars& bars) {
   std::string text = fmt::format("\n  {:<30}{:>14}{:>16}\n", "quantity", "value", "estimated error");
   for (const Quantity& quantity : bars.quantities.values)
-    text +=
-        fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity), quantity.unit);
+    text += fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity),
+                        quantity.place.allFinite() ? quantity.unit + ", at " + at(quantity.place) : quantity.unit);
   text += percent_line("wall thickness, mean error", bars.profile_mean);
   text += percent_line("wall thickness, largest error", bars.profile_max);
   text += percent_line("heat into tools, error", bars.heat);

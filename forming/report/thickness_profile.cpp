@@ -9,6 +9,7 @@
 
 #include "core/io/files.hpp"
 #include "core/mesh/element.hpp"
+#include "forming/report/wall/surface_chain.hpp"
 #include "forming/report/wall/wall_sides.hpp"
 #include "forming/state/sample.hpp"
 #include "thermal/properties.hpp"
@@ -18,15 +19,6 @@ namespace parison::forming {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// Past the last edge of the loop that begins at `begin`.
-Index loop_end(const core::Mesh& mesh, Index begin) {
-  Index end = begin + 1;
-  while (end < static_cast<Index>(mesh.boundary_edges().size()) &&
-         mesh.boundary_edges()[end].nodes[0] == mesh.boundary_edges()[end - 1].nodes[1])
-    ++end;
-  return end;
-}
 
 double arc_length(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
   double length = 0;

@@ -14,15 +14,6 @@ namespace {
 /// Room around the middle of a way over its length, from surface to surface.
 constexpr double least_room = 0.8;
 
-/// Past the last edge of the loop that begins at `begin`.
-Index loop_end(const core::Mesh& mesh, Index begin) {
-  Index end = begin + 1;
-  while (end < static_cast<Index>(mesh.boundary_edges().size()) &&
-         mesh.boundary_edges()[end].nodes[0] == mesh.boundary_edges()[end - 1].nodes[1])
-    ++end;
-  return end;
-}
-
 /// A place on a chain, as a count from its start that goes round on a closed one; -1 past the ends of an open one.
 Index wrapped(const SurfaceChain& chain, Index place) {
   const Index count = chain.place_count();
@@ -44,6 +35,14 @@ bool crosses_neighbours(const core::Mesh& mesh, const SurfaceChain& chain, Index
 }
 
 }  // namespace
+
+Index loop_end(const core::Mesh& mesh, Index begin) {
+  Index end = begin + 1;
+  while (end < static_cast<Index>(mesh.boundary_edges().size()) &&
+         mesh.boundary_edges()[end].nodes[0] == mesh.boundary_edges()[end - 1].nodes[1])
+    ++end;
+  return end;
+}
 
 Index SurfaceChain::node(const core::Mesh& mesh, Index place) const {
   if (place == 2 * edge_count()) return mesh.boundary_edges()[edges.back()].nodes[1];

@@ -7,6 +7,9 @@
 
 namespace parison::forming {
 
+/// Past the last boundary edge of the loop that begins at edge `begin`.
+Index loop_end(const core::Mesh& mesh, Index begin);
+
 /// Boundary edges between symmetry boundaries in the order of the boundary, or a whole loop of them. Its places are its
 /// nodes, counted from the first edge's start: the mid-side node of edge k is place 2k + 1.
 struct SurfaceChain {
