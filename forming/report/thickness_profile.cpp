@@ -66,7 +66,7 @@ constexpr double least_room = 0.5;
 /// Least cosine between a way and the normal at its end beside a rim, where the sides bend towards each other.
 constexpr double facing_at_rim = 0.97;
 /// What glass needs to be a wall: surface with another side opposite over all of it, its length over its thickness.
-constexpr double least_share = 1.0 / 3, least_length = 1.5;
+constexpr double least_share = 0.25, least_length = 1.5;
 
 /// Rows with place and area, in the order of walking the wanted edges; `nodes` says whose they are.
 std::vector<ThicknessRow> make_rows(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& wanted,

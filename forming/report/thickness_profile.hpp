@@ -48,7 +48,7 @@ struct ThicknessProfile {
   std::vector<Index> outer_edges;  ///< boundary edges that the rows lie on
   std::string no_wall;             ///< why there is none, a sentence; empty with a wall
 };
-/// The sides are those of wall_sides. Glass is no wall where less than a third of its surface has the other side
+/// The sides are those of wall_sides. Glass is no wall where less than a quarter of its surface has the other side
 /// opposite, or where it is less than one and a half times as long as thick.
 ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geometry);
 

@@ -257,6 +257,19 @@ TEST(WallSides, a_rounded_rim_is_rim_from_where_its_sides_bend_away) {
   }
 }
 
+TEST(WallSides, a_heavy_dish_has_a_bottom_and_a_flange_ends_in_a_rim) {
+  const auto dish =
+      profile_of("axisymmetric", boundary("all", "\"(0, 0) (60, 0) (60, 30) (45, 30) (40, 12) (0, 12) mm\"") +
+                                     boundary("axis", "\"(0, 0) mm\"", "symmetry"));
+  expect_uniform(dish, 12e-3, 1e-12);
+  const auto pot = profile_of(
+      "axisymmetric", boundary("all", "\"(0, 0) (20, 0) (20, 50) (30, 50) (30, 52) (18, 52) (18, 2) (0, 2) mm\"") +
+                          boundary("axis", "\"(0, 0) mm\"", "symmetry"));
+  expect_uniform(pot, 2e-3, 1e-12);
+  for (const ThicknessRow& row : pot.rows)
+    if (row.position[0] > 30e-3 - 1e-9) EXPECT_EQ(row.mark, WallMark::rim);
+}
+
 TEST(WallSides, a_gob_is_no_wall) {
   expect_no_wall(
       profile_of("axisymmetric", boundary("all", "\"arc centre (0, 0) mm radius 26 mm from -90 deg to 90 deg\"") +
