@@ -19,23 +19,26 @@ double celsius(double kelvin) {
   return kelvin - thermal::content_reference;
 }
 
-bool has_wall(const Scene& scene) {
-  return scene.has_flow() && std::any_of(scene.stages.begin(), scene.stages.end(),
-                                         [](const Stage& stage) { return !stage.pressure.empty(); });
+bool has_wall(const Scene& scene, const std::vector<ThicknessRow>& rows) {
+  return scene.has_flow() &&
+         std::any_of(rows.begin(), rows.end(), [](const ThicknessRow& row) { return row.is_wall(); });
 }
 
-/// Thickness at even shares of the arc, linear between the rows; NaN next to a row that is no wall.
-std::vector<double> sample_profile(const std::vector<ThicknessRow>& rows) {
+/// Thickness, mm, at even shares of the arc and the places there, m, linear between the rows; NaN beside one that is no
+/// wall.
+std::vector<double> sample_profile(const std::vector<ThicknessRow>& rows, std::vector<Point>& positions) {
   std::vector<double> profile(profile_points, none);
+  positions.assign(profile_points, Point::Constant(none));
   const double first = rows.front().arc, whole = rows.back().arc - first;
   std::size_t after = 1;
   for (int i = 0; i < profile_points; ++i) {
     const double arc = first + whole * i / (profile_points - 1);
     while (after + 1 < rows.size() && rows[after].arc < arc) ++after;
     const ThicknessRow &a = rows[after - 1], &b = rows[after];
-    if (!a.is_wall || !b.is_wall || b.arc <= a.arc) continue;
+    if (!a.is_wall() || !b.is_wall() || b.arc <= a.arc) continue;
     const double t = (arc - a.arc) / (b.arc - a.arc);
     profile[i] = 1e3 * ((1 - t) * a.thickness + t * b.thickness);
+    positions[i] = (1 - t) * a.position + t * b.position;
   }
   return profile;
 }
@@ -55,7 +58,8 @@ std::vector<int> inner_places(const std::vector<double>& profile) {
 }
 
 void add_wall(const std::vector<ThicknessRow>& rows, Quantities& found) {
-  found.profile = sample_profile(rows);
+  std::vector<Point> positions;
+  found.profile = sample_profile(rows, positions);
   const std::vector<int> places = inner_places(found.profile);
   if (places.empty()) return;
   int min_index = places.front();
@@ -64,14 +68,15 @@ void add_wall(const std::vector<ThicknessRow>& rows, Quantities& found) {
   const double mean = 1e3 * thickness_range(rows).mean, lowest = found.profile[min_index];
   found.values.push_back({"thickness_mean", "mm", mean, mean});
   found.values.push_back({"thickness_min", "mm", lowest, lowest});
-  found.values.push_back({"thickness_min_at", "of the arc", double(min_index) / (profile_points - 1), 1});
+  found.values.push_back(
+      {"thickness_min_at", "of the arc", double(min_index) / (profile_points - 1), 1, none, positions[min_index]});
 }
 
 /// Of the outer surface, by area; the wall's where there is one.
 double skin_temperature(const std::vector<ThicknessRow>& rows, bool wall) {
   double sum = 0, area = 0;
   for (const ThicknessRow& row : rows)
-    if (!wall || row.is_wall) {
+    if (!wall || row.is_wall()) {
       sum += row.area * row.outer_temperature;
       area += row.area;
     }
@@ -81,7 +86,7 @@ double skin_temperature(const std::vector<ThicknessRow>& rows, bool wall) {
 void add_heat(const Scene& scene, const Summary& summary, const std::vector<ThicknessRow>& rows, Quantities& found) {
   const double span = temperature_range(scene).span();
   found.values.push_back({"glass_mean", "degC", celsius(summary.glass.mean), span});
-  found.values.push_back({"glass_skin", "degC", celsius(skin_temperature(rows, has_wall(scene))), span});
+  found.values.push_back({"glass_skin", "degC", celsius(skin_temperature(rows, has_wall(scene, rows))), span});
   for (const ToolSummary& tool : summary.tools)
     if (tool.heat_received != 0)
       found.values.push_back({heat_prefix + tool.name, "J", tool.heat_received, std::abs(tool.heat_received)});
@@ -110,7 +115,7 @@ const Quantity* Quantities::find(const std::string& name) const {
 Quantities quantities(const Scene& scene, const State& state, const Summary& summary,
                       const std::vector<ThicknessRow>& rows) {
   Quantities found;
-  if (has_wall(scene) && rows.size() > 1) add_wall(rows, found);
+  if (has_wall(scene, rows) && rows.size() > 1) add_wall(rows, found);
   if (scene.has_heat()) add_heat(scene, summary, rows, found);
   if (scene.has_flow()) add_tools(scene, state, summary, found);
   return found;
@@ -124,6 +129,10 @@ void add_quantities(core::JsonWriter& json, const Quantities& quantities) {
     json.add("value", quantity.value);
     json.add("scale", quantity.scale);
     if (std::isfinite(quantity.error)) json.add("error", quantity.error);
+    if (quantity.place.allFinite()) {
+      json.add("r_mm", 1e3 * quantity.place[0]);
+      json.add("z_mm", 1e3 * quantity.place[1]);
+    }
     json.close();
   }
   json.close();
@@ -136,8 +145,12 @@ Quantities read_quantities(const core::JsonValue& summary) {
   Quantities found;
   if (const auto* values = summary.find("quantities"))
     for (const core::JsonValue& item : values->items)
-      found.values.push_back(
-          {item.name, item.text_of("unit"), item.number_of("value"), item.number_of("scale"), item.number_of("error")});
+      found.values.push_back({item.name,
+                              item.text_of("unit"),
+                              item.number_of("value"),
+                              item.number_of("scale"),
+                              item.number_of("error"),
+                              {1e-3 * item.number_of("r_mm"), 1e-3 * item.number_of("z_mm")}});
   if (const auto* profile = summary.find("thickness_profile_mm"))
     for (const core::JsonValue& item : profile->items) found.profile.push_back(item.number);
   return found;

@@ -16,8 +16,9 @@ struct Summary;
 struct Quantity {
   std::string name, unit;
   double value;
-  double scale;  ///< reference of relative errors: its own size, for temperatures the span of the scene
-  double error = std::numeric_limits<double>::quiet_NaN();  ///< estimated; NaN where none was asked for
+  double scale;  ///< what a share of it is taken of: its own size, for temperatures the span of the scene
+  double error = std::numeric_limits<double>::quiet_NaN();                  ///< estimated; NaN where none was asked for
+  Point place = Point::Constant(std::numeric_limits<double>::quiet_NaN());  ///< that it stands for, m; NaN for none
 };
 
 /// Number of evenly spaced points of the wall-thickness profile along the outer arc, with both ends.

@@ -40,13 +40,13 @@ double gap_to_tools(const Scene& scene, const State& state, const std::vector<st
   return gap;
 }
 
-double fraction_near_tools(const Scene& scene, const State& state) {
+double fraction_near_tools(const Scene& scene, const State& state, const std::vector<Index>& outer_edges) {
   const core::Mesh& mesh = state.glass.mesh;
   std::vector<std::vector<bool>> contact;
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
     contact.push_back(core::boundaries_of_kind(state.tools[i].mesh, BoundaryKind::contact));
   double near = 0, whole = 0;
-  for (const Index edge : outer_edges(scene, mesh))
+  for (const Index edge : outer_edges)
     for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
       const auto point = core::map_edge_point(mesh, mesh.boundary_edges()[edge].nodes, scene.geometry, at);
       whole += point.area;
@@ -166,6 +166,24 @@ void add_errors(JsonWriter& json, const ErrorBars& bars) {
   json.close();
 }
 
+/// Without a wall the reason alone.
+void add_thickness(JsonWriter& json, const Summary& summary) {
+  const ThicknessRange& range = summary.thickness;
+  json.open_object("thickness");
+  if (summary.no_wall.empty()) {
+    json.add("min_mm", 1e3 * range.lowest);
+    json.add("mean_mm", 1e3 * range.mean);
+    json.add("max_mm", 1e3 * range.highest);
+    json.add("min_r_mm", 1e3 * range.lowest_at[0]);
+    json.add("min_z_mm", 1e3 * range.lowest_at[1]);
+    json.add("max_r_mm", 1e3 * range.highest_at[0]);
+    json.add("max_z_mm", 1e3 * range.highest_at[1]);
+  } else {
+    json.add("absent", summary.no_wall);
+  }
+  json.close();
+}
+
 std::string summary_json(const Scene& scene, const State& state, const Summary& summary, const ErrorBars* bars) {
   JsonWriter json;
   add_run(json, scene, state, summary);
@@ -177,11 +195,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_remeshing(json, state, summary);
   add_bodies(json, summary);
   add_stages(json, summary.run);
-  json.open_object("thickness");
-  json.add("min_mm", 1e3 * summary.thickness.lowest);
-  json.add("mean_mm", 1e3 * summary.thickness.mean);
-  json.add("max_mm", 1e3 * summary.thickness.highest);
-  json.close();
+  add_thickness(json, summary);
   if (bars) add_errors(json, *bars);
   add_quantities(json, summary.quantities);
   json.open_list("warnings");
@@ -191,27 +205,28 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
 
 }  // namespace
 
-Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const std::vector<ThicknessRow>& rows) {
+Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const ThicknessProfile& profile) {
   Summary summary;
   summary.run = run;
   summary.glass = glass_facts(scene, state);
-  summary.thickness = thickness_range(rows);
-  summary.outer_within_02mm = fraction_near_tools(scene, state);
+  summary.thickness = thickness_range(profile.rows);
+  summary.no_wall = profile.no_wall;
+  summary.outer_within_02mm = fraction_near_tools(scene, state, profile.outer_edges);
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     const ToolState& body = state.tools[i];
     const double max_temperature =
         body.temperature.size() > 0 ? body.max_surface_temperature : std::numeric_limits<double>::quiet_NaN();
     summary.tools.push_back({scene.tools[i].name, body.heat_received, max_temperature, body.offset, body.force});
   }
-  summary.quantities = quantities(scene, state, summary, rows);
+  summary.quantities = quantities(scene, state, summary, profile.rows);
   return summary;
 }
 
 Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run) {
-  const std::vector<ThicknessRow> rows = thickness_profile(scene, state);
-  const Summary summary = summarise(scene, state, run, rows);
+  const ThicknessProfile profile = thickness_profile(scene, state);
+  const Summary summary = summarise(scene, state, run, profile);
   core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));
-  write_thickness(directory + "/thickness.csv", rows);
+  write_thickness(directory + "/thickness.csv", profile.rows);
   return summary;
 }
 

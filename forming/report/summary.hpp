@@ -56,10 +56,11 @@ struct Summary {
   GlassFacts glass;
   std::vector<ToolSummary> tools;
   ThicknessRange thickness;  ///< m
+  std::string no_wall;       ///< why there is no thickness, a sentence; empty with one
   double outer_within_02mm;  ///< share of the outer surface within 0.2 mm of an active tool
   Quantities quantities;
 };
-Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const std::vector<ThicknessRow>& rows);
+Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const ThicknessProfile& profile);
 
 /// Writes thickness.csv and summary.json into the result folder.
 Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run);

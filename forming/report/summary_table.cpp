@@ -18,16 +18,26 @@ std::string line(const std::string& label, const std::string& value) {
   return fmt::format("  {:<22}{}\n", label, value);
 }
 
+/// A place for a line of the terminal.
+std::string at(const Point& x) {
+  return fmt::format("({:.1f}, {:.1f}) mm", 1e3 * x[0], 1e3 * x[1]);
+}
+
+std::string thickness_lines(const Summary& summary) {
+  const ThicknessRange& range = summary.thickness;
+  if (!std::isfinite(range.mean)) return line("wall thickness", summary.no_wall.empty() ? "n/a" : summary.no_wall);
+  return line("wall thickness", fmt::format("min {:.2f} mm, mean {:.2f} mm, max {:.2f} mm", 1e3 * range.lowest,
+                                            1e3 * range.mean, 1e3 * range.highest)) +
+         line("at (r, z)", fmt::format("min {}, max {}", at(range.lowest_at), at(range.highest_at)));
+}
+
 std::string glass_lines(const Scene& scene, const Summary& summary) {
   const GlassFacts& glass = summary.glass;
   std::string text = line("glass", fmt::format("{:.1f} g, {:.2f} cm3", 1e3 * glass.mass, 1e6 * glass.volume));
   if (scene.has_heat())
     text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
                                                   celsius(glass.lowest), celsius(glass.highest)));
-  const auto& [lowest, mean, highest] = summary.thickness;
-  text += line("wall thickness", std::isfinite(mean) ? fmt::format("min {:.2f} mm, mean {:.2f} mm, max {:.2f} mm",
-                                                                   1e3 * lowest, 1e3 * mean, 1e3 * highest)
-                                                     : "n/a");
+  text += thickness_lines(summary);
   if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
     text += line("outer surface",
                  fmt::format("{:.1f} % within 0.2 mm of the active tools", 100 * summary.outer_within_02mm));
@@ -101,8 +111,8 @@ std::string target_line(double target, double bar) {
 std::string error_table(const Scene& scene, const ErrorBars& bars) {
   std::string text = fmt::format("\n  {:<30}{:>14}{:>16}\n", "quantity", "value", "estimated error");
   for (const Quantity& quantity : bars.quantities.values)
-    text +=
-        fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity), quantity.unit);
+    text += fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity),
+                        quantity.place.allFinite() ? quantity.unit + ", at " + at(quantity.place) : quantity.unit);
   text += percent_line("wall thickness, mean error", bars.profile_mean);
   text += percent_line("wall thickness, largest error", bars.profile_max);
   text += percent_line("heat into tools, error", bars.heat);

@@ -4,27 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/io/files.hpp"
 #include "core/mesh/element.hpp"
-#include "forming/state/initial_state.hpp"
+#include "forming/report/wall/surface_chain.hpp"
+#include "forming/report/wall/wall_sides.hpp"
 #include "forming/state/sample.hpp"
-#include "remesh/surface/wall_thickness.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
 
 namespace {
 
-/// Past the last edge of the loop that begins at `begin`.
-Index loop_end(const core::Mesh& mesh, Index begin) {
-  Index end = begin + 1;
-  while (end < static_cast<Index>(mesh.boundary_edges().size()) &&
-         mesh.boundary_edges()[end].nodes[0] == mesh.boundary_edges()[end - 1].nodes[1])
-    ++end;
-  return end;
-}
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double arc_length(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
   double length = 0;
@@ -35,31 +29,20 @@ double arc_length(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
 
 }  // namespace
 
-std::vector<bool> loaded_boundaries(const Scene& scene, const core::Mesh& glass) {
-  std::vector<bool> loaded(glass.boundaries().size(), false);
-  const auto last = std::find_if(scene.stages.rbegin(), scene.stages.rend(),
-                                 [](const Stage& stage) { return !stage.pressure.empty(); });
-  if (last == scene.stages.rend()) return loaded;
-  for (const auto& entry : last->pressure)
-    if (const Index index = core::find_boundary(glass, entry.first); index >= 0) loaded[index] = true;
-  return loaded;
-}
-
-std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_boundaries) {
-  const auto wanted = [&](Index edge) { return wanted_boundaries.at(mesh.boundary_edges()[edge].boundary_id); };
+std::vector<ChainEdge> walk_edges(const core::Mesh& mesh, const std::vector<bool>& wanted) {
   std::vector<ChainEdge> chain;
   double arc = 0;
   for (Index begin = 0; begin < static_cast<Index>(mesh.boundary_edges().size());) {
     const Index end = loop_end(mesh, begin), count = end - begin;
     Index first = begin;
     for (Index edge = begin; edge < end; ++edge)
-      if (wanted(edge) && !wanted(edge > begin ? edge - 1 : end - 1)) {
+      if (wanted[edge] && !wanted[edge > begin ? edge - 1 : end - 1]) {
         first = edge;
         break;
       }
     for (Index k = 0; k < count; ++k) {
       const Index edge = begin + (first - begin + k) % count;
-      if (!wanted(edge)) continue;
+      if (!wanted[edge]) continue;
       chain.push_back({edge, arc, arc_length(mesh, mesh.boundary_edges()[edge])});
       arc += chain.back().length;
     }
@@ -68,135 +51,241 @@ std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bo
   return chain;
 }
 
+std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_boundaries) {
+  std::vector<bool> wanted;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) wanted.push_back(wanted_boundaries.at(edge.boundary_id));
+  return walk_edges(mesh, wanted);
+}
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<bool> outer_boundaries(const Scene& scene, const core::Mesh& glass) {
-  std::vector<bool> outer = core::boundaries_of_kind(glass, BoundaryKind::symmetry);
-  const std::vector<bool> loaded = loaded_boundaries(scene, glass);
-  for (std::size_t boundary_id = 0; boundary_id < outer.size(); ++boundary_id)
-    outer[boundary_id] = !outer[boundary_id] && !loaded[boundary_id];
-  return outer;
-}
+/// Room around the middle of a way between the sides of the wall over its length; less where it runs along the wall.
+constexpr double least_room = 0.5;
+/// Least cosine between a way and the normal at its end beside a rim, where the sides bend towards each other.
+constexpr double facing_at_rim = 0.97;
+/// What glass needs to be a wall: surface with another side opposite over all of it, its length over its thickness.
+constexpr double least_share = 0.25, least_length = 1.5;
 
-double distance_to_chord(const Point& x, const Point& a, const Point& b) {
-  const double along = (x - a).dot(b - a) / std::max((b - a).squaredNorm(), 1e-300);
-  return (x - a - std::clamp(along, 0.0, 1.0) * (b - a)).norm();
-}
-
-/// Boundary edge nearest to x, symmetry boundaries aside.
-const core::BoundaryEdge& nearest_edge(const core::Mesh& mesh, const std::vector<bool>& symmetry, const Point& x) {
-  double nearest = infinity;
-  const core::BoundaryEdge* found = &mesh.boundary_edges().front();
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
-    if (symmetry[edge.boundary_id]) continue;
-    const auto& [first, last, mid] = edge.nodes;
-    const double distance = std::min(distance_to_chord(x, mesh.nodes[first], mesh.nodes[mid]),
-                                     distance_to_chord(x, mesh.nodes[mid], mesh.nodes[last]));
-    if (distance < nearest) nearest = distance, found = &edge;
-  }
-  return *found;
-}
-
-/// Largest cosine between the normals of a wall's two sides: an end face looks along the wall, not through it.
-constexpr double facing = -0.8;
-
-/// Outward unit normal at each surface node, the mean of those of the edges that meet there.
-std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>& symmetry) {
-  std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
-    if (symmetry[edge.boundary_id]) continue;
-    constexpr std::array<double, 3> places{0, 1, 0.5};
-    for (int k = 0; k < 3; ++k)
-      normals[edge.nodes[k]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {places[k], 1}).normal;
-  }
-  for (Point& normal : normals) normal.normalize();
-  return normals;
-}
-
-/// Rows with position and area, in the order of walking the outer surface; `nodes` gets the node of each.
-std::vector<ThicknessRow> make_rows(const Scene& scene, const core::Mesh& mesh, std::vector<Index>& nodes) {
+/// Rows with place and area, in the order of walking the wanted edges; `nodes` says whose they are.
+std::vector<ThicknessRow> make_rows(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& wanted,
+                                    std::vector<Index>& nodes) {
   std::vector<ThicknessRow> rows;
   std::vector<Index> row_of(mesh.nodes.size(), -1);
+  nodes.clear();
   const auto row = [&](Index node, double arc) -> ThicknessRow& {
     if (row_of[node] < 0) {
       row_of[node] = static_cast<Index>(rows.size());
       nodes.push_back(node);
-      rows.push_back({arc, mesh.nodes[node], 0, 0, 0, 0, true});
+      rows.push_back({arc, mesh.nodes[node], none, none, none, 0, WallMark::none, Point::Constant(none)});
     }
     return rows[row_of[node]];
   };
-  for (const ChainEdge& edge : walk_surface(mesh, outer_boundaries(scene, mesh))) {
+  for (const ChainEdge& edge : walk_edges(mesh, wanted)) {
     const auto& [first, last, mid] = mesh.boundary_edges()[edge.edge].nodes;
     row(first, edge.start);
     row(mid, edge.start + 0.5 * edge.length);
     row(last, edge.start + edge.length);
     for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
-      const auto point = core::map_edge_point(mesh, mesh.boundary_edges()[edge.edge].nodes, scene.geometry, at);
+      const auto point = core::map_edge_point(mesh, mesh.boundary_edges()[edge.edge].nodes, geometry, at);
       for (int k = 0; k < 3; ++k) row(mesh.boundary_edges()[edge.edge].nodes[k], 0).area += point.shape[k] * point.area;
     }
   }
   return rows;
 }
 
-}  // namespace
-
-std::vector<Index> outer_edges(const Scene& scene, const core::Mesh& glass) {
-  const std::vector<bool> outer = outer_boundaries(scene, glass);
-  std::vector<Index> edges;
-  for (std::size_t edge = 0; edge < glass.boundary_edges().size(); ++edge)
-    if (outer[glass.boundary_edges()[edge].boundary_id]) edges.push_back(static_cast<Index>(edge));
+std::vector<bool> edges_of(const WallSides& sides, std::initializer_list<SurfacePart> wanted) {
+  std::vector<bool> edges;
+  for (const SurfacePart part : sides.part)
+    edges.push_back(std::find(wanted.begin(), wanted.end(), part) != wanted.end());
   return edges;
 }
 
-std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& state) {
-  const GlassState& glass = state.glass;
-  const core::Mesh& mesh = glass.mesh;
-  const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry),
-                          loaded = loaded_boundaries(scene, mesh);
-  const bool any_loaded = std::count(loaded.begin(), loaded.end(), true) > 0;
-  const Eigen::VectorXd thickness = remesh::wall_thickness(mesh);
-  const std::vector<Point> normals = node_normals(mesh, symmetry);
-  std::vector<Index> nodes;
-  std::vector<ThicknessRow> rows = make_rows(scene, mesh, nodes);
+/// Which rows lie between a rim and the nearest pair that tells the sides: a rim may be round there.
+std::vector<bool> rows_beside_rim(const std::vector<bool>& on_rim, const std::vector<bool>& paired,
+                                  const std::vector<Index>& nodes) {
+  std::vector<bool> beside(nodes.size(), false);
+  bool is_near = false;
+  const auto visit = [&](std::size_t i) {
+    is_near = on_rim[nodes[i]] || (is_near && !paired[nodes[i]]);
+    beside[i] = beside[i] || is_near;
+  };
+  for (std::size_t i = 0; i < nodes.size(); ++i) visit(i);
+  is_near = false;
+  for (std::size_t i = nodes.size(); i-- > 0;) visit(i);
+  return beside;
+}
 
-  std::vector<Point> opposite;
+/// Rows whose way ends on the other side become wall, those between the sides rim, all others foot.
+void mark_rows(const core::Mesh& mesh, const WallSides& sides, const std::vector<Way>& ways,
+               const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
+  const std::vector<bool> both = edges_of(sides, {SurfacePart::outer, SurfacePart::inner});
+  const SurfacePart far_part = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
+  std::vector<bool> on_rim(mesh.nodes.size(), false);
+  for (std::size_t edge = 0; edge < sides.part.size(); ++edge)
+    for (const Index node : mesh.boundary_edges()[edge].nodes)
+      on_rim[node] = on_rim[node] || sides.part[edge] == SurfacePart::rim;
+  const std::vector<bool> beside_rim = rows_beside_rim(on_rim, sides.paired, nodes);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].thickness = thickness[nodes[i]];
-    opposite.push_back(rows[i].position - rows[i].thickness * normals[nodes[i]]);
-    const core::BoundaryEdge& far_side = nearest_edge(mesh, symmetry, opposite.back());
-    const Point far_normal = core::map_edge_point(mesh, far_side.nodes, core::Geometry::planar, {0.5, 1}).normal;
-    rows[i].is_wall = !any_loaded || (loaded[far_side.boundary_id] && far_normal.dot(normals[nodes[i]]) < facing);
-    rows[i].inner_temperature = rows[i].outer_temperature = std::numeric_limits<double>::quiet_NaN();
+    const Way& way = ways[nodes[i]];
+    rows[i].mark = on_rim[nodes[i]] ? WallMark::rim : WallMark::foot;
+    if (on_rim[nodes[i]] || !way.ends() || sides.part[way.edge] != far_part ||
+        way.facing < (beside_rim[i] ? facing_at_rim : facing_sides))
+      continue;
+    if (sides.is_mirrored && way.reflections % 2 == 0) continue;
+    if (2 * distance_to_edges(mesh, both, way.middle) < least_room * way.length) continue;
+    rows[i].mark = WallMark::wall;
+    rows[i].thickness = way.length;
+    rows[i].inner_position = way.end;
   }
-  if (!scene.has_heat()) return rows;
-  const Eigen::MatrixXd inner = sample(mesh, glass.temperature, 1, opposite);
+}
+
+/// Whether the surface goes on, as its mirror image, beyond each node.
+std::vector<bool> nodes_on_symmetry(const core::Mesh& mesh) {
+  const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
+  std::vector<bool> found(mesh.nodes.size(), false);
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    for (const Index node : edge.nodes) found[node] = found[node] || symmetry[edge.boundary_id];
+  return found;
+}
+
+/// Rows [begin, end) that are wall one after the other, and their length, a mirror image included, m.
+struct Stretch {
+  std::size_t begin, end;
+  double length;
+};
+std::vector<Stretch> wall_stretches(const core::Mesh& mesh, const std::vector<Index>& nodes,
+                                    const std::vector<ThicknessRow>& rows) {
+  const std::vector<bool> on_symmetry = nodes_on_symmetry(mesh);
+  std::vector<Stretch> stretches;
+  for (std::size_t begin = 0; begin < rows.size(); ++begin) {
+    std::size_t end = begin;
+    while (end < rows.size() && rows[end].is_wall()) ++end;
+    if (end == begin) continue;
+    const bool goes_on = on_symmetry[nodes[begin]] || on_symmetry[nodes[end - 1]];
+    stretches.push_back({begin, end, (goes_on ? 2 : 1) * (rows[end - 1].arc - rows[begin].arc)});
+    begin = end - 1;
+  }
+  return stretches;
+}
+
+void take_off(ThicknessRow& row, WallMark mark) {
+  row.mark = mark;
+  row.thickness = none;
+  row.inner_position = Point::Constant(none);
+}
+
+/// A stretch of wall shorter than it is thick is none: ways from a heel or a bead that happen to meet the other side.
+/// What is no wall beside a rim is rim.
+void clean_marks(const core::Mesh& mesh, const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
+  for (const Stretch& stretch : wall_stretches(mesh, nodes, rows)) {
+    double thickest = 0;
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i) thickest = std::max(thickest, rows[i].thickness);
+    for (std::size_t i = stretch.begin; i < stretch.end && stretch.length < thickest; ++i)
+      take_off(rows[i], WallMark::foot);
+  }
+  const auto spread = [&](std::size_t from, std::size_t to) {
+    if (rows[from].mark == WallMark::rim && rows[to].mark == WallMark::foot) rows[to].mark = WallMark::rim;
+  };
+  for (std::size_t i = 1; i < rows.size(); ++i) spread(i - 1, i);
+  for (std::size_t i = rows.size(); i-- > 1;) spread(i, i - 1);
+}
+
+double area_of(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& edges) {
+  double area = 0;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
+    for (const core::EdgeRulePoint& at : core::edge_rule(3))
+      if (edges[edge]) area += core::map_edge_point(mesh, mesh.boundary_edges()[edge].nodes, geometry, at).area;
+  return area;
+}
+
+/// Why marked rows make no wall; empty where they do.
+std::string objection(const core::Mesh& mesh, core::Geometry geometry, const WallSides& sides,
+                      const std::vector<Index>& nodes, const std::vector<ThicknessRow>& rows) {
+  double area = 0;
+  for (const ThicknessRow& row : rows) area += row.is_wall() ? row.area : 0;
+  const double whole =
+      area_of(mesh, geometry, edges_of(sides, {SurfacePart::outer, SurfacePart::inner, SurfacePart::rim}));
+  const double share = (sides.is_mirrored ? 1 : 2) * area / whole;
+  double length = 0;
+  for (const Stretch& stretch : wall_stretches(mesh, nodes, rows)) length += stretch.length;
+  if (share < least_share)
+    return fmt::format("the glass is no wall: {:.0f} % of its surface lies opposite another side, a wall has {:.0f} %",
+                       100 * share, 100 * least_share);
+  const double mean = thickness_range(rows).mean;
+  if (length < least_length * mean)
+    return fmt::format("the glass is no wall: {:.3g} mm thick and {:.3g} mm long", 1e3 * mean, 1e3 * length);
+  return {};
+}
+
+void add_temperatures(const GlassState& glass, const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
+  std::vector<Point> opposite;
+  for (const ThicknessRow& row : rows) opposite.push_back(row.is_wall() ? row.inner_position : row.position);
+  const Eigen::MatrixXd inner = sample(glass.mesh, glass.temperature, 1, opposite);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].inner_temperature = inner(i, 0);
+    if (rows[i].is_wall()) rows[i].inner_temperature = inner(static_cast<Index>(i), 0);
     rows[i].outer_temperature = glass.temperature[nodes[i]];
   }
-  return rows;
+}
+
+std::vector<bool> whole_surface(const core::Mesh& mesh) {
+  const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
+  std::vector<bool> edges;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) edges.push_back(!symmetry[edge.boundary_id]);
+  return edges;
+}
+
+}  // namespace
+
+ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geometry) {
+  const std::vector<Way> ways = surface_ways(mesh, geometry);
+  const WallSides sides = wall_sides(mesh, geometry, ways);
+  ThicknessProfile profile;
+  profile.no_wall = sides.no_wall;
+  std::vector<bool> wanted = edges_of(sides, {SurfacePart::outer, SurfacePart::rim});
+  std::vector<Index>& nodes = profile.nodes;
+  if (profile.no_wall.empty()) {
+    profile.rows = make_rows(mesh, geometry, wanted, nodes);
+    mark_rows(mesh, sides, ways, nodes, profile.rows);
+    clean_marks(mesh, nodes, profile.rows);
+    profile.no_wall = objection(mesh, geometry, sides, nodes, profile.rows);
+  }
+  if (!profile.no_wall.empty()) profile.rows = make_rows(mesh, geometry, wanted = whole_surface(mesh), nodes);
+  for (std::size_t edge = 0; edge < wanted.size(); ++edge)
+    if (wanted[edge]) profile.outer_edges.push_back(static_cast<Index>(edge));
+  return profile;
+}
+
+ThicknessProfile thickness_profile(const Scene& scene, const State& state) {
+  ThicknessProfile profile = thickness_profile(state.glass.mesh, scene.geometry);
+  if (scene.has_heat()) add_temperatures(state.glass, profile.nodes, profile.rows);
+  return profile;
 }
 
 ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows) {
-  double lowest = infinity, highest = -infinity, sum = 0, area = 0;
+  ThicknessRange range{infinity, none, -infinity, Point::Constant(none), Point::Constant(none)};
+  double sum = 0, area = 0;
   for (const ThicknessRow& row : rows) {
-    if (!row.is_wall) continue;
-    lowest = std::min(lowest, row.thickness);
-    highest = std::max(highest, row.thickness);
+    if (!row.is_wall()) continue;
+    if (row.thickness < range.lowest) range.lowest = row.thickness, range.lowest_at = row.position;
+    if (row.thickness > range.highest) range.highest = row.thickness, range.highest_at = row.position;
     sum += row.area * row.thickness;
     area += row.area;
   }
-  return {lowest, sum / area, highest};
+  if (area <= 0) return {none, none, none, range.lowest_at, range.highest_at};
+  range.mean = sum / area;
+  return range;
 }
 
 void write_thickness(const std::string& path, const std::vector<ThicknessRow>& rows) {
-  std::string text = "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_C,T_outer_C\n";
+  std::string text = "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_C,T_outer_C,mark,r_inner_mm,z_inner_mm\n";
   for (const ThicknessRow& row : rows)
-    text += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", 1e3 * row.arc, 1e3 * row.position[0],
-                        1e3 * row.position[1], 1e3 * row.thickness, row.inner_temperature - thermal::content_reference,
-                        row.outer_temperature - thermal::content_reference);
+    text += fmt::format(
+        "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{},{:.8g},{:.8g}\n", 1e3 * row.arc, 1e3 * row.position[0],
+        1e3 * row.position[1], 1e3 * row.thickness, row.inner_temperature - thermal::content_reference,
+        row.outer_temperature - thermal::content_reference, wall_mark_names[static_cast<std::size_t>(row.mark)],
+        1e3 * row.inner_position[0], 1e3 * row.inner_position[1]);
   core::replace_file(path, text);
 }
 

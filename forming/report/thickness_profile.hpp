@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <string>
 #include <vector>
 
@@ -8,39 +9,56 @@
 
 namespace parison::forming {
 
-/// Which boundaries of the glass mesh carry a pressure (even one of 0) in the last stage that names a pressure: the
-/// inner side of the container.
-std::vector<bool> loaded_boundaries(const Scene& scene, const core::Mesh& glass);
-
-/// A boundary edge and its position along a part of the surface.
+/// A boundary edge with its place along a stretch of the surface.
 struct ChainEdge {
   Index edge;     ///< index into Mesh::boundary
   double start;   ///< arc length from the start of the part to the first node of the edge, m
   double length;  ///< m
 };
 
-/// The boundary edges on wanted boundaries in the order of walking them, from where they begin; the arc length
-/// continues over further parts.
+/// The wanted boundary edges, flagged one by one, in the order of walking them, from where they begin; further parts go
+/// on counting.
+std::vector<ChainEdge> walk_edges(const core::Mesh& mesh, const std::vector<bool>& wanted_edges);
+
+/// The same for all edges on wanted boundaries.
 std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_boundaries);
 
-/// Glass boundary edges of the outer surface: neither on a symmetry boundary nor on one that a stage loads with a
-/// pressure.
-std::vector<Index> outer_edges(const Scene& scene, const core::Mesh& glass);
+/// What a place of the outer surface is: on the wall, with the inner side opposite; on the rim, where the wall ends; on
+/// a foot, a heel or a bead, where the way inwards finds no inner side; or on glass that is no wall.
+enum class WallMark { wall, rim, foot, none };
+inline constexpr std::array wall_mark_names{"wall", "rim", "foot", "none"};
 
 /// A node of the outer surface and the wall behind it.
 struct ThicknessRow {
-  double arc;                                   ///< along the outer surface, m
-  Point position;                               ///< m
-  double thickness;                             ///< m
-  double inner_temperature, outer_temperature;  ///< K; NaN without heat
+  double arc;        ///< along the outer surface, m
+  Point position;    ///< m
+  double thickness;  ///< the way through the glass along the inward normal, m; NaN off the wall
+  double inner_temperature, outer_temperature;  ///< K; NaN without heat, the inner one off the wall too
   double area;                                  ///< of the outer surface that belongs to the node, m2
-  bool is_wall;  ///< the other side faces it and some stage loads it with a pressure; true where no stage loads any
-};
-std::vector<ThicknessRow> thickness_profile(const Scene& scene, const State& state);
+  WallMark mark;
+  Point inner_position;  ///< where the way ends, m; NaN off the wall
 
-/// Over the rows that are wall; the mean is weighted by area, m.
+  bool is_wall() const { return mark == WallMark::wall; }
+};
+
+/// The wall along its outer side and its rims; along the whole surface where the glass is no wall.
+struct ThicknessProfile {
+  std::vector<ThicknessRow> rows;
+  std::vector<Index> nodes;        ///< of the rows
+  std::vector<Index> outer_edges;  ///< boundary edges that the rows lie on
+  std::string no_wall;             ///< why there is none, a sentence; empty with a wall
+};
+/// The sides are those of wall_sides. Glass is no wall where less than a quarter of its surface has the other side
+/// opposite, or where it is less than one and a half times as long as thick.
+ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geometry);
+
+/// The same for the glass of a state, with temperatures where the scene has heat.
+ThicknessProfile thickness_profile(const Scene& scene, const State& state);
+
+/// Over the rows that are wall; the mean is weighted by area, m. Not a number where none is.
 struct ThicknessRange {
   double lowest, mean, highest;
+  Point lowest_at, highest_at;  ///< on the outer side, m
 };
 ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows);
 

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/wall/surface_ways.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/mesh/element.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Rays that meet an edge at less than this, as a sine, run along it.
+constexpr double grazing = 1e-6;
+/// A way across the axis at a greater angle to it, by its cosine, goes through a rod.
+constexpr double along_axis = 0.5;
+constexpr int most_reflections = 4;
+
+using EdgeNodes = std::array<Index, 3>;
+
+Point edge_point(const core::Mesh& mesh, const EdgeNodes& edge, double s) {
+  const auto n = core::edge_shape(s);
+  return n[0] * mesh.nodes[edge[0]] + n[1] * mesh.nodes[edge[1]] + n[2] * mesh.nodes[edge[2]];
+}
+
+Point edge_derivative(const core::Mesh& mesh, const EdgeNodes& edge, double s) {
+  const auto d = core::edge_shape_derivative(s);
+  return d[0] * mesh.nodes[edge[0]] + d[1] * mesh.nodes[edge[1]] + d[2] * mesh.nodes[edge[2]];
+}
+
+Point outward_normal(const core::Mesh& mesh, const EdgeNodes& edge, double s) {
+  const Point along = edge_derivative(mesh, edge, s).normalized();
+  return {along[1], -along[0]};
+}
+
+Point mirrored(const Point& vector, const Point& normal) {
+  return vector - 2 * vector.dot(normal) * normal;
+}
+
+struct Hit {
+  double distance = infinity;
+  Index edge = -1;
+  double place = 0;
+};
+
+/// Where the ray along a unit vector leaves the body across one edge, if nearer than `hit`.
+void try_edge(const core::Mesh& mesh, const Point& start, const Point& direction, Index index, Hit& hit) {
+  const EdgeNodes& edge = mesh.boundary_edges()[index].nodes;
+  const Point left(-direction[1], direction[0]), chord = mesh.nodes[edge[1]] - mesh.nodes[edge[0]];
+  const double a = left.dot(mesh.nodes[edge[0]] - start), b = left.dot(mesh.nodes[edge[1]] - start);
+  const double slack = 1e-9 * chord.norm();
+  // A ray that leaves sees the edge pass from right to left.
+  if (a > slack || b < -slack || b - a <= grazing * chord.norm()) return;
+  double s = std::clamp(a / (a - b), 0.0, 1.0);
+  for (int pass = 0; pass < 4; ++pass) {
+    const double derivative = left.dot(edge_derivative(mesh, edge, s));
+    if (derivative > 0) s = std::clamp(s - left.dot(edge_point(mesh, edge, s) - start) / derivative, 0.0, 1.0);
+  }
+  const double distance = direction.dot(edge_point(mesh, edge, s) - start);
+  if (distance > 0 && distance < hit.distance) hit = {distance, index, s};
+}
+
+/// First edge at which a ray leaves the body; neither edges at `node` nor the edge `skipped` count.
+Hit first_exit(const core::Mesh& mesh, const Point& start, const Point& direction, Index node, Index skipped) {
+  Hit hit;
+  for (Index edge = 0; edge < static_cast<Index>(mesh.boundary_edges().size()); ++edge) {
+    const EdgeNodes& nodes = mesh.boundary_edges()[edge].nodes;
+    if (edge != skipped && std::find(nodes.begin(), nodes.end(), node) == nodes.end())
+      try_edge(mesh, start, direction, edge, hit);
+  }
+  return hit;
+}
+
+bool on_axis(const core::Mesh& mesh, core::Geometry geometry, Index edge) {
+  if (geometry != core::Geometry::axisymmetric) return false;
+  const EdgeNodes& nodes = mesh.boundary_edges()[edge].nodes;
+  const Point &first = mesh.nodes[nodes[0]], &last = mesh.nodes[nodes[1]];
+  return std::max(std::abs(first[0]), std::abs(last[0])) < grazing * (last - first).norm();
+}
+
+Point middle_of(const std::vector<Point>& corners, double length) {
+  double left = 0.5 * length;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    const double part = (corners[i + 1] - corners[i]).norm();
+    if (part >= left) return corners[i] + left / part * (corners[i + 1] - corners[i]);
+    left -= part;
+  }
+  return corners.back();
+}
+
+Way way_from(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& symmetry, Index node,
+             const Point& inward) {
+  Way way;
+  way.start = mesh.nodes[node];
+  way.direction = inward;
+  std::vector<Point> corners{way.start};
+  Point direction = inward;
+  double length = 0;
+  for (Index from = node, skipped = -1; way.reflections <= most_reflections; from = -1, ++way.reflections) {
+    const Hit hit = first_exit(mesh, corners.back(), direction, from, skipped);
+    if (hit.edge < 0) return way;
+    const core::BoundaryEdge& edge = mesh.boundary_edges()[hit.edge];
+    const Point normal = outward_normal(mesh, edge.nodes, hit.place);
+    corners.push_back(edge_point(mesh, edge.nodes, hit.place));
+    length += hit.distance;
+    if (!symmetry[edge.boundary_id]) {
+      way.length = length;
+      way.end = corners.back();
+      way.middle = middle_of(corners, length);
+      way.edge = hit.edge;
+      way.place = hit.place;
+      way.facing = direction.dot(normal);
+      return way;
+    }
+    if (on_axis(mesh, geometry, hit.edge) && std::abs(direction.dot(core::axis_direction())) < along_axis) return way;
+    direction = mirrored(direction, normal);
+    skipped = hit.edge;
+  }
+  return way;
+}
+
+/// Outward unit normal at each surface node, the mean of those of the edges that meet there and, on a symmetry
+/// boundary, of their mirror images; zero at other nodes.
+std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>& symmetry) {
+  std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
+  constexpr std::array<double, 3> places{0, 1, 0.5};
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    for (int k = 0; k < 3 && !symmetry[edge.boundary_id]; ++k)
+      normals[edge.nodes[k]] += outward_normal(mesh, edge.nodes, places[k]);
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    for (int k = 0; k < 3 && symmetry[edge.boundary_id]; ++k) {
+      Point& normal = normals[edge.nodes[k]];
+      const Point across = outward_normal(mesh, edge.nodes, places[k]);
+      normal -= normal.dot(across) * across;
+    }
+  for (Point& normal : normals)
+    if (normal.norm() > grazing) normal.normalize();
+  return normals;
+}
+
+}  // namespace
+
+std::vector<Way> surface_ways(const core::Mesh& mesh, core::Geometry geometry) {
+  const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, core::BoundaryKind::symmetry);
+  const std::vector<Point> normals = node_normals(mesh, symmetry);
+  std::vector<Way> ways(mesh.nodes.size());
+  std::vector<bool> done(mesh.nodes.size(), false);
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    for (const Index node : edge.nodes) {
+      if (symmetry[edge.boundary_id] || done[node] || normals[node].norm() < 0.5) continue;
+      ways[node] = way_from(mesh, geometry, symmetry, node, -normals[node]);
+      done[node] = true;
+    }
+  return ways;
+}
+
+double distance_to_edges(const core::Mesh& mesh, const std::vector<bool>& wanted_edges, const Point& x) {
+  const auto squared_to_chord = [&](Index from, Index to) {
+    const Point& a = mesh.nodes[from];
+    const Point chord = mesh.nodes[to] - a;
+    const double along = (x - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300);
+    return (x - a - std::clamp(along, 0.0, 1.0) * chord).squaredNorm();
+  };
+  double nearest = infinity;
+  for (std::size_t edge = 0; edge < wanted_edges.size(); ++edge) {
+    if (!wanted_edges[edge]) continue;
+    const auto& [first, last, mid] = mesh.boundary_edges()[edge].nodes;
+    nearest = std::min({nearest, squared_to_chord(first, mid), squared_to_chord(mid, last)});
+  }
+  return std::sqrt(nearest);
+}
+
+}  // namespace parison::forming
