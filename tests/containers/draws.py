@@ -47,6 +47,17 @@ def plunger_force(draw, area, least=0.5):
     return log_uniform(draw, min(2.5, max(least, 5e-4 * area)), 3)
 
 
+def holding_walls(frictions, tools):
+    """How many of two tools hold the glass that touches them."""
+    return sum("stick" in frictions[tool] or "grip" in frictions[tool] for tool in tools)
+
+
+def enough_force(force, area, holding):
+    """The force, kN, or what a plunger of some section, mm2, needs where walls hold the glass: 5 bar, and as much again for
+    each such wall, or it stops short of the full cavity."""
+    return max(force, round(5e-4 * area * (1 + holding), 2))
+
+
 class Parison:
     """What the mean of a parison is like when it leaves the blank, for the times and pressures that suit it. Its glass,
     `wall` mm thick, has lost heat for some time, s, through one or two faces at 1250 W/m2/K to 480 degC."""

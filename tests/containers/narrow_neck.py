@@ -2,7 +2,7 @@
 """Narrow-neck bottles by press and blow. Neck-down frame: z = 0 at the finish, the body grows along +z."""
 import math
 
-from .draws import Plunger, Tip, friction, plunger_force, rounded
+from .draws import Plunger, Tip, friction, holding_walls, plunger_force, rounded
 from .outline import Path, area, gap_within, radius_at, solve, volume
 from .press_and_blow import Shape, Times, full_cavity, pressed_case
 
@@ -84,7 +84,7 @@ def draw_shape(draw):
 def loads(draw, plunger):
     """Force on the plunger, kN, and frictions: where walls hold the glass it takes more to fill the cavity."""
     frictions = {tool: friction(draw) for tool in ("blank", "plunger", "mould")}
-    holding = sum(any(word in frictions[tool] for word in ("stick", "grip")) for tool in ("blank", "plunger"))
+    holding = holding_walls(frictions, ("blank", "plunger"))
     return plunger_force(draw, math.pi * plunger.shank ** 2, 0.8 + 0.6 * holding), frictions
 
 

@@ -4,7 +4,8 @@ import math
 from dataclasses import dataclass
 
 from . import case_text as text
-from .draws import Parison, Plunger, Tip, absorption, friction, plunger_force, pressing, rounded, temperatures
+from .draws import (Parison, Plunger, Tip, absorption, enough_force, friction, holding_walls, plunger_force, pressing,
+                    rounded, temperatures)
 from .outline import Path, area, gap_within, solve, volume
 
 
@@ -126,8 +127,10 @@ def draw_shape(draw):
 
 def loads(draw, plunger):
     """Force on the plunger, kN, and frictions."""
-    force = plunger_force(draw, math.pi * plunger.shank ** 2)
-    return force, {tool: friction(draw) for tool in ("blank", "plunger", "mould")}
+    section = math.pi * plunger.shank ** 2
+    force = plunger_force(draw, section)
+    frictions = {tool: friction(draw) for tool in ("blank", "plunger", "mould")}
+    return enough_force(force, section, holding_walls(frictions, ("blank", "plunger"))), frictions
 
 
 def draw_case(draw, name):

@@ -4,7 +4,7 @@ import math
 
 from . import case_text as text
 from .case_text import CONTACT, INSULATED, SYMMETRY, WALL, Tool, cooled
-from .draws import Tip, absorption, friction, plunger_force, pressing, rounded, temperatures
+from .draws import Tip, absorption, enough_force, friction, holding_walls, plunger_force, pressing, rounded, temperatures
 from .outline import Path, gap_within, radius_at, volume
 from .press_and_blow import facts, gob
 
@@ -80,6 +80,7 @@ def draw_case(draw, name):
     heat, section = temperatures(draw), math.pi * shank ** 2
     force = plunger_force(draw, section)
     frictions = {tool: friction(draw) for tool in ("mould", "plunger")}
+    force = enough_force(force, section, holding_walls(frictions, ("mould", "plunger")))
     start = round(gob_top + draw.uniform(1, 8), 2)
     hole = round(shank - 1, 2)
     tools = [mould_tool(inner, top, heat["mould"], frictions["mould"]),
