@@ -4,6 +4,7 @@ import json
 import os
 import re
 import resource
+import signal
 import subprocess
 
 WALL_PER_CPU = 10  # a run on a busy machine may take so many times its CPU limit
@@ -32,6 +33,12 @@ def last_lines(log, count=3):
     return " | ".join(lines[-count:])
 
 
+def last_progress(log):
+    """The last line of progress of a run, as far as stage, time and step."""
+    found = re.findall(r"^\s*(\w+)\s+t\s+([\d.]+ s)\s+step\s+(\d+)", log.read_text(encoding="utf-8", errors="replace"), re.M)
+    return "stage {} at {}, step {}".format(*found[-1]) if found else "no step"
+
+
 def shortfall(folder, full):
     """How far the plunger stood from its place in the full cavity at the end of the press, mm; nan where it is not known."""
     rows = (folder / "history.csv").read_text(encoding="utf-8").splitlines()
@@ -53,8 +60,9 @@ def run_container(parison, folder, facts, accuracy, cpu_limit):
     results = folder / "results"
     code = command([parison, "run", folder, "--accuracy", accuracy, "--output", results], cpu_limit, folder / "run.log")
     if code is None:
-        last = re.split(r"[\r\n]+", (folder / "run.log").read_text(encoding="utf-8", errors="replace").strip())[-1]
-        return {**row, "reason": f"more than {cpu_limit} s of CPU: {last}"}
+        return {**row, "reason": f"more than {cpu_limit} s of CPU, last: {last_progress(folder / 'run.log')}"}
+    if code < 0:
+        return {**row, "reason": f"crashed with {signal.Signals(-code).name}, last: {last_progress(folder / 'run.log')}"}
     if not (results / "summary.json").is_file():
         return {**row, "reason": f"exit code {code} without a summary: {last_lines(folder / 'run.log')}"}
     summary = json.loads((results / "summary.json").read_text(encoding="utf-8"))
