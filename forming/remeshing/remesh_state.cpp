@@ -256,10 +256,24 @@ std::vector<Index> nodes_left_by_tools(const Stage& stage, const State& state) {
   return nodes;
 }
 
+/// Whether an edge of the surface has become longer than a new mesh may have it by more than `max_stretch`.
+bool has_stretched_edges(const Scene& scene, const State& state) {
+  constexpr double max_stretch = 1.5;
+  const core::Mesh& mesh = state.glass.mesh;
+  const double limit = max_stretch * scene.accuracy.surface_size * state.totals.remeshing.coarsening_factor;
+  return std::any_of(mesh.boundary_edges().begin(), mesh.boundary_edges().end(), [&](const core::BoundaryEdge& edge) {
+    const auto [first, last, middle] = edge.nodes;
+    const double length =
+        (mesh.nodes[middle] - mesh.nodes[first]).norm() + (mesh.nodes[last] - mesh.nodes[middle]).norm();
+    return mesh.kind_of(edge) != BoundaryKind::symmetry && length > limit;
+  });
+}
+
 }  // namespace
 
 bool needs_remesh(const Scene& scene, const State& state) {
-  return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor;
+  return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
+         (remeshes(state) > 0 && has_stretched_edges(scene, state));
 }
 
 RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why, const remesh::Mesher& mesher) {

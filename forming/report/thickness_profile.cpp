@@ -61,9 +61,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Room around the middle of a way between the sides of the wall over its length; less where it runs along the wall.
+/// Room around the middle of a ray between the sides of the wall over its length; less where it runs along the wall.
 constexpr double least_room = 0.5;
-/// Least cosine between a way and the normal at its end beside a rim, where the sides bend towards each other.
+/// Least cosine between a ray and the normal at its end beside a rim, where the sides bend towards each other.
 constexpr double facing_at_rim = 0.97;
 /// What glass needs to be a wall: surface with another side opposite over all of it, its length over its thickness.
 constexpr double least_share = 0.25, least_length = 1.5;
@@ -117,8 +117,8 @@ std::vector<bool> rows_beside_rim(const std::vector<bool>& on_rim, const std::ve
   return beside;
 }
 
-/// Rows whose way ends on the other side become wall, those between the sides rim, all others foot.
-void mark_rows(const core::Mesh& mesh, const WallSides& sides, const std::vector<Way>& ways,
+/// Rows whose ray ends on the other side become wall, those between the sides rim, all others foot.
+void mark_rows(const core::Mesh& mesh, const WallSides& sides, const std::vector<Ray>& rays,
                const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
   const std::vector<bool> both = edges_of(sides, {SurfacePart::outer, SurfacePart::inner});
   const SurfacePart far_part = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
@@ -128,16 +128,16 @@ void mark_rows(const core::Mesh& mesh, const WallSides& sides, const std::vector
       on_rim[node] = on_rim[node] || sides.part[edge] == SurfacePart::rim;
   const std::vector<bool> beside_rim = rows_beside_rim(on_rim, sides.paired, nodes);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Way& way = ways[nodes[i]];
+    const Ray& ray = rays[nodes[i]];
     rows[i].mark = on_rim[nodes[i]] ? WallMark::rim : WallMark::foot;
-    if (on_rim[nodes[i]] || !way.ends() || sides.part[way.edge] != far_part ||
-        way.facing < (beside_rim[i] ? facing_at_rim : facing_sides))
+    if (on_rim[nodes[i]] || !ray.ends() || sides.part[ray.edge] != far_part ||
+        ray.facing < (beside_rim[i] ? facing_at_rim : facing_sides))
       continue;
-    if (sides.is_mirrored && way.reflections % 2 == 0) continue;
-    if (2 * distance_to_edges(mesh, both, way.middle) < least_room * way.length) continue;
+    if (sides.is_mirrored && ray.reflections % 2 == 0) continue;
+    if (2 * distance_to_edges(mesh, both, ray.middle) < least_room * ray.length) continue;
     rows[i].mark = WallMark::wall;
-    rows[i].thickness = way.length;
-    rows[i].inner_position = way.end;
+    rows[i].thickness = ray.length;
+    rows[i].inner_position = ray.end;
   }
 }
 
@@ -176,7 +176,7 @@ void take_off(ThicknessRow& row, WallMark mark) {
   row.inner_position = Point::Constant(none);
 }
 
-/// A stretch of wall shorter than it is thick is none: ways from a heel or a bead that happen to meet the other side.
+/// A stretch of wall shorter than it is thick is none: rays from a heel or a bead that happen to meet the other side.
 /// What is no wall beside a rim is rim.
 void clean_marks(const core::Mesh& mesh, const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
   for (const Stretch& stretch : wall_stretches(mesh, nodes, rows)) {
@@ -239,15 +239,15 @@ std::vector<bool> whole_surface(const core::Mesh& mesh) {
 }  // namespace
 
 ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geometry) {
-  const std::vector<Way> ways = surface_ways(mesh, geometry);
-  const WallSides sides = wall_sides(mesh, geometry, ways);
+  const std::vector<Ray> rays = surface_rays(mesh, geometry);
+  const WallSides sides = wall_sides(mesh, geometry, rays);
   ThicknessProfile profile;
   profile.no_wall = sides.no_wall;
   std::vector<bool> wanted = edges_of(sides, {SurfacePart::outer, SurfacePart::rim});
   std::vector<Index>& nodes = profile.nodes;
   if (profile.no_wall.empty()) {
     profile.rows = make_rows(mesh, geometry, wanted, nodes);
-    mark_rows(mesh, sides, ways, nodes, profile.rows);
+    mark_rows(mesh, sides, rays, nodes, profile.rows);
     clean_marks(mesh, nodes, profile.rows);
     profile.no_wall = objection(mesh, geometry, sides, nodes, profile.rows);
   }

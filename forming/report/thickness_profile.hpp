@@ -24,7 +24,7 @@ std::vector<ChainEdge> walk_edges(const core::Mesh& mesh, const std::vector<bool
 std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bool>& wanted_boundaries);
 
 /// What a place of the outer surface is: on the wall, with the inner side opposite; on the rim, where the wall ends; on
-/// a foot, a heel or a bead, where the way inwards finds no inner side; or on glass that is no wall.
+/// a foot, a heel or a bead, where the ray inwards finds no inner side; or on glass that is no wall.
 enum class WallMark { wall, rim, foot, none };
 inline constexpr std::array wall_mark_names{"wall", "rim", "foot", "none"};
 
@@ -32,11 +32,11 @@ inline constexpr std::array wall_mark_names{"wall", "rim", "foot", "none"};
 struct ThicknessRow {
   double arc;        ///< along the outer surface, m
   Point position;    ///< m
-  double thickness;  ///< the way through the glass along the inward normal, m; NaN off the wall
+  double thickness;  ///< the ray through the glass along the inward normal, m; NaN off the wall
   double inner_temperature, outer_temperature;  ///< K; NaN without heat, the inner one off the wall too
   double area;                                  ///< of the outer surface that belongs to the node, m2
   WallMark mark;
-  Point inner_position;  ///< where the way ends, m; NaN off the wall
+  Point inner_position;  ///< where the ray ends, m; NaN off the wall
 
   bool is_wall() const { return mark == WallMark::wall; }
 };

@@ -34,6 +34,15 @@ std::string stage_precondition_failure(const Scene& scene, const State& state) {
       scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1]);
 }
 
+namespace {
+
+/// Whether the case says how a body is meshed.
+bool has_own_mesh(const Body& body) {
+  return body.mesh.size || body.mesh.contact_size || body.mesh.growth || body.mesh.mapped;
+}
+
+}  // namespace
+
 bool begin_stage(RunInProgress& run, Index stage) {
   State& state = run.outcome.state;
   std::string& reason = run.outcome.facts.reason;
@@ -46,7 +55,8 @@ bool begin_stage(RunInProgress& run, Index stage) {
   const bool good = reason.empty();
   notify(run, &RunObserver::stage_begins);
   if (stage == 0) notify(run, &RunObserver::fields_due, state);
-  return good && (stage == 0 || !run.scene.has_flow() || remesh_glass(run, RemeshReason::stage_start));
+  const bool keeps_mesh = !run.scene.has_flow() || (stage == 0 && has_own_mesh(run.scene.glass));
+  return good && (keeps_mesh || remesh_glass(run, RemeshReason::stage_start));
 }
 
 void update_motion(const Scene& scene, State& state) {

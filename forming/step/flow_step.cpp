@@ -29,6 +29,10 @@ constexpr int max_coupling_iterations = 4;
 /// Factor on the motion tolerance in the first step of a stage, which is predicted from rest.
 constexpr double initial_fraction = 0.1;
 
+/// Nodes nearer to a tool at the start of a step, in units of numerics.surface_size, do not count as landing in it:
+/// shorter steps could not part the landing of a flat surface on a flat tool.
+constexpr double min_landing_gap = 0.01;
+
 /// Penetration into a tool, m, above which another coupling iteration is made, and increase of the penetration above
 /// which the step is rejected after the last one.
 struct DepthLimits {
@@ -88,7 +92,6 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
   auto equilibrium = workspace.flow->find_equilibrium(problem, warm);
   correct_volume(scene, state, dt, equilibrium);
   auto solution = flow::evaluate(problem, std::move(equilibrium));
-  keep_on_symmetry(state.glass.mesh, solution.velocity);
   return {std::move(problem.candidates), std::move(solution)};
 }
 
@@ -96,6 +99,7 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
 void store_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
   const auto& [candidates, solution] = pass;
   state.glass.velocity = solution.velocity;
+  keep_on_symmetry(state.glass.mesh, state.glass.velocity);
   if (solution.dilatation_mode.size() > 0) state.glass.dilatation_mode = solution.dilatation_mode;
   state.last_step = dt;
   std::fill(state.glass.contact_tool.begin(), state.glass.contact_tool.end(), -1);
@@ -136,6 +140,25 @@ double reynolds(const StepStart& start, const flow::Solution& solution) {
   const double dissipation = std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
   const double rate = solution.mean_rate, viscosity = dissipation / (rate * rate * start.state.glass.initial_volume);
   return dissipation > 0 ? start.scene.glass.flow->density * rate * start.wall * start.wall / viscosity : 0;
+}
+
+/// Largest length of surface, m, that a contact front passes in a step: neighbouring edges whose middles had no contact
+/// at its start, away from the tool, and have contact at its end.
+double landed_length(const StepStart& start, const FlowPass& pass, const State& updated) {
+  const core::Mesh& mesh = start.state.glass.mesh;
+  const double counts = min_landing_gap * start.scene.accuracy.surface_size;
+  std::vector<bool> lands(mesh.nodes.size(), false);
+  for (std::size_t i = 0; i < pass.candidates.size(); ++i)
+    lands[pass.candidates[i].node] = pass.solution.active[i] && -start.dt * pass.candidates[i].rate > counts;
+  double largest = 0, length = 0;
+  for (const auto& edge : mesh.boundary_edges()) {
+    const Index middle = edge.nodes[2];
+    const bool landed =
+        lands[middle] && start.state.glass.contact_tool[middle] < 0 && updated.glass.contact_tool[middle] >= 0;
+    length = landed ? length + (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm() : 0;
+    largest = std::max(largest, length);
+  }
+  return largest;
 }
 
 /// Increase of the largest penetration by the velocities, m; 0 where the penetration is allowed. The next coupling
@@ -204,6 +227,7 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
   result.report.strain = pass.solution.high_rate * start.dt;
   result.report.predictor_corrector_difference =
       predictor_corrector_difference(result.state.glass.velocity, predictor.velocity, start.dt);
+  result.report.landed_length = landed_length(start, pass, result.state);
   gained = penetration_gained(start, pass, result.state, predictor);
   predictor.velocity = result.state.glass.velocity;
   predictor.trusted = true;

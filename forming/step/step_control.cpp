@@ -17,10 +17,13 @@ constexpr double safety_factor = 0.9;  ///< of the step that would change just a
 constexpr double reject_above = 3.0;   ///< times what a step may change
 constexpr double same_time = 1e-9;     ///< s
 
-/// What a step changed over what it may change (strain, temperature or motion, whichever is largest), and which it was.
+/// What a step changed over what it may change (the largest share of strain, landing, temperature and
+/// motion), and which it was.
 std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) {
   return std::max(
       {std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
+       std::pair(report.landed_length / (scene.accuracy.landing_per_step * scene.accuracy.surface_size),
+                 StepLimit::landing),
        std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
        std::pair(report.predictor_corrector_difference / scene.accuracy.motion_tolerance, StepLimit::motion)});
 }

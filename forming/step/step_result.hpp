@@ -11,8 +11,8 @@
 namespace parison::forming {
 
 /// What kept a step from being longer, and the names of these limits.
-enum class StepLimit { initial, growth, max_step, strain, temperature, motion, event, failure };
-inline constexpr std::array step_limits{"initial",     "growth", "max_step", "strain",
+enum class StepLimit { initial, growth, max_step, strain, landing, temperature, motion, event, failure };
+inline constexpr std::array step_limits{"initial",     "growth", "max_step", "strain", "landing",
                                         "temperature", "motion", "event",    "failure"};
 
 /// What one step did, beyond the new state.
@@ -25,6 +25,7 @@ struct StepReport {
   double temperature_change = 0;              ///< largest of the glass surface, K
   double predictor_corrector_difference = 0;  ///< by which the last coupling iteration still moved the mid-step mesh, m
   double strain = 0;                          ///< largest rate of deformation times dt
+  double landed_length = 0;                   ///< largest length of surface that came into contact in one piece, m
   std::vector<core::InterfacePoint> interface;  ///< of the step's end
   std::map<std::string, double> seconds;        ///< by part: flow, heat, contact, remesh, output
 };

@@ -11,26 +11,27 @@
 namespace parison::forming {
 namespace {
 
-/// Room around the middle of a way over its length, from surface to surface.
+/// Room around the middle of a ray over its length, from surface to surface.
 constexpr double least_room = 0.8;
 
-/// A place on a chain, as a count from its start that goes round on a closed one; -1 past the ends of an open one.
-Index wrapped(const SurfaceChain& chain, Index place) {
-  const Index count = chain.place_count();
-  if (chain.closed) return (place % count + count) % count;
-  return place >= 0 && place < count ? place : -1;
+/// A position on a chain, as a count from its start that goes round on a closed one; -1 past the ends of an open one.
+Index wrapped(const SurfaceChain& chain, Index position) {
+  const Index count = chain.position_count();
+  if (chain.closed) return (position % count + count) % count;
+  return position >= 0 && position < count ? position : -1;
 }
 
-bool runs_alongside(const Way& way, const Way& next) {
-  return next.ends() && (next.straight_end() - way.straight_end()).dot(next.start - way.start) > 0;
+bool runs_alongside(const Ray& ray, const Ray& next) {
+  return next.ends() && (next.straight_end() - ray.straight_end()).dot(next.start - ray.start) > 0;
 }
 
-/// Whether the way from a place crosses those from the places beside it.
-bool crosses_neighbours(const core::Mesh& mesh, const SurfaceChain& chain, Index place, const std::vector<Way>& ways) {
-  const Way& way = ways[chain.node(mesh, place)];
-  for (const Index beside : {place - 1, place + 1})
+/// Whether the ray from a position crosses those from the positions beside it.
+bool crosses_neighbours(const core::Mesh& mesh, const SurfaceChain& chain, Index position,
+                        const std::vector<Ray>& rays) {
+  const Ray& ray = rays[chain.node(mesh, position)];
+  for (const Index beside : {position - 1, position + 1})
     if (const Index other = wrapped(chain, beside); other >= 0)
-      if (runs_alongside(way, ways[chain.node(mesh, other)])) return false;
+      if (runs_alongside(ray, rays[chain.node(mesh, other)])) return false;
   return true;
 }
 
@@ -44,9 +45,9 @@ Index loop_end(const core::Mesh& mesh, Index begin) {
   return end;
 }
 
-Index SurfaceChain::node(const core::Mesh& mesh, Index place) const {
-  if (place == 2 * edge_count()) return mesh.boundary_edges()[edges.back()].nodes[1];
-  return mesh.boundary_edges()[edges[place / 2]].nodes[place % 2 == 0 ? 0 : 2];
+Index SurfaceChain::node(const core::Mesh& mesh, Index position) const {
+  if (position == 2 * edge_count()) return mesh.boundary_edges()[edges.back()].nodes[1];
+  return mesh.boundary_edges()[edges[position / 2]].nodes[position % 2 == 0 ? 0 : 2];
 }
 
 std::vector<SurfaceChain> surface_chains(const core::Mesh& mesh, const std::vector<bool>& symmetry_boundaries) {
@@ -72,7 +73,7 @@ std::vector<SurfaceChain> surface_chains(const core::Mesh& mesh, const std::vect
 }
 
 std::vector<SurfacePair> surface_pairs(const core::Mesh& mesh, const std::vector<SurfaceChain>& chains,
-                                       const std::vector<Way>& ways) {
+                                       const std::vector<Ray>& rays) {
   std::vector<bool> surface(mesh.boundary_edges().size(), false);
   std::vector<std::array<Index, 2>> chain_and_number(mesh.boundary_edges().size(), {-1, -1});
   for (std::size_t c = 0; c < chains.size(); ++c)
@@ -82,30 +83,32 @@ std::vector<SurfacePair> surface_pairs(const core::Mesh& mesh, const std::vector
     }
   std::vector<SurfacePair> pairs;
   for (std::size_t c = 0; c < chains.size(); ++c)
-    for (Index place = 0; place < chains[c].place_count(); ++place) {
-      const Way& way = ways[chains[c].node(mesh, place)];
-      if (!way.ends() || way.facing < facing_sides || crosses_neighbours(mesh, chains[c], place, ways)) continue;
-      if (2 * distance_to_edges(mesh, surface, way.middle) < least_room * way.length) continue;
-      const auto [far_chain, number] = chain_and_number[way.edge];
-      const Index far_place = wrapped(chains[far_chain], 2 * number + static_cast<Index>(std::lround(2 * way.place)));
-      const auto& nodes = mesh.boundary_edges()[chains[c].edges[std::min(place / 2, chains[c].edge_count() - 1)]].nodes;
-      pairs.push_back({static_cast<Index>(c), place, far_chain, far_place,
+    for (Index position = 0; position < chains[c].position_count(); ++position) {
+      const Ray& ray = rays[chains[c].node(mesh, position)];
+      if (!ray.ends() || ray.facing < facing_sides || crosses_neighbours(mesh, chains[c], position, rays)) continue;
+      if (2 * distance_to_edges(mesh, surface, ray.middle) < least_room * ray.length) continue;
+      const auto [far_chain, number] = chain_and_number[ray.edge];
+      const Index far_position =
+          wrapped(chains[far_chain], 2 * number + static_cast<Index>(std::lround(2 * ray.position)));
+      const auto& nodes =
+          mesh.boundary_edges()[chains[c].edges[std::min(position / 2, chains[c].edge_count() - 1)]].nodes;
+      pairs.push_back({static_cast<Index>(c), position, far_chain, far_position,
                        0.5 * (mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]]).norm(),
-                       (way.end - way.start).norm() < 0.5 * way.length});
+                       (ray.end - ray.start).norm() < 0.5 * ray.length});
     }
   return pairs;
 }
 
 namespace {
 
-/// For each place of a chain the places paired with it, and the lengths of the pairs.
+/// For each position of a chain the positions paired with it, and the lengths of the pairs.
 std::vector<std::vector<std::pair<Index, double>>> partners_of(const SurfaceChain& chain,
                                                                const std::vector<SurfacePair>& pairs) {
-  std::vector<std::vector<std::pair<Index, double>>> partners(chain.place_count());
+  std::vector<std::vector<std::pair<Index, double>>> partners(chain.position_count());
   for (const SurfacePair& pair : pairs)
-    if (pair.place != pair.far_place) {
-      partners[pair.place].emplace_back(pair.far_place, pair.length);
-      partners[pair.far_place].emplace_back(pair.place, pair.length);
+    if (pair.position != pair.far_position) {
+      partners[pair.position].emplace_back(pair.far_position, pair.length);
+      partners[pair.far_position].emplace_back(pair.position, pair.length);
     }
   return partners;
 }
@@ -114,10 +117,10 @@ std::vector<std::vector<std::pair<Index, double>>> partners_of(const SurfaceChai
 
 ChainCut best_cut(const SurfaceChain& chain, const std::vector<SurfacePair>& pairs, bool& found) {
   const auto partners = partners_of(chain, pairs);
-  const Index count = chain.place_count();
+  const Index count = chain.position_count();
   const auto at = [&](Index start, Index k) { return (start + k) % count; };
   double best = 0;
-  Index start = 0, parted = 0;  // between the places `parted` - 1 and `parted` from `start`
+  Index start = 0, parted = 0;  // between the positions `parted` - 1 and `parted` from `start`
   for (Index from = 0; from < (chain.closed ? count : 1); from += 2) {
     double length = 0;
     for (Index k = 0; k < count; ++k) {

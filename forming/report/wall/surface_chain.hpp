@@ -3,40 +3,40 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "forming/report/wall/surface_ways.hpp"
+#include "forming/report/wall/surface_rays.hpp"
 
 namespace parison::forming {
 
 /// Past the last boundary edge of the loop that begins at edge `begin`.
 Index loop_end(const core::Mesh& mesh, Index begin);
 
-/// Boundary edges between symmetry boundaries in the order of the boundary, or a whole loop of them. Its places are its
-/// nodes, counted from the first edge's start: the mid-side node of edge k is place 2k + 1.
+/// Boundary edges between symmetry boundaries in the order of the boundary, or a whole loop of them. Its positions are
+/// its nodes, counted from the first edge's start: the mid-side node of edge k is position 2k + 1.
 struct SurfaceChain {
   std::vector<Index> edges;  ///< boundary edges
   bool closed;
 
   Index edge_count() const { return static_cast<Index>(edges.size()); }
-  Index place_count() const { return 2 * edge_count() + (closed ? 0 : 1); }
-  Index node(const core::Mesh& mesh, Index place) const;
+  Index position_count() const { return 2 * edge_count() + (closed ? 0 : 1); }
+  Index node(const core::Mesh& mesh, Index position) const;
 };
 
 std::vector<SurfaceChain> surface_chains(const core::Mesh& mesh, const std::vector<bool>& symmetry_boundaries);
 
-/// A way from one place of the surface to another where the two face each other as the sides of a wall.
+/// A ray from one position of the surface to another where the two face each other as the sides of a wall.
 struct SurfacePair {
-  Index chain, place, far_chain, far_place;
-  double length;   ///< of the surface that the way speaks for, m
+  Index chain, position, far_chain, far_position;
+  double length;   ///< of the surface around its start, m
   bool to_itself;  ///< to the mirror image of where it began
 };
-/// The pairs among all places. Left out are ways with less than four fifths of their length as room around their middle
-/// (they run along a wall) and those that cross their neighbours (they go through the centre of a round body).
+/// The pairs among all positions. Left out are rays with less than four fifths of their length as room around their
+/// middle (they run along a wall) and those that cross their neighbours (they go through the centre of a round body).
 std::vector<SurfacePair> surface_pairs(const core::Mesh& mesh, const std::vector<SurfaceChain>& chains,
-                                       const std::vector<Way>& ways);
+                                       const std::vector<Ray>& rays);
 
-/// First and last places, on a chain, of its two sides; places of a closed chain count from `start` on.
+/// First and last positions, on a chain, of its two sides; positions of a closed chain count from `start` on.
 struct ChainCut {
-  Index start;  ///< place, even
+  Index start;  ///< position, even
   Index first[2], last[2];
 };
 /// The cut that parts the greatest length of pairs on one chain; `found` is false where there are none.

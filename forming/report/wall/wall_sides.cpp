@@ -47,7 +47,7 @@ Edges edges_between(const SurfaceChain& chain, Index first, Index last) {
   return {chain.edges.begin() + first, chain.edges.begin() + last + 1};
 }
 
-/// The chain with its first place at another one; only for closed chains.
+/// The chain with its first position at another one; only for closed chains.
 SurfaceChain rotated(SurfaceChain chain, Index start) {
   std::rotate(chain.edges.begin(), chain.edges.begin() + start / 2, chain.edges.end());
   return chain;
@@ -55,7 +55,7 @@ SurfaceChain rotated(SurfaceChain chain, Index start) {
 
 /// The edges of the two sides on one chain.
 std::array<Edges, 2> cut_sides(const core::Mesh& mesh, SurfaceChain chain, ChainCut cut) {
-  const Index count = chain.place_count();
+  const Index count = chain.position_count();
   if (chain.closed) {  // from the middle of the rim on
     const Index rim = count - cut.last[1] + cut.first[0], forwards = 2 * ((cut.first[0] + count - rim / 2) / 2) - count;
     chain = rotated(chain, (cut.start + forwards + count) % count);
@@ -80,8 +80,8 @@ Edges mirrored_side(const core::Mesh& mesh, const SurfaceChain& chain, const std
   const Index end = chain.edge_count() - 1;
   Index first = end, last = 0;
   for (const SurfacePair& pair : pairs) {
-    first = std::min(first, std::min(pair.place / 2, end));
-    last = std::max(last, std::max(pair.place - 1, 0) / 2);
+    first = std::min(first, std::min(pair.position / 2, end));
+    last = std::max(last, std::max(pair.position - 1, 0) / 2);
   }
   return edges_between(chain, extended(mesh, chain, first, -1, 0),
                        extended(mesh, chain, std::max(first, last), 1, end));
@@ -90,7 +90,7 @@ Edges mirrored_side(const core::Mesh& mesh, const SurfaceChain& chain, const std
 /// How a side lies.
 struct SideMoments {
   double area = 0;                  ///< m2
-  Point place = Point::Zero();      ///< integral of the position over the area, m3
+  Point position = Point::Zero();   ///< integral of the position over the area, m3
   Point direction = Point::Zero();  ///< of the outward normal, m2
   double flux = 0;                  ///< of the position along the normal, m3
 };
@@ -100,7 +100,7 @@ SideMoments moments(const core::Mesh& mesh, core::Geometry geometry, const Edges
     for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
       const auto point = core::map_edge_point(mesh, mesh.boundary_edges()[edge].nodes, geometry, at);
       sum.area += point.area;
-      sum.place += point.area * point.position;
+      sum.position += point.area * point.position;
       sum.direction += point.area * point.normal;
       sum.flux += point.area * point.position.dot(point.normal);
     }
@@ -112,7 +112,7 @@ SideMoments moments(const core::Mesh& mesh, core::Geometry geometry, const Edges
 int inner_of(const core::Mesh& mesh, core::Geometry geometry, const std::array<Edges, 2>& sides) {
   constexpr double curved = 0.02, flat = 1e-3;  // shares of the size
   const std::array<SideMoments, 2> side{moments(mesh, geometry, sides[0]), moments(mesh, geometry, sides[1])};
-  Point middle = (side[0].place + side[1].place) / (side[0].area + side[1].area);
+  Point middle = (side[0].position + side[1].position) / (side[0].area + side[1].area);
   if (geometry == core::Geometry::axisymmetric) middle[0] = 0;
   double size = 0;
   for (const Edges& edges : sides)
@@ -121,7 +121,7 @@ int inner_of(const core::Mesh& mesh, core::Geometry geometry, const std::array<E
   const auto outward = [&](const SideMoments& of) { return (of.flux - middle.dot(of.direction)) / of.area; };
   const double out = outward(side[0]) - outward(side[1]);
   if (std::abs(out) > curved * size) return out > 0 ? 1 : 0;
-  const Point apart = side[1].place / side[1].area - side[0].place / side[0].area;
+  const Point apart = side[1].position / side[1].area - side[0].position / side[0].area;
   if (std::abs(apart[1]) > flat * size) return apart[1] > 0 ? 1 : 0;
   return apart[0] < 0 ? 1 : 0;
 }
@@ -155,19 +155,19 @@ std::vector<bool> paired_nodes(const core::Mesh& mesh, const std::vector<Surface
                                const std::vector<SurfacePair>& pairs) {
   std::vector<bool> paired(mesh.nodes.size(), false);
   for (const SurfacePair& pair : pairs) {
-    paired[chains[pair.chain].node(mesh, pair.place)] = true;
-    paired[chains[pair.far_chain].node(mesh, pair.far_place)] = true;
+    paired[chains[pair.chain].node(mesh, pair.position)] = true;
+    paired[chains[pair.far_chain].node(mesh, pair.far_position)] = true;
   }
   return paired;
 }
 
 }  // namespace
 
-WallSides wall_sides(const core::Mesh& mesh, core::Geometry geometry, const std::vector<Way>& ways) {
+WallSides wall_sides(const core::Mesh& mesh, core::Geometry geometry, const std::vector<Ray>& rays) {
   WallSides found;
   found.part.assign(mesh.boundary_edges().size(), SurfacePart::none);
   const auto chains = surface_chains(mesh, core::boundaries_of_kind(mesh, core::BoundaryKind::symmetry));
-  const std::vector<SurfacePair> pairs = main_pairs(surface_pairs(mesh, chains, ways));
+  const std::vector<SurfacePair> pairs = main_pairs(surface_pairs(mesh, chains, rays));
   const auto fill = [&](const Edges& edges, SurfacePart part) {
     for (const Index edge : edges) found.part[edge] = part;
   };

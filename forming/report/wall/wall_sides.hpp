@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "forming/report/wall/surface_ways.hpp"
+#include "forming/report/wall/surface_rays.hpp"
 
 namespace parison::forming {
 
@@ -20,14 +20,14 @@ struct WallSides {
   std::string no_wall;            ///< why there is none, a sentence; empty with a wall
 };
 
-/// Ways of surface nodes that meet the surface again face to face pair places of it. The chain of boundary edges
+/// Rays of surface nodes that meet the surface again face to face pair positions of it. The chain of boundary edges
 /// between symmetry boundaries is cut where most pairs are parted: there are the rims, each from the corner, or the
 /// bend, where one side ends to where the other does. Where two chains face each other (a shell between symmetry
 /// boundaries, a ring) they are the sides. The inner side is the one that looks into a cavity; of a flat wall the upper
-/// one. `ways` are those of surface_ways for the same mesh.
-WallSides wall_sides(const core::Mesh& mesh, core::Geometry geometry, const std::vector<Way>& ways);
+/// one. `rays` are those of surface_rays for the same mesh.
+WallSides wall_sides(const core::Mesh& mesh, core::Geometry geometry, const std::vector<Ray>& rays);
 
-/// Least cosine between a way and the normal at its end where two sides of a wall face each other: an end face looks
+/// Least cosine between a ray and the normal at its end where two sides of a wall face each other: an end face looks
 /// along the wall, not through it.
 inline constexpr double facing_sides = 0.8;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/report/wall/surface_ways.hpp"
+#include "forming/report/wall/surface_rays.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Rays that meet an edge at less than this, as a sine, run along it.
 constexpr double grazing = 1e-6;
-/// A way across the axis at a greater angle to it, by its cosine, goes through a rod.
+/// A ray across the axis at a greater angle to it, by its cosine, goes through a rod.
 constexpr double along_axis = 0.5;
 constexpr int most_reflections = 4;
 
@@ -41,7 +41,7 @@ Point mirrored(const Point& vector, const Point& normal) {
 struct Hit {
   double distance = infinity;
   Index edge = -1;
-  double place = 0;
+  double position = 0;
 };
 
 /// Where the ray along a unit vector leaves the body across one edge, if nearer than `hit`.
@@ -89,49 +89,49 @@ Point middle_of(const std::vector<Point>& corners, double length) {
   return corners.back();
 }
 
-Way way_from(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& symmetry, Index node,
+Ray ray_from(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& symmetry, Index node,
              const Point& inward) {
-  Way way;
-  way.start = mesh.nodes[node];
-  way.direction = inward;
-  std::vector<Point> corners{way.start};
+  Ray ray;
+  ray.start = mesh.nodes[node];
+  ray.direction = inward;
+  std::vector<Point> corners{ray.start};
   Point direction = inward;
   double length = 0;
-  for (Index from = node, skipped = -1; way.reflections <= most_reflections; from = -1, ++way.reflections) {
+  for (Index from = node, skipped = -1; ray.reflections <= most_reflections; from = -1, ++ray.reflections) {
     const Hit hit = first_exit(mesh, corners.back(), direction, from, skipped);
-    if (hit.edge < 0) return way;
+    if (hit.edge < 0) return ray;
     const core::BoundaryEdge& edge = mesh.boundary_edges()[hit.edge];
-    const Point normal = outward_normal(mesh, edge.nodes, hit.place);
-    corners.push_back(edge_point(mesh, edge.nodes, hit.place));
+    const Point normal = outward_normal(mesh, edge.nodes, hit.position);
+    corners.push_back(edge_point(mesh, edge.nodes, hit.position));
     length += hit.distance;
     if (!symmetry[edge.boundary_id]) {
-      way.length = length;
-      way.end = corners.back();
-      way.middle = middle_of(corners, length);
-      way.edge = hit.edge;
-      way.place = hit.place;
-      way.facing = direction.dot(normal);
-      return way;
+      ray.length = length;
+      ray.end = corners.back();
+      ray.middle = middle_of(corners, length);
+      ray.edge = hit.edge;
+      ray.position = hit.position;
+      ray.facing = direction.dot(normal);
+      return ray;
     }
-    if (on_axis(mesh, geometry, hit.edge) && std::abs(direction.dot(core::axis_direction())) < along_axis) return way;
+    if (on_axis(mesh, geometry, hit.edge) && std::abs(direction.dot(core::axis_direction())) < along_axis) return ray;
     direction = mirrored(direction, normal);
     skipped = hit.edge;
   }
-  return way;
+  return ray;
 }
 
 /// Outward unit normal at each surface node, the mean of those of the edges that meet there and, on a symmetry
 /// boundary, of their mirror images; zero at other nodes.
 std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>& symmetry) {
   std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
-  constexpr std::array<double, 3> places{0, 1, 0.5};
+  constexpr std::array<double, 3> positions{0, 1, 0.5};
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     for (int k = 0; k < 3 && !symmetry[edge.boundary_id]; ++k)
-      normals[edge.nodes[k]] += outward_normal(mesh, edge.nodes, places[k]);
+      normals[edge.nodes[k]] += outward_normal(mesh, edge.nodes, positions[k]);
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     for (int k = 0; k < 3 && symmetry[edge.boundary_id]; ++k) {
       Point& normal = normals[edge.nodes[k]];
-      const Point across = outward_normal(mesh, edge.nodes, places[k]);
+      const Point across = outward_normal(mesh, edge.nodes, positions[k]);
       normal -= normal.dot(across) * across;
     }
   for (Point& normal : normals)
@@ -141,18 +141,18 @@ std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>&
 
 }  // namespace
 
-std::vector<Way> surface_ways(const core::Mesh& mesh, core::Geometry geometry) {
+std::vector<Ray> surface_rays(const core::Mesh& mesh, core::Geometry geometry) {
   const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, core::BoundaryKind::symmetry);
   const std::vector<Point> normals = node_normals(mesh, symmetry);
-  std::vector<Way> ways(mesh.nodes.size());
+  std::vector<Ray> rays(mesh.nodes.size());
   std::vector<bool> done(mesh.nodes.size(), false);
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     for (const Index node : edge.nodes) {
       if (symmetry[edge.boundary_id] || done[node] || normals[node].norm() < 0.5) continue;
-      ways[node] = way_from(mesh, geometry, symmetry, node, -normals[node]);
+      rays[node] = ray_from(mesh, geometry, symmetry, node, -normals[node]);
       done[node] = true;
     }
-  return ways;
+  return rays;
 }
 
 double distance_to_edges(const core::Mesh& mesh, const std::vector<bool>& wanted_edges, const Point& x) {
