@@ -69,7 +69,7 @@ const std::vector<Setting>& settings() {
       {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}, 1e-7, 0.5},
       {"tool_growth", &A::tool_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}, 0.01, 5},
       {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}, 1e-4, 2},
-      {"landing_per_step", &A::landing_per_step, dimension::none, "", 1, 0, {1, 1, 1}, 0.01, 1e6},
+      {"landing_per_step", &A::landing_per_step, dimension::none, "", 1, 0, {0.7, 0.7, 0.7}, 0.01, 1e6},
       {"temperature_tolerance",
        &A::temperature_tolerance,
        dimension::temperature_difference,

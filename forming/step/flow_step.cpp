@@ -29,10 +29,6 @@ constexpr int max_coupling_iterations = 4;
 /// Factor on the motion tolerance in the first step of a stage, which is predicted from rest.
 constexpr double initial_fraction = 0.1;
 
-/// Nodes nearer to a tool at the start of a step, in units of numerics.surface_size, do not count as landing in it:
-/// shorter steps could not part the landing of a flat surface on a flat tool.
-constexpr double min_landing_gap = 0.01;
-
 /// Penetration into a tool, m, above which another coupling iteration is made, and increase of the penetration above
 /// which the step is rejected after the last one.
 struct DepthLimits {
@@ -142,21 +138,28 @@ double reynolds(const StepStart& start, const flow::Solution& solution) {
   return dissipation > 0 ? start.scene.glass.flow->density * rate * start.wall * start.wall / viscosity : 0;
 }
 
-/// Largest length of surface, m, that a contact front passes in a step: neighbouring edges whose middles had no contact
-/// at its start, away from the tool, and have contact at its end.
+/// Largest length of surface, m, that a contact front passes in a step: the length of neighbouring edges whose middles
+/// come into contact in it, times the relative difference of the gaps that they closed. A flat surface that lands on a
+/// flat tool all at once has no front; next to glass in contact the gap is 0.
 double landed_length(const StepStart& start, const FlowPass& pass, const State& updated) {
   const core::Mesh& mesh = start.state.glass.mesh;
-  const double counts = min_landing_gap * start.scene.accuracy.surface_size;
-  std::vector<bool> lands(mesh.nodes.size(), false);
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(mesh.node_count());  // closed in the step, m
   for (std::size_t i = 0; i < pass.candidates.size(); ++i)
-    lands[pass.candidates[i].node] = pass.solution.active[i] && -start.dt * pass.candidates[i].rate > counts;
-  double largest = 0, length = 0;
+    if (pass.solution.active[i]) gap[pass.candidates[i].node] = std::max(0.0, -start.dt * pass.candidates[i].rate);
+  double largest = 0, length = 0, widest = 0, narrowest = 0;
   for (const auto& edge : mesh.boundary_edges()) {
     const Index middle = edge.nodes[2];
-    const bool landed =
-        lands[middle] && start.state.glass.contact_tool[middle] < 0 && updated.glass.contact_tool[middle] >= 0;
-    length = landed ? length + (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm() : 0;
-    largest = std::max(largest, length);
+    if (start.state.glass.contact_tool[middle] >= 0 || updated.glass.contact_tool[middle] < 0) {
+      length = 0;
+      continue;
+    }
+    if (length == 0) widest = narrowest = gap[middle];
+    for (const Index node : edge.nodes) {
+      widest = std::max(widest, gap[node]);
+      narrowest = std::min(narrowest, gap[node]);
+    }
+    length += (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
+    if (widest > 0) largest = std::max(largest, length * (1 - narrowest / widest));
   }
   return largest;
 }

@@ -74,7 +74,7 @@ def run_container(parison, folder, facts, accuracy, cpu_limit):
     if not row["completed"] and not row["reason"]:
         row["reason"] = "stopped without a reason"
     row["laps"] = summary["remeshing"]["laps"]
-    row["thickness_min_mm"], row["thickness_mean_mm"] = summary["thickness"]["min_mm"], summary["thickness"]["mean_mm"]
+    row["thickness_min_mm"], row["thickness_mean_mm"] = (summary["thickness"].get(key) for key in ("min_mm", "mean_mm"))
     row["outer_within"] = summary["outer_within_0.2mm_of_tools"]
     if facts.get("full_mm") is not None:
         row["short_mm"] = shortfall(results, facts["full_mm"])
