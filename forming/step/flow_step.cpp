@@ -29,6 +29,10 @@ constexpr int max_coupling_iterations = 4;
 /// Factor on the motion tolerance in the first step of a stage, which is predicted from rest.
 constexpr double initial_fraction = 0.1;
 
+/// Edges of a contact front that closed smaller gaps, in units of numerics.surface_size, did not land: contact was
+/// resumed.
+constexpr double min_landing_gap = 1e-3;
+
 /// Penetration into a tool, m, above which another coupling iteration is made, and increase of the penetration above
 /// which the step is rejected after the last one.
 struct DepthLimits {
@@ -146,6 +150,7 @@ double landed_length(const StepStart& start, const FlowPass& pass, const State& 
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(mesh.node_count());  // closed in the step, m
   for (std::size_t i = 0; i < pass.candidates.size(); ++i)
     if (pass.solution.active[i]) gap[pass.candidates[i].node] = std::max(0.0, -start.dt * pass.candidates[i].rate);
+  const double counts = min_landing_gap * start.scene.accuracy.surface_size;
   double largest = 0, length = 0, widest = 0, narrowest = 0;
   for (const auto& edge : mesh.boundary_edges()) {
     const Index middle = edge.nodes[2];
@@ -159,7 +164,7 @@ double landed_length(const StepStart& start, const FlowPass& pass, const State& 
       narrowest = std::min(narrowest, gap[node]);
     }
     length += (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
-    if (widest > 0) largest = std::max(largest, length * (1 - narrowest / widest));
+    if (widest > counts) largest = std::max(largest, length * (1 - narrowest / widest));
   }
   return largest;
 }
