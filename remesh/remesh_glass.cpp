@@ -22,6 +22,7 @@ constexpr double volume_tolerance = 2e-15;  ///< relative, at which the restored
 constexpr int edge_points = 4;              ///< of the quadrature rule for the shifted area
 constexpr double max_defect = 0.01;         ///< relative volume a resampling may miss
 constexpr double max_lap = 1e-3;            ///< of the volume, in the notch of a lap that is closed
+constexpr double max_torn = 8e-3;           ///< of the volume, in a piece torn off
 
 /// The resampled surface as it may be shifted, along its normals as meshed: fixed points stay.
 MovableSurface movable_surface(const Mesh& mesh, const Surface& surface) {
@@ -47,6 +48,16 @@ std::string describe(const Point& x) {
   return text + ") mm";
 }
 
+/// A sentence about a crossing that is left.
+std::string describe(const Crossings& crossings, const Surface& surface, double volume) {
+  const auto at = [&](Index vertex) { return describe(surface.outline.vertices[vertex]); };
+  if (crossings.left_torn)
+    return fmt::format("the glass tears near {}: a piece of {:.2g} % of its volume, more than {:g} %, would come off",
+                       at(crossings.first), 100 * crossings.left_volume / volume, 100 * max_torn);
+  return fmt::format("the glass surface crosses itself near {} and {}, in a lap of more than {:g} of the volume",
+                     at(crossings.first), at(crossings.second), max_lap);
+}
+
 }  // namespace
 
 Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mesher& mesher) {
@@ -56,14 +67,12 @@ Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mes
   const SizeField size = size_field(old, criteria);
   result.coarsening_factor = size.coarsening_factor();
   Surface surface = resample(old, criteria, size);
-  const Laps laps = close_laps(criteria.geometry, max_lap * result.volume_before, surface);
-  result.laps = laps.closed;
-  result.lap_volume = laps.volume;
-  if (laps.first >= 0) {
-    const auto at = [&](Index vertex) { return describe(surface.outline.vertices[vertex]); };
-    result.reason =
-        fmt::format("the glass surface crosses itself near {} and {}, in a lap of more than {:g} of the volume",
-                    at(laps.first), at(laps.second), max_lap);
+  const double volume = result.volume_before;
+  const Crossings crossings = remove_crossings(criteria.geometry, {max_lap * volume, max_torn * volume}, surface);
+  result.laps = crossings.laps, result.lap_volume = crossings.lap_volume;
+  result.torn = crossings.torn, result.torn_volume = crossings.torn_volume;
+  if (crossings.first >= 0) {
+    result.reason = describe(crossings, surface, volume);
     return result;
   }
   MeshedOutline meshed = mesh_outline(surface.outline, old.boundaries(), size, mesher);

@@ -210,6 +210,8 @@ void accumulate(const Scene& scene, const State& state, RemeshReason why, const 
   statistics.coarsening_factor = std::max(statistics.coarsening_factor, made.coarsening_factor);
   statistics.laps += made.laps;
   statistics.lap_volume += made.lap_volume;
+  statistics.torn += made.torn;
+  statistics.torn_volume += made.torn_volume;
   const auto quality = remesh::quality(mesh);
   statistics.min_quality = std::min(statistics.min_quality, quality.min);
   statistics.min_median = std::min(statistics.min_median, quality.median);

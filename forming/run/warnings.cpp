@@ -25,6 +25,11 @@ void warn_of_remeshing(const Scene& scene, const RemeshStatistics& remeshing, Wa
         "the glass folded onto itself at {} points. The folds were closed and enclose {:.2g} mm3 of air; the container "
         "would show fold marks (laps) there",
         remeshing.laps, 1e9 * remeshing.lap_volume));
+  if (remeshing.torn > 0)
+    warnings.push_back(fmt::format(
+        "{} pieces of glass, {:.2g} mm3, tore off where the glass had thinned to nothing. Their glass was given to the "
+        "rest; on a machine they would stay on a tool. Less friction or a hotter tool there lets the glass slide",
+        remeshing.torn, 1e9 * remeshing.torn_volume));
   if (remeshing.coarsening_factor > 1)
     warnings.push_back(fmt::format("a glass mesh was {:.3g} times coarser than asked for, to have about {:g} cells",
                                    remeshing.coarsening_factor, scene.accuracy.max_cells));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/element.hpp"
+#include "core/mesh/profile.hpp"
 
 namespace parison::remesh {
 
@@ -13,14 +14,15 @@ using core::Point;
 
 namespace {
 
-constexpr int max_laps = 16;
+constexpr int max_crossings = 16;
 constexpr int min_edges = 3;  ///< smallest number of edges of a loop
 
 double cross(const Point& a, const Point& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// Volume between the outline from vertex `begin` to vertex `end` and the chord between them, m3.
+/// Volume between the outline from vertex `begin` to vertex `end` and the chord between them, m3; positive where it is
+/// on the left, as the body is.
 double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry geometry) {
   const Point& from = outline.vertices[begin];
   double volume = 0;
@@ -33,7 +35,26 @@ double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry
     go_to(outline.mids[i]);
     go_to(outline.vertices[i + 1]);
   }
-  return std::abs(volume);
+  return volume;
+}
+
+/// Whether most vertices between `begin` and `end` lie outside what the other vertices of their loop enclose.
+bool lies_outside(const Outline& outline, Index begin, Index end) {
+  const auto after = std::upper_bound(outline.loop_start.begin(), outline.loop_start.end(), begin);
+  core::Profile rest;
+  const auto add = [&](Index from, Index to) {
+    core::Segment segment;
+    segment.start = outline.vertices[from], segment.end = outline.vertices[to];
+    rest.segments.push_back(segment);
+  };
+  const Index loop_begin = *(after - 1), loop_end = *after;
+  add(begin, end);
+  for (Index i = end; i + 1 < loop_end; ++i) add(i, i + 1);
+  add(loop_end - 1, loop_begin);
+  for (Index i = loop_begin; i < begin; ++i) add(i, i + 1);
+  int inside = 0;
+  for (Index i = begin + 1; i < end; ++i) inside += core::contains(rest, outline.vertices[i]);
+  return 2 * inside < end - begin - 1;
 }
 
 /// Whether the edges [begin, end) may be replaced by a chord: they belong to one loop, which keeps enough edges, have
@@ -72,22 +93,24 @@ void cut(Surface& surface, Index begin, Index end) {
 
 }  // namespace
 
-Laps close_laps(core::Geometry geometry, double largest, Surface& surface) {
-  Laps laps;
+Crossings remove_crossings(core::Geometry geometry, const CrossingLimits& limits, Surface& surface) {
+  Crossings found;
   for (;;) {
     const auto [first, second] = find_crossing(surface.outline);
-    if (first < 0) return laps;
+    if (first < 0) return found;
     const auto [begin, last] = std::minmax(first, second);
     const Index end = last + 1;
-    const double volume =
-        may_cut(surface, begin, end) ? volume_cut(surface.outline, begin, end, geometry) : 2 * largest;
-    if (laps.closed == max_laps || volume > largest) {
-      laps.first = first, laps.second = second;
-      return laps;
+    const bool may = may_cut(surface, begin, end);
+    const double volume = may ? volume_cut(surface.outline, begin, end, geometry) : 0;
+    const bool torn = volume > 0 && lies_outside(surface.outline, begin, end);
+    if (!may || found.laps + found.torn == max_crossings || std::abs(volume) > (torn ? limits.torn : limits.lap)) {
+      found.first = first, found.second = second;
+      found.left_volume = std::abs(volume), found.left_torn = torn;
+      return found;
     }
     cut(surface, begin, end);
-    ++laps.closed;
-    laps.volume += volume;
+    ++(torn ? found.torn : found.laps);
+    (torn ? found.torn_volume : found.lap_volume) += std::abs(volume);
   }
 }
 

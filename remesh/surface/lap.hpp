@@ -4,15 +4,26 @@
 
 namespace parison::remesh {
 
-/// Places where a surface crosses itself.
-struct Laps {
-  int closed = 0;                       ///< notches that were cut off
-  double volume = 0;                    ///< air enclosed in them, m3
-  core::Index first = -1, second = -1;  ///< first vertices of two edges that still cross; -1 without such
+/// Largest volumes, m3, of what may be cut off where a surface crosses itself.
+struct CrossingLimits {
+  double lap;   ///< notch between folded glass, or glass that overlaps itself
+  double torn;  ///< piece that hangs on a neck thinner than nothing
 };
 
-/// Closes laps: where glass has folded onto itself, the notch in between is cut off by a chord if that changes the
-/// volume by at most `largest`, m3. A larger lap is left as it is.
-Laps close_laps(core::Geometry geometry, double largest, Surface& surface);
+/// What was cut off where a surface crossed itself.
+struct Crossings {
+  int laps = 0;                         ///< notches and overlaps
+  double lap_volume = 0;                ///< of the air enclosed in them, or of the overlap, m3
+  int torn = 0;                         ///< pieces that had torn off
+  double torn_volume = 0;               ///< m3
+  core::Index first = -1, second = -1;  ///< first vertices of two edges that still cross; -1 without such
+  double left_volume = 0;               ///< what their crossing would cut off, m3
+  bool left_torn = false;               ///< whether that is a piece torn off
+};
+
+/// Removes the places where a surface crosses itself. Where glass has folded onto itself, the notch in between is cut
+/// off by a chord. Where a neck of the glass has become thinner than nothing, the smaller piece behind it has torn off
+/// and is cut off as well. What is greater than the limits is left as it is.
+Crossings remove_crossings(core::Geometry geometry, const CrossingLimits& limits, Surface& surface);
 
 }  // namespace parison::remesh

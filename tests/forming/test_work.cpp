@@ -62,7 +62,8 @@ TEST(SolverStatistics, of_the_steps_is_summed_and_every_step_has_its_limit) {
   const bool warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
     return text.find("were locked although in tension") != text.npos;
   });
-  EXPECT_EQ(warned, statistics.locked_contacts > 0);
+  constexpr double tolerated = 0.1;  // of the number of steps
+  EXPECT_EQ(warned, statistics.locked_contacts > tolerated * outcome.state.totals.steps);
   std::istringstream rows(core::read_text(results + "/history.csv"));
   std::string row;
   std::getline(rows, row);

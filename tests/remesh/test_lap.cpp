@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "remesh/surface/lap.hpp"
+
+namespace parison::remesh {
+namespace {
+
+using core::Index;
+using core::Point;
+
+/// A planar surface through the points, m, with straight edges.
+Surface polygon(const std::vector<Point>& points) {
+  Surface surface;
+  const auto count = static_cast<Index>(points.size());
+  for (Index i = 0; i < count; ++i) {
+    surface.outline.vertices.push_back(points[i]);
+    surface.outline.mids.push_back(0.5 * (points[i] + points[(i + 1) % count]));
+    surface.outline.boundary_ids.push_back(0);
+  }
+  surface.outline.loop_start.push_back(count);
+  surface.contact.assign(2 * points.size(), false);
+  surface.fixed.assign(2 * points.size(), false);
+  return surface;
+}
+
+double area(const Surface& surface) {
+  double sum = 0;
+  const auto& x = surface.outline.vertices;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Point &a = x[i], &b = x[(i + 1) % x.size()];
+    sum += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+  }
+  return sum;
+}
+
+/// A square of 10 with a head of 1 by 2 above it, on a neck whose sides have crossed.
+Surface pinched() {
+  return polygon({{0, 0},
+                  {10, 0},
+                  {10, 10},
+                  {5.2, 10},
+                  {4.9, 11},
+                  {5.5, 12},
+                  {5.5, 14},
+                  {4.5, 14},
+                  {4.5, 12},
+                  {5.1, 11},
+                  {4.8, 10},
+                  {0, 10}});
+}
+
+TEST(Crossings, a_piece_behind_a_neck_thinner_than_nothing_is_cut_off) {
+  Surface surface = pinched();
+  const Crossings found = remove_crossings(core::Geometry::planar, {0.1, 5}, surface);
+  EXPECT_EQ(found.first, -1);
+  EXPECT_EQ(found.laps, 0);
+  EXPECT_EQ(found.torn, 1);
+  EXPECT_GT(found.torn_volume, 2);
+  EXPECT_LT(found.torn_volume, 3);
+  EXPECT_NEAR(area(surface), 100, 1);
+}
+
+TEST(Crossings, a_large_piece_is_left_and_said_to_be_torn) {
+  Surface surface = pinched();
+  const Crossings found = remove_crossings(core::Geometry::planar, {0.1, 1}, surface);
+  EXPECT_GE(found.first, 0);
+  EXPECT_TRUE(found.left_torn);
+  EXPECT_GT(found.left_volume, 2);
+}
+
+TEST(Crossings, glass_that_overlaps_itself_is_a_lap) {
+  // Two arms over a square grow into each other by 0.2.
+  Surface surface = polygon(
+      {{0, 0}, {10, 0}, {10, 10}, {4.9, 12}, {4.9, 11}, {8, 9}, {8, 8}, {2, 8}, {2, 9}, {5.1, 11}, {5.1, 12}, {0, 10}});
+  const double before = area(surface);
+  Surface left = surface;
+  const Crossings found = remove_crossings(core::Geometry::planar, {20, 0}, surface);
+  EXPECT_EQ(found.torn, 0);
+  EXPECT_GE(found.laps, 1);
+  EXPECT_GT(area(surface), before) << "the air between the arms is filled";
+  EXPECT_FALSE(remove_crossings(core::Geometry::planar, {0.1, 50}, left).left_torn);
+}
+
+}  // namespace
+}  // namespace parison::remesh
