@@ -21,7 +21,7 @@ namespace {
 constexpr double volume_tolerance = 2e-15;  ///< relative, at which the restored volume counts as reached
 constexpr int edge_points = 4;              ///< of the quadrature rule for the shifted area
 constexpr double max_defect = 0.01;         ///< relative volume a resampling may miss
-constexpr double max_lap = 1e-3;            ///< of the volume, in the notch of a lap that is closed
+constexpr double max_lap = 4e-3;            ///< of the volume, in the notch of a lap that is closed
 constexpr double max_torn = 8e-3;           ///< of the volume, in a piece torn off
 
 /// The resampled surface as it may be shifted, along its normals as meshed: fixed points stay.
@@ -90,6 +90,21 @@ Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mes
       restore_volume(movable_surface(result.mesh, surface), criteria.geometry, result.volume_before, result.mesh);
   result.ok = true;
   return result;
+}
+
+MeshedInside mesh_inside(const Mesh& mesh, const Mesh& old, const Criteria& criteria, const Mesher& mesher) {
+  Outline outline;
+  const auto& edges = mesh.boundary_edges();
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto [first, last, middle] = edges[i].nodes;
+    outline.vertices.push_back(mesh.nodes[first]);
+    outline.mids.push_back(mesh.nodes[middle]);
+    outline.boundary_ids.push_back(edges[i].boundary_id);
+    if (i + 1 == edges.size() || edges[i + 1].nodes[0] != last) outline.loop_start.push_back(outline.edge_count());
+  }
+  const SizeField size = size_field(without_collapsed_edges(old), criteria);
+  MeshedOutline meshed = mesh_outline(outline, mesh.boundaries(), size, mesher);
+  return {std::move(meshed.mesh), std::move(meshed.reason)};
 }
 
 }  // namespace parison::remesh

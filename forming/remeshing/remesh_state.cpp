@@ -280,7 +280,8 @@ bool needs_remesh(const Scene& scene, const State& state) {
 
 RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why, const remesh::Mesher& mesher) {
   RemeshedState result;
-  auto made = remesh::remesh_glass(state.glass.mesh, criteria(scene, state), mesher);
+  const remesh::Criteria wanted = criteria(scene, state);
+  auto made = remesh::remesh_glass(state.glass.mesh, wanted, mesher);
   if (!made.ok) {
     result.reason = made.reason;
     return result;
@@ -290,6 +291,10 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
   core::Mesh& mesh = next.glass.mesh;
   mesh = std::move(made.mesh);
   if (!fit_surface(scene, state, mesh)) {
+    auto inside = remesh::mesh_inside(mesh, state.glass.mesh, wanted, mesher);  // the surface as it is now
+    if (inside.reason.empty()) mesh = std::move(inside.mesh);
+  }
+  if (!(remesh::min_quality(mesh) > 0)) {
     result.reason = "the new mesh has inverted cells where it is projected out of a tool";
     return result;
   }
