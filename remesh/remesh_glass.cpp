@@ -22,7 +22,7 @@ constexpr double volume_tolerance = 2e-15;  ///< relative, at which the restored
 constexpr int edge_points = 4;              ///< of the quadrature rule for the shifted area
 constexpr double max_defect = 0.01;         ///< relative volume a resampling may miss
 constexpr double max_lap = 4e-3;            ///< of the volume, in the notch of a lap that is closed
-constexpr double max_torn = 8e-3;           ///< of the volume, in a piece torn off
+constexpr double max_torn = 0.02;           ///< of the volume, in a piece torn off
 
 /// The resampled surface as it may be shifted, along its normals as meshed: fixed points stay.
 MovableSurface movable_surface(const Mesh& mesh, const Surface& surface) {
@@ -81,7 +81,7 @@ Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mes
     return result;
   }
   result.mesh = std::move(meshed.mesh);
-  const double missed = core::volume(result.mesh, criteria.geometry) / result.volume_before - 1;
+  const double missed = core::volume(result.mesh, criteria.geometry) / (volume - result.torn_volume) - 1;
   if (!(std::abs(missed) < max_defect)) {
     result.reason = fmt::format("the resampled surface misses the glass volume by {:.2g} %", 100 * missed);
     return result;

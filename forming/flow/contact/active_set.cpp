@@ -68,6 +68,7 @@ ActiveSetChange update_active_set(const Problem& problem, const Response& respon
 
 void add_friction(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area,
                   const Response* last, CoulombSliding& sliding, Constraints& constraints) {
+  ++sliding.iterations;
   for (const auto& constraint : constraints.nodes) {
     if (constraint.friction_tool < 0) continue;
     const Index node = constraint.node, i = constraint.equalities[0].candidate;
@@ -78,7 +79,7 @@ void add_friction(const Problem& problem, const std::vector<bool>& active, const
     const Point relative =
         node_velocity(last->unknowns, node) - last->tool_velocity[constraint.friction_tool] * core::axis_direction();
     const double slip = constraint.basis.col(dim - 1).dot(relative),
-                 cap = *friction.coulomb * std::max(0.0, last->forces.normal[i]);
+                 cap = sliding.cap_of(i, *friction.coulomb * std::max(0.0, last->forces.normal[i]));
     const int sense = navier * std::abs(slip) <= cap ? 0
                       : slip > 0                     ? 1
                                                      : -1,

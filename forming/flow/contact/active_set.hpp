@@ -1,5 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+#include <vector>
+
 #include "forming/flow/balance.hpp"
 
 namespace parison::flow {
@@ -22,9 +26,20 @@ ActiveSetChange update_active_set(const Problem& problem, const Response& respon
 
 /// The candidates that slide at Coulomb's limit, from one iteration to the next.
 struct CoulombSliding {
-  explicit CoulombSliding(std::size_t candidates) : sense(candidates, 0), reversals(candidates, 0) {}
+  explicit CoulombSliding(std::size_t candidates)
+      : sense(candidates, 0), reversals(candidates, 0), cap(candidates, std::numeric_limits<double>::quiet_NaN()) {}
   std::vector<int> sense;      ///< sign of the slip where the last iteration had the limiting friction, 0 elsewhere
   std::vector<int> reversals;  ///< how often the slip changed its sign
+  std::vector<double> cap;     ///< limiting friction of the last iteration, N; NaN before the first
+  int iterations = 0;
+
+  /// The limiting friction of a candidate, N: `from_force` for so many iterations, from then on the last of those. With
+  /// given limits (Tresca's friction) the problem is convex and its iteration cannot cycle.
+  double cap_of(Index candidate, double from_force) {
+    constexpr int max_updates = 30;
+    if (iterations <= max_updates || std::isnan(cap[candidate])) cap[candidate] = from_force;
+    return cap[candidate];
+  }
 };
 
 /// Adds the friction of the active contacts as a linear function of the slip velocity: Navier's law, traction = beta
