@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/tradeoff.hpp"
+#include "tools/tradeoff/tradeoff.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -14,10 +14,10 @@
 #include "core/io/json_read.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/scene/scene.hpp"
-#include "tools/child_process.hpp"
-#include "tools/run_timing.hpp"
-#include "tools/stop_request.hpp"
-#include "tools/tradeoff_report.hpp"
+#include "tools/program/child_process.hpp"
+#include "tools/program/stop_request.hpp"
+#include "tools/tradeoff/run_timing.hpp"
+#include "tools/tradeoff/tradeoff_report.hpp"
 
 namespace parison::tools {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/coarse_run.hpp"
+#include "tools/commands/coarse_run.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "forming/study/coarse_run.hpp"
-#include "tools/child_process.hpp"
-#include "tools/stop_request.hpp"
+#include "tools/program/child_process.hpp"
+#include "tools/program/stop_request.hpp"
 
 namespace parison::tools {
 namespace {

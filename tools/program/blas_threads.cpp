@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/blas_threads.hpp"
+#include "tools/program/blas_threads.hpp"
 
 #include <cblas.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/fit_law.hpp"
+#include "tools/commands/fit_law.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "core/linear/solver_times.hpp"
 #include "core/process/clock.hpp"
 #include "forming/run/folder_run.hpp"
-#include "tools/benchmarks/bare_flow.hpp"
+#include "tools/benchmarks/programs/bare_flow.hpp"
 
 /// OpenBLAS; absent where another BLAS is installed.
 extern "C" __attribute__((weak)) void openblas_set_num_threads(int count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/run_timing.hpp"
+#include "tools/tradeoff/run_timing.hpp"
 
 #include <fmt/core.h>
 

@@ -13,10 +13,10 @@
 #include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
 #include "remesh/mesher/mesh_outline.hpp"
-#include "tools/benchmarks/bare_flow.hpp"
-#include "tools/benchmarks/cgal_mesher.hpp"
-#include "tools/benchmarks/mesh_figures.hpp"
-#include "tools/blas_threads.hpp"
+#include "tools/benchmarks/programs/bare_flow.hpp"
+#include "tools/benchmarks/programs/cgal_mesher.hpp"
+#include "tools/benchmarks/programs/mesh_figures.hpp"
+#include "tools/program/blas_threads.hpp"
 
 namespace {
 

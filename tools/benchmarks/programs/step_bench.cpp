@@ -14,8 +14,8 @@
 #include "forming/run/folder_run.hpp"
 #include "forming/step/heat_step.hpp"
 #include "forming/step/surface_temperature.hpp"
-#include "tools/benchmarks/bare_flow.hpp"
-#include "tools/blas_threads.hpp"
+#include "tools/benchmarks/programs/bare_flow.hpp"
+#include "tools/program/blas_threads.hpp"
 
 namespace {
 

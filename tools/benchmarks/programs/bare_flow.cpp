@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/benchmarks/bare_flow.hpp"
+#include "tools/benchmarks/programs/bare_flow.hpp"
 
 #include <algorithm>
 #include <ctime>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands.hpp"
+#include "tools/commands/commands.hpp"
 
 #include <fmt/core.h>
 
@@ -7,10 +7,10 @@
 #include <memory>
 #include <string>
 
-#include "tools/bundled_cases.hpp"
-#include "tools/fit_law.hpp"
-#include "tools/run_command.hpp"
-#include "tools/tradeoff.hpp"
+#include "tools/commands/fit_law.hpp"
+#include "tools/commands/run_command.hpp"
+#include "tools/program/bundled_cases.hpp"
+#include "tools/tradeoff/tradeoff.hpp"
 
 namespace parison::tools {
 namespace {

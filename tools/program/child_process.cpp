@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/child_process.hpp"
+#include "tools/program/child_process.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/run_command.hpp"
+#include "tools/commands/run_command.hpp"
 
 #include <fmt/core.h>
 
@@ -13,10 +13,10 @@
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/study/coarse_run.hpp"
-#include "tools/coarse_run.hpp"
-#include "tools/console.hpp"
-#include "tools/exit_codes.hpp"
-#include "tools/stop_request.hpp"
+#include "tools/commands/coarse_run.hpp"
+#include "tools/commands/console.hpp"
+#include "tools/program/exit_codes.hpp"
+#include "tools/program/stop_request.hpp"
 
 namespace parison::tools {
 namespace {

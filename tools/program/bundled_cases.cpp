@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/bundled_cases.hpp"
+#include "tools/program/bundled_cases.hpp"
 
 #include <fmt/format.h>
 

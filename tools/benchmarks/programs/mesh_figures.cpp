@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/benchmarks/mesh_figures.hpp"
+#include "tools/benchmarks/programs/mesh_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/console.hpp"
+#include "tools/commands/console.hpp"
 
 #include <fmt/core.h>
 

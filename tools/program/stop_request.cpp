@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/stop_request.hpp"
+#include "tools/program/stop_request.hpp"
 
 #include <signal.h>
 

@@ -9,9 +9,9 @@
 
 #include "core/case/case_error.hpp"
 #include "core/process/run_error.hpp"
-#include "tools/blas_threads.hpp"
-#include "tools/commands.hpp"
-#include "tools/exit_codes.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/program/blas_threads.hpp"
+#include "tools/program/exit_codes.hpp"
 
 namespace {
 

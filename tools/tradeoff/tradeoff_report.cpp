@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/tradeoff_report.hpp"
+#include "tools/tradeoff/tradeoff_report.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "forming/study/tradeoff.hpp"
-#include "tools/bundled_cases.hpp"
-#include "tools/run_timing.hpp"
+#include "tools/program/bundled_cases.hpp"
+#include "tools/tradeoff/run_timing.hpp"
 
 namespace parison::tools {
 namespace {
