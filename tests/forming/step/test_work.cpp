@@ -6,11 +6,11 @@
 #include <numeric>
 #include <sstream>
 
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/step/work.hpp"
-#include "pot_scene.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/step.hpp"
 #include "forming/step/volume_conservation.hpp"
-#include "pot_scene.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

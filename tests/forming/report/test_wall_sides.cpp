@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/report/thickness_profile.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/state/initial_state.hpp"
-#include "scene_text.hpp"
 #include "structured.hpp"
 
 namespace parison::forming {

@@ -12,6 +12,8 @@
 #include <set>
 #include <thread>
 
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/run/checkpoint.hpp"
@@ -19,8 +21,6 @@
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/step.hpp"
-#include "pot_scene.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <functional>
 
+#include "../scene_text.hpp"
 #include "core/io/files.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

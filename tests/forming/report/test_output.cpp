@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/interface_rows.hpp"
@@ -14,7 +15,6 @@
 #include "forming/report/summary.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/thermal_interface.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

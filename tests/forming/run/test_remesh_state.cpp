@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
 #include "contact/unilateral/tool_gap.hpp"
 #include "figure.hpp"
 #include "forming/remeshing/remesh_state.hpp"
@@ -11,10 +13,8 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/heat_step.hpp"
-#include "pot_scene.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/sizing/recovery.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

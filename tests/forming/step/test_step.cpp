@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/run/folder_run.hpp"
@@ -17,9 +19,7 @@
 #include "forming/state/interpolate.hpp"
 #include "forming/step/heat_step.hpp"
 #include "forming/step/step.hpp"
-#include "pot_scene.hpp"
 #include "remesh/mesher/quality.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -9,13 +9,13 @@
 #include <string>
 #include <type_traits>
 
+#include "../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/visit_state.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "figure.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/state/fingerprint.hpp"
-#include "pot_scene.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

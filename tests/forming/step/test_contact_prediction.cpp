@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_prediction.hpp"
-#include "pot_scene.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -8,9 +8,9 @@
 #include <map>
 #include <sstream>
 
+#include "../scene_text.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/step/contact/film.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

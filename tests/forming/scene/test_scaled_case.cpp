@@ -5,8 +5,8 @@
 #include <regex>
 #include <vector>
 
+#include "../scene_text.hpp"
 #include "core/io/files.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

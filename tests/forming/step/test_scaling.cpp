@@ -4,10 +4,10 @@
 #include <cmath>
 #include <variant>
 
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
 #include "figure.hpp"
 #include "forming/run/run.hpp"
-#include "pot_scene.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
 #include "forming/run/run.hpp"
-#include "pot_scene.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "../scene_text.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {

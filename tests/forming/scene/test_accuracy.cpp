@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "../scene_text.hpp"
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "forming/run/folder_run.hpp"
@@ -14,7 +15,6 @@
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/tradeoff.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {
@@ -118,7 +118,7 @@ TEST(Accuracy, a_too_small_difference_does_not_make_a_bar_narrower_than_what_is_
 }
 
 TEST(Accuracy, bars_of_a_small_scene_hold_the_error_against_a_finer_run) {
-  const std::string folder = std::string(PARISON_BINARY_DIR) + "/test_dial_bars";
+  const std::string folder = std::string(PARISON_BINARY_DIR) + "/test_accuracy_bars";
   fs::remove_all(folder);
   const auto results = [&](const char* accuracy, const std::string& directory, ErrorBars* bars) {
     const Scene scene = bundled("shell_inflation", accuracy);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "scene_text.hpp"
+#include "../scene_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "../scene_text.hpp"
 #include "core/case/case_file.hpp"
-#include "scene_text.hpp"
 
 namespace parison::forming {
 namespace {
