@@ -63,7 +63,7 @@ TEST(SolverStatistics, of_the_steps_is_summed_and_every_step_has_its_limit) {
     return text.find("were locked although in tension") != text.npos;
   });
   constexpr double tolerated = 0.1;  // of the number of steps
-  EXPECT_EQ(warned, statistics.locked_contacts > tolerated * outcome.state.totals.steps);
+  EXPECT_EQ(warned, static_cast<double>(statistics.locked_contacts) > tolerated * outcome.state.totals.steps);
   std::istringstream rows(core::read_text(results + "/history.csv"));
   std::string row;
   std::getline(rows, row);
