@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/mesh/cell_batch.hpp"
+#include "core/mesh/uniform_grid.hpp"
 
 namespace parison::core {
 
@@ -143,6 +144,11 @@ Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load)
       middle = 0;
     }
   return left.head(mesh.vertex_count());
+}
+
+double size(const Mesh& mesh) {
+  const Box box = bounding_box(mesh.nodes);
+  return (box.high - box.low).norm();
 }
 
 double volume(const Mesh& mesh, Geometry geometry) {

@@ -90,6 +90,8 @@ Eigen::VectorXd from_vertices(const Mesh& mesh, const Eigen::VectorXd& vertex_va
 /// The transposed map: what acts on the nodes, collected on the vertices.
 Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load);
 
+/// Size of the body, m: the diagonal of the box around its nodes.
+double size(const Mesh& mesh);
 /// Volume of the body, m3 (of the full revolution, or per metre of depth times 1 m).
 double volume(const Mesh& mesh, Geometry geometry);
 /// Integral of a function of a P2 field over the volume by triangle_rule(4), the function's unit times m3.

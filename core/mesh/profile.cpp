@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mesh/uniform_grid.hpp"
+
 namespace parison::core {
 
 namespace {
@@ -78,6 +80,14 @@ double beyond_start(const Segment& segment, const Point& x) {
 
 double beyond_end(const Segment& segment, const Point& x) {
   return (projected_parameter(segment, x) - 1) * length(segment);
+}
+
+double size(const Profile& profile) {
+  std::vector<Point> points;
+  for (const Segment& segment : profile.segments)
+    for (const double t : {0.0, 0.5}) points.push_back(point_at(segment, t));
+  const auto box = bounding_box(points);
+  return (box.high - box.low).norm();
 }
 
 double signed_area(const Profile& profile) {
@@ -179,7 +189,7 @@ std::vector<Point> polyline(const Profile& profile, double chord, double sagitta
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Chord*>;
+using ChordBox = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Chord*>;
 
 Kernel::Segment_2 segment(const Chord& chord) {
   return {Kernel::Point_2(chord.a[0], chord.a[1]), Kernel::Point_2(chord.b[0], chord.b[1])};
@@ -192,11 +202,11 @@ bool meet(const Chord& p, const Chord& q) {
 }  // namespace
 
 std::pair<Index, Index> find_crossing(const std::vector<Chord>& chords) {
-  std::vector<Box> boxes;
+  std::vector<ChordBox> boxes;
   for (const auto& chord : chords) boxes.emplace_back(segment(chord).bbox(), &chord);
   constexpr Index none = std::numeric_limits<Index>::max();
   std::pair<Index, Index> lowest{none, none};
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& one, const Box& other) {
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const ChordBox& one, const ChordBox& other) {
     const Chord &p = *one.handle(), &q = *other.handle();
     if (meet(p, q) || !CGAL::do_intersect(segment(p), segment(q))) return;
     lowest =

@@ -41,6 +41,8 @@ double projected_parameter(const Segment& segment, const Point& x);
 double beyond_start(const Segment& segment, const Point& x);
 double beyond_end(const Segment& segment, const Point& x);
 
+/// Size of the body, m: the diagonal of the box around its outline.
+double size(const Profile& profile);
 /// Signed area of the cross-section, m2; positive when counterclockwise.
 double signed_area(const Profile& profile);
 /// The outline in the opposite direction.

@@ -1,17 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/mesh.hpp"
-#include "core/mesh/profile.hpp"
 
-namespace parison::core {
-
-/// Size of a body, m: the diagonal of the box around its outline or its nodes.
-double size(const Profile& profile);
-double size(const Mesh& mesh);
-
-/// All tolerances on lengths, as shares of the size of a body, so that a scene and its scaled copy give the same
-/// result. Each was found on containers whose gob measures 66 mm; the length there is given with it.
-namespace tolerance {
+/// All tolerances on lengths, as shares of the size of a body (core::size), so that a scene and its scaled copy give
+/// the same result. Each was found on containers whose gob measures 66 mm; the length there is given with it.
+namespace parison::core::tolerance {
 
 /// Coincident points: gaps that count as closed (1 nm, far above round-off and far below any gap that matters).
 inline constexpr double coincident = 1.5e-8;
@@ -44,6 +36,4 @@ inline constexpr double tool_edge = 0.12;
 /// (1 um/s).
 inline constexpr double round_off_speed = 1.5e-7, standing_speed = 1.5e-5;
 
-}  // namespace tolerance
-
-}  // namespace parison::core
+}  // namespace parison::core::tolerance

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/uniform_grid.hpp"
 
+#include <limits>
 #include <numeric>
 
 namespace parison::core {
 
 Box bounding_box(const std::vector<Point>& points) {
-  Box box{points[0], points[0]};
+  const Point infinite = Point::Constant(std::numeric_limits<double>::infinity());
+  Box box{infinite, -infinite};
   for (const Point& x : points) {
     box.low = box.low.cwiseMin(x);
     box.high = box.high.cwiseMax(x);

@@ -16,7 +16,7 @@ struct Box {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
 };
-/// Smallest box around points.
+/// Smallest box around points; of no points its low corner is at +infinity, its high one at -infinity.
 Box bounding_box(const std::vector<Point>& points);
 /// Box around some nodes of a mesh, widened on every side by `margin` times its larger extent.
 template <typename Nodes>

@@ -43,6 +43,11 @@ double number(const std::string& text) {
                   text));
 }
 
+/// Values of a setting at the presets.
+const auto& levels_of(double Accuracy::*value) {
+  return std::find_if(settings().begin(), settings().end(), [&](const Setting& s) { return s.value == value; })->levels;
+}
+
 double law_level(const ErrorLaw& law, double target) {
   return std::log2(law.at_draft / target) / law.order;
 }
@@ -116,7 +121,8 @@ Accuracy accuracy_at(double level) {
                                   : low * std::pow(high / low, level - double(from));
   }
   // Beyond the presets it would leave what a mesh can have.
-  accuracy.quality_floor = std::clamp(accuracy.quality_floor, settings().back().levels[0], settings().back().levels[2]);
+  const auto& floors = levels_of(&Accuracy::quality_floor);
+  accuracy.quality_floor = std::clamp(accuracy.quality_floor, floors.front(), floors.back());
   accuracy.passes = passes[nearest];
   accuracy.temperature_order = temperature_orders[nearest];
   return accuracy;

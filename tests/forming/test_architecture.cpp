@@ -13,10 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Layer that a source file belongs to: its top folder, in forming the folder below that.
+/// Layer that a source file belongs to: its top folder, in forming and tools the folder below that.
 std::string layer_of(const std::string& path) {
   const auto first = path.find('/');
-  return path.substr(0, path.compare(0, first, "forming") == 0 ? path.find('/', first + 1) : first);
+  const std::string top = path.substr(0, first);
+  return top == "forming" || top == "tools" ? path.substr(0, path.find('/', first + 1)) : top;
 }
 
 TEST(Architecture, every_include_points_down_the_layers) {
@@ -38,11 +39,17 @@ TEST(Architecture, every_include_points_down_the_layers) {
        {"forming/run", "forming/report", "forming/remeshing", "forming/step", "forming/state", "forming/scene",
         "core"}},
       {"forming/study",
-       {"forming/study", "forming/run", "forming/report", "forming/state", "forming/scene", "contact", "core"}}};
+       {"forming/study", "forming/run", "forming/report", "forming/state", "forming/scene", "contact", "core"}},
+      {"tools/program", {"tools/program", "core"}},
+      {"tools/tradeoff", {"tools/tradeoff", "tools/program", "forming/study", "forming/run", "forming/scene", "core"}},
+      {"tools/commands",
+       {"tools/commands", "tools/tradeoff", "tools/program", "forming/study", "forming/run", "forming/report",
+        "forming/scene", "core"}}};
   const fs::path root = PARISON_SOURCE_DIR;
   const std::regex quoted("^\\s*#include \"([^\"]+)\"");
   int read = 0;
-  for (const auto* folder : {"core", "thermal", "contact", "remesh", "forming"})
+  for (const auto* folder :
+       {"core", "thermal", "contact", "remesh", "forming", "tools/program", "tools/tradeoff", "tools/commands"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const auto extension = entry.path().extension();
       if (extension != ".cpp" && extension != ".hpp") continue;

@@ -87,7 +87,7 @@ def parison(case, accuracy, *arguments):
 def step_bench(case, accuracy, every):
     """Rows of CPU seconds, one for each step tried; at every `every`-th the bare factorisation and the interface too."""
     out = new_path("steps")
-    done = run([BUILD / "tools/benchmarks/step_bench", case, accuracy, out, every], f"{out}.log")
+    done = run([BUILD / "tools/benchmarks/programs/step_bench", case, accuracy, out, every], f"{out}.log")
     if done.code:
         raise RuntimeError(f"step_bench {case} ended with {done.code}:\n" + Path(f"{out}.log").read_text()[-800:])
     with open(f"{out}.steps.csv") as table:

@@ -116,7 +116,7 @@ def solver_share(accuracy, threads):
     """CPU seconds of the jar's run: whole, factorising, solving, first thread."""
     build("solver_share")
     log = new_path("solver_share.log")
-    done = run([BUILD / "tools/benchmarks/solver_share", CASE, accuracy, new_path("run"), threads], log)
+    done = run([BUILD / "tools/benchmarks/programs/solver_share", CASE, accuracy, new_path("run"), threads], log)
     spent = re.search(r"whole (\S+) factorising (\S+) solving (\S+) first (\S+)", log.read_text())
     if done.code or not spent:
         raise RuntimeError(f"solver_share ended with {done.code}:\n" + log.read_text()[-800:])

@@ -93,7 +93,7 @@ def film():
 def bench(case, accuracy, repeats, mesher, *settings):
     """Runs a case with a mesher; whether it completed, its result folder."""
     out = new_path("meshers")
-    program = BUILD / "tools/benchmarks/mesher_bench"
+    program = BUILD / "tools/benchmarks/programs/mesher_bench"
     done = run([program, case, accuracy, out, repeats, mesher, *settings], f"{out}.log")
     if not (out / "summary.json").exists():
         raise RuntimeError(f"mesher_bench {case} ended with {done.code}:\n" + Path(f"{out}.log").read_text()[-800:])

@@ -11,7 +11,7 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat_step.hpp"
 #include "forming/step/step_control.hpp"
-#include "tools/blas_threads.hpp"
+#include "tools/program/blas_threads.hpp"
 
 namespace {
 

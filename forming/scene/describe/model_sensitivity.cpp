@@ -9,7 +9,7 @@
 
 #include "forming/scene/calibration.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
-#include "thermal/properties.hpp"
+#include "forming/scene/describe/half_spaces.hpp"
 
 namespace parison::forming {
 namespace {
@@ -94,15 +94,6 @@ double quickest_drive(const Scene& scene) {
   return quickest;
 }
 
-/// Time in which a tool is active, s.
-double active_time(const Scene& scene, std::size_t tool) {
-  double time = 0;
-  for (const Stage& stage : scene.stages)
-    for (const StageTool& placed : stage.tools)
-      if (placed.tool == static_cast<Index>(tool)) time += stage.duration;
-  return time;
-}
-
 void add_friction(Estimator& e) {
   double slipping = 0, placed = 0;
   for (std::size_t i = 0; i < e.scene.tools.size(); ++i) {
@@ -148,66 +139,6 @@ void add_flow(Estimator& e) {
   const double delay = flow.density * across * across / (*e.numbers.viscosity * quickest_drive(e.scene));
   e.add("inertia", false, "its delay over the shortest drive", delay, e.freedom * delay, 0);
   e.parts.back().in_the_model = false;
-}
-
-double effusivity(const thermal::Material& material, double temperature, double conductivity) {
-  return std::sqrt(conductivity * material.density * material.heat_capacity(temperature));
-}
-
-/// Heat over 1 K that two half-spaces exchange through h in a time, over h, s; `resistance` is the sum of 1 over their
-/// effusivities.
-double exchanged(double h, double resistance, double time) {
-  const double H = h * resistance, x = H * std::sqrt(time);
-  if (x < 1e-3) return time * (1 - 4 * x / (3 * std::sqrt(M_PI)));  // else cancelled away
-  // exp(x^2) erfc(x), by its leading terms where that would overflow.
-  const double tail = x < 20 ? std::exp(x * x) * std::erfc(x) : (1 - 0.5 / (x * x)) / (x * std::sqrt(M_PI));
-  return (tail - 1 + 2 * x / std::sqrt(M_PI)) / (H * H);
-}
-
-double max_conductance(const Scene& scene, std::size_t tool) {
-  double h = 0;
-  for (const Interface& interface : scene.interfaces)
-    if (interface.tool == static_cast<Index>(tool)) h = std::max(h, contact::highest(interface.law));
-  return h;
-}
-
-/// Conductivities of the glass at its first temperature, W/m/K: of its lattice, with radiation in a wall, and in thick
-/// glass.
-struct Conductivities {
-  double alone, limited, unlimited;
-};
-
-Conductivities conductivities(const Scene& scene, double length) {
-  thermal::Material material = *scene.glass.thermal;
-  const double hot = scene.glass.initial_temperature, alone = material.conductivity(hot);
-  if (!material.radiation) material.radiation = container_glass.radiation;
-  material.radiation->thin_wall = true;
-  return {alone, thermal::conductivity(material, hot, thermal::thin_wall_factor(*material.radiation, length)),
-          thermal::conductivity(material, hot, 1)};
-}
-
-/// Relative increase of the heat into a tool when the glass has one conductivity instead of another, with isothermal or
-/// warming tools: half-spaces, for the highest conductance and the whole time in which the tool is active; the tool
-/// with the most counts.
-struct Exchange {
-  double conductivity;
-  bool isothermal = false;
-};
-double gain(const Scene& scene, const Exchange& more, const Exchange& less) {
-  const double hot = scene.glass.initial_temperature;
-  double most = 0;
-  for (std::size_t i = 0; i < scene.tools.size(); ++i) {
-    const Tool& tool = scene.tools[i];
-    const double h = max_conductance(scene, i), time = active_time(scene, i), cold = tool.initial_temperature;
-    if (!tool.thermal || h == 0 || time == 0) continue;
-    const double warming = 1 / effusivity(*tool.thermal, cold, tool.thermal->conductivity(cold));
-    const auto heat = [&](const Exchange& e) {
-      return exchanged(h, 1 / effusivity(*scene.glass.thermal, hot, e.conductivity) + (e.isothermal ? 0 : warming),
-                       time);
-    };
-    most = std::max(most, heat(more) / heat(less) - 1);
-  }
-  return most;
 }
 
 /// Parts that act through the heat between glass and tools; for glass that nothing forms the exact solution itself
@@ -257,14 +188,14 @@ void add_heat(Estimator& e) {
   const auto [alone, limited, unlimited] = conductivities(e.scene, e.numbers.length);
   const double own = !radiation ? alone : radiation->thin_wall ? limited : unlimited;
   if (!e.scene.tools.empty()) {
-    const double more = gain(e.scene, {limited}, {alone});
+    const double more = heat_gain(e.scene, {limited}, {alone});
     // Of the heat that the scene gives: what it would lose without, or gain with.
     add_exchange(e, "internal radiation", radiation.has_value(), radiation ? more / (1 + more) : more,
                  measured("internal radiation"));
     if (radiation)
-      add_exchange(e, "thin-wall limit", radiation->thin_wall, gain(e.scene, {unlimited}, {limited}),
+      add_exchange(e, "thin-wall limit", radiation->thin_wall, heat_gain(e.scene, {unlimited}, {limited}),
                    measured("thin-wall limit"));
-    add_exchange(e, "warming of tools", true, gain(e.scene, {own, true}, {own}), measured("warming of tools"));
+    add_exchange(e, "warming of tools", true, heat_gain(e.scene, {own, true}, {own}), measured("warming of tools"));
   }
   add_surface(e, alone);
 }

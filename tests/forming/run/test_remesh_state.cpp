@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
+#include "contact/unilateral/tool_gap.hpp"
+#include "figure.hpp"
+#include "forming/remeshing/remesh_state.hpp"
+#include "forming/remeshing/tool_corners.hpp"
+#include "forming/run/folder_run.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/heat_step.hpp"
+#include "remesh/mesher/quality.hpp"
+#include "remesh/sizing/recovery.hpp"
+
+namespace parison::forming {
+namespace {
+
+class RemeshState : public ::testing::Test {
+ protected:
+  Scene scene;
+
+  /// The pot pressed until it is full, with a new mesh whenever a cell is worse than 0.6.
+  State pressed(const std::string& more) {
+    scene = scene_of(pot + "quality_floor = 0.6\n" + more);
+    RunOutcome outcome = run_in_folder(scene, tests::absent_folder(), {});
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    return outcome.state;
+  }
+
+  /// Share of the surface nodes off the axis that lie on a tool.
+  double share_on_tools(const State& state) const {
+    const Eigen::VectorXd pot_gap = tool_gaps(scene, state, 0, 1e-3), face_gap = tool_gaps(scene, state, 1, 1e-3);
+    double on = 0, all = 0;
+    for (const Index node : surface_nodes(state.glass.mesh)) {
+      if (state.glass.mesh.nodes[node][0] == 0) continue;
+      all += 1;
+      on += std::min(pot_gap[node], face_gap[node]) < 10e-6;
+    }
+    return on / all;
+  }
+
+  void expect_kept(const State& before, const State& after) const {
+    const auto volume = [&](const State& state) { return core::volume(state.glass.mesh, scene.geometry); };
+    EXPECT_NEAR(volume(after) / volume(before), 1, 1e-12);
+    EXPECT_NEAR(glass_heat(scene, after) / glass_heat(scene, before), 1, 1e-12);
+    const auto &cold = before.glass.temperature, &now = after.glass.temperature;
+    EXPECT_GT(cold.maxCoeff() - cold.minCoeff(), 100) << "no skin to overshoot at";
+    EXPECT_LE(now.maxCoeff(), cold.maxCoeff() + 1e-9);
+    EXPECT_GE(now.minCoeff(), cold.minCoeff() - 1e-9);
+    EXPECT_LE(max_penetration(scene, after), max_penetration(scene, before) + 5e-6);
+  }
+
+  static void expect_clean_statistics(const State& state, bool linear) {
+    const RemeshStatistics& statistics = state.totals.remeshing;
+    EXPECT_GE(remeshes(state), 3);
+    const std::string order = linear ? "full cavity, linear temperatures: " : "full cavity: ";
+    tests::expect_at_most(order + "volume changed by one remesh", statistics.max_volume / state.glass.initial_volume,
+                          1e-12);
+    tests::expect_at_most(order + "heat changed by all remeshes", std::abs(statistics.heat) / state.glass.initial_heat,
+                          1e-9);
+    tests::expect_at_most(order + "new extreme of temperature", statistics.transfer_overshoot, 1e-9, "K");
+    EXPECT_LE(std::abs(statistics.volume) / state.glass.initial_volume, 1e-9);
+  }
+};
+
+TEST_F(RemeshState, a_full_cavity_keeps_volume_heat_and_temperature_range_and_is_not_pressed_into_the_tools) {
+  for (const char* order : {"", "temperature_order = 1\n"}) {
+    const State state = pressed(order);
+    EXPECT_GT(share_on_tools(state), 0.95);
+    const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
+    ASSERT_TRUE(remeshed.ok) << remeshed.reason;
+    expect_kept(state, remeshed.state);
+    expect_clean_statistics(remeshed.state, *order);
+  }
+}
+
+TEST_F(RemeshState, a_surface_found_inside_a_tool_is_lifted_out_and_its_volume_given_back) {
+  State state = pressed("");
+  state.tools[1].offset += 1e-3;   // frees the upper face
+  state.tools[0].offset += 20e-6;  // the bottom now lies 20 micrometres inside the pot
+  const double depth = max_penetration(scene, state);
+  EXPECT_GT(depth, 15e-6);
+  const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
+  ASSERT_TRUE(remeshed.ok) << remeshed.reason;
+  expect_kept(state, remeshed.state);
+  EXPECT_LT(max_penetration(scene, remeshed.state), 1e-6);
+}
+
+TEST_F(RemeshState, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_corner) {
+  const std::string square = "(0, 0) (10, 0) (10, 10) (0, 10) mm";
+  for (const std::string edge : {"(11.7, 0) (12, 1.4)", "(10.6, 0) (12, 0.3)", "(11.5, 0) (12, 0.5)"}) {
+    const std::string chamfered = "(0, 0) " + edge + " (12, 10) (0, 10) mm";
+    scene = scene_of(replaced(square, chamfered, pot + "surface_size = \"1.8 mm\"\n"));
+    State state = initial_state(scene);
+    GlassState& glass = state.glass;
+    for (const auto& side : glass.mesh.boundary_edges()) {
+      const Point along = glass.mesh.nodes[side.nodes[1]] - glass.mesh.nodes[side.nodes[0]];
+      if (along[0] > 1e-4 && along[1] > 1e-4) glass.mesh.nodes[side.nodes[2]] = Point(12e-3, 0);
+    }
+    EXPECT_LT(max_penetration(scene, state), 1e-12) << "a node shows what the edge does";
+    for (Index n = 0; n < glass.mesh.node_count(); ++n) glass.temperature[n] += 2e4 * glass.mesh.nodes[n][1];
+    const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
+    ASSERT_TRUE(remeshed.ok) << edge << ": " << remeshed.reason;
+    expect_kept(state, remeshed.state);
+    EXPECT_GE(remesh::quality(remeshed.state.glass.mesh).min, 0.3) << edge;
+  }
+}
+
+TEST_F(RemeshState, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vertex) {
+  scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/tumbler", "draft");
+  State state = initial_state(scene);
+  for (const double down : {0.0, 20e-3, 60e-3}) {
+    for (std::size_t t = 0; t < scene.tools.size(); ++t)
+      if (scene.tools[t].name == "plunger") state.tools[t].offset = -down;
+    const auto corners = tool_corners(scene, state);
+    EXPECT_GE(corners.size(), 4u);
+    for (const auto& place : scene.stages[0].tools)
+      for (const Point& corner : corners) {
+        const Body& tool = scene.tools[place.tool];
+        const Point local = corner - state.tools[place.tool].offset * core::axis_direction();
+        EXPECT_GE(contact::signed_gap(tool.profile, contact_boundaries(tool), local), -1e-5)
+            << tool.name << " at " << down;
+      }
+  }
+}
+
+TEST_F(RemeshState, a_wanted_solution_error_halves_that_of_the_temperature_gradient_within_the_budget_of_cells) {
+  const auto error_of = [&](const State& state) {
+    return remesh::gradient_error(state.glass.mesh, scene.geometry, state.glass.temperature).relative();
+  };
+  const State plain = pressed(""), wanted = pressed("solution_error = 0.1\n");
+  EXPECT_LT(error_of(wanted), 0.5 * error_of(plain));
+  EXPECT_EQ(plain.totals.remeshing.coarsening_factor, 1);
+  const State held = pressed("solution_error = 0.1\nmax_cells = 400\n");
+  EXPECT_GT(held.totals.remeshing.coarsening_factor, 1.1);
+  EXPECT_LT(held.glass.mesh.cell_count(), 1.25 * 400);
+  EXPECT_LT(error_of(held), 0.75 * error_of(plain));
+}
+
+}  // namespace
+}  // namespace parison::forming

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// solver_share CASE ACCURACY FOLDER THREADS: runs a case and prints CPU seconds of the whole run, of numeric
+// factorisation, of back-substitution and of the first thread; THREADS are those of OpenBLAS, of which `parison` itself
+// takes one.
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/linear/solver_times.hpp"
+#include "core/process/clock.hpp"
+#include "forming/run/folder_run.hpp"
+#include "tools/benchmarks/programs/bare_flow.hpp"
+
+/// OpenBLAS; absent where another BLAS is installed.
+extern "C" __attribute__((weak)) void openblas_set_num_threads(int count);
+
+int main(int argc, char** argv) {
+  if (argc != 5) {
+    std::fprintf(stderr, "solver_share: CASE ACCURACY FOLDER THREADS\n");
+    return 2;
+  }
+  const int threads = std::atoi(argv[4]);
+  if (openblas_set_num_threads)
+    openblas_set_num_threads(threads);
+  else if (threads > 1)
+    return std::fprintf(stderr, "solver_share: the BLAS is not OpenBLAS\n"), 1;
+  const auto outcome = parison::forming::run_in_folder(parison::forming::read_scene(argv[1], argv[2]), argv[3]);
+  if (!outcome.facts.completed) {
+    std::fprintf(stderr, "solver_share: %s\n", outcome.facts.reason.c_str());
+    return 1;
+  }
+  const auto solvers = parison::core::solver_times();
+  std::printf("\nwhole %.4f factorising %.4f solving %.4f first %.4f\n", parison::bench::cpu_seconds(),
+              solvers.factorisation, solvers.solution, parison::core::thread_cpu_seconds());
+  return 0;
+}

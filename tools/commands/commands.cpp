@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/commands/commands.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "tools/commands/fit_law.hpp"
+#include "tools/commands/run_command.hpp"
+#include "tools/program/bundled_cases.hpp"
+#include "tools/tradeoff/tradeoff.hpp"
+
+namespace parison::tools {
+namespace {
+
+constexpr const char* what_a_case_is = "folder that holds a case.toml, a case file, or the name of a bundled case";
+
+/// Adds a command whose options fill a request, with what is to be done with that.
+template <typename Request>
+CLI::App* add_command(CLI::App& app, const char* name, const char* what, Command& chosen,
+                      const std::shared_ptr<Request>& request, int (*work)(const Request&)) {
+  auto* command = app.add_subcommand(name, what);
+  command->callback([&chosen, request, work] { chosen = [request, work] { return work(*request); }; });
+  return command;
+}
+
+void add_case_options(CLI::App& command, RunRequest& request) {
+  command.add_option("case", request.case_path, what_a_case_is)->required()->transform(find_case);
+  command.add_option("--accuracy", request.accuracy, "draft, standard, fine, or an error such as 0.5%")
+      ->capture_default_str();
+  command.add_option("--set", request.overrides, "KEY=VALUE that replaces the value in the case file; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void add_run(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<RunRequest>();
+  auto* command = add_command(app, "run", "run a case", chosen, request, run);
+  add_case_options(*command, *request);
+  command->add_option("--output", request->output, "new folder for the results [results/NAME]");
+  command->add_flag("--error-bars", request->error_bars, "estimate the error of each result by a coarse run");
+}
+
+void add_resume(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<RunRequest>();
+  auto* command = add_command(app, "resume", "continue a run from its last checkpoint", chosen, request, resume);
+  command->add_option("results", request->output, "folder with the results of the run")->required();
+  command->add_option("--case", request->case_path, "the case, where it has moved")->transform(find_case);
+  command->add_flag("--error-bars", request->error_bars, "as for run; also for a run that has completed");
+}
+
+void add_check(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<RunRequest>();
+  add_case_options(*add_command(app, "check", "read a case and say what it needs", chosen, request, check), *request);
+}
+
+void add_tradeoff(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<TradeoffRequest>();
+  TradeoffRequest& trade = *request;
+  auto* command =
+      add_command(app, "tradeoff", "run a convergence study of settings and model parts: error against CPU time",
+                  chosen, request, tradeoff);
+  command->add_option("case", trade.case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("--output", trade.output,
+                      "folder of the study; variants that have run there are not run again [results/tradeoff_NAME]");
+  command->add_option("--reference", trade.reference,
+                      "accuracy of the reference that the others are compared with [fine; \"fine coarser 0.5\" where "
+                      "the case maps its mesh]");
+  command->add_option("--base", trade.base, "accuracy at which one setting at a time is changed")
+      ->capture_default_str();
+  command->add_option("--study", trade.study, "TOML file of [[variant]] tables that replaces the standard study");
+  command->add_option("--only", trade.groups, "groups to run: accuracy, mesh, time, coupling, order, model")
+      ->delimiter(',');
+  command->add_option("--set", trade.overrides, "KEY=VALUE for every variant")->take_all()->allow_extra_args(false);
+  command->add_option("--jobs", trade.jobs, "runs at once, one thread each")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--timings", trade.timings, "runs of a variant below a minute of CPU time; the least time counts")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_flag("--list", trade.list, "name the variants and run none");
+}
+
+void add_fit_law(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<FitLawRequest>();
+  auto* command =
+      add_command(app, "fit-law", "fit the pressure-viscosity law to measurements", chosen, request, fit_law);
+  command->add_option("data", request->data, "CSV file: p and h, or q, T_glass and T_tool; eta or T_glass")->required();
+  command->add_option("--fix", request->fixed, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--case", request->case_path, "case whose glass gives the viscosity at T_glass")
+      ->transform(find_case);
+  command->add_flag("--relative", request->relative,
+                    "weigh residuals as shares: for scatter that grows with the value");
+}
+
+void add_cases(CLI::App& app, Command& chosen) {
+  app.add_subcommand("cases", "list the bundled cases")->callback([&chosen] {
+    chosen = [] {
+      fmt::print("{}", bundled_cases_table());
+      return 0;
+    };
+  });
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, Command& chosen) {
+  app.require_subcommand(1);
+  add_run(app, chosen);
+  add_resume(app, chosen);
+  add_check(app, chosen);
+  add_tradeoff(app, chosen);
+  add_fit_law(app, chosen);
+  add_cases(app, chosen);
+}
+
+}  // namespace parison::tools

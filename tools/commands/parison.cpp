@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <system_error>
+
+#include "core/case/case_error.hpp"
+#include "core/process/run_error.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/program/blas_threads.hpp"
+#include "tools/program/exit_codes.hpp"
+
+namespace {
+
+using namespace parison;
+
+int fail(tools::ExitCode code, const char* what) {
+  fmt::print(stderr, "parison: {}\n", what);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Parison: forming of glass containers, from the gob to the take-out.");
+  app.set_version_flag("--version", PARISON_VERSION);
+  tools::Command command;
+  tools::add_commands(app, command);
+  tools::use_one_blas_thread();
+  try {
+    app.parse(argc, argv);
+    return command();
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : tools::case_wrong;
+  } catch (const core::CaseError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return tools::case_wrong;
+  } catch (const core::RunError& error) {
+    return fail(tools::run_failed, error.what());
+  } catch (const std::system_error& error) {  // of std::filesystem
+    return fail(tools::run_failed, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(tools::internal_error, "out of memory; a run can be resumed from its last checkpoint");
+  } catch (const std::exception& error) {
+    fmt::print(stderr,
+               "parison: an error in the program, not in the case: {}; a run can be resumed from its last "
+               "checkpoint\n",
+               error.what());
+    return tools::internal_error;
+  }
+}

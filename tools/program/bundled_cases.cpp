@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/program/bundled_cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "core/case/case_error.hpp"
+
+namespace parison::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> bundled_names() {
+  std::set<std::string> names;
+  const fs::path cases = shared_file("cases");
+  if (cases.empty()) return names;
+  for (const auto& entry : fs::directory_iterator(cases))
+    if (fs::exists(entry.path() / "case.toml")) names.insert(entry.path().filename().string());
+  return names;
+}
+
+/// First line of the case's README without its mark of a heading.
+std::string title(const fs::path& folder) {
+  std::ifstream readme(folder / "README.md");
+  std::string line;
+  std::getline(readme, line);
+  return line.substr(std::min(line.size(), line.find_first_not_of("# ")));
+}
+
+}  // namespace
+
+fs::path shared_file(const std::string& name) {
+  std::error_code unknown;  // where there is no /proc
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown).parent_path();
+  if (program.empty()) return {};
+  for (const fs::path& place : {program.parent_path(), program})
+    if (const fs::path file = place / "share/parison" / name; fs::exists(file)) return file;
+  return {};
+}
+
+std::string find_case(const std::string& given) {
+  if (fs::exists(given) || fs::path(given).has_parent_path() || fs::path(given).extension() == ".toml") return given;
+  const auto names = bundled_names();
+  if (names.count(given)) return (shared_file("cases") / given).string();
+  throw core::CaseError(fmt::format(
+      "{}: no such case, allowed is a case file, a folder that holds a case.toml or the name of a bundled case ({})",
+      given, names.empty() ? "none was found" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
+std::string bundled_cases_table() {
+  const fs::path cases = shared_file("cases");
+  std::string table;
+  for (const std::string& name : bundled_names()) table += fmt::format("{:<20}{}\n", name, title(cases / name));
+  return table.empty() ? "No bundled cases were found.\n" : table + fmt::format("\nin {}\n", cases.string());
+}
+
+}  // namespace parison::tools
