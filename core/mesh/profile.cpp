@@ -112,6 +112,14 @@ Profile reversed(const Profile& profile) {
 
 namespace {
 
+/// Whether x lies on the left of a chord from a to b. A point on it counts as inside where the body lies on its right,
+/// so on the axis, or above it.
+bool is_left(const Point& a, const Point& b, const Point& x) {
+  const double side = cross(b - a, x - a);
+  if (side != 0) return side > 0;
+  return b[1] < a[1] || (a[1] == b[1] && a[0] < b[0]);
+}
+
 /// Contribution of a segment to the winding number of an outline about x: its chord counts where it crosses the ray
 /// from x to the right, and an arc also where x lies between it and its chord.
 int winding(const Segment& segment, const Point& x) {
@@ -119,13 +127,10 @@ int winding(const Segment& segment, const Point& x) {
   const bool rises = a[1] <= x[1] && x[1] < b[1], falls = b[1] <= x[1] && x[1] < a[1];
   const bool in_circle = segment.is_arc && (x - segment.centre).squaredNorm() < segment.radius * segment.radius;
   if (!rises && !falls && !in_circle) return 0;
-  const double side = cross(b - a, x - a);
-  // A point on a segment counts as inside where the body lies on its right, so on the axis, or above it.
-  const bool left = side > 0 || (side == 0 && (falls || (a[1] == b[1] && a[0] < b[0])));
-  int turns = rises && left ? 1 : falls && !left ? -1 : 0;
+  const bool left = is_left(a, b, x);
+  const int chord = rises && left ? 1 : falls && !left ? -1 : 0;
   const bool turns_left = segment.to > segment.from;  // then the arc lies on the right of its chord
-  if (in_circle && turns_left != left) turns += turns_left ? 1 : -1;
-  return turns;
+  return chord + (in_circle && turns_left != left ? (turns_left ? 1 : -1) : 0);
 }
 
 }  // namespace

@@ -18,9 +18,6 @@ struct RemeshedState {
 RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why,
                            const remesh::Mesher& mesher = remesh::triangulate);
 
-/// Whether the worst cell of the glass mesh is below numerics.quality_floor.
-bool needs_remesh(const Scene& scene, const State& state);
-
 /// The state at the start of stage `stage`, an index into Scene::stages: contacts with tools that the stage removes are
 /// released, fields follow their stage-start rule, and the boundaries that the stage names are assigned.
 State start_stage(const Scene& scene, const State& state, Index stage);

@@ -93,6 +93,7 @@ void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
   json.add("energy_imbalance", summary.glass.energy_imbalance);
   json.add("max_volume_drift", state.totals.max_drift);
   json.add("max_penetration_mm", 1e3 * state.totals.max_penetration);
+  json.add("max_edge_penetration_mm", 1e3 * state.totals.max_edge_penetration);
   json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
   json.add("heat_to_air_J", state.totals.to_air);
   json.add("dissipation_J", state.totals.dissipation);

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "forming/remeshing/remesh_criteria.hpp"
 #include "forming/step/step.hpp"
 #include "forming/step/step_control.hpp"
 

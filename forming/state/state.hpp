@@ -79,9 +79,10 @@ struct Totals {
   double to_tools = 0;     ///< heat that crossed from glass to tools, J
   double dissipation = 0;  ///< viscous, into the glass, J
   Index steps = 0, rejected = 0;
-  long clamped_lookups = 0;    ///< evaluations of h outside its table
-  double max_penetration = 0;  ///< max penetration of a glass node into a tool at any step, m
-  double max_drift = 0;        ///< of the glass volume at any step, relative to the start, without sign
+  long clamped_lookups = 0;         ///< evaluations of h outside its table
+  double max_penetration = 0;       ///< max penetration of a glass node into a tool at any step, m
+  double max_edge_penetration = 0;  ///< the same of a point on an edge in contact, m
+  double max_drift = 0;             ///< of the glass volume at any step, relative to the start, without sign
   double max_reynolds = 0;
   double overshoot = 0;          ///< of any temperature above the hottest of the scene at any step, K
   double max_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative

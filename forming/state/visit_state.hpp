@@ -72,6 +72,7 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("rejected", totals.rejected);
   visit("clamped_lookups", totals.clamped_lookups);
   visit("max_penetration", totals.max_penetration);
+  visit("max_edge_penetration", totals.max_edge_penetration);
   visit("max_drift", totals.max_drift);
   visit("max_reynolds", totals.max_reynolds);
   visit("overshoot", totals.overshoot);

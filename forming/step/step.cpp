@@ -7,11 +7,11 @@
 #include "core/process/clock.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/flow_step.hpp"
-#include "forming/step/heat_step.hpp"
+#include "forming/step/heat/heat_step.hpp"
+#include "forming/step/heat/surface_temperature.hpp"
+#include "forming/step/heat/thermal_interface.hpp"
 #include "forming/step/predictor.hpp"
 #include "forming/step/step_start.hpp"
-#include "forming/step/surface_temperature.hpp"
-#include "forming/step/thermal_interface.hpp"
 #include "forming/step/volume_conservation.hpp"
 #include "remesh/mesher/quality.hpp"
 
@@ -110,8 +110,10 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   after.stage_time += dt;
   ++after.totals.steps;
   after.totals.clamped_lookups = workspace.clamped_lookups;
-  if (!workspace.static_stage)
+  if (!workspace.static_stage) {
     after.totals.max_penetration = std::max(after.totals.max_penetration, max_penetration(scene, after));
+    after.totals.max_edge_penetration = std::max(after.totals.max_edge_penetration, max_edge_penetration(scene, after));
+  }
   if (scene.has_flow()) after.totals.max_drift = std::max(after.totals.max_drift, std::abs(volume_drift(scene, after)));
   result.report.dt = dt;
   // Where nothing moves the heat integrator alone chooses the steps.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "forming/step/thermal_interface.hpp"
+#include "forming/step/heat/thermal_interface.hpp"
 
 namespace parison::forming {
 namespace {

@@ -7,7 +7,7 @@
 #include "classical/classical_interface.hpp"
 #include "figure.hpp"
 #include "forming/state/initial_state.hpp"
-#include "forming/step/heat_step.hpp"
+#include "forming/step/heat/heat_step.hpp"
 #include "stepping.hpp"
 #include "verification/two_slabs.hpp"
 

@@ -8,7 +8,7 @@
 #include "figure.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/state/initial_state.hpp"
-#include "forming/step/heat_step.hpp"
+#include "forming/step/heat/heat_step.hpp"
 #include "forming/step/step.hpp"
 
 namespace parison::forming {

@@ -9,7 +9,7 @@
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/result_files.hpp"
 #include "forming/state/initial_state.hpp"
-#include "forming/step/heat_step.hpp"
+#include "forming/step/heat/heat_step.hpp"
 #include "forming/step/step_control.hpp"
 #include "tools/program/blas_threads.hpp"
 

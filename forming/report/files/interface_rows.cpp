@@ -12,7 +12,7 @@
 #include "core/io/files.hpp"
 #include "forming/report/thickness_profile.hpp"
 #include "forming/state/initial_state.hpp"
-#include "forming/step/thermal_interface.hpp"
+#include "forming/step/heat/thermal_interface.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {

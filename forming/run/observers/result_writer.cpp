@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "forming/step/thermal_interface.hpp"
+#include "forming/step/heat/thermal_interface.hpp"
 
 namespace parison::forming {
 

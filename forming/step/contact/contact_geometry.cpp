@@ -10,6 +10,7 @@
 #include "contact/unilateral/tool_constraints.hpp"
 #include "contact/unilateral/tool_gap.hpp"
 #include "contact/unilateral/tool_junction.hpp"
+#include "core/mesh/element.hpp"
 #include "core/mesh/profile.hpp"
 #include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
@@ -268,6 +269,29 @@ double max_penetration(const Scene& scene, const State& state) {
   double max_depth = 0;
   for (const auto& inside : penetrations(scene, state, 0)) max_depth = std::max(max_depth, inside.depth);
   return max_depth;
+}
+
+double max_edge_penetration(const Scene& scene, const State& state) {
+  constexpr int points = 8;
+  double deepest = 0;
+  const core::Mesh& mesh = state.glass.mesh;
+  for (const Index tool : active_tools(scene, state)) {
+    const contact::ToolGap gap(scene.tools[tool].profile, contact_boundaries(scene.tools[tool]));
+    const Point offset = state.tools[tool].offset * core::axis_direction();
+    for (const auto& edge : mesh.boundary_edges()) {
+      if (mesh.kind_of(edge) != BoundaryKind::contact) continue;
+      const bool near = std::any_of(edge.nodes.begin(), edge.nodes.end(),
+                                    [&](Index node) { return state.glass.contact_tool[node] == tool; });
+      for (int k = 0; near && k <= points; ++k) {
+        const auto n = core::edge_shape(double(k) / points);
+        Point x = -offset;
+        for (int i = 0; i < 3; ++i) x += n[i] * mesh.nodes[edge.nodes[i]];
+        const double depth = -gap(x);
+        if (std::isfinite(depth)) deepest = std::max(deepest, depth);
+      }
+    }
+  }
+  return deepest;
 }
 
 }  // namespace parison::forming

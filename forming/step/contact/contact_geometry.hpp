@@ -53,4 +53,8 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
 /// Depth of the deepest glass node inside an active tool, m.
 double max_penetration(const Scene& scene, const State& state);
 
+/// Depth of the deepest of nine points on each edge of the glass that may touch, in an active tool, m: between nodes, a
+/// corner or a small radius of a tool can be deeper.
+double max_edge_penetration(const Scene& scene, const State& state);
+
 }  // namespace parison::forming

@@ -14,7 +14,7 @@
 #include "forming/report/files/result_files.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/state/initial_state.hpp"
-#include "forming/step/thermal_interface.hpp"
+#include "forming/step/heat/thermal_interface.hpp"
 
 namespace parison::forming {
 namespace {

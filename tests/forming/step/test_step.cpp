@@ -17,7 +17,7 @@
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/interpolate.hpp"
-#include "forming/step/heat_step.hpp"
+#include "forming/step/heat/heat_step.hpp"
 #include "forming/step/step.hpp"
 #include "remesh/mesher/quality.hpp"
 

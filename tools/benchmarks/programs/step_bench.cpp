@@ -12,8 +12,8 @@
 
 #include "core/process/clock.hpp"
 #include "forming/run/folder_run.hpp"
-#include "forming/step/heat_step.hpp"
-#include "forming/step/surface_temperature.hpp"
+#include "forming/step/heat/heat_step.hpp"
+#include "forming/step/heat/surface_temperature.hpp"
 #include "tools/benchmarks/programs/bare_flow.hpp"
 #include "tools/program/blas_threads.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/surface_temperature.hpp"
+#include "forming/step/heat/surface_temperature.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "forming/state/initial_state.hpp"
-#include "forming/step/thermal_interface.hpp"
+#include "forming/step/heat/thermal_interface.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/thermal_interface.hpp"
+#include "forming/step/heat/thermal_interface.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/heat_step.hpp"
+#include "forming/step/heat/heat_step.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "forming/state/initial_state.hpp"
-#include "forming/step/thermal_interface.hpp"
+#include "forming/step/heat/thermal_interface.hpp"
 #include "remesh/surface/wall_thickness.hpp"
 
 namespace parison::forming {

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/remeshing/remesh_criteria.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/mesh/tolerances.hpp"
+#include "forming/remeshing/tool_corners.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "remesh/mesher/quality.hpp"
+#include "remesh/sizing/recovery.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Smallest edge length of the mesh over numerics.skin_size.
+constexpr double min_edge_fraction = 0.5;
+
+/// Edge length in each cell, m, at which the recovered error of the temperature gradient and of the strain rate equals
+/// numerics.solution_error (Zienkiewicz and Zhu 1992).
+std::vector<double> solution_target_sizes(const Scene& scene, const State& state) {
+  const core::Mesh& mesh = state.glass.mesh;
+  std::vector<double> target_sizes(mesh.cells().size(), std::numeric_limits<double>::infinity());
+  const auto refine = [&](const remesh::DerivativeError& error) {
+    const Eigen::VectorXd sizes = remesh::equidistributing_sizes(mesh, error, scene.accuracy.solution_error);
+    for (std::size_t cell = 0; cell < target_sizes.size(); ++cell)
+      target_sizes[cell] = std::min(target_sizes[cell], sizes[cell]);
+  };
+  if (scene.has_heat()) refine(remesh::gradient_error(mesh, scene.geometry, state.glass.temperature));
+  if (state.last_step > 0) refine(remesh::rate_error(mesh, scene.geometry, state.glass.velocity));
+  return target_sizes;
+}
+
+/// Whether an edge of the surface has become longer than a new mesh may have it by more than `max_stretch`.
+bool has_stretched_edges(const Scene& scene, const State& state) {
+  constexpr double max_stretch = 1.5;
+  const core::Mesh& mesh = state.glass.mesh;
+  const double limit = max_stretch * scene.accuracy.surface_size * state.totals.remeshing.coarsening_factor;
+  return std::any_of(mesh.boundary_edges().begin(), mesh.boundary_edges().end(), [&](const core::BoundaryEdge& edge) {
+    const auto [first, last, middle] = edge.nodes;
+    const double length =
+        (mesh.nodes[middle] - mesh.nodes[first]).norm() + (mesh.nodes[last] - mesh.nodes[middle]).norm();
+    return mesh.kind_of(edge) != BoundaryKind::symmetry && length > limit;
+  });
+}
+
+}  // namespace
+
+remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
+  const Accuracy& accuracy = scene.accuracy;
+  const core::Mesh& mesh = state.glass.mesh;
+  remesh::Criteria result;
+  result.geometry = scene.geometry;
+  result.surface_size = accuracy.surface_size;
+  result.skin_size = accuracy.skin_size;
+  result.elements_across = accuracy.elements_across;
+  result.growth = accuracy.glass_growth;
+  result.min_size = min_edge_fraction * accuracy.skin_size;
+  result.straight_boundaries = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
+  result.contact.assign(mesh.nodes.size(), false);
+  result.target_skin_size.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
+  for (Index n = 0; n < mesh.node_count(); ++n) result.contact[n] = state.glass.contact_tool[n] >= 0;
+  const double size = core::size(scene.glass.profile), contact_proximity = core::tolerance::contact_proximity * size;
+  if (scene.has_heat())
+    for (const auto& place : scene.stages[state.stage].tools) {
+      const Eigen::VectorXd gaps = tool_gaps(scene, state, place.tool, contact_proximity);
+      for (Index n = 0; n < mesh.node_count(); ++n)
+        if (gaps[n] < contact_proximity) result.target_skin_size[n] = accuracy.skin_size;
+    }
+  result.min_film_thickness = scene.glass.film.min_thickness;
+  result.max_cells = accuracy.max_cells;
+  result.keep = tool_corners(scene, state);
+  result.project_out = [project = projector_out_of_tools(scene, state),
+                        depth = core::tolerance::outline_penetration * size](const Point& x) -> Point {
+    const Point out = project(x);
+    return (out - x).norm() > depth ? out : x;
+  };
+  if (accuracy.solution_error > 0) result.target_cell_size = solution_target_sizes(scene, state);
+  return result;
+}
+
+bool needs_remesh(const Scene& scene, const State& state) {
+  return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
+         (remeshes(state) > 0 && has_stretched_edges(scene, state));
+}
+
+}  // namespace parison::forming

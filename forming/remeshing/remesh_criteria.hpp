@@ -1,0 +1,17 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+#include "remesh/surface/resample.hpp"
+
+namespace parison::forming {
+
+/// What a new glass mesh of the state has to fulfil, by the accuracy of the scene: edge lengths, tool corners, the
+/// projection out of the tools.
+remesh::Criteria remesh_criteria(const Scene& scene, const State& state);
+
+/// Whether the glass needs a new mesh: its worst cell is below numerics.quality_floor, or, after a first remeshing, an
+/// edge of its surface has stretched to 1.5 times numerics.surface_size.
+bool needs_remesh(const Scene& scene, const State& state);
+
+}  // namespace parison::forming
