@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "../scene_text.hpp"
+#include "forming/run/run.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// A gob, on whose lower pole a slender plunger with a round tip presses; slip, so that little holds the axis.
+const std::string slender_plunger = R"(case = "slender"
+geometry = "axisymmetric"
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e3 Pa.s" }
+[material.iron]
+density = "7200 kg/m3"
+[glass]
+material = "liquid"
+boundary = [
+  { name = "surface", condition = "contact", path = ["arc centre (0, 21) mm radius 11 mm from -90 deg to 0 deg", "(11, 60) mm",
+    "arc centre (2, 60) mm radius 9 mm from 0 deg to 90 deg", "(0, 69) mm"] },
+  { name = "axis", condition = "symmetry", path = "(0, 10) mm" },
+]
+[[tool]]
+name = "tube"
+material = "iron"
+friction = { law = "navier", coefficient = "1e6 Pa.s/m" }
+boundary = [
+  { name = "inner", condition = "contact", path = "(11, 0) (11, 100) mm" },
+  { name = "rest", condition = "insulated", path = "(30, 100) (30, 0) (11, 0) mm" },
+]
+[[tool]]
+name = "plunger"
+material = "iron"
+friction = "slip"
+position = "10 mm"
+boundary = [
+  { name = "outer", condition = "contact", path = ["(5, -60) (3, -3) mm", "arc centre (0, -3) mm radius 3 mm from 0 deg to 90 deg"] },
+  { name = "axis", condition = "symmetry", path = "(0, -60) mm" },
+  { name = "bottom", condition = "insulated", path = "(5, -60) mm" },
+]
+[[stage]]
+name = "press"
+duration = "0.15 s"
+tools = ["tube", "plunger"]
+motion.plunger = { offset = [["0 s", "10 mm"], ["0.15 s", "30 mm"]] }
+)";
+
+/// Largest distance of the nodes of symmetry boundaries from the axis, and of all nodes beyond it, m.
+double off_axis(const core::Mesh& mesh) {
+  double worst = 0;
+  for (const auto& edge : mesh.boundary_edges())
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry)
+      for (const Index node : edge.nodes) worst = std::max(worst, std::abs(mesh.nodes[node][0]));
+  for (const Point& x : mesh.nodes) worst = std::max(worst, -x[0]);
+  return worst;
+}
+
+/// The longest front of contact of all steps that were taken, m.
+class Fronts : public RunObserver {
+ public:
+  double longest = 0;
+  void step_taken(const RunView&, const State&, const StepReport& report) override {
+    longest = std::max(longest, report.landed_length);
+  }
+};
+
+TEST(Axis, nodes_on_it_stay_there_to_the_bit_before_a_slender_plunger) {
+  const Scene scene = scene_of(slender_plunger, "draft");
+  const RunOutcome outcome = run(scene);
+  ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+  const core::Mesh& mesh = outcome.state.glass.mesh;
+  EXPECT_EQ(off_axis(mesh), 0);
+  double pole = 1;  // lowest node of the axis, m
+  for (const auto& edge : mesh.boundary_edges())
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry)
+      for (const Index node : edge.nodes) pole = std::min(pole, mesh.nodes[node][1]);
+  EXPECT_NEAR(pole, 30e-3, 5e-6) << "on the plunger's tip";
+  EXPECT_LT(outcome.state.totals.max_penetration, 5e-6);
+}
+
+/// A capped tube with a fixed rim, blown into a mould.
+const std::string blown_tube = R"(case = "blown_tube"
+geometry = "axisymmetric"
+stage = [ { name = "blow", duration = "0.2 s", tools = ["mould"], pressure.inner = "1 bar" } ]
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e4 Pa.s" }
+[material.iron]
+density = "7200 kg/m3"
+[glass]
+material = "liquid"
+boundary = [
+  { name = "outer", condition = "contact", path = ["arc centre (0, 0) mm radius 14 mm from -90 deg to 0 deg", "(14, 50) mm"] },
+  { name = "rim", condition = "fixed", path = "(11, 50) mm" },
+  { name = "inner", condition = "air", path = ["(11, 0) mm", "arc centre (0, 0) mm radius 11 mm from 0 deg to -90 deg"] },
+  { name = "axis", condition = "symmetry", path = "(0, -14) mm" },
+]
+[[tool]]
+name = "mould"
+material = "iron"
+friction = "grip"
+boundary = [
+  { name = "inner", condition = "contact", path = ["(0, -30) (18, -30) mm", "arc centre (18, -22) mm radius 8 mm from -90 deg to 0 deg", "(26, 38) (14.5, 50) mm"] },
+  { name = "top", condition = "insulated", path = "(40, 50) mm" },
+  { name = "outer", condition = "insulated", path = "(40, -45) (0, -45) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, -30) mm" },
+]
+)";
+
+TEST(Landing, of_a_blown_tube_goes_on_by_less_than_three_edges_in_a_step) {
+  const auto longest = [](const std::string& numerics) {
+    const Scene scene = scene_of(blown_tube + numerics, "draft");
+    Fronts fronts;
+    const RunOutcome outcome = run(scene, {&fronts});
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    return fronts.longest / scene.accuracy.surface_size;
+  };
+  const double controlled = longest(""), free = longest("[numerics]\nlanding_per_step = 1000\n");
+  std::printf("longest front in a step: %.2f edges, %.2f without control\n", controlled, free);
+  EXPECT_LE(controlled, 3 * 0.7);  // a step with three times what it may have is rejected
+  EXPECT_GT(free, 2 * controlled);
+}
+
+}  // namespace
+}  // namespace parison::forming
