@@ -25,7 +25,7 @@ void report_step(RunInProgress& run, const AcceptedStep& step) {
   notify(run, &RunObserver::step_taken, step.before, step.report);
   for (const double time : outputs_due(run.scene, step.before.time, state.time))
     notify(run, &RunObserver::fields_due, time < state.time ? interpolate(step.before, state, time) : state);
-  if (stage_over(run.scene, state, state.has_moved)) notify(run, &RunObserver::fields_due, state);
+  if (stage_end(run.scene, state) != StageEnd::none) notify(run, &RunObserver::fields_due, state);
 }
 
 /// Whether glass between tools is too thin to go on; the reason goes into the facts.
@@ -39,7 +39,7 @@ bool is_too_thin(RunInProgress& run) {
 bool advance_stage(RunInProgress& run) {
   State& state = run.outcome.state;
   AcceptedStep step;
-  while (!stage_over(run.scene, state, state.has_moved)) {
+  while (stage_end(run.scene, state) == StageEnd::none) {
     if (!advance(run, step)) return false;
     update_motion(run.scene, state);
     report_step(run, step);

@@ -13,7 +13,7 @@ void update_times(RunInProgress& run) {
 void offer_checkpoint(RunInProgress& run, bool at_stage_boundary) {
   const State& state = run.outcome.state;
   const auto& static_stage = run.workspace.static_stage;
-  const bool in_integrator = static_stage && !static_stage->expired && !stage_over(run.scene, state, state.has_moved);
+  const bool in_integrator = static_stage && !static_stage->expired && stage_end(run.scene, state) == StageEnd::none;
   if (!in_integrator) notify(run, &RunObserver::checkpoint_possible, at_stage_boundary);
 }
 

@@ -4,13 +4,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/mesh/tolerances.hpp"
 #include "forming/run/step_loop.hpp"
 #include "forming/run/warnings.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/step_control.hpp"
 
 namespace parison::forming {
 
@@ -71,39 +72,31 @@ void update_motion(const Scene& scene, State& state) {
 
 namespace {
 
-bool is_full(const Stage& stage, const State& state) {
-  constexpr double same_time = 1e-9;  // s
-  return state.stage_time >= stage.duration - same_time;
-}
-
-/// Whether the driven tools have moved faster than the end speed and all are slower again.
-bool tools_at_rest(const Stage& stage, const State& state) {
-  return stage.end_speed && state.has_moved &&
-         std::all_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
-           return !std::holds_alternative<ForceMotion>(tool.motion) ||
-                  std::abs(state.tools[tool.tool].velocity) < *stage.end_speed;
-         });
-}
-
-/// The condition by which the present stage has ended.
+/// Why the present stage has ended, in the words of the results.
 const char* end_reason(const RunInProgress& run, bool good) {
-  const State& state = run.outcome.state;
-  const Stage& stage = run.scene.stages[state.stage];
   if (run.outcome.facts.stopped) return "stop";
   if (!good) return "failure";
-  if (is_full(stage, state)) return "duration";
-  assert(tools_at_rest(stage, state));  // a new condition of stage_over needs its own reason here
-  return "tools at rest";
+  switch (stage_end(run.scene, run.outcome.state)) {
+    case StageEnd::duration:
+      return "duration";
+    case StageEnd::tools_at_rest:
+      return "tools at rest";
+    case StageEnd::none:
+      break;
+  }
+  throw std::logic_error("a stage ended without a condition");
 }
 
 }  // namespace
 
 void end_stage(RunInProgress& run, bool good) {
   const State& state = run.outcome.state;
-  const Stage& stage = run.scene.stages[state.stage];
   RunFacts& facts = run.outcome.facts;
-  facts.stages.push_back({stage.name, state.stage_start, state.time, end_reason(run, good), state.totals.work});
-  if (good && is_full(stage, state) && !facts.stopped) add_warnings(moving_tool_warnings(run.scene, state), facts);
+  const char* reason = end_reason(run, good);
+  facts.stages.push_back(
+      {run.scene.stages[state.stage].name, state.stage_start, state.time, reason, state.totals.work});
+  if (good && !facts.stopped && stage_end(run.scene, state) == StageEnd::duration)
+    add_warnings(moving_tool_warnings(run.scene, state), facts);
 }
 
 }  // namespace parison::forming

@@ -67,14 +67,15 @@ std::vector<double> outputs_due(const Scene& scene, double from, double to) {
   return due;
 }
 
-bool stage_over(const Scene& scene, const State& state, bool has_moved) {
+StageEnd stage_end(const Scene& scene, const State& state) {
   const Stage& stage = scene.stages[state.stage];
-  if (state.stage_time >= stage.duration - same_time) return true;
-  if (!stage.end_speed || !has_moved) return false;
-  return std::all_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
+  if (state.stage_time >= stage.duration - same_time) return StageEnd::duration;
+  if (!stage.end_speed || !state.has_moved) return StageEnd::none;
+  const bool at_rest = std::all_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
     return !std::holds_alternative<ForceMotion>(tool.motion) ||
            std::abs(state.tools[tool.tool].velocity) < *stage.end_speed;
   });
+  return at_rest ? StageEnd::tools_at_rest : StageEnd::none;
 }
 
 }  // namespace parison::forming

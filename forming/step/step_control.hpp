@@ -27,7 +27,11 @@ double clip_step_to_event(const Scene& scene, const State& state, double propose
 /// Output times after `from` and not after `to`, s, in order.
 std::vector<double> outputs_due(const Scene& scene, double from, double to);
 
-/// Whether the present stage is over: its duration, or its tools have come to rest after having moved.
-bool stage_over(const Scene& scene, const State& state, bool has_moved);
+/// The condition by which a stage ends; `none` while it goes on.
+enum class StageEnd { none, duration, tools_at_rest };
+
+/// Whether and by which condition the present stage is over: its duration has passed, or its driven tools have moved
+/// faster than the end speed and are all slower again.
+StageEnd stage_end(const Scene& scene, const State& state);
 
 }  // namespace parison::forming
