@@ -55,6 +55,8 @@ bool crosses(const Segment& segment, const Point& a, const Point& b) {
 
 }  // namespace
 
+const double smooth_cosine = std::cos(smooth_angle);
+
 /// The search for the constraints of one point.
 struct ToolConstraints::Query {
   const std::vector<BoundedSegment>& segments;
@@ -170,7 +172,7 @@ void merge_constraints(std::vector<GapConstraint>& constraints) {
   std::stable_sort(constraints.begin(), constraints.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
   std::vector<GapConstraint> kept;
   for (const auto& c : constraints) {
-    const auto parallel = [&](const GapConstraint& k) { return k.normal.dot(c.normal) > std::cos(smooth_angle); };
+    const auto parallel = [&](const GapConstraint& k) { return k.normal.dot(c.normal) > smooth_cosine; };
     if (static_cast<int>(kept.size()) < core::dim && std::none_of(kept.begin(), kept.end(), parallel))
       kept.push_back(c);
   }

@@ -16,6 +16,9 @@ struct GapConstraint {
   core::Index segment;  ///< index into the segments of the tool's profile
 };
 
+/// Normals of one tool with a larger cosine between them belong to a smooth part of its outline (20 degrees).
+extern const double smooth_cosine;
+
 /// The constraints that the contact boundaries of a tool put on points nearer than `reach`, m: at most core::dim,
 /// smallest gap first. A segment constrains the points that project onto it. In a re-entrant corner both segments
 /// constrain a point, around a convex corner the corner point does. Smoothly joined segments give one constraint. The

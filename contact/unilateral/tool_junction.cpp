@@ -69,8 +69,10 @@ std::vector<JointConstraint> joint_constraints(const ToolJoint& joint, const Poi
   std::vector<JointConstraint> found;
   if (in[0] * out[1] - in[1] * out[0] < 0) {
     const Point normal_before = core::normal_at(before, 1), normal_after = core::normal_at(after, 0);
-    if (past > 0) found.push_back({joint.before, {arm_before.dot(normal_before), normal_before, -1}});
-    if (ahead > 0) found.push_back({joint.after, {arm_after.dot(normal_after), normal_after, -1}});
+    if (past > 0 && core::beyond_end(after, x) <= 0)
+      found.push_back({joint.before, {arm_before.dot(normal_before), normal_before, -1}});
+    if (ahead > 0 && core::beyond_start(before, x) <= 0)
+      found.push_back({joint.after, {arm_after.dot(normal_after), normal_after, -1}});
   } else if (past > 0 && ahead > 0 && arm_before.norm() > 0) {
     found.push_back({joint.after, {arm_before.norm(), arm_before.normalized(), -1}});
   }

@@ -29,8 +29,9 @@ struct JointConstraint {
   GapConstraint constraint;
 };
 
-/// Constraints of a joint for points that project onto neither of its segments, within `reach`, m. At a re-entrant
-/// joint each segment is extended past the joint; at a convex one the joint itself is the closest point.
+/// Constraints of a joint for points within `reach`, m, of it. At a re-entrant joint each segment is extended past the
+/// joint, as far as the other one reaches: beyond its far end the wall may turn away. At a convex joint the joint
+/// itself is the closest point of those that project onto neither segment.
 std::vector<JointConstraint> joint_constraints(const ToolJoint& joint, const core::Point& x, double reach);
 
 /// T-junction of two tools: the contact boundaries of one end on a contact boundary of the other, as the wall of a ring

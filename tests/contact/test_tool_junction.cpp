@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "contact/unilateral/tool_junction.hpp"
+#include "core/mesh/profile.hpp"
 #include "tests/contact/tool_outlines.hpp"
 
 namespace parison::contact {
@@ -70,6 +71,22 @@ TEST(ToolJoint, a_joint_that_sticks_out_keeps_glass_away_by_its_point) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].constraint.gap, (x - Point(31e-3, 14e-3)).norm(), 1e-12);
   EXPECT_TRUE(joint_constraints(joint, Point(30.9e-3, 13.9e-3), 1e-3).empty());  // the ring's own
+}
+
+TEST(ToolJoint, a_wall_is_extended_only_as_far_as_the_wall_behind_the_joint_reaches) {
+  const RingAndBlank tools(1.5);
+  const auto joint = tool_joints(tools.placed()).front();
+  const core::Segment& after = joint.segment_after;
+  const Point along = (after.end - after.start).normalized(), outwards = -core::normal_at(after, 0);
+  const double length = core::length(after);
+  const Point beside = after.start + 0.9 * length * along + 1e-6 * outwards;
+  const Point beyond = after.start + 1.1 * length * along + 1e-6 * outwards;
+  const auto of_blank = [&](const Point& x) {
+    const auto found = joint_constraints(joint, x, 10 * length);
+    return std::count_if(found.begin(), found.end(), [&](const auto& c) { return c.tool == joint.before; });
+  };
+  EXPECT_EQ(of_blank(beside), 1);
+  EXPECT_EQ(of_blank(beyond), 0);
 }
 
 TEST(ToolJoint, beyond_reach_nothing_is_constrained) {
