@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "contact/unilateral/tool_constraints.hpp"
@@ -45,10 +46,25 @@ struct PlacedTools {
   std::vector<contact::ToolTJunction> t_junctions;
   double near;  ///< nodes farther away, m, become contact candidates only if they can move that far within the step
   double coincident;  ///< gap below which a node is in contact from the start of the step, m
+  double resting;     ///< depth, m, that a node keeps
+
+  const Tool& of(Index index) const {
+    return *std::find_if(tools.begin(), tools.end(), [&](const Tool& tool) { return tool.index == index; });
+  }
+
+  /// The constraints of one tool that a point touches at the tool's position in `state`.
+  std::vector<contact::GapConstraint> touched(const State& state, Index tool, const Point& x) const {
+    auto found = of(tool).constraints(x - state.tools[tool].offset * core::axis_direction(), near);
+    const double closest = found.empty() ? 0 : found.front().gap;
+    found.erase(std::remove_if(found.begin(), found.end(), [&](const auto& c) { return c.gap > closest + resting; }),
+                found.end());
+    return found;
+  }
 
   PlacedTools(const Scene& scene, const std::vector<Index>& active_tools, const std::vector<double>& offset)
       : near(core::tolerance::contact_proximity * core::size(scene.glass.profile)),
-        coincident(core::tolerance::coincident * core::size(scene.glass.profile)) {
+        coincident(core::tolerance::coincident * core::size(scene.glass.profile)),
+        resting(core::tolerance::penetration * core::size(scene.glass.profile)) {
     std::vector<contact::PlacedTool> placed;
     for (const Index tool : active_tools) {
       const auto& profile = scene.tools[tool].profile;
@@ -72,7 +88,7 @@ std::vector<ToolConstraint> node_constraints(const PlacedTools& tools, const Poi
     for (const auto& [tool, constraint] : contact::joint_constraints(joint, x, reach))
       found.push_back({tools.tools[tool].index, constraint});
   for (const auto& t_junction : tools.t_junctions)
-    if (const auto beyond = contact::t_junction_constraint(t_junction, x, reach))
+    if (const auto beyond = contact::t_junction_constraint(t_junction, x, std::min(reach, tools.near)))
       found.push_back({tools.tools[beyond->tool].index, beyond->constraint});
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.constraint.gap < b.constraint.gap; });
@@ -93,10 +109,34 @@ double fraction_in_contact(double gap, double motion, double coincident) {
   return motion < 0 ? std::max(0.0, 1 + gap / motion) : 0;
 }
 
+/// The unit normal of the straight path of a node that touches a tool at both ends of it, on the side of the tool's
+/// normals there; none where it is not between these normals. On a smooth outline their mean is perpendicular to the
+/// path up to third order and does not depend on how long the path is; a corner is passed on a path of its own.
+std::optional<Point> path_normal(const Point& path, const Point& at_start, const Point& at_end) {
+  const double between = at_start.dot(at_end);
+  if (between >= contact::smooth_cosine) return (at_start + at_end).normalized();
+  Point normal = Point(-path[1], path[0]).normalized();
+  if (normal.dot(at_end) < 0) normal = -normal;
+  if (!(normal.dot(at_end) >= between && normal.dot(at_start) >= between)) return std::nullopt;
+  return normal;
+}
+
+/// The constraint of a node that touches the tool at the step's start as well, for its straight path relative to the
+/// tool, m: with the normal of the path, so that the contact force does no work on a node that slides. With the normal
+/// at the end the force would do work of first order in the step wherever the tool is curved.
+contact::GapConstraint along_path(const contact::GapConstraint& at_end, const Point& path,
+                                  const std::vector<contact::GapConstraint>& at_start) {
+  const auto closeness = [&](const contact::GapConstraint& c) { return c.normal.dot(at_end.normal); };
+  const auto start = std::max_element(at_start.begin(), at_start.end(),
+                                      [&](const auto& a, const auto& b) { return closeness(a) < closeness(b); });
+  if (start == at_start.end()) return at_end;
+  const auto normal = path_normal(path, start->normal, at_end.normal);
+  return normal ? contact::GapConstraint{at_end.gap / normal->dot(at_end.normal), *normal, at_end.segment} : at_end;
+}
+
 /// Penetration depth of a point in a tool at its position in `state`, m; 0 outside.
 double depth_inside(const PlacedTools& tools, const State& state, Index tool, const Point& x) {
-  const auto at = std::find_if(tools.tools.begin(), tools.tools.end(), [&](const auto& t) { return t.index == tool; });
-  return std::max(0.0, -at->gap(x - state.tools[tool].offset * core::axis_direction()));
+  return std::max(0.0, -tools.of(tool).gap(x - state.tools[tool].offset * core::axis_direction()));
 }
 
 std::vector<Index> active_tools(const Scene& scene, const State& state) {
@@ -170,18 +210,22 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
     for (const Index tool : tools)
       fastest = std::max({fastest, std::abs(speed[tool]), motions[tool].force ? motions[tool].speed_limit : 0.0});
     const Point reached = glass.nodes[node] + dt * v;
-    for (const auto& [tool, constraint] : node_constraints(placed, reached, placed.near + 2 * dt * fastest)) {
-      const bool tied =
-          scene.tools[tool].friction.law == flow::Friction::Law::grip && state.glass.contact_tool[node] == tool;
+    for (const auto& [tool, at_end] : node_constraints(placed, reached, placed.near + 2 * dt * fastest)) {
       const Point relative = v - speed[tool] * axis;
+      const bool touched = state.glass.contact_tool[node] == tool;
+      const auto constraint =
+          touched ? along_path(at_end, dt * relative, placed.touched(state, tool, glass.nodes[node])) : at_end;
+      const bool tied = touched && scene.tools[tool].friction.law == flow::Friction::Law::grip;
       const double approach = constraint.normal.dot(relative);
       const double gap = constraint.gap - dt * approach;  // at the step's start
       // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew
-      // there, because next to a corner the linearised gap can be negative for a node that is outside.
-      const double kept = gap < 0 ? depth_inside(placed, state, tool, glass.nodes[node]) : 0.0;
-      const double rate = tied ? 0.0 : (-gap - kept * std::max(0.0, 1 - dt / recovery_time)) / dt;
-      const double fraction =
-          state.glass.contact_tool[node] == tool ? 1 : fraction_in_contact(gap, dt * approach, placed.coincident);
+      // there, because next to a corner the linearised gap can be negative for a node that is outside; but a wall that
+      // is extended past a joint has no tool behind it.
+      const bool extended = at_end.segment < 0;
+      const double depth = gap >= 0 ? 0.0 : extended ? -gap : depth_inside(placed, state, tool, glass.nodes[node]);
+      const double kept = depth - std::max(0.0, depth - placed.resting) * std::min(1.0, dt / recovery_time);
+      const double rate = tied ? 0.0 : (-gap - kept) / dt;
+      const double fraction = touched ? 1 : fraction_in_contact(gap, dt * approach, placed.coincident);
       candidates.push_back({node, tool, constraint.normal, rate, tied, fraction, relative});
     }
   }

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../pot_scene.hpp"
+#include "../scene_text.hpp"
+#include "forming/run/run.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/work.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// The pot with a slender gob and another inner outline.
+std::string pot_with(const std::string& inner) {
+  return replaced("path = \"(12, 20) (12, 0) (0, 0) mm\"", "path = " + inner,
+                  replaced("(0, 0) (10, 0) (10, 10) (0, 10) mm", "(0, 0) (6, 0) (6, 10) (0, 10) mm", pot));
+}
+const std::string round_pot =
+    pot_with(R"(["(12, 20) (12, 6) mm", "arc centre (6, 6) mm radius 6 mm from 0 deg to -90 deg", "(0, 0) mm"])");
+const std::string chamfered_pot = pot_with(R"("(12, 20) (12, 4) (8, 0) (0, 0) mm")");
+
+/// The contact candidate with the pot of a node that touches it at `from` and reaches `to`, m, after a step of 1 ms.
+flow::ContactCandidate sliding_candidate(const std::string& text, const Point& from, const Point& to) {
+  constexpr double dt = 1e-3;
+  const Scene scene = scene_of(text);
+  State state = initial_state(scene);
+  const Index node = contact_nodes(state.glass.mesh).front();
+  state.glass.mesh.nodes[node] = from;
+  state.glass.contact_tool[node] = 0;
+  Eigen::VectorXd velocity = Eigen::VectorXd::Zero(core::dim * state.glass.mesh.node_count());
+  velocity.segment<core::dim>(core::dim * node) = (to - from) / dt;
+  const auto candidates = contact_candidates(scene, state, velocity, dt);
+  return *std::find_if(candidates.begin(), candidates.end(),
+                       [&](const auto& c) { return c.node == node && c.tool == 0; });
+}
+
+/// The contact force of a node that slides from one place on the tool to another does no work on it.
+void expect_no_work(const std::string& text, const Point& from, const Point& to) {
+  const auto candidate = sliding_candidate(text, from, to);
+  EXPECT_NEAR(candidate.normal.norm(), 1, 1e-12);
+  EXPECT_NEAR(candidate.normal.dot(to - from) / (to - from).norm(), 0, 1e-9);
+  EXPECT_NEAR(candidate.rate, 0, 1e-9 * (to - from).norm() / 1e-3);
+}
+
+TEST(ContactCandidate, of_a_node_that_slides_along_an_arc_is_perpendicular_to_its_path) {
+  const auto on_arc = [](double angle) { return Point(6e-3 + 6e-3 * std::cos(angle), 6e-3 + 6e-3 * std::sin(angle)); };
+  expect_no_work(round_pot, on_arc(-0.4), on_arc(-0.6));
+}
+
+TEST(ContactCandidate, of_a_node_that_slides_around_a_corner_is_perpendicular_to_its_path) {
+  expect_no_work(chamfered_pot, {12e-3, 4.2e-3}, {11.9e-3, 3.9e-3});
+}
+
+TEST(ContactCandidate, of_a_node_that_lands_has_the_normal_where_it_lands) {
+  const Scene scene = scene_of(round_pot);
+  State state = initial_state(scene);
+  const Index node = contact_nodes(state.glass.mesh).front();
+  const Point to(6e-3 + 6e-3 * std::cos(-0.5), 6e-3 + 6e-3 * std::sin(-0.5));
+  state.glass.mesh.nodes[node] = to - Point(2e-4, 0);
+  Eigen::VectorXd velocity = Eigen::VectorXd::Zero(core::dim * state.glass.mesh.node_count());
+  velocity[core::dim * node] = 0.2;
+  for (const auto& candidate : contact_candidates(scene, state, velocity, 1e-3))
+    if (candidate.node == node && candidate.tool == 0)
+      EXPECT_NEAR((candidate.normal - Point(-std::cos(-0.5), -std::sin(-0.5))).norm(), 0, 1e-9);
+}
+
+TEST(Work, of_glass_that_slides_along_a_round_tool_is_balanced) {
+  const std::string slips = replaced("duration = \"0.4 s\"", "duration = \"0.18 s\"",
+                                     replaced("friction = \"stick\"", "friction = \"slip\"", round_pot));
+  const Scene scene =
+      scene_of(replaced(R"(path = "(0, 10) (12, 10) mm")",
+                        R"(path = ["arc centre (0, 18) mm radius 8 mm from -90 deg to 0 deg", "(8, 30) mm"])",
+                        replaced(R"(path = "(12, 20) (0, 20) mm")", R"(path = "(0, 30) mm")", slips)));
+  const auto outcome = run(scene, {}, nullptr);
+  ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+  for (const StageRecord& stage : outcome.facts.stages) {
+    std::printf("%s: off by %.1e\n", stage.name.c_str(), work_imbalance(stage.work));
+    EXPECT_LT(std::abs(work_imbalance(stage.work)), 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace parison::forming
