@@ -40,6 +40,20 @@ void accept(RunInProgress& run, StepResult& result, const ProposedStep& proposed
   run.outcome.facts.reason.clear();
 }
 
+/// Where glass moves faster than any forming does, as a sentence: without inertia nothing else limits a film that the
+/// air blows up. Empty where none does.
+std::string bursting_film(const core::Mesh& glass, const Eigen::VectorXd& velocity) {
+  constexpr double bursting = 20;  // m/s
+  Index fastest = 0;
+  for (Index n = 0; n < velocity.size() / core::dim; ++n)
+    if (flow::node_velocity(velocity, n).norm() > flow::node_velocity(velocity, fastest).norm()) fastest = n;
+  const double speed = velocity.size() > 0 ? flow::node_velocity(velocity, fastest).norm() : 0;
+  if (speed < bursting) return "";
+  const Point& x = glass.nodes[fastest];
+  return fmt::format("; a film of glass bursts near ({:.1f}, {:.1f}) mm, where it moves at {:.0f} m/s", 1e3 * x[0],
+                     1e3 * x[1], speed);
+}
+
 /// Sets the next step shorter after a rejected one of length dt, s; false when none is worth trying.
 bool shorten_step(RunInProgress& run, const StepResult& result, const ProposedStep& proposed, double dt) {
   State& state = run.outcome.state;
@@ -51,6 +65,7 @@ bool shorten_step(RunInProgress& run, const StepResult& result, const ProposedSt
   if (result.unrecoverable) return false;
   if (next < run.scene.accuracy.min_step) {
     reason += fmt::format("; steps below {:g} s, numerics.min_step, would be needed", run.scene.accuracy.min_step);
+    reason += bursting_film(state.glass.mesh, state.glass.velocity);
     return false;
   }
   state.next_step = next;

@@ -262,11 +262,17 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
   const double dt = start.dt;
   double gained = 0;
   const double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
-  const auto converged = [&] { return gained == 0 && result.report.predictor_corrector_difference <= tolerance; };
+  const auto converged = [&] {
+    return gained == 0 && result.report.predictor_corrector_difference <= tolerance &&
+           result.report.work_error <= scene.accuracy.work_per_step;
+  };
   std::optional<flow::Solution> solution;
   for (int iteration = 0; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
     solution = flow_iteration(start, predictor, workspace, result, gained);
     if (!solution) return false;
+    result.state.totals.work = state.totals.work;
+    accumulate_work(scene, state, *solution, dt, result.state.totals.work);
+    result.report.work_error = work_error(scene, state, state.totals.work, result.state.totals.work);
   }
   if (gained > DepthLimits(scene).reject && dt > min_step_ratio * scene.accuracy.initial_step) {
     result.reason = collision_without_contact(start, result.state);
@@ -275,7 +281,6 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
     return false;
   }
   auto& totals = result.state.totals;
-  accumulate_work(scene, state, *solution, dt, totals.work);
   totals.max_reynolds = std::max(totals.max_reynolds, reynolds(start, *solution));
   result.dissipation = heating(std::move(*solution));
   move_glass_probes(scene, state.glass.mesh, result.state.glass.velocity, dt, result.state);

@@ -15,15 +15,18 @@ namespace {
 constexpr double max_growth = 1.5, max_slow_growth = 3.0, slow_fraction = 0.1;
 constexpr double safety_factor = 0.9;  ///< of the step that would change just as much as a step may
 constexpr double reject_above = 3.0;   ///< times what a step may change
-constexpr double same_time = 1e-9;     ///< s
+/// Times the shortest step allowed, and share of the work of the run: shorter steps with less are not repeated for it.
+constexpr double shortest_for_work = 10, bearable_work_error = 1e-3;
+constexpr double same_time = 1e-9;  ///< s
 
-/// What a step changed over what it may change (the largest share of strain, landing, temperature and
+/// What a step changed over what it may change (the largest share of strain, landing, work, temperature and
 /// motion), and which it was.
 std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) {
   return std::max(
       {std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
        std::pair(report.landed_length / (scene.accuracy.landing_per_step * scene.accuracy.surface_size),
                  StepLimit::landing),
+       std::pair(std::sqrt(report.work_error / scene.accuracy.work_per_step), StepLimit::work),
        std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
        std::pair(report.predictor_corrector_difference / scene.accuracy.motion_tolerance, StepLimit::motion)});
 }
@@ -50,7 +53,11 @@ ProposedStep propose_step(const Scene& scene, const StepReport& report, double a
 }
 
 bool rejected_by_error_control(const Scene& scene, const StepReport& report) {
-  return load(scene, report).first > reject_above;
+  const auto [used, by] = load(scene, report);
+  // An error of the work that remains in very short steps is none of their length.
+  const bool bearable = by == StepLimit::work && report.work_error < bearable_work_error &&
+                        report.dt < shortest_for_work * scene.accuracy.min_step;
+  return used > reject_above && !bearable;
 }
 
 double clip_step_to_event(const Scene& scene, const State& state, double proposed) {

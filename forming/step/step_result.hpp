@@ -11,9 +11,9 @@
 namespace parison::forming {
 
 /// What kept a step from being longer, and the names of these limits.
-enum class StepLimit { initial, growth, max_step, strain, landing, temperature, motion, event, failure };
-inline constexpr std::array step_limits{"initial",     "growth", "max_step", "strain", "landing",
-                                        "temperature", "motion", "event",    "failure"};
+enum class StepLimit { initial, growth, max_step, strain, landing, work, temperature, motion, event, failure };
+inline constexpr std::array step_limits{"initial", "growth",      "max_step", "strain", "landing",
+                                        "work",    "temperature", "motion",   "event",  "failure"};
 
 /// What one step did, beyond the new state.
 struct StepReport {
@@ -26,6 +26,7 @@ struct StepReport {
   double predictor_corrector_difference = 0;  ///< by which the last coupling iteration still moved the mid-step mesh, m
   double strain = 0;                          ///< largest rate of deformation times dt
   double landed_length = 0;                   ///< largest length of surface that came into contact in one piece, m
+  double work_error = 0;                      ///< by which the work of the step is off, over the work lost in the run
   std::vector<core::InterfacePoint> interface;  ///< of the step's end
   std::map<std::string, double> seconds;        ///< by part: flow, heat, contact, remesh, output
 };

@@ -2,6 +2,7 @@
 #include "forming/step/work.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "core/mesh/element.hpp"
@@ -69,9 +70,28 @@ void accumulate_work(const Scene& scene, const State& start, const flow::Solutio
   work.correction += dt * flow.correction_power;
 }
 
+namespace {
+
+double lost(const Work& work) {
+  return work.dissipation + work.friction + work.impact_loss;
+}
+
+/// Work done on the glass that is neither lost nor stored, J.
+double excess_work(const Work& work) {
+  return work.tools + work.gravity + work.air - lost(work) - work.surface;
+}
+
+}  // namespace
+
+double work_error(const Scene& scene, const State& start, const Work& before, const Work& after) {
+  const double weight = start.glass.density * start.glass.initial_volume * std::abs(scene.stages[start.stage].gravity);
+  const double measure = std::max(lost(after), weight * core::size(scene.glass.profile));
+  const double truncation = excess_work(after) - excess_work(before) - (after.correction - before.correction);
+  return measure > 0 ? std::abs(truncation) / measure : 0;
+}
+
 double work_imbalance(const Work& work) {
-  const double done = work.tools + work.gravity + work.air, lost = work.dissipation + work.friction + work.impact_loss;
-  return (done - lost - work.surface) / lost;
+  return excess_work(work) / lost(work);
 }
 
 }  // namespace parison::forming
