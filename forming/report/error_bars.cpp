@@ -21,8 +21,8 @@ constexpr double spacing = 1.0 / (profile_points - 1);
 
 /// From the difference of both runs to the error of the finer one, by the order that the convergence study of the
 /// presets showed.
-double richardson() {
-  return 1 / (std::pow(coarsening_factor, calibration().error_law.thickness.order) - 1);
+double richardson(double factor) {
+  return 1 / (std::pow(factor, calibration().error_law.thickness.order) - 1);
 }
 
 bool is_heat(const Quantity& quantity) {
@@ -114,7 +114,7 @@ double usual_near(const std::vector<double>& profile, const std::vector<double>&
 }
 
 /// The thinnest wall and its position, uncertain over the points that are as thin to within the error of the thickness.
-void add_min_thickness(Quantities& run, const Quantities& coarse_run) {
+void add_min_thickness(Quantities& run, const Quantities& coarse_run, double remainder) {
   double error = 0;
   for (Quantity& quantity : run.values) {
     if (!is_min_thickness(quantity) || coarse_run.profile.empty()) continue;
@@ -122,7 +122,7 @@ void add_min_thickness(Quantities& run, const Quantities& coarse_run) {
       const int at = static_cast<int>(std::lround(run.find("thickness_min_at")->value / spacing));
       const Quantity* other = coarse_run.find(quantity.name);
       const double own = other ? std::abs(other->value - quantity.value) : 0;
-      error = richardson() * std::max(own, usual_near(run.profile, coarse_run.profile, at));
+      error = remainder * std::max(own, usual_near(run.profile, coarse_run.profile, at));
       quantity.error = error = std::max(error, resolution * quantity.scale);
       continue;
     }
@@ -136,8 +136,10 @@ void add_min_thickness(Quantities& run, const Quantities& coarse_run) {
 
 }  // namespace
 
-ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const ExpectedErrors& expected) {
-  ErrorBars bars{run, 0, 0, 0, 0};
+ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const ExpectedErrors& expected,
+                     double factor) {
+  ErrorBars bars{run, 0, 0, 0, 0, factor, {}};
+  const double remainder = richardson(factor);
   auto usual = usual_differences(run, coarse_run);
   for (Quantity& quantity : bars.quantities.values) {
     const Quantity* other = coarse_run.find(quantity.name);
@@ -146,24 +148,23 @@ ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const 
     const Usual& alike = usual[kind(quantity)];
     // What is usual bounds a chance agreement of two runs; it is scatter, which a finer run has less of but not by the
     // order.
-    const double chance =
-        quantity.name == "thickness_mean"
-            ? richardson() * std::hypot(chance_of_mean(run, coarse_run), step_of_mean(run, quantity.value))
-            : alike.scatter() * size;
-    quantity.error = std::max({richardson() * std::abs(other->value - quantity.value), chance, resolution * size});
+    const double chance = quantity.name == "thickness_mean" ? remainder * std::hypot(chance_of_mean(run, coarse_run),
+                                                                                     step_of_mean(run, quantity.value))
+                                                            : alike.scatter() * size;
+    quantity.error = std::max({remainder * std::abs(other->value - quantity.value), chance, resolution * size});
     if (is_heat(quantity))
       quantity.error = std::max(quantity.error, scatter * expected.heat / double(alike.sizes.size()) * size);
     if (is_time(quantity))
       quantity.error = std::max(quantity.error, calibration().error_bars.chance_in_time * expected.thickness * size);
   }
-  add_min_thickness(bars.quantities, coarse_run);
+  add_min_thickness(bars.quantities, coarse_run, remainder);
   const ProfileDifference profile = compare_profiles(coarse_run.profile, run.profile);
   // Not a number where there is no wall, or no tool receives heat.
   bars.profile_mean =
-      std::max({richardson() * profile.mean, calibration().error_bars.chance_in_mean * expected.thickness, resolution});
+      std::max({remainder * profile.mean, calibration().error_bars.chance_in_mean * expected.thickness, resolution});
   bars.profile_max =
-      std::max({richardson() * profile.max, calibration().error_bars.chance_at_worst * expected.thickness, resolution});
-  bars.heat = std::max({richardson() * heat_difference(coarse_run, run), scatter * expected.heat, resolution});
+      std::max({remainder * profile.max, calibration().error_bars.chance_at_worst * expected.thickness, resolution});
+  bars.heat = std::max({remainder * heat_difference(coarse_run, run), scatter * expected.heat, resolution});
   return bars;
 }
 

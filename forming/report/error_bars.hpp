@@ -1,5 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
+#include "forming/report/accuracy_record.hpp"
 #include "forming/report/quantities.hpp"
 
 namespace parison::forming {
@@ -15,12 +18,15 @@ struct ErrorBars {
   double profile_mean, profile_max;  ///< of the wall thickness, shares; NaN without a wall
   double heat;                       ///< into all tools, a share; NaN without
   double coarse_run_cpu_seconds = 0;
+  double factor = coarsening_factor;      ///< by which the coarse run was coarser
+  std::optional<AccuracyRecord> control;  ///< where an accuracy was asked for
 };
 /// Errors known beforehand, as shares: of the wall in the mean, of the heat into all tools; 0 where nothing is known.
 struct ExpectedErrors {
   double thickness = 0, heat = 0;
 };
-/// No bar is narrower than its `expected` error.
-ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const ExpectedErrors& expected = {});
+/// No bar is narrower than its `expected` error. The coarse run is `factor` times coarser.
+ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const ExpectedErrors& expected = {},
+                     double factor = coarsening_factor);
 
 }  // namespace parison::forming

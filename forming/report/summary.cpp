@@ -161,11 +161,28 @@ void add_stages(JsonWriter& json, const RunFacts& run) {
 
 void add_errors(JsonWriter& json, const ErrorBars& bars) {
   json.open_object("error_bars");
-  json.add("coarsening_factor", coarsening_factor);
+  json.add("coarsening_factor", bars.factor);
   json.add("coarse_run_cpu_seconds", bars.coarse_run_cpu_seconds);
   json.add("thickness_profile_mean", bars.profile_mean);
   json.add("thickness_profile_max", bars.profile_max);
   json.add("heat_into_tools", bars.heat);
+  json.close();
+}
+
+void add_control(JsonWriter& json, const AccuracyRecord& control) {
+  json.open_object("accuracy_control");
+  json.add("target", control.target);
+  json.add("reached", control.reached());
+  json.open_list("runs");
+  for (const ControlledRun& run : control.runs) {
+    json.open_object("");
+    json.add("coarser_than_draft", run.factor);
+    json.add("completed", run.completed);
+    json.add("cpu_seconds", run.cpu_seconds);
+    if (std::isfinite(run.estimate)) json.add("estimated_error", run.estimate);
+    json.close();
+  }
+  json.close();
   json.close();
 }
 
@@ -200,6 +217,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_stages(json, summary.run);
   add_thickness(json, summary);
   if (bars) add_errors(json, *bars);
+  if (bars && bars->control) add_control(json, *bars->control);
   add_quantities(json, summary.quantities);
   json.open_list("warnings");
   for (const std::string& warning : summary.run.warnings) json.add("", warning);

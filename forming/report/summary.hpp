@@ -70,7 +70,7 @@ void add_error_bars(const std::string& directory, const Scene& scene, const Stat
                     Summary& summary);
 
 /// Each quantity of interest with its estimated error, and whether the target was met.
-std::string error_table(const Scene& scene, const ErrorBars& bars);
+std::string error_table(const ErrorBars& bars);
 
 /// What a process engineer asks for, as a table for the terminal.
 std::string summary_table(const Scene& scene, const State& state, const Summary& summary);

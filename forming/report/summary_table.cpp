@@ -91,24 +91,24 @@ std::string error_text(const Quantity& quantity) {
   return fmt::format("+- {:.2g}", quantity.error);
 }
 
-/// A bar is an upper bound, usually two to five times the error. A bar wider than the target decides little unless it
-/// is five times as wide.
-std::string target_line(double target, double bar) {
-  constexpr double widest = 5;
-  std::string verdict = fmt::format("probably missed: the bar of {:.2g} % is more than five times as wide", 100 * bar);
-  if (!std::isfinite(bar))
-    verdict = "unknown, as there is neither a wall nor a tool that receives heat";
-  else if (bar <= target)
-    verdict = "met";
-  else if (bar <= widest * target)
-    verdict = fmt::format("probably met: the bar of {:.2g} % is an upper bound, usually two to five times the error",
-                          100 * bar);
-  return fmt::format("  target {:.3g} % (wall in the mean, heat into tools): {}\n", 100 * target, verdict);
+/// The runs that were made for an accuracy that was asked for, and whether it was reached.
+std::string control_lines(const AccuracyRecord& control) {
+  std::string text = fmt::format(
+      "\n  accuracy asked for: {:.3g} % of the wall in the mean and of the heat into tools\n", 100 * control.target);
+  double seconds = 0;
+  for (const ControlledRun& run : control.runs) {
+    seconds += run.cpu_seconds;
+    text += fmt::format("  run at \"draft coarser {:.4g}\", {:.1f} s CPU: ", run.factor, run.cpu_seconds);
+    text += !run.completed                ? "stopped before its end\n"
+            : std::isfinite(run.estimate) ? fmt::format("error estimated at {:.2g} %\n", 100 * run.estimate)
+                                          : "nothing to compare with yet\n";
+  }
+  return text + fmt::format("  {}, {:.1f} s CPU in all\n", control.reached() ? "reached" : "not reached", seconds);
 }
 
 }  // namespace
 
-std::string error_table(const Scene& scene, const ErrorBars& bars) {
+std::string error_table(const ErrorBars& bars) {
   std::string text = fmt::format("\n  {:<30}{:>14}{:>16}\n", "quantity", "value", "estimated error");
   for (const Quantity& quantity : bars.quantities.values)
     text += fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity),
@@ -116,10 +116,9 @@ std::string error_table(const Scene& scene, const ErrorBars& bars) {
   text += percent_line("wall thickness, mean error", bars.profile_mean);
   text += percent_line("wall thickness, largest error", bars.profile_max);
   text += percent_line("heat into tools, error", bars.heat);
-  if (const auto target = scene.accuracy_choice.target)
-    text += target_line(*target, std::fmax(bars.profile_mean, bars.heat));
-  return text + fmt::format("  by a coarse run {:g} times coarser ({:.1f} s CPU)\n", coarsening_factor,
-                            bars.coarse_run_cpu_seconds);
+  text +=
+      fmt::format("  by a coarse run {:.3g} times coarser ({:.1f} s CPU)\n", bars.factor, bars.coarse_run_cpu_seconds);
+  return bars.control ? text + control_lines(*bars.control) : text;
 }
 
 std::string summary_table(const Scene& scene, const State& state, const Summary& summary) {

@@ -21,7 +21,6 @@ constexpr const char* coarser_word = " coarser ";
 constexpr std::array passes{1, 1, 1};
 constexpr std::array temperature_orders{2, 2, 2};
 static_assert(passes.size() == preset_names.size() && temperature_orders.size() == preset_names.size());
-constexpr double min_coarsening = 0.05, max_coarsening = 20;
 constexpr double min_target = 0.0013, max_target = 0.07;  ///< at the levels 2.9 and -2
 
 std::size_t nearest_preset(double level) {

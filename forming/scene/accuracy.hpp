@@ -64,6 +64,8 @@ struct AccuracyChoice {
   /// The level at which the error law of the presets would see it.
   double effective_level() const { return level - std::log2(coarsening_factor); }
 };
+/// Factors that a text may ask for.
+inline constexpr double min_coarsening = 0.05, max_coarsening = 20;
 /// Throws core::CaseError where the text is no choice.
 AccuracyChoice read_accuracy(const std::string& text);
 

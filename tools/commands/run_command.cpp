@@ -10,11 +10,13 @@
 #include "forming/report/summary.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/run/folder_run.hpp"
+#include "forming/scene/accuracy.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "tools/commands/coarse_run.hpp"
 #include "tools/commands/console.hpp"
+#include "tools/commands/controlled_run.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 
@@ -41,7 +43,7 @@ int report_errors(const Scene& scene, const RunOutcome& outcome, const std::stri
   }
   const forming::ErrorBars bars = forming::estimate_errors(scene, summary.quantities, coarse);
   add_error_bars(output, scene, outcome.state, bars, summary);
-  fmt::print("{}", error_table(scene, bars));
+  fmt::print("{}", error_table(bars));
   return 0;
 }
 
@@ -66,6 +68,7 @@ int check(const RunRequest& request) {
 }
 
 int run(const RunRequest& request) {
+  if (const auto target = forming::read_accuracy(request.accuracy).target) return run_to_accuracy(request, *target);
   const Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
   const std::string output = request.output.empty() ? "results/" + scene.name : request.output;
   fmt::print("{}\n", forming::describe_scene(scene));

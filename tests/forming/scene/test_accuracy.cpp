@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -13,6 +14,7 @@
 #include "forming/scene/calibration.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
+#include "forming/study/accuracy_control.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/tradeoff.hpp"
 
@@ -248,18 +250,51 @@ TEST(Accuracy, settings_that_make_no_sense_are_refused) {
   }
 }
 
-TEST(Accuracy, a_target_is_met_probably_met_or_probably_missed) {
-  const Scene scene = bundled("jar", "1%");
-  for (const auto& [bar, verdict] :
-       {std::pair{0.009, "met"}, std::pair{0.03, "probably met"}, std::pair{0.06, "probably missed"}}) {
-    ErrorBars bars{};
-    bars.profile_mean = bar;
-    bars.heat = NAN;  // no tool that takes heat
-    EXPECT_NE(error_table(scene, bars).find(fmt::format("heat into tools): {}", verdict)), std::string::npos) << bar;
+/// Quantities whose only one is off by c h^order at edges h.
+Quantities off_by(double share, double order, double h) {
+  Quantities quantities;
+  quantities.values.push_back({"radius", "mm", 1 + share * std::pow(h, order), 1});
+  return quantities;
+}
+
+/// Runs that a control makes of a model with that error.
+AccuracyRecord controlled(double target, double share, double order) {
+  AccuracyControl control(target);
+  while (!control.finished()) control.add(off_by(share, order, control.factor()), 1);
+  return control.record();
+}
+
+TEST(AccuracyControl, reaches_what_is_asked_for_whatever_the_error_of_the_scene) {
+  std::vector<double> costs;  // over that of the coarsest run that is good enough
+  int reached = 0;
+  for (const double target : {0.02, 0.005, 0.002})
+    for (const double share : {0.002, 0.01, 0.05})
+      for (const double order : {1.2, 1.6, 2.0, 2.5}) {
+        if (std::pow(target / share, 1 / order) < 0.1) continue;  // finer than the finest allowed, nearly
+        const AccuracyRecord record = controlled(target, share, order);
+        EXPECT_TRUE(record.reached()) << target << " " << share << " " << order;
+        const double error = share * std::pow(record.runs.back().factor, order);
+        EXPECT_LT(error, 2 * target) << share << " " << order;
+        reached += error <= target;
+        double cost = 0;
+        for (const ControlledRun& run : record.runs) cost += std::pow(run.factor, -2.7);
+        costs.push_back(cost / std::pow(share / target, 2.7 / order));
+      }
+  EXPECT_GE(reached, 0.9 * double(costs.size()));
+  std::sort(costs.begin(), costs.end());
+  EXPECT_LT(costs[costs.size() / 2], 3.5);
+}
+
+TEST(AccuracyControl, refines_after_a_run_that_stopped_and_gives_up_after_seven) {
+  AccuracyControl control(0.01);
+  double last = 2 * control.factor();
+  while (!control.finished()) {
+    EXPECT_LT(control.factor(), last);
+    last = control.factor();
+    control.add(std::nullopt, 1);
   }
-  ErrorBars none{};
-  none.profile_mean = none.heat = NAN;
-  EXPECT_NE(error_table(scene, none).find("heat into tools): unknown"), std::string::npos);
+  EXPECT_EQ(control.record().runs.size(), 7u);
+  EXPECT_FALSE(control.record().reached());
 }
 
 TEST(Accuracy, the_study_of_the_jar_has_a_variant_for_each_part_of_its_model) {

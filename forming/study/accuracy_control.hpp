@@ -1,0 +1,44 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+
+#include "forming/report/accuracy_record.hpp"
+#include "forming/report/quantities.hpp"
+
+namespace parison::forming {
+
+/// How far two runs of a scene are apart, as a share: the larger of the wall in the mean and of the heat into the
+/// tools; where a scene has neither, the largest of all quantities. NaN where the runs have nothing in common.
+double difference_of_runs(const Quantities& run, const Quantities& reference);
+
+/// Finds how fine a scene has to be run for an error that is asked for, by runs of the scene itself: from the
+/// difference of two of them follows the error of the finer one (L. F. Richardson, Phil. Trans. R. Soc. A 210 (1911)
+/// 307-357), from that the edges and steps of the next. The order is 1.6 between two runs, and among three the one that
+/// they show, from 1 to 2.5.
+class AccuracyControl {
+ public:
+  explicit AccuracyControl(double target);
+
+  /// Edges and steps of the next run, in units of those of the draft preset, and the accuracy that asks for it.
+  double factor() const { return factor_; }
+  std::string accuracy() const;
+  /// What the run gave; nothing where it stopped before its end.
+  void add(const std::optional<Quantities>& run, double cpu_seconds);
+  /// Whether there is nothing more to run: the accuracy is reached or out of reach.
+  bool finished() const;
+  const AccuracyRecord& record() const { return record_; }
+  /// The last run but one that completed, which the error of the last one is estimated with; null for none.
+  const Quantities* partner() const { return partner_ ? &*partner_ : nullptr; }
+  double partner_factor() const { return partner_factor_; }
+
+ private:
+  double order() const;
+
+  AccuracyRecord record_;
+  double factor_;
+  std::optional<Quantities> last_, partner_;
+  double last_factor_ = 0, partner_factor_ = 0, before_factor_ = 0, before_difference_ = 0;
+};
+
+}  // namespace parison::forming
