@@ -181,17 +181,17 @@ TEST(Hdf5, what_is_missing_is_named) {
   EXPECT_THROW(open_hdf5(path + ".absent"), std::runtime_error);
 }
 
-TEST(Hdf5, an_incomplete_file_is_no_hdf5_file_and_the_same_content_makes_the_same_file) {
+TEST(Hdf5, an_incomplete_file_is_refused_and_the_same_content_makes_the_same_file) {
   const std::string path = new_folder() + "/values.h5";
   const auto fill = [](Hdf5Group& file) { file.create("inner").write("a", std::vector<double>(1000, 0.1)); };
   write_hdf5(path, fill);
   const std::string bytes = read_text(path);
-  EXPECT_TRUE(is_hdf5(path));
+  EXPECT_EQ(read_hdf5(path).problem, "");
   write_hdf5(path, fill);
   EXPECT_EQ(read_text(path), bytes);
   write_text(path, bytes.substr(0, bytes.size() / 2));
-  EXPECT_FALSE(is_hdf5(path));
-  EXPECT_FALSE(is_hdf5(path + ".absent"));
+  EXPECT_NE(read_hdf5(path).problem, "");
+  EXPECT_NE(read_hdf5(path + ".absent").problem, "");
 }
 
 TEST(GrowingFile, it_goes_on_where_it_was_and_cuts_off_the_rest) {
