@@ -172,5 +172,53 @@ TEST(CaseFile, the_nearest_word_is_found_and_a_far_one_is_not) {
   EXPECT_EQ(nearest("colour", words), "");
 }
 
+/// The words joined by dots.
+std::string dotted(int count) {
+  std::string key = "a";
+  for (int i = 1; i < count; ++i) key += ".a";
+  return key;
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string result;
+  for (int i = 0; i < count; ++i) result += text;
+  return result;
+}
+
+TEST(CaseFile, what_is_nested_too_deeply_is_refused_before_it_is_parsed) {
+  const std::string sentence =
+      "2: keys or values within each other were found, deeper than 16 levels, allowed are so many";
+  for (const std::string& deep :
+       {dotted(200'000) + " = 1", "[" + dotted(200'000) + "]", "b = " + repeated("[", 200'000),
+        "b = " + repeated("{ c = ", 200'000), "b = {" + dotted(200'000) + " = 1 }", repeated("\"a\" . ", 200'000)}) {
+    const std::string path = write_case("a = 1\n" + deep + "\n");
+    EXPECT_EQ(complaint(path, [&] { read_case_file(path); }), sentence) << deep.substr(0, 20);
+  }
+  CaseNode place;
+  place.file = "--set";
+  EXPECT_THROW(parse_value("{" + dotted(200'000) + " = 1 }", place), CaseError);
+}
+
+TEST(CaseFile, dots_and_brackets_in_texts_and_comments_are_not_nested) {
+  const std::string many = repeated(".[{", 100);
+  EXPECT_EQ(read_case_file(write_case("a = \"" + many + "\\\"" + many + "\"\nb = '" + many + "'\n# " + many +
+                                      "\nc = \"\"\"" + many + "\n\"" + many + "\"\"\"\nd.e.f.g = 1.5\n"))
+                .root.items.size(),
+            4u);
+}
+
+TEST(CaseFile, a_file_of_more_than_four_megabytes_is_refused) {
+  const std::string path = write_case("a = 1\n");
+  std::filesystem::resize_file(path, 3'000'000'000);
+  EXPECT_EQ(complaint(path, [&] { read_case_file(path); }), "1: is too large, allowed are files of up to 4 MB");
+}
+
+TEST(CaseFile, a_long_text_is_cut_in_the_sentence_about_it) {
+  const std::string path = write_case("a = \"" + std::string(1'000'000, 'x') + "\"\n");
+  const CaseFile file = read_case_file(path);
+  const CaseTable root(file.root, {"a"});
+  EXPECT_LT(complaint(path, [&] { quantity(root.get("a"), dimension::length); }).size(), 2000u);
+}
+
 }  // namespace
 }  // namespace parison::core

@@ -8,7 +8,7 @@
 
 #include "core/io/files.hpp"
 #include "core/process/gmsh_session.hpp"
-#include "forming/scene/read/read_section.hpp"
+#include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
