@@ -37,6 +37,42 @@ std::optional<DxfGroup> next_group(const DxfFile& file, core::Lines& lines) {
   return DxfGroup{*found, core::trimmed(value), lines.number()};
 }
 
+/// Follows the groups of a file and knows where it is in it.
+class Sections {
+ public:
+  Sections(const DxfFile& file, const std::function<void(const DxfEntity&)>& use) : file_(file), use_(use) {}
+
+  /// False at the end of the file.
+  bool take(const DxfGroup& group) {
+    if (group.code == 0) return begin(group);
+    if (after_section_ && group.code == 2 && group.value == "ENTITIES") inside_ = true;
+    after_section_ = false;
+    if (!entity_.kind.empty()) entity_.groups.push_back(group);
+    if (entity_.groups.size() > max_groups)
+      file_.refuse(entity_.line, fmt::format("a {} with too many values was found, allowed are {} in one entity",
+                                             entity_.kind, max_groups));
+    return true;
+  }
+
+  bool inside_entities() const { return inside_; }
+
+ private:
+  /// A section, an entity or an end.
+  bool begin(const DxfGroup& group) {
+    if (!entity_.kind.empty()) use_(entity_);
+    entity_ = {};
+    if (group.value == "ENDSEC") inside_ = false;
+    if (inside_) entity_ = {std::string(group.value), {}, group.line};
+    after_section_ = group.value == "SECTION";
+    return group.value != "EOF";
+  }
+
+  const DxfFile& file_;
+  const std::function<void(const DxfEntity&)>& use_;
+  DxfEntity entity_;
+  bool inside_ = false, after_section_ = false;
+};
+
 }  // namespace
 
 void DxfFile::refuse(int line, const std::string& message) const {
@@ -57,33 +93,17 @@ double DxfFile::number(const DxfGroup& group) const {
 
 void read_entities(const DxfFile& file, const std::string& content, const std::function<void(const DxfEntity&)>& use) {
   core::Lines lines(content);
-  DxfEntity entity;
-  bool inside = false, ended = false, after_section = false;
-  const auto finish = [&] {
-    if (!entity.kind.empty()) use(entity);
-    entity = {};
-  };
-  while (const auto group = next_group(file, lines)) {
-    if (group->code == 0 && group->value == "EOF") {
-      ended = true;
-      break;
-    }
-    if (inside && group->code == 0) finish();
-    if (group->code == 0 && group->value == "ENDSEC") inside = false;
-    if (inside && group->code == 0)
-      entity = {std::string(group->value), {}, group->line};
-    else if (inside && !entity.kind.empty())
-      entity.groups.push_back(*group);
-    if (entity.groups.size() > max_groups)
-      file.refuse(entity.line, fmt::format("a {} with too many values was found, allowed are {} in one entity",
-                                           entity.kind, max_groups));
-    if (after_section && group->code == 2 && group->value == "ENTITIES") inside = true;
-    after_section = group->code == 0 && group->value == "SECTION";
+  Sections sections(file, use);
+  bool ended = false;
+  while (!ended) {
+    const auto group = next_group(file, lines);
+    if (!group) break;
+    ended = !sections.take(*group);
   }
-  if (inside || !ended)
-    file.refuse(lines.number(), fmt::format("the file ends without {}, so a part of it is missing, allowed is a whole "
-                                            "DXF file",
-                                            inside ? "the ENDSEC of its entities" : "EOF"));
+  if (ended && !sections.inside_entities()) return;
+  file.refuse(lines.number(),
+              fmt::format("the file ends without {}, so a part of it is missing, allowed is a whole DXF file",
+                          sections.inside_entities() ? "the ENDSEC of its entities" : "EOF"));
 }
 
 }  // namespace parison::forming
