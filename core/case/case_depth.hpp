@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
 #include <string_view>
 
 namespace parison::core {
@@ -8,8 +9,15 @@ namespace parison::core {
 /// deletes nested values takes stack for each level.
 inline constexpr int max_case_depth = 16;
 
-/// The first line of a TOML text, from 1, on which a key or a value is deeper than that; 0 where none is. Texts and
-/// comments do not count. It takes a time that grows with the length and next to no memory, whatever the text is.
-int too_deep_line(std::string_view text);
+/// What in a TOML text must not reach the parser.
+struct CaseFlaw {
+  int line = 0;         ///< from 1; 0 where nothing was found
+  std::string problem;  ///< "..., allowed is ..."
+};
+
+/// The first key or value that is deeper than that, or sign outside texts and comments that is not ASCII, which TOML
+/// does not allow and on some of which the parser has no defined behaviour. It takes a time that grows with the length
+/// and next to no memory, whatever the text is.
+CaseFlaw find_flaw(std::string_view text);
 
 }  // namespace parison::core

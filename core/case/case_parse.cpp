@@ -55,13 +55,12 @@ CaseNode convert(const toml::node& node, CaseNode place) {
   return place;
 }
 
-/// Refuses what is nested so deeply that its reading might overflow the stack.
-void require_flat(const std::string& text, CaseNode place) {
-  const int line = too_deep_line(text);
-  if (line == 0) return;
-  if (place.line > 0) place.line = line;
-  refuse(place, fmt::format("keys or values within each other were found, deeper than {} levels, allowed are so many",
-                            max_case_depth));
+/// Refuses what the parser cannot be given.
+void require_parsable(const std::string& text, CaseNode place) {
+  const CaseFlaw flaw = find_flaw(text);
+  if (flaw.line == 0) return;
+  if (place.line > 0) place.line = flaw.line;
+  refuse(place, flaw.problem);
 }
 
 /// Gives a value and all in it to the command line, which has no lines.
@@ -73,9 +72,9 @@ void clear_lines(CaseNode& node) {
 }  // namespace
 
 CaseNode parse_value(const std::string& text, const CaseNode& place) {
-  require_flat(text, place);
-  const auto parsed = toml::parse("value = " + text);
   const bool is_text = !text.empty() && text.find_first_of("[{\"'") != 0 && text.find('\n') == text.npos;
+  if (!is_text) require_parsable(text, place);
+  const auto parsed = toml::parse(find_flaw(text).line == 0 ? "value = " + text : "");
   CaseNode value = place;
   if (parsed && parsed.table().size() == 1) {
     value = convert(*parsed.table().get("value"), place);
@@ -101,7 +100,7 @@ CaseFile read_case_file(const std::string& path) {
   const InputFile content = read_input_file(place.file, max_bytes);
   if (!content.problem.empty()) refuse(place, content.problem);
   const std::string& text = content.content;
-  require_flat(text, place);
+  require_parsable(text, place);
   const auto parsed = toml::parse(std::string_view(text), std::string_view(place.file));
   if (!parsed) {
     place.line = static_cast<int>(parsed.error().source().begin.line);

@@ -207,6 +207,29 @@ TEST(CaseFile, dots_and_brackets_in_texts_and_comments_are_not_nested) {
             4u);
 }
 
+TEST(CaseFile, a_text_of_several_lines_may_end_with_two_more_quotes_and_hides_nothing_behind_it) {
+  const auto file = read_case_file(write_case("a = \"\"\"x\"\"\"\"\"\nb = \'\'\'y\'\'\'\'\nc = 1\n"));
+  EXPECT_EQ(file.root.items.at(0).text, "x\"\"");
+  EXPECT_EQ(file.root.items.at(1).text, "y\'");
+  const std::string path = write_case("a = [\"\"\"x\"\"\"\", {" + dotted(200'000) + " = 1 }]\n");
+  EXPECT_NE(complaint(path, [&] { read_case_file(path); }).find("deeper than 16 levels"), std::string::npos);
+}
+
+TEST(CaseFile, signs_that_are_not_ascii_are_for_texts_and_comments) {
+  EXPECT_EQ(read_case_file(write_case("\xEF\xBB\xBF"
+                                      "a = \"\u00fc\" # \u00fc\n"))
+                .root.items.at(0)
+                .text,
+            "\u00fc");
+  for (const char* sign : {"\u00fc", "\u1b20", "\u3000", "\u2028"}) {
+    const std::string path = write_case(std::string("a = 1\n") + sign + " = 2\n");
+    EXPECT_EQ(complaint(path, [&] { read_case_file(path); }),
+              "2: a sign that is not ASCII was found outside texts and comments, allowed is TOML");
+  }
+  // A plain text of --set is no TOML and may have any sign.
+  EXPECT_EQ(parse_value("\u00fcber", CaseNode{}).text, "\u00fcber");
+}
+
 TEST(CaseFile, a_file_of_more_than_four_megabytes_is_refused) {
   const std::string path = write_case("a = 1\n");
   std::filesystem::resize_file(path, 3'000'000'000);
