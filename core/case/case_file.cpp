@@ -71,19 +71,21 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 
 namespace {
 
-/// A text without its middle where it is too long for a sentence.
-std::string shortened(const std::string& text) {
+/// A text on one line, blanks for the signs that steer a terminal, without its middle where it is too long.
+std::string as_sentence(std::string text) {
   constexpr std::size_t longest = 1500;
-  if (text.size() <= longest) return text;
-  return text.substr(0, longest / 2) + " ... " + text.substr(text.size() - longest / 2);
+  if (text.size() > longest) text = text.substr(0, longest / 2) + " ... " + text.substr(text.size() - longest / 2);
+  const auto steers = [](unsigned char c) { return c < ' ' || c == 127; };
+  std::replace_if(text.begin(), text.end(), steers, ' ');
+  return text;
 }
 
 }  // namespace
 
 void refuse(const CaseNode& at, const std::string& message) {
   const std::string place = at.line > 0 ? fmt::format("{}:{}", at.file, at.line) : at.file;
-  throw CaseError(at.key.empty() ? fmt::format("{}: {}", place, shortened(message))
-                                 : fmt::format("{}: {}: {}", place, shortened(at.key), shortened(message)));
+  throw CaseError(at.key.empty() ? fmt::format("{}: {}", place, as_sentence(message))
+                                 : fmt::format("{}: {}: {}", place, as_sentence(at.key), as_sentence(message)));
 }
 
 CaseTable::CaseTable(const CaseNode& node, std::vector<std::string> keys) : node_(&node), keys_(std::move(keys)) {

@@ -44,9 +44,8 @@ void confine(const ChildLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<std::size_t>(limits.seconds));
-#ifndef __SANITIZE_ADDRESS__  // which reserves most of the address space
-  limit(RLIMIT_AS, address_space() + limits.memory_bytes);
-#endif
+  constexpr std::size_t of_sanitizers = std::size_t{1} << 40;  // which reserve most of the address space
+  if (address_space() < of_sanitizers) limit(RLIMIT_AS, address_space() + limits.memory_bytes);
   const int nothing = ::open("/dev/null", O_RDWR);
   for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, standard);
 }

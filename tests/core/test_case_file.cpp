@@ -236,6 +236,14 @@ TEST(CaseFile, a_file_of_more_than_four_megabytes_is_refused) {
   EXPECT_EQ(complaint(path, [&] { read_case_file(path); }), "1: is too large, allowed are files of up to 4 MB");
 }
 
+TEST(CaseFile, a_text_with_line_breaks_or_signs_for_the_terminal_is_quoted_on_one_line) {
+  const std::string path = write_case("a = \"one\\ntwo\\u001B[31m\"\n");
+  const CaseFile file = read_case_file(path);
+  const CaseTable root(file.root, {"a"});
+  EXPECT_EQ(complaint(path, [&] { quantity(root.get("a"), dimension::none); }),
+            "1: a: \"one two [31m\" does not start with a number, allowed is a plain number such as \"0.5\"");
+}
+
 TEST(CaseFile, a_long_text_is_cut_in_the_sentence_about_it) {
   const std::string path = write_case("a = \"" + std::string(1'000'000, 'x') + "\"\n");
   const CaseFile file = read_case_file(path);
