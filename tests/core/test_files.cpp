@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -10,6 +11,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -20,6 +22,8 @@
 #include "core/io/json_read.hpp"
 #include "core/io/vtu.hpp"
 #include "core/mesh/element.hpp"
+#include "core/process/child_work.hpp"
+#include "core/process/run_error.hpp"
 #include "structured.hpp"
 #include "test_folder.hpp"
 
@@ -223,6 +227,25 @@ TEST(GrowingFile, a_shorter_file_and_a_second_writer_are_refused) {
   EXPECT_EQ(complaint_of_opening(path + ".absent", 5), path + ".absent: cannot be opened: No such file or directory");
   const GrowingFile file(path, 4);
   EXPECT_EQ(complaint_of_opening(path, 0), path + ": another process is writing to it");
+  EXPECT_EQ(read_text(path), "one\n");
+}
+
+TEST(GrowingFile, on_a_full_disk_no_part_of_a_row_is_left) {
+  const std::string path = new_folder() + "/rows.csv";
+  const ChildWork work = in_child([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit room{10, 10};
+    ::setrlimit(RLIMIT_FSIZE, &room);
+    GrowingFile file(path, 0);
+    file.append("one\n");
+    try {
+      file.append("0.123456789\n");
+    } catch (const RunError& error) {
+      return std::string(error.what()) + ", " + std::to_string(file.size());
+    }
+    return std::string();
+  });
+  EXPECT_EQ(work.text, path + ": cannot be written: File too large, 4");
   EXPECT_EQ(read_text(path), "one\n");
 }
 

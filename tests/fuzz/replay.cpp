@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// replay FOLDER [COUNT]: gives a fuzz target each file of a folder, and COUNT (500) copies of each with some bytes
+// replay FOLDER [COUNT]: gives a fuzz target each file of a folder, and COUNT (200) copies of each with some bytes
 // changed, always the same ones.
 #include <algorithm>
 #include <cstdio>
@@ -47,7 +47,7 @@ int main(int count, char** arguments) {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(arguments[1])) files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
-  const int copies = count > 2 ? std::atoi(arguments[2]) : 500;
+  const int copies = count > 2 ? std::atoi(arguments[2]) : 200;
   std::mt19937_64 draw(1);
   for (const std::string& file : files) {
     const std::string text = parison::core::read_text(file);
