@@ -69,10 +69,23 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
 }
 
+namespace {
+
+/// A text on one line, blanks for the signs that steer a terminal, without its middle where it is too long.
+std::string as_sentence(std::string text) {
+  constexpr std::size_t longest = 1500;
+  if (text.size() > longest) text = text.substr(0, longest / 2) + " ... " + text.substr(text.size() - longest / 2);
+  const auto steers = [](unsigned char c) { return c < ' ' || c == 127; };
+  std::replace_if(text.begin(), text.end(), steers, ' ');
+  return text;
+}
+
+}  // namespace
+
 void refuse(const CaseNode& at, const std::string& message) {
   const std::string place = at.line > 0 ? fmt::format("{}:{}", at.file, at.line) : at.file;
-  throw CaseError(at.key.empty() ? fmt::format("{}: {}", place, message)
-                                 : fmt::format("{}: {}: {}", place, at.key, message));
+  throw CaseError(at.key.empty() ? fmt::format("{}: {}", place, as_sentence(message))
+                                 : fmt::format("{}: {}: {}", place, as_sentence(at.key), as_sentence(message)));
 }
 
 CaseTable::CaseTable(const CaseNode& node, std::vector<std::string> keys) : node_(&node), keys_(std::move(keys)) {
@@ -109,7 +122,11 @@ std::vector<const CaseNode*> CaseTable::tables(const std::string& key) const {
 
 double quantity(const CaseNode& node, const Dimension& dimension) {
   const bool plain = dimension.length == 0 && dimension.mass == 0 && dimension.time == 0 && dimension.temperature == 0;
-  if (node.kind == CaseNode::Kind::number && plain && std::isfinite(node.number)) return node.number;
+  if (node.kind == CaseNode::Kind::number && plain) {
+    if (std::abs(node.number) <= largest_of(dimension)) return node.number;
+    refuse(node, fmt::format("the number {} was found, allowed are numbers of up to {:g} in size", node.number,
+                             largest_of(dimension)));
+  }
   require_kind(node, CaseNode::Kind::text, describe(dimension));
   const auto parsed = parse_quantity(node.text, dimension);
   if (!parsed.problem.empty()) refuse(node, parsed.problem);
@@ -119,7 +136,10 @@ double quantity(const CaseNode& node, const Dimension& dimension) {
 }
 
 double positive(const CaseNode& node, const Dimension& dimension) {
+  constexpr double least = 1e-30;  // its reciprocal and products stay finite
   const double value = quantity(node, dimension);
+  if (value > 0 && value < least)
+    refuse(node, fmt::format("{} was found, allowed are values from {:g} in SI units", shown(node), least));
   if (!(value > 0))
     refuse(node, fmt::format("{} was found, allowed is {}, above zero", shown(node), describe(dimension)));
   return value;

@@ -6,10 +6,10 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "core/case/case_depth.hpp"
 #include "core/case/case_file.hpp"
+#include "core/io/input_file.hpp"
 
 namespace parison::core {
 namespace {
@@ -55,6 +55,14 @@ CaseNode convert(const toml::node& node, CaseNode place) {
   return place;
 }
 
+/// Refuses what the parser cannot be given.
+void require_parsable(const std::string& text, CaseNode place) {
+  const CaseFlaw flaw = find_flaw(text);
+  if (flaw.line == 0) return;
+  if (place.line > 0) place.line = flaw.line;
+  refuse(place, flaw.problem);
+}
+
 /// Gives a value and all in it to the command line, which has no lines.
 void clear_lines(CaseNode& node) {
   node.line = 0;
@@ -64,8 +72,9 @@ void clear_lines(CaseNode& node) {
 }  // namespace
 
 CaseNode parse_value(const std::string& text, const CaseNode& place) {
-  const auto parsed = toml::parse("value = " + text);
   const bool is_text = !text.empty() && text.find_first_of("[{\"'") != 0 && text.find('\n') == text.npos;
+  if (!is_text) require_parsable(text, place);
+  const auto parsed = toml::parse(find_flaw(text).line == 0 ? "value = " + text : "");
   CaseNode value = place;
   if (parsed && parsed.table().size() == 1) {
     value = convert(*parsed.table().get("value"), place);
@@ -87,9 +96,11 @@ CaseFile read_case_file(const std::string& path) {
   place.line = 1;
   if (!fs::is_regular_file(file))
     refuse(place, "no such file, allowed is a case file or a folder that holds a case.toml");
-  std::ostringstream content;
-  content << std::ifstream(file).rdbuf();
-  const auto text = content.str();
+  constexpr std::size_t max_bytes = 4'000'000;  // its tree takes some hundred times as much memory
+  const InputFile content = read_input_file(place.file, max_bytes);
+  if (!content.problem.empty()) refuse(place, content.problem);
+  const std::string& text = content.content;
+  require_parsable(text, place);
   const auto parsed = toml::parse(std::string_view(text), std::string_view(place.file));
   if (!parsed) {
     place.line = static_cast<int>(parsed.error().source().begin.line);

@@ -56,49 +56,61 @@ constexpr Prefix prefixes[] = {{'G', 1e9},  {'M', 1e6},  {'k', 1e3},  {'h', 1e2}
 struct NamedDimension {
   Dimension dimension;
   const char *name, *example;
+  double largest;  ///< in size, SI; far beyond glass and machines, so that no product of them overflows
 };
 constexpr NamedDimension named_dimensions[] = {
-    {dimension::none, "a plain number", "0.5"},
-    {dimension::length, "a length", "2.5 mm"},
-    {dimension::inverse_length, "an inverse length", "150 1/m"},
-    {{2}, "an area", "4 cm2"},
-    {dimension::volume, "a volume", "91.5 cm3"},
-    {dimension::time, "a time", "0.9 s"},
-    {dimension::speed, "a speed", "150 mm/s"},
-    {dimension::acceleration, "an acceleration", "9.81 m/s2"},
-    {{0, 1}, "a mass", "220 g"},
-    {dimension::temperature, "a temperature", "1150 degC"},
-    {dimension::temperature_difference, "a temperature difference", "40 K"},
-    {dimension::density, "a density", "2400 kg/m3"},
-    {dimension::force, "a force", "8 kN"},
-    {dimension::pressure, "a pressure", "0.35 bar"},
-    {dimension::viscosity, "a viscosity", "1e4 Pa.s"},
-    {dimension::surface_tension, "a surface tension", "0.3 N/m"},
-    {dimension::friction, "a friction coefficient", "1e6 Pa.s/m"},
-    {{2, 1, -2}, "an energy", "33 kJ"},
-    {{2, 1, -3}, "a power", "5 kW"},
-    {dimension::heat_capacity, "a heat capacity", "1300 J/kg/K"},
-    {dimension::conductivity, "a conductivity", "1.3 W/m/K"},
-    {{0, 1, -3}, "a heat flux", "50 kW/m2"},
-    {dimension::conductance, "a heat transfer coefficient", "5000 W/m2/K"},
+    {dimension::none, "a plain number", "0.5", 1e15},
+    {dimension::length, "a length", "2.5 mm", 1e6},
+    {dimension::inverse_length, "an inverse length", "150 1/m", 1e15},
+    {{2}, "an area", "4 cm2", 1e12},
+    {dimension::volume, "a volume", "91.5 cm3", 1e18},
+    {dimension::time, "a time", "0.9 s", 1e9},
+    {dimension::speed, "a speed", "150 mm/s", 1e6},
+    {dimension::acceleration, "an acceleration", "9.81 m/s2", 1e6},
+    {{0, 1}, "a mass", "220 g", 1e12},
+    {dimension::temperature, "a temperature", "1150 degC", 1e5},
+    {dimension::temperature_difference, "a temperature difference", "40 K", 1e6},
+    {dimension::density, "a density", "2400 kg/m3", 1e9},
+    {dimension::force, "a force", "8 kN", 1e12},
+    {dimension::pressure, "a pressure", "0.35 bar", 1e15},
+    {dimension::viscosity, "a viscosity", "1e4 Pa.s", 1e30},
+    {dimension::surface_tension, "a surface tension", "0.3 N/m", 1e9},
+    {dimension::friction, "a friction coefficient", "1e6 Pa.s/m", 1e30},
+    {{2, 1, -2}, "an energy", "33 kJ", 1e18},
+    {{2, 1, -3}, "a power", "5 kW", 1e18},
+    {dimension::heat_capacity, "a heat capacity", "1300 J/kg/K", 1e12},
+    {dimension::conductivity, "a conductivity", "1.3 W/m/K", 1e15},
+    {{0, 1, -3}, "a heat flux", "50 kW/m2", 1e18},
+    {dimension::conductance, "a heat transfer coefficient", "5000 W/m2/K", 1e18},
 };
 
 bool same_exponents(const Dimension& a, const Dimension& b) {
   return a.length == b.length && a.mass == b.mass && a.time == b.time && a.temperature == b.temperature;
 }
 
-std::string name_of(const Dimension& dimension) {
+/// Null for a dimension without a name of its own.
+const NamedDimension* find_named(const Dimension& dimension) {
   for (const auto& named : named_dimensions)
-    if (same_exponents(named.dimension, dimension) && named.dimension.absolute == dimension.absolute) return named.name;
-  std::string name = "a quantity in";
+    if (same_exponents(named.dimension, dimension) && named.dimension.absolute == dimension.absolute) return &named;
+  return nullptr;
+}
+
+/// " kg m^-3".
+std::string si_unit(const Dimension& dimension) {
+  std::string unit;
   const std::pair<const char*, int> parts[] = {
       {"kg", dimension.mass}, {"m", dimension.length}, {"s", dimension.time}, {"K", dimension.temperature}};
   for (const auto& [symbol, exponent] : parts)
     if (exponent == 1)
-      name += fmt::format(" {}", symbol);
+      unit += fmt::format(" {}", symbol);
     else if (exponent != 0)
-      name += fmt::format(" {}^{}", symbol, exponent);
-  return name;
+      unit += fmt::format(" {}^{}", symbol, exponent);
+  return unit;
+}
+
+std::string name_of(const Dimension& dimension) {
+  if (const auto* named = find_named(dimension)) return named->name;
+  return "a quantity in" + si_unit(dimension);
 }
 
 std::optional<Unit> find_unit(std::string_view symbol) {
@@ -157,10 +169,13 @@ std::string_view trimmed(std::string_view text) {
 }  // namespace
 
 std::string describe(const Dimension& dimension) {
-  for (const auto& named : named_dimensions)
-    if (same_exponents(named.dimension, dimension) && named.dimension.absolute == dimension.absolute)
-      return fmt::format("{} such as \"{}\"", named.name, named.example);
+  if (const auto* named = find_named(dimension)) return fmt::format("{} such as \"{}\"", named->name, named->example);
   return name_of(dimension);
+}
+
+double largest_of(const Dimension& dimension) {
+  const auto* named = find_named(dimension);
+  return named ? named->largest : 1e30;
 }
 
 ParsedQuantity parse_quantity(const std::string& text, const Dimension& expected) {
@@ -168,17 +183,23 @@ ParsedQuantity parse_quantity(const std::string& text, const Dimension& expected
   const auto allowed = fmt::format("allowed is {}", describe(expected));
   double number = 0;
   const auto read = std::from_chars(whole.data(), whole.data() + whole.size(), number);
+  if (read.ec == std::errc::result_out_of_range)
+    return {0, fmt::format("\"{}\" starts with a number that is too large or too near to zero, {}", text, allowed)};
   if (read.ec != std::errc{} || !std::isfinite(number))
     return {0, fmt::format("\"{}\" does not start with a number, {}", text, allowed)};
   const auto symbol = trimmed(whole.substr(static_cast<std::size_t>(read.ptr - whole.data())));
-  if (symbol == "degC" && expected.absolute) return {number + celsius_zero, {}};
+  const auto in_range = [&](double value) -> ParsedQuantity {
+    const double largest = largest_of(expected);
+    if (std::abs(value) <= largest) return {value, {}};
+    return {0, fmt::format("\"{}\" is too large, {} of up to {:g}{}", text, allowed, largest, si_unit(expected))};
+  };
+  if (symbol == "degC" && expected.absolute) return in_range(number + celsius_zero);
   if (symbol == "degC") return {0, fmt::format("\"{}\" is a temperature on a scale, {}", text, allowed)};
   const auto unit = symbol.empty() ? Unit{} : parse_unit(symbol).value_or(Unit{0, {}});
   if (unit.factor == 0) return {0, fmt::format("\"{}\" has the unknown unit \"{}\", {}", text, symbol, allowed)};
   if (!same_exponents(unit.dimension, expected))
     return {0, fmt::format("\"{}\" is {}, {}", text, name_of(unit.dimension), allowed)};
-  if (!std::isfinite(number * unit.factor)) return {0, fmt::format("\"{}\" is not finite, {}", text, allowed)};
-  return {number * unit.factor, {}};
+  return in_range(number * unit.factor);
 }
 
 }  // namespace parison::core

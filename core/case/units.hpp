@@ -37,8 +37,12 @@ struct ParsedQuantity {
   std::string problem;  ///< empty when the text was understood
 };
 
-/// Reads "2.5 mm", "0.35 bar", "1.3 W/m/K", "20 %"; a bare number only where no dimension is asked for.
+/// Reads "2.5 mm", "0.35 bar", "1.3 W/m/K", "20 %"; a bare number only where no dimension is asked for. The value is
+/// finite and at most `largest_of` in size.
 ParsedQuantity parse_quantity(const std::string& text, const Dimension& expected);
+
+/// The largest size of a quantity that is taken, SI.
+double largest_of(const Dimension& dimension);
 
 /// What a dimension is called, with an example: `a length such as "2.5 mm"`.
 std::string describe(const Dimension& dimension);

@@ -86,10 +86,15 @@ void GrowingFile::append(const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
     const auto written = ::write(file_, text.data() + done, text.size() - done);
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(path_, "cannot be written");
+    if (written < 0) {
+      const int reason = errno;
+      if (::ftruncate(file_, size_) == 0) ::lseek(file_, size_, SEEK_SET);  // a row cut in a number would look whole
+      errno = reason;
+      fail(path_, "cannot be written");
+    }
     done += static_cast<std::size_t>(written);
-    size_ += written;
   }
+  size_ += static_cast<std::int64_t>(text.size());
 }
 
 std::string csv_text(const std::string& text) {

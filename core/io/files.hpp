@@ -26,7 +26,7 @@ class GrowingFile {
   GrowingFile(const GrowingFile&) = delete;
   ~GrowingFile();
 
-  /// Returns when the system has the text.
+  /// Returns when the system has the text; where it takes only a part, none of it is left and RunError says why.
   void append(const std::string& text);
   std::int64_t size() const { return size_; }
   const std::string& path() const { return path_; }

@@ -44,14 +44,24 @@ class Hdf5Group {
   Close close_;
 };
 
-/// Makes a file of what `fill` writes into its root group. It is on the disk when this returns; until then the old
-/// file stays.
+/// Makes a file of what `fill` writes into its root group, with a digest behind its end, which other readers of HDF5
+/// files pass over. It is on the disk when this returns; until then the old file stays.
 void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& root)>& fill);
 
-/// The root group of an existing file; the file closes with it.
-Hdf5Group open_hdf5(const std::string& path);
+/// The largest file that is read, bytes.
+inline constexpr std::size_t max_hdf5_bytes = 4'000'000'000;
 
-/// Whether a file is there and is a complete HDF5 file.
-bool is_hdf5(const std::string& path);
+/// A file of `write_hdf5` with every byte as it was written.
+struct Hdf5Content {
+  std::string image;    ///< without the digest
+  std::string problem;  ///< empty, or why there is no image: "is damaged: ..."
+};
+
+/// Reads a file and compares its digest. The library, which may crash on damaged files, is not asked.
+Hdf5Content read_hdf5(const std::string& path);
+
+/// The root group of an existing file, of which only the copy in memory is used; throws where `read_hdf5` has a
+/// problem.
+Hdf5Group open_hdf5(const std::string& path);
 
 }  // namespace parison::core

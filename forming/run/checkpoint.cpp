@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <sstream>
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
@@ -17,7 +16,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 6;
+constexpr std::int64_t format_version = 7;
 
 void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
   std::vector<double> values;
@@ -176,6 +175,26 @@ void require_match(const std::string& path, const Scene& scene, const Hdf5Group&
                                       accuracy, scene.accuracy_name));
 }
 
+void write_overrides(Hdf5Group& file, const std::vector<std::string>& overrides) {
+  file.write("overrides", static_cast<std::int64_t>(overrides.size()));
+  for (std::size_t i = 0; i < overrides.size(); ++i) file.write(fmt::format("override_{}", i), overrides[i]);
+}
+
+std::vector<std::string> read_overrides(const Hdf5Group& file) {
+  std::vector<std::string> overrides(static_cast<std::size_t>(file.read_integer("overrides")));
+  for (std::size_t i = 0; i < overrides.size(); ++i) overrides[i] = file.read_string(fmt::format("override_{}", i));
+  return overrides;
+}
+
+bool is_there(const std::string& path) {
+  std::error_code unreadable;
+  return std::filesystem::exists(path, unreadable);
+}
+
+bool is_intact(const std::string& path) {
+  return is_there(path) && core::read_hdf5(path).problem.empty();
+}
+
 void rename_file(const std::string& from, const std::string& to) {
   std::error_code error;
   std::filesystem::rename(from, to, error);
@@ -192,7 +211,7 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     file.write("case", scene.name);
     file.write("case_file", std::filesystem::absolute(scene.file).string());
     file.write("accuracy", scene.accuracy_name);
-    file.write("overrides", fmt::format("{}", fmt::join(scene.overrides, "\n")));
+    write_overrides(file, scene.overrides);
     file.write("fingerprint", static_cast<std::int64_t>(scene.fingerprint));
     file.write("stages_done", static_cast<std::int64_t>(checkpoint.outcome.facts.stages.size()));
     file.write("warnings", static_cast<std::int64_t>(checkpoint.outcome.facts.warnings.size()));
@@ -201,21 +220,32 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     visit_files(Writer{file.create("files")}, checkpoint.files);
     visit_state(Writer{file.create("state")}, checkpoint.outcome.state);
   });
-  std::error_code unreadable;
-  if (std::filesystem::exists(last, unreadable)) rename_file(last, path_before(directory));
+  if (is_intact(last)) rename_file(last, path_before(directory));  // a damaged one never takes the place of a good one
   rename_file(made, last);
   core::sync_to_disk(directory);
 }
 
 bool has_checkpoint(const std::string& directory) {
-  return core::is_hdf5(last_path(directory)) || core::is_hdf5(path_before(directory));
+  return is_intact(last_path(directory)) || is_intact(path_before(directory));
 }
 
 std::string find_checkpoint(const std::string& directory) {
-  for (const std::string& path : {last_path(directory), path_before(directory)})
-    if (core::is_hdf5(path)) return path;
+  std::string problems;
+  for (const std::string& path : {last_path(directory), path_before(directory)}) {
+    if (!is_there(path)) continue;
+    const std::string problem = core::read_hdf5(path).problem;
+    if (problem.empty()) return path;
+    problems += fmt::format("{} {}; ", path, problem);
+  }
+  if (!problems.empty()) throw core::CaseError(problems + "no other checkpoint is left, the run must begin anew");
   throw core::CaseError(
       fmt::format("{}: no checkpoint was found, allowed is the result folder of a run that has begun", directory));
+}
+
+std::string damage_of_last_checkpoint(const std::string& directory) {
+  const std::string path = last_path(directory);
+  const std::string problem = is_there(path) ? core::read_hdf5(path).problem : "";
+  return problem.empty() ? "" : fmt::format("{} {}", path, problem);
 }
 
 Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
@@ -235,10 +265,7 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
 CaseOrigin read_origin(const std::string& path) {
   const Hdf5Group file = core::open_hdf5(path);
   require_version(path, file);
-  CaseOrigin origin{file.read_string("case_file"), file.read_string("accuracy"), {}};
-  std::istringstream overrides(file.read_string("overrides"));
-  for (std::string line; std::getline(overrides, line);) origin.overrides.push_back(line);
-  return origin;
+  return {file.read_string("case_file"), file.read_string("accuracy"), read_overrides(file)};
 }
 
 }  // namespace parison::forming

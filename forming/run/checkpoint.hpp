@@ -14,16 +14,21 @@ struct Checkpoint {
   WrittenFiles files;
 };
 
-/// Writes the checkpoint of a result folder and keeps the one before. Each file is complete or does not exist.
+/// Writes the checkpoint of a result folder and keeps the one before, or the one before that where the last is damaged.
+/// Each file is complete or does not exist.
 void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint);
 
-/// Whether a folder contains a complete checkpoint.
+/// Whether a folder contains a checkpoint whose digest fits.
 bool has_checkpoint(const std::string& directory);
 
-/// The last complete checkpoint of a result folder; throws core::CaseError where there is none.
+/// The last checkpoint of a result folder whose digest fits; throws core::CaseError where there is none.
 std::string find_checkpoint(const std::string& directory);
 
-/// Reads a checkpoint bit for bit; throws core::CaseError where it belongs to another case or version.
+/// Why the last checkpoint of a folder is passed over, as a sentence: some byte has changed; else empty.
+std::string damage_of_last_checkpoint(const std::string& directory);
+
+/// Reads a checkpoint bit for bit; throws core::CaseError where it belongs to another case or version, core::RunError
+/// where it is damaged.
 Checkpoint read_checkpoint(const std::string& path, const Scene& scene);
 
 /// The case that a checkpoint was made of.

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "core/case/case_file.hpp"
+#include "core/case/given_file.hpp"
+#include "core/io/input_file.hpp"
 
 namespace parison::contact {
 namespace {
@@ -39,13 +39,10 @@ struct Column {
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
-  std::string cell;
-  std::istringstream stream(line);
-  while (std::getline(stream, cell, ',')) {
+  for (const auto cell : core::split_at_commas(line)) {
     const auto first = cell.find_first_not_of(" \t\""), last = cell.find_last_not_of(" \t\"");
-    cells.push_back(first == cell.npos ? "" : cell.substr(first, last - first + 1));
+    cells.emplace_back(first == cell.npos ? "" : cell.substr(first, last - first + 1));
   }
-  if (!line.empty() && line.back() == ',') cells.push_back("");
   return cells;
 }
 
@@ -128,13 +125,15 @@ LawMeasurement measurement(const Row& row, const std::function<double(double)>& 
 std::vector<LawMeasurement> read_law_data(const std::string& path, const std::function<double(double)>& viscosity) {
   CaseNode at;
   at.file = path;
-  std::ifstream file(path);
-  if (!file || !std::filesystem::is_regular_file(path)) core::refuse(at, "no such file, allowed is a CSV file");
+  const core::InputFile file = core::read_input_file(path);
+  if (file.content.empty() && !std::filesystem::exists(path)) core::refuse(at, "no such file, allowed is a CSV file");
+  if (!file.problem.empty()) core::refuse(at, file.problem);
   std::vector<Column> columns;
   std::vector<LawMeasurement> data;
-  for (std::string line; std::getline(file, line);) {
-    ++at.line;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+  core::Lines lines(file.content);
+  for (std::string_view next; lines.next(next);) {
+    at.line = lines.number();
+    std::string line(next);
     if (line.find_first_not_of(" \t,") == line.npos) continue;
     if (columns.empty()) {
       if (line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // the mark with which spreadsheets begin a file

@@ -172,5 +172,84 @@ TEST(CaseFile, the_nearest_word_is_found_and_a_far_one_is_not) {
   EXPECT_EQ(nearest("colour", words), "");
 }
 
+/// The words joined by dots.
+std::string dotted(int count) {
+  std::string key = "a";
+  for (int i = 1; i < count; ++i) key += ".a";
+  return key;
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string result;
+  for (int i = 0; i < count; ++i) result += text;
+  return result;
+}
+
+TEST(CaseFile, what_is_nested_too_deeply_is_refused_before_it_is_parsed) {
+  const std::string sentence =
+      "2: keys or values within each other were found, deeper than 16 levels, allowed are so many";
+  for (const std::string& deep :
+       {dotted(200'000) + " = 1", "[" + dotted(200'000) + "]", "b = " + repeated("[", 200'000),
+        "b = " + repeated("{ c = ", 200'000), "b = {" + dotted(200'000) + " = 1 }", repeated("\"a\" . ", 200'000)}) {
+    const std::string path = write_case("a = 1\n" + deep + "\n");
+    EXPECT_EQ(complaint(path, [&] { read_case_file(path); }), sentence) << deep.substr(0, 20);
+  }
+  CaseNode place;
+  place.file = "--set";
+  EXPECT_THROW(parse_value("{" + dotted(200'000) + " = 1 }", place), CaseError);
+}
+
+TEST(CaseFile, dots_and_brackets_in_texts_and_comments_are_not_nested) {
+  const std::string many = repeated(".[{", 100);
+  EXPECT_EQ(read_case_file(write_case("a = \"" + many + "\\\"" + many + "\"\nb = '" + many + "'\n# " + many +
+                                      "\nc = \"\"\"" + many + "\n\"" + many + "\"\"\"\nd.e.f.g = 1.5\n"))
+                .root.items.size(),
+            4u);
+}
+
+TEST(CaseFile, a_text_of_several_lines_may_end_with_two_more_quotes_and_hides_nothing_behind_it) {
+  const auto file = read_case_file(write_case("a = \"\"\"x\"\"\"\"\"\nb = \'\'\'y\'\'\'\'\nc = 1\n"));
+  EXPECT_EQ(file.root.items.at(0).text, "x\"\"");
+  EXPECT_EQ(file.root.items.at(1).text, "y\'");
+  const std::string path = write_case("a = [\"\"\"x\"\"\"\", {" + dotted(200'000) + " = 1 }]\n");
+  EXPECT_NE(complaint(path, [&] { read_case_file(path); }).find("deeper than 16 levels"), std::string::npos);
+}
+
+TEST(CaseFile, signs_that_are_not_ascii_are_for_texts_and_comments) {
+  EXPECT_EQ(read_case_file(write_case("\xEF\xBB\xBF"
+                                      "a = \"\u00fc\" # \u00fc\n"))
+                .root.items.at(0)
+                .text,
+            "\u00fc");
+  for (const char* sign : {"\u00fc", "\u1b20", "\u3000", "\u2028"}) {
+    const std::string path = write_case(std::string("a = 1\n") + sign + " = 2\n");
+    EXPECT_EQ(complaint(path, [&] { read_case_file(path); }),
+              "2: a sign that is not ASCII was found outside texts and comments, allowed is TOML");
+  }
+  // A plain text of --set is no TOML and may have any sign.
+  EXPECT_EQ(parse_value("\u00fcber", CaseNode{}).text, "\u00fcber");
+}
+
+TEST(CaseFile, a_file_of_more_than_four_megabytes_is_refused) {
+  const std::string path = write_case("a = 1\n");
+  std::filesystem::resize_file(path, 3'000'000'000);
+  EXPECT_EQ(complaint(path, [&] { read_case_file(path); }), "1: is too large, allowed are files of up to 4 MB");
+}
+
+TEST(CaseFile, a_text_with_line_breaks_or_signs_for_the_terminal_is_quoted_on_one_line) {
+  const std::string path = write_case("a = \"one\\ntwo\\u001B[31m\"\n");
+  const CaseFile file = read_case_file(path);
+  const CaseTable root(file.root, {"a"});
+  EXPECT_EQ(complaint(path, [&] { quantity(root.get("a"), dimension::none); }),
+            "1: a: \"one two [31m\" does not start with a number, allowed is a plain number such as \"0.5\"");
+}
+
+TEST(CaseFile, a_long_text_is_cut_in_the_sentence_about_it) {
+  const std::string path = write_case("a = \"" + std::string(1'000'000, 'x') + "\"\n");
+  const CaseFile file = read_case_file(path);
+  const CaseTable root(file.root, {"a"});
+  EXPECT_LT(complaint(path, [&] { quantity(root.get("a"), dimension::length); }).size(), 2000u);
+}
+
 }  // namespace
 }  // namespace parison::core

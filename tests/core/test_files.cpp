@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -10,6 +11,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -20,6 +22,8 @@
 #include "core/io/json_read.hpp"
 #include "core/io/vtu.hpp"
 #include "core/mesh/element.hpp"
+#include "core/process/child_work.hpp"
+#include "core/process/run_error.hpp"
 #include "structured.hpp"
 #include "test_folder.hpp"
 
@@ -181,17 +185,17 @@ TEST(Hdf5, what_is_missing_is_named) {
   EXPECT_THROW(open_hdf5(path + ".absent"), std::runtime_error);
 }
 
-TEST(Hdf5, an_incomplete_file_is_no_hdf5_file_and_the_same_content_makes_the_same_file) {
+TEST(Hdf5, an_incomplete_file_is_refused_and_the_same_content_makes_the_same_file) {
   const std::string path = new_folder() + "/values.h5";
   const auto fill = [](Hdf5Group& file) { file.create("inner").write("a", std::vector<double>(1000, 0.1)); };
   write_hdf5(path, fill);
   const std::string bytes = read_text(path);
-  EXPECT_TRUE(is_hdf5(path));
+  EXPECT_EQ(read_hdf5(path).problem, "");
   write_hdf5(path, fill);
   EXPECT_EQ(read_text(path), bytes);
   write_text(path, bytes.substr(0, bytes.size() / 2));
-  EXPECT_FALSE(is_hdf5(path));
-  EXPECT_FALSE(is_hdf5(path + ".absent"));
+  EXPECT_NE(read_hdf5(path).problem, "");
+  EXPECT_NE(read_hdf5(path + ".absent").problem, "");
 }
 
 TEST(GrowingFile, it_goes_on_where_it_was_and_cuts_off_the_rest) {
@@ -223,6 +227,25 @@ TEST(GrowingFile, a_shorter_file_and_a_second_writer_are_refused) {
   EXPECT_EQ(complaint_of_opening(path + ".absent", 5), path + ".absent: cannot be opened: No such file or directory");
   const GrowingFile file(path, 4);
   EXPECT_EQ(complaint_of_opening(path, 0), path + ": another process is writing to it");
+  EXPECT_EQ(read_text(path), "one\n");
+}
+
+TEST(GrowingFile, on_a_full_disk_no_part_of_a_row_is_left) {
+  const std::string path = new_folder() + "/rows.csv";
+  const ChildWork work = in_child([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit room{10, 10};
+    ::setrlimit(RLIMIT_FSIZE, &room);
+    GrowingFile file(path, 0);
+    file.append("one\n");
+    try {
+      file.append("0.123456789\n");
+    } catch (const RunError& error) {
+      return std::string(error.what()) + ", " + std::to_string(file.size());
+    }
+    return std::string();
+  });
+  EXPECT_EQ(work.text, path + ": cannot be written: File too large, 4");
   EXPECT_EQ(read_text(path), "one\n");
 }
 

@@ -79,5 +79,19 @@ TEST(Units, what_is_no_quantity_is_refused) {
             "\"5 furlong\" has the unknown unit \"furlong\", allowed is a length such as \"2.5 mm\"");
 }
 
+TEST(Units, a_quantity_beyond_all_glass_and_machines_is_refused_with_its_unit) {
+  EXPECT_EQ(parse_quantity("1e12 mm", dimension::length).problem,
+            "\"1e12 mm\" is too large, allowed is a length such as \"2.5 mm\" of up to 1e+06 m");
+  EXPECT_EQ(parse_quantity("-1e300 kg/m3", dimension::density).problem,
+            "\"-1e300 kg/m3\" is too large, allowed is a density such as \"2400 kg/m3\" of up to 1e+09 kg m^-3");
+  EXPECT_EQ(parse_quantity("1e200 degC", dimension::temperature).problem,
+            "\"1e200 degC\" is too large, allowed is a temperature such as \"1150 degC\" of up to 100000 K");
+  for (const char* text : {"1e999 mm", "1e-999 mm"})
+    EXPECT_EQ(parse_quantity(text, dimension::length).problem,
+              '"' + std::string(text) +
+                  "\" starts with a number that is too large or too near to zero, allowed is a "
+                  "length such as \"2.5 mm\"");
+}
+
 }  // namespace
 }  // namespace parison::core

@@ -123,7 +123,8 @@ template <int N>
 template <int N>
 [[gnu::always_inline]] inline void assemble_of_order(StepMatrix& matrix, const HeatSystem& system,
                                                      const Eigen::VectorXd& temperature, double step) {
-  const auto& [value, derivative_a, derivative_b] = cell_shapes<N>();
+  const auto& shapes = cell_shapes<N>();
+  const auto &value = shapes.value, &derivative_a = shapes.derivative_a, &derivative_b = shapes.derivative_b;
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
     UnknownValues<N> own{};
     PointValues at, heat_capacity, conductivity;

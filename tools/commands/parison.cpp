@@ -12,6 +12,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/program/blas_threads.hpp"
 #include "tools/program/exit_codes.hpp"
+#include "tools/program/standard_streams.hpp"
 
 namespace {
 
@@ -22,9 +23,17 @@ int fail(tools::ExitCode code, const char* what) {
   return code;
 }
 
+/// Runs the command; its results may be there, yet what it printed is lost where that could not be written.
+int run(const tools::Command& command) {
+  const int code = command();
+  if (tools::output_was_written() || code != 0) return code;
+  return fail(tools::run_failed, "not all that was printed could be written to the standard output");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  tools::open_standard_streams();
   CLI::App app("Parison: forming of glass containers, from the gob to the take-out.");
   app.set_version_flag("--version", PARISON_VERSION);
   tools::Command command;
@@ -32,7 +41,7 @@ int main(int argc, char** argv) {
   tools::use_one_blas_thread();
   try {
     app.parse(argc, argv);
-    return command();
+    return run(command);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : tools::case_wrong;
   } catch (const core::CaseError& error) {

@@ -90,6 +90,8 @@ int resume(const RunRequest& request) {
         fmt::format("{}: its case \"{}\" no longer exists, give its new location with --case", output, origin.file));
   const Scene scene = forming::read_scene(request.case_path.empty() ? origin.file : request.case_path, origin.accuracy,
                                           origin.overrides);
+  if (const std::string damage = forming::damage_of_last_checkpoint(output); !damage.empty())
+    fmt::print("{}; the run is taken up from the checkpoint before it\n", damage);
   fmt::print("{} at {} accuracy, from the last checkpoint in {}\n", scene.name, scene.accuracy_name, output);
   std::fflush(stdout);
   catch_signals();

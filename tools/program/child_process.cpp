@@ -8,21 +8,46 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 
 #include "core/process/run_error.hpp"
 
 namespace parison::tools {
+namespace {
+
+/// Pointers to the words as exec takes them; they live as long as the words.
+std::vector<char*> as_arguments(std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return arguments;
+}
+
+}  // namespace
+
+bool run_program(std::vector<std::string> words) {
+  const std::vector<char*> arguments = as_arguments(words);
+  const pid_t child = fork();
+  if (child < 0) return false;
+  if (child == 0) {
+    dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return false;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
 
 int start_self(const std::vector<std::string>& arguments, const std::string& log) {
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file < 0) throw core::RunError(fmt::format("{}: cannot be written: {}", log, std::strerror(errno)));
   std::vector<std::string> words = {"parison"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
+  const std::vector<char*> argv = as_arguments(words);
   const pid_t parent = getpid(), child = fork();
   if (child < 0) throw core::RunError(fmt::format("no process can be started: {}", std::strerror(errno)));
   if (child == 0) {

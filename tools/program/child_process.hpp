@@ -9,6 +9,10 @@ namespace parison::tools {
 /// this process ends before it; what it prints goes to the end of a file. Returns its id.
 int start_self(const std::vector<std::string>& arguments, const std::string& log);
 
+/// Runs a program by its path with its arguments as they are, no shell between, its errors not shown; whether it ended
+/// with 0.
+bool run_program(std::vector<std::string> words);
+
 /// Whether a child has ended.
 bool has_ended(int child);
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "forming/study/tradeoff.hpp"
 #include "tools/program/bundled_cases.hpp"
+#include "tools/program/child_process.hpp"
 #include "tools/tradeoff/run_timing.hpp"
 
 namespace parison::tools {
@@ -198,8 +198,8 @@ std::string error_laws(const Results& results) {
 /// By the script that comes with the program.
 void plot(const std::string& folder) {
   const std::filesystem::path script = shared_file("tools/plot_tradeoff.py");
-  const std::string command = fmt::format("/usr/bin/python3 -B '{}' '{}'", script.string(), folder);
-  if (script.empty() || std::system((command + " 2>/dev/null").c_str()) != 0)
+  const std::string place = std::filesystem::absolute(folder).string();  // never taken for an option
+  if (script.empty() || !run_program({"/usr/bin/python3", "-B", script.string(), place}))
     fmt::print("No plot was made: it needs python3-matplotlib; then tools/plot_tradeoff.py {} makes it.\n", folder);
 }
 

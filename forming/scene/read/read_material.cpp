@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -41,6 +43,11 @@ flow::Viscosity read_viscosity(const CaseNode& node) {
   } else {
     const CaseTable table(node, {"law", "A", "B", "T0"});
     viscosity.A = core::quantity(table.get("A"), dimension::none);
+    constexpr double largest = 30;
+    if (std::abs(viscosity.A) > largest)
+      core::refuse(table.get("A"), fmt::format("{} was found, allowed are values from -{} to {}: the logarithm to base "
+                                               "10 of a viscosity in Pa.s",
+                                               viscosity.A, largest, largest));
     viscosity.B = core::positive(table.get("B"), dimension::temperature_difference);
     viscosity.T0 = core::quantity(table.get("T0"), dimension::temperature);
   }

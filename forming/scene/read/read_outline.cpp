@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <regex>
 
-#include "forming/scene/read/read_section.hpp"
+#include "core/case/given_file.hpp"
+#include "forming/scene/read/drawing/path_text.hpp"
+#include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -21,35 +21,33 @@ using core::Profile;
 using core::Segment;
 namespace dimension = core::dimension;
 
-double part_quantity(const CaseNode& node, const std::string& text, const core::Dimension& expected) {
-  const auto parsed = core::parse_quantity(text, expected);
+double part_quantity(const CaseNode& node, std::string_view text, const core::Dimension& expected) {
+  const auto parsed = core::parse_quantity(std::string(text), expected);
   if (!parsed.problem.empty()) core::refuse(node, parsed.problem);
   return parsed.value;
 }
 
 /// "31, 14" and "mm" to a point.
-Point coordinates(const CaseNode& node, const std::string& inside, const std::string& unit) {
+Point coordinates(const CaseNode& node, std::string_view inside, std::string_view unit) {
+  const auto parts = core::split_at_commas(inside);
+  if (parts.size() != core::dim)
+    core::refuse(node, fmt::format("\"({})\" has {} coordinates, allowed are {}", inside, parts.size(), core::dim));
   Point point;
-  std::istringstream stream(inside);
-  std::string part;
-  int read = 0;
-  for (; std::getline(stream, part, ','); ++read)
-    if (read < core::dim) point[read] = part_quantity(node, part + " " + unit, dimension::length);
-  if (read != core::dim)
-    core::refuse(node, fmt::format("\"({})\" has {} coordinates, allowed are {}", inside, read, core::dim));
+  for (std::size_t i = 0; i < core::dim; ++i)
+    point[i] = part_quantity(node, fmt::format("{} {}", parts[i], unit), dimension::length);
   return point;
 }
 
 /// Points "(31, 14) (29.5, 20) mm" as lines of which only the end is known; nothing when the text is something else.
 std::vector<Segment> parse_points(const CaseNode& node) {
-  static const std::regex points(R"(^\s*((?:\([^()]*\)\s*)+)\s+(\S+)\s*$)"), point(R"(\(([^()]*)\))");
   std::vector<Segment> result;
-  std::smatch match;
-  if (!std::regex_match(node.text, match, points)) return result;
-  const std::string list = match[1], unit = match[2];
-  for (std::sregex_iterator at(list.begin(), list.end(), point), end; at != end; ++at) {
+  const auto parts = split_points(node.text);
+  if (!parts) return result;
+  if (parts->points.size() > max_segments)
+    core::refuse(node, fmt::format("{} points were found, allowed are up to {}", parts->points.size(), max_segments));
+  for (const auto inside : parts->points) {
     result.emplace_back();
-    result.back().end = coordinates(node, (*at)[1], unit);
+    result.back().end = coordinates(node, inside, parts->unit);
   }
   return result;
 }
@@ -63,16 +61,14 @@ Point on_arc(const Segment& arc, double angle) {
 }
 
 std::vector<Segment> parse_arc(const CaseNode& node) {
-  static const std::regex pattern(
-      R"(^\s*arc\s+centre\s+\(([^()]*)\)\s*(\S+)\s+radius\s+(.+?)\s+from\s+(.+?)\s+to\s+(.+?)\s*$)");
-  std::smatch match;
-  if (!std::regex_match(node.text, match, pattern)) return {};
+  const auto parts = split_arc(node.text);
+  if (!parts) return {};
   Segment arc;
   arc.is_arc = true;
-  arc.centre = coordinates(node, match[1], match[2]);
-  arc.radius = part_quantity(node, match[3], dimension::length);
-  arc.from = part_quantity(node, match[4], dimension::none);
-  arc.to = part_quantity(node, match[5], dimension::none);
+  arc.centre = coordinates(node, parts->centre, parts->unit);
+  arc.radius = part_quantity(node, parts->radius, dimension::length);
+  arc.from = part_quantity(node, parts->from, dimension::none);
+  arc.to = part_quantity(node, parts->to, dimension::none);
   if (!(arc.radius > 0) || arc.from == arc.to || std::abs(arc.to - arc.from) > 2 * M_PI)
     core::refuse(node, fmt::format("\"{}\" is no arc, allowed are a radius above zero and up to one turn", node.text));
   arc.start = on_arc(arc, arc.from);
@@ -91,39 +87,44 @@ std::vector<Segment> parse_path(const CaseNode& node) {
   return parts;
 }
 
-/// Points of a CSV file; each column's unit follows the last '_' of its heading (r_mm).
+/// The unit of each column, behind the last '_' of its heading (r_mm).
+std::vector<std::string_view> units_of(const CaseNode& row, std::string_view line,
+                                       const std::vector<std::string_view>& headings) {
+  std::vector<std::string_view> units;
+  for (const auto heading : headings) {
+    if (heading.find('_') == heading.npos)
+      core::refuse(
+          row, fmt::format("the heading is missing (\"{}\" was found), allowed is a heading such as r_mm,z_mm", line));
+    units.push_back(heading.substr(heading.find_last_of('_') + 1));
+  }
+  return units;
+}
+
+/// Points of a CSV file.
 std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory) {
   const auto path = std::filesystem::path(directory) / core::text(node);
-  std::ifstream file(path);
-  if (!file)
-    core::refuse(node, fmt::format("no file \"{}\", allowed is a CSV file with its path relative to the case file",
-                                   path.string()));
+  const std::string content =
+      core::read_given_file(node, path.string(), "a CSV file with its path relative to the case file");
   CaseNode row = node;
   row.file = path.string();
-  row.line = 0;
-  std::vector<std::string> units;
+  std::vector<std::string_view> units;
   std::vector<Segment> parts;
-  for (std::string line; std::getline(file, line);) {
-    ++row.line;
-    if (line.find_first_not_of(" \t\r") == line.npos) continue;
-    if (line.back() == '\r') line.pop_back();
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  core::Lines lines(content);
+  for (std::string_view line; lines.next(line);) {
+    row.line = lines.number();
+    if (core::trimmed(line).empty()) continue;
+    auto cells = core::split_at_commas(line);
+    if (cells.size() == core::dim + 1 && core::trimmed(cells.back()).empty()) cells.pop_back();
     if (cells.size() != core::dim)
       core::refuse(row, fmt::format("\"{}\" has {} columns, allowed are {}", line, cells.size(), core::dim));
     if (units.empty()) {
-      for (const auto& cell : cells)
-        if (cell.find('_') == cell.npos)
-          core::refuse(row, fmt::format("the heading is missing (\"{}\" was found), allowed is a heading such as "
-                                        "r_mm,z_mm",
-                                        line));
-      for (const auto& cell : cells) units.push_back(cell.substr(cell.find_last_of('_') + 1));
+      units = units_of(row, line, cells);
       continue;
     }
+    if (parts.size() == max_segments) core::refuse(row, fmt::format("allowed are up to {} points", max_segments));
     parts.emplace_back();
-    for (int i = 0; i < core::dim; ++i)
-      parts.back().end[i] = part_quantity(row, cells[i] + " " + units[i], dimension::length);
+    for (std::size_t i = 0; i < core::dim; ++i)
+      parts.back().end[i] = part_quantity(row, fmt::format("{} {}", cells[i], units[i]), dimension::length);
   }
   if (parts.empty())
     core::refuse(node, fmt::format("no points were found in \"{}\", allowed is a heading such as r_mm,z_mm and rows "
@@ -218,10 +219,15 @@ Point read_point(const CaseNode& node) {
 Profile read_outline(const CaseNode& boundaries, const std::string& directory) {
   std::vector<std::string> names;
   std::vector<std::vector<Segment>> paths;
+  std::size_t count = 0;
   for (const auto& item : core::list(boundaries)) {
     const CaseTable boundary = boundary_table(item);
     names.push_back(core::text(boundary.get("name")));
     paths.push_back(read_path(boundary, directory));
+    count += paths.back().size();
+    if (count > max_segments)
+      core::refuse(item, fmt::format("{} points and arcs were found so far, allowed are up to {} in an outline", count,
+                                     max_segments));
   }
   Profile profile = draw(paths, tolerance::joined * core::size(draw(paths, 0)));
   profile.boundary_names = std::move(names);

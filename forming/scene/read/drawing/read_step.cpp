@@ -3,12 +3,14 @@
 #include <gmsh.h>
 
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <filesystem>
+#include <utility>
 
-#include "core/io/files.hpp"
+#include "core/case/given_file.hpp"
+#include "core/process/child_work.hpp"
 #include "core/process/gmsh_session.hpp"
-#include "forming/scene/read/read_section.hpp"
+#include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
@@ -44,27 +46,72 @@ void add_curve(int tag, bool is_arc, std::vector<Curve>& curves) {
   }
 }
 
-std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
+/// What the CAD kernel finds in a file, as text: a line "refuse ..." or a line for each curve, "line" or "arc" and nine
+/// coordinates in m.
+std::string text_of_curves(const std::string& path) {
   gmsh::vectorpair found;
   gmsh::model::occ::importShapes(path, found, false, "step");
   gmsh::model::occ::synchronize();
   gmsh::model::getEntities(found, 3);
   if (!found.empty())
-    core::refuse(file, fmt::format("\"{}\" contains a solid, allowed is a section: curves or a plane face", path));
+    return fmt::format("refuse \"{}\" contains a solid, allowed is a section: curves or a plane face", path);
   gmsh::model::getEntities(found, 1);
   if (found.empty())
-    core::refuse(file, fmt::format("no curves were found in \"{}\", allowed is a STEP file with a section", path));
+    return fmt::format("refuse no curves were found in \"{}\", allowed is a STEP file with a section", path);
+  if (found.size() > max_segments)
+    return fmt::format("refuse {} curves were found in \"{}\", allowed are up to {}", found.size(), path, max_segments);
   std::vector<Curve> curves;
   for (const auto& [dimension, tag] : found) {
     std::string kind;
     gmsh::model::getType(dimension, tag, kind);
     if (kind != "Line" && kind != "Circle")
-      core::refuse(
-          file,
-          fmt::format("\"{}\" contains a curve of type {}, allowed are lines and circular arcs (convert it in the CAD "
-                      "program, or give its points as CSV)",
-                      path, kind));
+      return fmt::format(
+          "refuse \"{}\" contains a curve of type {}, allowed are lines and circular arcs (convert it in "
+          "the CAD program, or give its points as CSV)",
+          path, kind);
     add_curve(tag, kind == "Circle", curves);
+  }
+  std::string text;
+  for (const Curve& curve : curves) {
+    text += curve.is_arc ? "arc" : "line";
+    for (const Space& x : {curve.start, curve.mid, curve.end}) text += fmt::format(" {} {} {}", x[0], x[1], x[2]);
+    text += '\n';
+  }
+  return text;
+}
+
+/// A line of `text_of_curves`; false where a coordinate is missing or not finite.
+bool parse_curve(std::string_view line, Curve& curve) {
+  const auto blank = std::min(line.find(' '), line.size());
+  curve.is_arc = line.substr(0, blank) == "arc";
+  line.remove_prefix(blank);
+  for (Space* x : {&curve.start, &curve.mid, &curve.end})
+    for (double& component : *x) {
+      if (line.empty()) return false;
+      const auto read = std::from_chars(line.data() + 1, line.data() + line.size(), component);
+      if (read.ec != std::errc{} || !std::isfinite(component)) return false;
+      line.remove_prefix(static_cast<std::size_t>(read.ptr - line.data()));
+    }
+  return line.empty();
+}
+
+/// The CAD kernel crashes on some damaged files, so it works in a process of its own.
+std::vector<Curve> read_curves(const CaseNode& file, const std::string& path) {
+  const core::GmshSession gmsh;
+  const core::ChildWork work = core::in_child([&] { return text_of_curves(path); });
+  if (!work.death.empty())
+    core::refuse(file, fmt::format("\"{}\" cannot be read by the CAD kernel ({}), allowed is a whole STEP file with a "
+                                   "section",
+                                   path, work.death));
+  const std::string_view refusal = "refuse ";
+  if (work.text.rfind(refusal, 0) == 0) core::refuse(file, work.text.substr(refusal.size()));
+  std::vector<Curve> curves;
+  core::Lines lines(work.text);
+  for (std::string_view line; lines.next(line);) {
+    curves.emplace_back();
+    if (!parse_curve(line, curves.back()))
+      core::refuse(
+          file, fmt::format("\"{}\" contains a curve whose place is no number, allowed are finite coordinates", path));
   }
   return curves;
 }
@@ -108,15 +155,17 @@ Segment arc_through(const Point& start, const Point& mid, const Point& end) {
 }  // namespace
 
 std::vector<Segment> read_step(const CaseNode& file, const std::string& path) {
-  if (!std::filesystem::is_regular_file(path))
-    core::refuse(file,
-                 fmt::format("no file \"{}\", allowed is a drawing with its path relative to the case file", path));
-  if (core::read_text(path).rfind("ISO-10303-21", 0) != 0)
+  const std::string content = core::read_given_file(file, path, "a drawing with its path relative to the case file");
+  if (content.rfind("ISO-10303-21", 0) != 0)
     core::refuse(
         file,
         fmt::format("\"{}\" is no STEP file (its first line does not say ISO-10303-21), allowed is one with a section",
                     path));
-  const core::GmshSession gmsh;
+  if (content.find("END-ISO-10303-21") == content.npos)
+    core::refuse(file,
+                 fmt::format("\"{}\" ends without END-ISO-10303-21, so a part of it is missing, allowed is a whole "
+                             "STEP file",
+                             path));
   const auto curves = read_curves(file, path);
   const auto [first, second] = find_plane(file, path, curves);
   std::vector<Segment> segments;

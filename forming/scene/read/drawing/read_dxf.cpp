@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
+#include <optional>
 
-#include "forming/scene/read/read_section.hpp"
+#include "core/case/given_file.hpp"
+#include "forming/scene/read/drawing/dxf_file.hpp"
+#include "forming/scene/read/drawing/read_section.hpp"
+#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
@@ -14,72 +16,15 @@ namespace {
 using core::CaseNode;
 using core::Point;
 using core::Segment;
+using Entity = DxfEntity;
+using Group = DxfGroup;
 
-/// A pair of lines of a DXF file.
-struct Group {
-  int code;
-  std::string value;
-  int line;
-};
-
-struct Entity {
-  std::string kind;
-  std::vector<Group> groups;
-  int line;
-};
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-[[noreturn]] void refuse_line(const CaseNode& file, const std::string& path, int line, const std::string& message) {
-  CaseNode at = file;
-  at.file = path;
-  at.line = line;
-  core::refuse(at, message);
-}
-
-std::vector<Group> read_groups(const CaseNode& file, const std::string& path) {
-  std::ifstream in(path);
-  if (!in)
-    core::refuse(file,
-                 fmt::format("no file \"{}\", allowed is a drawing with its path relative to the case file", path));
-  std::vector<Group> groups;
-  std::string code, value;
-  for (int line = 1; std::getline(in, code) && std::getline(in, value); line += 2) {
-    char* end = nullptr;
-    const std::string number = trimmed(code);
-    const long found = std::strtol(number.c_str(), &end, 10);
-    if (number.empty() || *end != '\0')
-      refuse_line(file, path, line,
-                  fmt::format("\"{}\" was found, allowed is a group code of an ASCII DXF file", number.substr(0, 40)));
-    groups.push_back({static_cast<int>(found), trimmed(value), line + 1});
-  }
-  return groups;
-}
-
-/// Those of the ENTITIES section.
-std::vector<Entity> read_entities(const CaseNode& file, const std::string& path) {
-  std::vector<Entity> entities;
-  bool inside = false;
-  const auto groups = read_groups(file, path);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const Group& group = groups[i];
-    if (group.code == 0 && group.value == "ENDSEC") inside = false;
-    if (inside && group.code == 0)
-      entities.push_back({group.value, {}, group.line});
-    else if (inside && !entities.empty())
-      entities.back().groups.push_back(group);
-    if (group.code == 2 && group.value == "ENTITIES" && i > 0 && groups[i - 1].value == "SECTION") inside = true;
-  }
-  return entities;
-}
+constexpr double max_bulge = 1e6;  ///< a circle but for a gap of 1e-6 of its radius
 
 /// The curves of the wanted entities, one entity after the other.
 class DxfCurves {
  public:
-  DxfCurves(const CaseNode& file, std::string path, double unit) : file_(file), path_(std::move(path)), unit_(unit) {}
+  DxfCurves(const DxfFile& file, double unit) : file_(file), unit_(unit) {}
 
   void add(const Entity& entity) {
     if (number(entity, 230, 1) < 0)
@@ -94,13 +39,13 @@ class DxfCurves {
     else if (entity.kind == "CIRCLE")
       add_arc(entity, 0, 180), add_arc(entity, 180, 360);
     else if (entity.kind == "LWPOLYLINE")
-      begin_polyline(entity), add_light_vertices(entity), end_polyline();
+      begin_polyline(entity), add_light_vertices(entity), end_polyline(entity);
     else if (entity.kind == "POLYLINE")
       begin_polyline(entity);
     else if (entity.kind == "VERTEX")
       add_vertex(point(entity, 10, 20), number(entity, 42, 0));
     else if (entity.kind == "SEQEND")
-      end_polyline();
+      end_polyline(entity);
     else
       refuse(
           entity,
@@ -108,24 +53,28 @@ class DxfCurves {
                       "in the CAD program, or choose a layer without it)",
                       entity.kind));
   }
-  std::vector<Segment> curves;
 
- private:
-  [[noreturn]] void refuse(const Entity& entity, const std::string& message) const {
-    refuse_line(file_, path_, entity.line, message);
+  /// Refuses a polyline whose end has not been read.
+  void require_end_of_polyline() const {
+    if (open_) refuse(*open_, "a POLYLINE without SEQEND was found, allowed is one with it");
   }
 
-  double value_of(const Group& group) const {
-    char* end = nullptr;
-    const double value = std::strtod(group.value.c_str(), &end);
-    if (group.value.empty() || *end != '\0' || !std::isfinite(value))
-      refuse_line(file_, path_, group.line, fmt::format("\"{}\" was found, allowed is a number", group.value));
-    return value;
+  std::vector<Segment> curves;
+  std::vector<double> bulges;  ///< of the curves: 0 but for bent sides of polylines, which are still lines
+
+ private:
+  struct Vertex {
+    Point x;
+    double bulge;
+  };
+
+  [[noreturn]] void refuse(const Entity& entity, const std::string& message) const {
+    file_.refuse(entity.line, message);
   }
 
   double number(const Entity& entity, int code, double otherwise = std::nan("")) const {
     for (const Group& group : entity.groups)
-      if (group.code == code) return value_of(group);
+      if (group.code == code) return file_.number(group);
     if (std::isnan(otherwise))
       refuse(entity, fmt::format("a {} without group {} was found, allowed is one with it", entity.kind, code));
     return otherwise;
@@ -133,11 +82,19 @@ class DxfCurves {
 
   Point point(const Entity& entity, int x, int y) const { return unit_ * Point(number(entity, x), number(entity, y)); }
 
-  void add_line(const Point& start, const Point& end) {
+  void add(const Segment& curve, double bulge) {
+    curves.push_back(curve);
+    bulges.push_back(bulge);
+    if (curves.size() > max_segments)
+      core::refuse(file_.node, fmt::format("more than {} curves were found in \"{}\", allowed are so many",
+                                           max_segments, file_.path));
+  }
+
+  void add_line(const Point& start, const Point& end, double bulge = 0) {
     Segment line;
     line.start = start;
     line.end = end;
-    curves.push_back(line);
+    add(line, bulge);
   }
 
   /// Counterclockwise between two angles in degrees.
@@ -148,26 +105,24 @@ class DxfCurves {
     arc.radius = unit_ * number(entity, 40);
     if (!(arc.radius > 0))
       refuse(entity, fmt::format("an {} without a radius was found, allowed are radii above zero", entity.kind));
+    if (std::abs(from) > 360 || std::abs(to) > 360 || to - from > 360)
+      refuse(entity, fmt::format("an {} from {:g} to {:g} degrees was found, allowed is up to one turn", entity.kind,
+                                 from, to));
     arc.from = from * M_PI / 180;
     arc.to = (to > from ? to : to + 360) * M_PI / 180;
     arc.start = arc.centre + arc.radius * Point(std::cos(arc.from), std::sin(arc.from));
     arc.end = arc.centre + arc.radius * Point(std::cos(arc.to), std::sin(arc.to));
-    curves.push_back(arc);
+    add(arc, 0);
   }
 
   /// The bulge is the tangent of a quarter of the angle that the arc turns.
-  void add_bulge(const Point& start, const Point& end, double bulge) {
-    if (bulge == 0) return add_line(start, end);
-    Segment arc;
-    arc.is_arc = true;
-    arc.start = start;
-    arc.end = end;
-    const Point along = end - start, left(-along[1], along[0]);
-    arc.centre = 0.5 * (start + end) + (1 - bulge * bulge) / (4 * bulge) * left;
-    arc.radius = (start - arc.centre).norm();
-    arc.from = std::atan2(start[1] - arc.centre[1], start[0] - arc.centre[0]);
-    arc.to = arc.from + 4 * std::atan(bulge);
-    curves.push_back(arc);
+  void add_bulge(const Entity& entity, const Vertex& from, const Point& end) {
+    if (!(std::abs(from.bulge) <= max_bulge))
+      refuse(entity,
+             fmt::format("a bulge of {:g} was found, allowed are bulges of up to {:g} in size", from.bulge, max_bulge));
+    if (!std::isfinite(from.x[1]) || !std::isfinite(end[1]))
+      refuse(entity, "a vertex without group 20 was found, allowed are vertices with it");
+    add_line(from.x, end, from.bulge);
   }
 
   void begin_polyline(const Entity& entity) {
@@ -176,38 +131,51 @@ class DxfCurves {
       refuse(entity,
              fmt::format("a curve-fitted or three-dimensional {} was found, allowed is a plane one of lines and arcs",
                          entity.kind));
+    require_end_of_polyline();
     closed_ = (flags & 1) != 0;
-    vertices_.clear();
+    open_ = entity;
   }
 
   void add_vertex(const Point& x, double bulge) { vertices_.push_back({x, bulge}); }
 
   void add_light_vertices(const Entity& entity) {
     for (const Group& group : entity.groups) {
-      if (group.code == 10) add_vertex({unit_ * value_of(group), 0}, 0);
+      if (group.code == 10) add_vertex({unit_ * file_.number(group), std::nan("")}, 0);
       if (vertices_.empty()) continue;
-      if (group.code == 20) vertices_.back().x[1] = unit_ * value_of(group);
-      if (group.code == 42) vertices_.back().bulge = value_of(group);
+      if (group.code == 20) vertices_.back().x[1] = unit_ * file_.number(group);
+      if (group.code == 42) vertices_.back().bulge = file_.number(group);
     }
+    const double count = number(entity, 90, double(vertices_.size()));
+    if (count != double(vertices_.size()))
+      refuse(entity, fmt::format("{} vertices were found, the entity says {}", vertices_.size(), count));
   }
 
-  void end_polyline() {
-    for (std::size_t i = 1; i < vertices_.size(); ++i)
-      add_bulge(vertices_[i - 1].x, vertices_[i].x, vertices_[i - 1].bulge);
-    if (closed_ && vertices_.size() > 1) add_bulge(vertices_.back().x, vertices_.front().x, vertices_.back().bulge);
+  void end_polyline(const Entity& entity) {
+    for (std::size_t i = 1; i < vertices_.size(); ++i) add_bulge(entity, vertices_[i - 1], vertices_[i].x);
+    if (closed_ && vertices_.size() > 1) add_bulge(entity, vertices_.back(), vertices_.front().x);
     vertices_.clear();
+    open_.reset();
   }
 
-  struct Vertex {
-    Point x;
-    double bulge;
-  };
-  const CaseNode& file_;
-  std::string path_;
+  const DxfFile& file_;
   double unit_;
   std::vector<Vertex> vertices_;  ///< of the polyline being read
+  std::optional<Entity> open_;    ///< a polyline whose end has not been read
   bool closed_ = false;
 };
+
+/// The side of a polyline as an arc; a line where it leaves the line by no more than `straight`, m.
+Segment bent(const Segment& side, double bulge, double straight) {
+  const Point along = side.end - side.start, left(-along[1], along[0]);
+  if (std::abs(bulge) * along.norm() / 2 <= straight) return side;
+  Segment arc = side;
+  arc.is_arc = true;
+  arc.centre = 0.5 * (side.start + side.end) + (1 - bulge * bulge) / (4 * bulge) * left;
+  arc.radius = (side.start - arc.centre).norm();
+  arc.from = std::atan2(side.start[1] - arc.centre[1], side.start[0] - arc.centre[0]);
+  arc.to = arc.from + 4 * std::atan(bulge);
+  return arc;
+}
 
 /// Texts, dimensions and the like, and everything in paper space.
 bool is_annotation(const Entity& entity) {
@@ -225,14 +193,20 @@ bool on_layer(const Entity& entity, const std::string& layer) {
 
 }  // namespace
 
-std::vector<Segment> read_dxf(const CaseNode& file, const std::string& path, const std::string& layer, double unit) {
-  DxfCurves curves(file, path, unit);
+std::vector<Segment> read_dxf(const CaseNode& node, const std::string& path, const std::string& layer, double unit) {
+  const std::string content = core::read_given_file(node, path, "a drawing with its path relative to the case file");
+  const DxfFile file{node, path};
+  DxfCurves curves(file, unit);
   bool wanted = false;
-  for (const Entity& entity : read_entities(file, path)) {
+  read_entities(file, content, [&](const Entity& entity) {
     const bool part = entity.kind == "VERTEX" || entity.kind == "SEQEND";  // of the polyline before
     if (!part) wanted = !is_annotation(entity) && (layer.empty() || on_layer(entity, layer));
     if (wanted) curves.add(entity);
-  }
+  });
+  curves.require_end_of_polyline();
+  const double straight = tolerance::joined * size_of(curves.curves);
+  for (std::size_t i = 0; i < curves.curves.size(); ++i)
+    if (curves.bulges[i] != 0) curves.curves[i] = bent(curves.curves[i], curves.bulges[i], straight);
   return std::move(curves.curves);
 }
 

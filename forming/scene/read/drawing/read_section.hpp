@@ -9,6 +9,12 @@
 
 namespace parison::forming {
 
+/// The most lines and arcs that an outline or a drawing may have: what follows takes their number squared.
+inline constexpr std::size_t max_segments = 20'000;
+
+/// Diagonal of the box around curves in any order, m.
+double size_of(std::vector<core::Segment> curves);
+
 /// The curves of a DXF file in the order of the file, m, those without length included; `layer` empty for all layers,
 /// `unit` of a drawing unit in m.
 std::vector<core::Segment> read_dxf(const core::CaseNode& file, const std::string& path, const std::string& layer,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/scene/read/read_section.hpp"
+#include "forming/scene/read/drawing/read_section.hpp"
 
 #include <fmt/core.h>
 
@@ -29,13 +29,6 @@ bool meet(const Point& a, const Point& b, double size) {
 
 Chain turned(const Chain& chain) {
   return core::reversed({chain, {}}).segments;
-}
-
-/// Diagonal of the box around the curves, m; core::size takes the end of each segment for the start of another.
-double size_of(Chain curves) {
-  const Chain back = turned(curves);
-  curves.insert(curves.end(), back.begin(), back.end());
-  return core::size(core::Profile{std::move(curves), {}});
 }
 
 std::string in_mm(const Point& x) {
@@ -137,6 +130,24 @@ Chain with_length(Chain curves) {
   return curves;
 }
 
+/// Refuses curves far from any container and arcs so flat that round-off bends them.
+void check_curves(const CaseNode& file, const Chain& curves) {
+  constexpr double farthest = 1e6, largest_radius = 1e7;  // m; of the drawing's size
+  const double size = size_of(curves);
+  for (const Segment& curve : curves) {
+    const double reach = std::max({curve.start.norm(), curve.end.norm(), curve.centre.norm() / largest_radius});
+    if (!(reach <= farthest))
+      core::refuse(
+          file, fmt::format("a curve of the drawing reaches {:.3g} m, allowed are up to {:g} m from the origin", reach,
+                            farthest));
+    if (curve.is_arc && !(curve.radius <= largest_radius * size))
+      core::refuse(file,
+                   fmt::format("an arc with a radius of {:.3g} m was found, allowed are up to {:g} times the size "
+                               "of the drawing (draw a straight line)",
+                               curve.radius, largest_radius));
+  }
+}
+
 Chain read_drawing(const CaseTable& table, const std::string& directory) {
   const CaseNode& file = table.get("file");
   const auto path = std::filesystem::path(directory) / core::text(file);
@@ -151,12 +162,16 @@ Chain read_drawing(const CaseTable& table, const std::string& directory) {
         core::refuse(
             *node,
             fmt::format("a {} was found, allowed only for DXF files; a STEP file has its own unit and no layers", key));
-    return read_step(file, path.string());
+    Chain curves = read_step(file, path.string());
+    check_curves(file, curves);
+    return curves;
   }
   const auto unit = core::parse_quantity("1 " + core::text(table.get("unit")), core::dimension::length);
   if (!unit.problem.empty()) core::refuse(table.get("unit"), unit.problem);
   const auto* layer = table.find("layer");
-  Chain curves = with_length(read_dxf(file, path.string(), layer ? core::text(*layer) : "", unit.value));
+  Chain curves = read_dxf(file, path.string(), layer ? core::text(*layer) : "", unit.value);
+  check_curves(file, curves);
+  curves = with_length(std::move(curves));
   if (curves.empty())
     core::refuse(layer ? *layer : file,
                  fmt::format("no lines or arcs were found in \"{}\", allowed is a DXF file with some{}", path.string(),
@@ -177,6 +192,13 @@ Chain chained(const CaseNode& file, Chain curves) {
 }
 
 }  // namespace
+
+/// core::size takes the end of each segment for the start of another.
+double size_of(Chain curves) {
+  const Chain back = turned(curves);
+  curves.insert(curves.end(), back.begin(), back.end());
+  return core::size(core::Profile{std::move(curves), {}});
+}
 
 std::vector<Segment> read_section(const CaseNode& node, const std::string& directory) {
   const CaseTable table(node, {"file", "from", "via", "to", "unit", "layer"});

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case/given_file.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "core/io/input_file.hpp"
+
+namespace parison::core {
+
+std::string read_given_file(const CaseNode& at, const std::string& path, const std::string& allowed) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) refuse(at, fmt::format("no file \"{}\", allowed is {}", path, allowed));
+  InputFile file = read_input_file(path);
+  if (!file.problem.empty()) refuse(at, fmt::format("\"{}\" {}", path, file.problem));
+  return std::move(file.content);
+}
+
+bool Lines::next(std::string_view& line) {
+  if (rest_.empty()) return false;
+  const auto end = rest_.find('\n');
+  line = rest_.substr(0, end);
+  rest_.remove_prefix(end == rest_.npos ? rest_.size() : end + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  ++number_;
+  return true;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr const char* blanks = " \t\r\n\v\f";
+  const auto first = text.find_first_not_of(blanks);
+  return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string_view> split_at_commas(std::string_view text) {
+  constexpr std::size_t most = 1000;
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto comma = text.find(',');
+    parts.push_back(parts.size() < most ? text.substr(0, comma) : text);
+    if (comma == text.npos || parts.size() > most) return parts;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace parison::core

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/read/drawing/path_text.hpp"
+
+#include "core/case/given_file.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::trimmed;
+
+bool is_blank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+void skip_blanks(std::string_view& text) {
+  std::size_t count = 0;
+  while (count < text.size() && is_blank(text[count])) ++count;
+  text.remove_prefix(count);
+}
+
+/// Takes a word that ends at a blank, with the blanks behind it.
+std::string_view take_word(std::string_view& text) {
+  std::size_t size = 0;
+  while (size < text.size() && !is_blank(text[size])) ++size;
+  const auto word = text.substr(0, size);
+  text.remove_prefix(size);
+  skip_blanks(text);
+  return word;
+}
+
+/// Takes "(...)" and gives what is between the brackets; nothing where the text does not begin so.
+std::optional<std::string_view> take_brackets(std::string_view& text) {
+  if (text.empty() || text.front() != '(') return {};
+  const auto end = text.find_first_of("()", 1);
+  if (end == text.npos || text[end] == '(') return {};
+  const auto inside = text.substr(1, end - 1);
+  text.remove_prefix(end + 1);
+  return inside;
+}
+
+/// Takes everything before the next word that is `end`, and that word; nothing where there is none.
+std::optional<std::string_view> take_until(std::string_view& text, std::string_view end) {
+  const char* const first = text.data();
+  while (!text.empty()) {
+    const auto before = static_cast<std::size_t>(text.data() - first);
+    if (take_word(text) == end) return trimmed({first, before});
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<PointsText> split_points(std::string_view text) {
+  PointsText result;
+  bool apart = false;
+  skip_blanks(text);
+  while (const auto inside = take_brackets(text)) {
+    result.points.push_back(*inside);
+    apart = !text.empty() && is_blank(text.front());
+    skip_blanks(text);
+  }
+  result.unit = take_word(text);
+  if (result.points.empty() || !apart || result.unit.empty() || !text.empty()) return {};
+  return result;
+}
+
+std::optional<ArcText> split_arc(std::string_view text) {
+  skip_blanks(text);
+  if (take_word(text) != "arc" || take_word(text) != "centre") return {};
+  const auto centre = take_brackets(text);
+  skip_blanks(text);
+  const auto unit = take_word(text);
+  if (!centre || unit.empty() || take_word(text) != "radius") return {};
+  const auto radius = take_until(text, "from"), from = take_until(text, "to");
+  const auto to = trimmed(text);
+  if (!radius || !from || radius->empty() || from->empty() || to.empty()) return {};
+  return ArcText{*centre, unit, *radius, *from, to};
+}
+
+}  // namespace parison::forming

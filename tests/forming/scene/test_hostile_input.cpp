@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "../scene_text.hpp"
+#include "core/io/files.hpp"
+#include "forming/scene/read/drawing/path_text.hpp"
+
+namespace parison::forming {
+namespace {
+
+const std::string surface = "path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"";
+
+/// The disc of the small scene with its surface from a file beside the case.
+std::string with_drawing(const std::string& name, const std::string& text) {
+  core::write_text(write_scene(small_scene) + "/" + name, text);
+  return replaced(surface,
+                  "path = { file = \"" + name + "\", unit = \"mm\", from = \"(0, 0) mm\", to = \"(0, 10) mm\" }");
+}
+
+std::string with_csv(const std::string& text) {
+  core::write_text(write_scene(small_scene) + "/outline.csv", text);
+  return replaced(surface, "csv = \"outline.csv\"");
+}
+
+/// The outline of the disc as a polyline whose side up the mantle has a bulge, without the last lines of the file.
+std::string polyline(const std::string& bulge) {
+  return "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n90\n4\n70\n0\n10\n0\n20\n0\n10\n20\n20\n0\n42\n" + bulge +
+         "\n10\n20\n20\n10\n10\n0\n20\n10\n";
+}
+const std::string end = "0\nENDSEC\n0\nEOF\n";
+
+void expect_refused(const std::string& scene, const std::string& sentence) {
+  const std::string said = complaint_about(scene);
+  EXPECT_NE(said.find(sentence), said.npos) << said.substr(0, 500);
+  EXPECT_EQ(said.find('\n'), said.npos) << said;
+}
+
+TEST(HostileInput, a_bulge_next_to_zero_is_a_straight_side) {
+  for (const char* bulge : {"0", "1e-16", "-1e-15", "1e-12", "1e-7", "1e-300", "5e-324"}) {
+    const core::Profile glass = scene_of(with_drawing("disc.dxf", polyline(bulge) + end)).glass.profile;
+    EXPECT_FALSE(glass.segments[1].is_arc) << bulge;
+    EXPECT_EQ(core::signed_area(glass), 0.02 * 0.01) << bulge;
+  }
+  const double bulge = 1e-4, flat = 0.02 * 0.01, angle = 4 * std::atan(bulge), radius = 0.005 / std::sin(angle / 2);
+  const core::Profile bent = scene_of(with_drawing("disc.dxf", polyline("1e-4") + end)).glass.profile;
+  EXPECT_TRUE(bent.segments[1].is_arc);
+  EXPECT_NEAR(core::signed_area(bent) - flat, radius * radius / 2 * (angle - std::sin(angle)), 1e-13);
+}
+
+TEST(HostileInput, a_dxf_file_that_is_cut_off_anywhere_is_refused) {
+  const std::string whole = polyline("0") + end;
+  ASSERT_EQ(complaint_about(with_drawing("disc.dxf", whole)), "");
+  for (std::size_t size = 0; size + 4 < whole.size(); ++size)  // without its last line "EOF"
+    EXPECT_NE(complaint_about(with_drawing("disc.dxf", whole.substr(0, size))), "") << size;
+  expect_refused(
+      with_drawing("disc.dxf", polyline("0")),
+      "disc.dxf:28: glass.boundary.path.file: the file ends without the ENDSEC of its entities, so a part of "
+      "it is missing, allowed is a whole DXF file");
+  expect_refused(with_drawing("disc.dxf", polyline("0") + "0\nENDSEC\n"), "the file ends without EOF");
+  expect_refused(with_drawing("disc.dxf", polyline("0") + "10\n"), "the file ends within a group");
+}
+
+TEST(HostileInput, entities_that_contradict_themselves_are_refused) {
+  const auto said = [&](const std::string& from, const std::string& to, const std::string& sentence) {
+    expect_refused(with_drawing("disc.dxf", replaced(from, to, polyline("0") + end)), sentence);
+  };
+  said("90\n4", "90\n5", "4 vertices were found, the entity says 5");
+  said("\n20\n10\n10\n0\n", "\n10\n0\n", "a vertex without group 20 was found");
+  said("42\n0", "42\n1e7", "a bulge of 1e+07 was found, allowed are bulges of up to 1e+06 in size");
+  for (const char* number : {"nan", "inf", "1e400", "1e200", "0x1p-3", "", "1,5"})
+    said("10\n20\n", std::string("10\n") + number + "\n", "was found, allowed is a number of up to 1e+15 in size");
+  const std::string open = "0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n70\n0\n0\nVERTEX\n10\n0\n20\n0\n" + end;
+  expect_refused(with_drawing("disc.dxf", open), "a POLYLINE without SEQEND was found");
+  const std::string arc = "0\nSECTION\n2\nENTITIES\n0\nARC\n10\n0\n20\n0\n40\n";
+  expect_refused(with_drawing("disc.dxf", arc + "5\n50\n0\n51\n1e9\n" + end), "allowed is up to one turn");
+  expect_refused(with_drawing("disc.dxf", arc + "1e14\n50\n0\n51\n1\n" + end), "allowed are up to 1e+06 m from");
+  expect_refused(with_drawing("disc.dxf", arc + "1e8\n50\n0\n51\n1e-7\n" + end), "an arc with a radius of 1e+05 m");
+}
+
+TEST(HostileInput, a_path_of_ten_thousand_points_and_blanks_is_read_and_one_of_more_than_20000_refused) {
+  const auto path = [](int points, const std::string& blanks) {
+    std::string text;
+    for (int i = 0; i <= points; ++i) text += "(" + std::to_string(20 - 20.0 * i / points) + blanks + ", 10) ";
+    return replaced("(20, 10) (0, 10) mm", text + blanks + "mm");
+  };
+  EXPECT_EQ(scene_of(path(5'000, "")).glass.profile.segments.size(), 5'003u);
+  EXPECT_EQ(complaint_about(path(3, std::string(100'000, ' '))), "");
+  expect_refused(path(20'001, ""), "20004 points were found, allowed are up to 20000");
+}
+
+TEST(HostileInput, texts_of_paths_are_taken_apart_or_nothing_is) {
+  const auto points = split_points(" (31, 14)(29.5,20)\t\n(0, 98)  mm ");
+  ASSERT_TRUE(points);
+  EXPECT_EQ(points->points, (std::vector<std::string_view>{"31, 14", "29.5,20", "0, 98"}));
+  EXPECT_EQ(points->unit, "mm");
+  for (const char* text : {"", " ", "mm", "(1, 2)", "(1, 2)mm", "(1, 2) mm mm", "(1, (2) mm", "(1, 2 mm", "1, 2) mm",
+                           "(1, 2) (3, 4)", "(1, 2) x (3, 4) mm"})
+    EXPECT_FALSE(split_points(text)) << text;
+  const auto arc = split_arc(" arc  centre (13.5, 84)mm radius 14 mm from -1 deg to\n90 deg ");
+  ASSERT_TRUE(arc);
+  EXPECT_EQ(arc->centre, "13.5, 84");
+  EXPECT_EQ(arc->unit, "mm");
+  EXPECT_EQ(arc->radius, "14 mm");
+  EXPECT_EQ(arc->from, "-1 deg");
+  EXPECT_EQ(arc->to, "90 deg");
+  for (const char* text :
+       {"arc", "arc centre", "arc centre (1, 2) mm", "arc centre (1, 2) mm radius 3 mm from 0 deg",
+        "arc centre (1, 2) mm radius from 0 deg to 1 deg", "arc centre 1, 2 mm radius 3 mm from 0 to 1",
+        "arc centre (1, 2) mm radius 3 mm from 0 deg to", "arcs centre (1, 2) mm radius 3 mm from 0 to 1"})
+    EXPECT_FALSE(split_arc(text)) << text;
+}
+
+TEST(HostileInput, rows_of_a_csv_file_are_points_within_range) {
+  EXPECT_EQ(complaint_about(with_csv("r_mm,z_mm\r\n0,0\r\n20,0,\r\n\r\n20,10\r\n0,10")), "");
+  for (const char* number : {"nan", "inf", "1e400", "1e-400", "1e12", "", "0x10", "1 2", "1;2"})
+    EXPECT_NE(complaint_about(with_csv("r_mm,z_mm\n0,0\n20,0\n" + std::string(number) + ",10\n0,10\n")), "") << number;
+  expect_refused(with_csv("r_mm,z_mm\n0,0\n20,0\n1e12,10\n"),
+                 "outline.csv:4: glass.boundary.csv: \"1e12 mm\" is too large");
+  expect_refused(with_csv("r_mm,z_mm\n0,0\n20,0,5\n"), "\"20,0,5\" has 3 columns, allowed are 2");
+  std::string many = "r_mm,z_mm\n";
+  for (int i = 0; i < 20'001; ++i) many += "1,1\n";
+  expect_refused(with_csv(many), "outline.csv:20002: glass.boundary.csv: allowed are up to 20000 points");
+}
+
+TEST(HostileInput, pipes_folders_and_endless_files_are_refused_without_waiting) {
+  for (const char* name : {"disc.dxf", "outline.csv"}) {
+    const bool is_csv = std::string(name) == "outline.csv";
+    const std::string scene = is_csv ? with_csv("") : with_drawing(name, ""), path = write_scene(scene) + "/" + name;
+    std::filesystem::resize_file(path, 3'000'000'000);
+    expect_refused(scene, "\" is too large, allowed are files of up to 100 MB");
+    std::filesystem::remove(path);
+    ASSERT_EQ(::mkfifo(path.c_str(), 0666), 0);
+    expect_refused(scene, "\" is not a file with a content, allowed is a regular file");
+    std::filesystem::remove(path);
+    std::filesystem::create_symlink("/dev/zero", path);
+    expect_refused(scene, "\" is not a file with a content, allowed is a regular file");
+    std::filesystem::remove(path);
+    std::filesystem::create_directory(path);
+    expect_refused(scene, "\" is not a file with a content, allowed is a regular file");
+  }
+}
+
+TEST(HostileInput, numbers_of_a_case_have_a_range) {
+  const auto said = [&](const std::string& from, const std::string& to, const std::string& sentence) {
+    expect_refused(replaced(from, to), sentence);
+  };
+  said("2400 kg/m3", "1e300 kg/m3", "is too large, allowed is a density");
+  said("2400 kg/m3", "1e-300 kg/m3", "was found, allowed are values from 1e-30 in SI units");
+  said("duration = \"1 s\"", "duration = \"1e300 s\"", "is too large, allowed is a time");
+  said("1e4 Pa.s", "1e-300 Pa.s", "was found, allowed are values from 1e-30 in SI units");
+  for (const char* A : {"-400", "400", "1e308"})
+    said("{ law = \"constant\", value = \"1e4 Pa.s\" }",
+         std::string("{ law = \"vft\", A = ") + A + ", B = \"3922 K\", T0 = \"291 degC\" }", "viscosity.A: ");
+}
+
+}  // namespace
+}  // namespace parison::forming
