@@ -198,6 +198,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_remeshing(json, state, summary);
   add_bodies(json, summary);
   add_stages(json, summary.run);
+  add_cavities(json, scene, state);
   add_thickness(json, summary);
   if (bars) add_errors(json, *bars);
   add_quantities(json, summary.quantities);

@@ -18,23 +18,6 @@ struct Arc {
   Index before, after;
 };
 
-/// The edges that follow and precede each one in its loop.
-struct Chain {
-  std::vector<Index> next, previous;
-
-  explicit Chain(const core::Mesh& mesh)
-      : next(mesh.boundary_edges().size()), previous(mesh.boundary_edges().size(), 0) {
-    const auto& edges = mesh.boundary_edges();
-    Index first = 0;
-    for (Index e = 0; e < static_cast<Index>(edges.size()); ++e) {
-      const bool chained = e + 1 < static_cast<Index>(edges.size()) && edges[e + 1].nodes[0] == edges[e].nodes[1];
-      next[e] = chained ? e + 1 : first;
-      if (!chained) first = e + 1;
-    }
-    for (Index e = 0; e < static_cast<Index>(edges.size()); ++e) previous[next[e]] = e;
-  }
-};
-
 bool touches(const ExposedGlass& glass, Index node) {
   return glass.contact_tool[node] >= 0;
 }
@@ -43,7 +26,7 @@ bool touches(const ExposedGlass& glass, Index node) {
 /// none.
 std::vector<Arc> find_arcs(const ExposedGlass& glass) {
   const auto& edges = glass.mesh.boundary_edges();
-  const Chain chain(glass.mesh);
+  const core::BoundaryChain chain(glass.mesh);
   const auto starts = [&](Index e) {
     return glass.exposed[e] && (!glass.exposed[chain.previous[e]] || touches(glass, edges[e].nodes[0]));
   };
