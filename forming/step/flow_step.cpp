@@ -89,11 +89,13 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
   keep_bounds(predictor.bounds, problem.candidates);
   keep_bounds(corner_bounds(scene, state), problem.candidates);
   problem.air = start.air;
-  const auto warm = likely_contacts(state, active, problem, predictor.velocity);
+  auto warm = likely_contacts(state, active, problem, predictor.velocity);
+  const bool carried = problem.air && add_carrier(problem, warm);
   if (!workspace.flow) workspace.flow.emplace(middle);
   auto equilibrium = workspace.flow->find_equilibrium(problem, warm);
   correct_volume(scene, state, dt, equilibrium);
   auto solution = flow::evaluate(problem, std::move(equilibrium));
+  if (carried) remove_carrier(problem, solution);
   return {std::move(problem.candidates), std::move(solution)};
 }
 
