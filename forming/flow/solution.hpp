@@ -60,7 +60,7 @@ struct Solution : Convergence {
       exposed;  ///< per boundary edge: at least one node free, so that gas pressure and surface tension act
   std::vector<PocketAfter> pockets;    ///< of trapped air, in the order of the problem
   std::vector<double> edge_pressure;   ///< gauge, per boundary edge, Pa, where exposed; empty without trapped air
-  std::vector<Index> air_behind;           ///< per boundary edge, as in AirLoads; empty without trapped air
+  std::vector<Index> air_behind;       ///< per boundary edge, as in AirLoads; empty without trapped air
   std::vector<double> tool_air_force;  ///< of the tool on trapped air along the axis, N; empty without it
   double mean_rate = 0;                ///< root mean square of the rate of deformation sqrt(2 D:D) over the volume, 1/s
   double high_rate = 0;                ///< rate of deformation that `high_rate_fraction` of the volume exceeds, 1/s

@@ -220,7 +220,7 @@ std::string describe_sensitivity(const Scene& scene) {
   for (const PartSensitivity& part : parts)
     text += fmt::format("  {:<20}{:<11}{} {:.2g}\n", part.name, part.in_scene ? "in" : "neglected", part.number_name,
                         part.number);
-  constexpr double noticed = 0.1;
+  constexpr double noticed = 0.01;
   for (const PartSensitivity& part : parts)
     if (!part.in_the_model && part.number > noticed)
       text += fmt::format("  warning: {} is neglected and no run can tell what it changes; {} is {:.2g}\n", part.name,

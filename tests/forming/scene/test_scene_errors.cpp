@@ -359,6 +359,18 @@ TEST(SceneErrors, more_tools_driven_by_forces_than_a_stage_bears) {
       << message;
 }
 
+TEST(SceneErrors, trapped_air_with_another_law_or_without_its_temperature) {
+  const auto with = [](const std::string& air) { return complaint_about("trapped_air = " + air + "\n" + small_scene); };
+  EXPECT_EQ(with(R"({ law = "adiabatic", temperature = "500 degC", vent_area = "2 mm2", seal_gap = "0.2 mm" })"), "");
+  EXPECT_EQ(with(R"({ law = "vented" })"), "");
+  EXPECT_NE(with(R"({ law = "isotherm", temperature = "500 degC" })").find("isothermal"), std::string::npos);
+  EXPECT_NE(with(R"({ law = "isothermal" })").find("trapped_air.temperature"), std::string::npos);
+  EXPECT_NE(with(R"({ law = "vented", vent_area = "2 mm2" })").find("found with the law \"vented\""),
+            std::string::npos);
+  EXPECT_NE(with(R"({ law = "isothermal", temperature = "500 degC", vent_area = "2 mm" })").find("is a length"),
+            std::string::npos);
+}
+
 TEST(SceneErrors, a_motion_that_starts_away_from_its_tool) {
   const std::string moved = replaced("motion.plunger = { force = \"-5 N\", speed_limit = \"10 mm/s\" }",
                                      "motion.plunger = { offset = [[\"0 s\", \"12 mm\"], [\"1 s\", \"9 mm\"]] }");
