@@ -130,7 +130,7 @@ std::vector<NodeChange> changed_nodes(const Constraints& base, const Constraints
       changed.push_back(
           {only_normal(before, now, schur_columns) ? NodeChange::Kind::normal : NodeChange::Kind::whole, node});
     else if (std::abs(tangential_stiffness_of(base, node) - tangential_stiffness_of(constraints, node)) >
-             same_stiffness * tangential_stiffness_of(constraints, node))
+             same_stiffness * std::abs(tangential_stiffness_of(constraints, node)))
       changed.push_back({NodeChange::Kind::friction, node});
   }
   return changed;
