@@ -151,7 +151,8 @@ void seal_air(StepStart& start) {
   for (std::size_t i = 0; i < sealed.cavities.size(); ++i) {
     AirCavity& cavity = sealed.cavities[i];
     for (const Index e : cavity.edges) start.air->behind[e] = static_cast<Index>(i);
-    start.air->pockets.push_back({cavity.volume, sealed.energy[i], law.exponent, vent, std::move(cavity.tool_area)});
+    start.air->pockets.push_back(
+        {cavity.volume, sealed.energy[i], law.exponent, sealed.energy[i] > 0 ? vent : 0, std::move(cavity.tool_area)});
   }
   start.air_amount = std::move(sealed.amount);
 }
