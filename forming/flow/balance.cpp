@@ -112,6 +112,16 @@ void add_air_forces(const TrappedAir& air, const AirLoads& loads, const std::vec
   }
 }
 
+/// Adds the response to the pressures of trapped air, Pa, whose columns and forces come last.
+void add_pressures(const Eigen::VectorXd& pressure, const ToolSuperposition& columns,
+                   const std::vector<ContactForces>& forces, Response& response) {
+  const Index first = static_cast<Index>(forces.size()) - static_cast<Index>(pressure.size());
+  for (Index j = 0; j < pressure.size(); ++j) {
+    response.unknowns += pressure[j] * columns.unknowns.col(first + j);
+    response.forces.add(pressure[j], forces[first + j]);
+  }
+}
+
 }  // namespace
 
 ToolSuperposition superpose(const Problem& problem, const CellMatrices& cells, const Constraints& constraints,
@@ -158,11 +168,7 @@ Response balance_tools(const Problem& problem, const std::vector<NodeConstraint>
     response.forces.add(velocity[k], parts[1 + k]);
     response.tool_velocity[driven[k]] = velocity[k];
   }
-  for (Index j = 0; air && j < balance.pressure.size(); ++j) {
-    const auto column = 1 + driven.size() + static_cast<std::size_t>(j);
-    response.unknowns += balance.pressure[j] * columns.unknowns.col(Index(column));
-    response.forces.add(balance.pressure[j], parts[column]);
-  }
+  if (air) add_pressures(balance.pressure, columns, parts, response);
   return response;
 }
 
