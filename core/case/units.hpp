@@ -14,6 +14,7 @@ namespace dimension {
 inline constexpr Dimension none{};
 inline constexpr Dimension length{1};
 inline constexpr Dimension inverse_length{-1};
+inline constexpr Dimension area{2};
 inline constexpr Dimension volume{3};
 inline constexpr Dimension time{0, 0, 1};
 inline constexpr Dimension speed{1, 0, -1};

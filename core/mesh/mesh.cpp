@@ -86,6 +86,18 @@ Topology& Mesh::edit() {
   return *topology_;
 }
 
+BoundaryChain::BoundaryChain(const Mesh& mesh)
+    : next(mesh.boundary_edges().size()), previous(mesh.boundary_edges().size()) {
+  const auto& edges = mesh.boundary_edges();
+  const auto count = static_cast<Index>(edges.size());
+  for (Index e = 0, first = 0; e < count; ++e) {
+    const bool chained = e + 1 < count && edges[e + 1].nodes[0] == edges[e].nodes[1];
+    next[e] = chained ? e + 1 : first;
+    if (!chained) first = e + 1;
+  }
+  for (Index e = 0; e < count; ++e) previous[next[e]] = e;
+}
+
 std::vector<bool> boundaries_of_kind(const Mesh& mesh, BoundaryKind kind) {
   std::vector<bool> flags;
   for (const MeshBoundary& boundary : mesh.boundaries()) flags.push_back(boundary.kind == kind);

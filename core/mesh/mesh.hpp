@@ -75,6 +75,12 @@ class Mesh {
   std::shared_ptr<Topology> topology_ = std::make_shared<Topology>();
 };
 
+/// The boundary edges after and before each one in its loop, as indices.
+struct BoundaryChain {
+  std::vector<Index> next, previous;
+  explicit BoundaryChain(const Mesh& mesh);
+};
+
 /// Flags of the boundaries of one kind.
 std::vector<bool> boundaries_of_kind(const Mesh& mesh, BoundaryKind kind);
 

@@ -23,6 +23,8 @@ struct ToolBalance {
   const Eigen::MatrixXd& force;  ///< axial force, N: column 0 at rest, column 1 + k per m/s of driven tool k
   Eigen::VectorXd velocity;      ///< m/s
   std::vector<bool> limited;     ///< at the speed limit
+  const AirResponse* air;        ///< null without trapped air
+  Eigen::VectorXd pressure;      ///< of its pockets, gauge, Pa
 
   Index count() const { return static_cast<Index>(driven.size()); }
   double speed_limit(Index k) const { return problem.tools[driven[k]].speed_limit; }
@@ -41,15 +43,33 @@ struct ToolBalance {
       rhs[k] = *problem.tools[driven[k]].force - force(k, 0);
     }
     for (Index k = 0; k < count(); ++k)
-      if (!limited[k] && resistance(k, k) <= 0) {
+      if (!limited[k] && resistance(k, k) <= 0 && !meets_air(k)) {
         limit(k, rhs[k]);
         resistance.row(k) = Eigen::RowVectorXd::Unit(count(), k);
         rhs[k] = velocity[k];
       }
-    const double least = min_resistance * resistance.diagonal().maxCoeff();
+    const double least = count() > 0 ? min_resistance * resistance.diagonal().maxCoeff() : 0;
     for (Index k = 0; k < count(); ++k)
       if (!limited[k]) resistance(k, k) += least;
-    velocity = resistance.partialPivLu().solve(rhs);
+    if (air)
+      solve_with_air(resistance, rhs);
+    else
+      velocity = resistance.partialPivLu().solve(rhs);
+  }
+
+  bool meets_air(Index k) const { return air && (air->rate.col(1 + k).array() != 0).any(); }
+
+  void solve_with_air(const Eigen::MatrixXd& resistance, const Eigen::VectorXd& rhs) {
+    const Index pockets = air->pockets();
+    AirBalance balance{*air, Eigen::MatrixXd::Zero(count(), count() + pockets), rhs};
+    balance.resistance.leftCols(count()) = resistance;
+    for (Index k = 0; k < count(); ++k)
+      if (!limited[k]) balance.resistance.row(k).tail(pockets) = force.row(k).tail(pockets);
+    Eigen::VectorXd unknowns(count() + pockets);
+    unknowns << velocity, pressure;
+    unknowns = balance.solve(std::move(unknowns));
+    velocity = unknowns.head(count());
+    pressure = unknowns.tail(pockets);
   }
 
   /// The tool that exceeds its speed limit by the largest factor; -1 where none does.
@@ -65,36 +85,65 @@ struct ToolBalance {
   }
 };
 
-/// Velocities of the driven tools, m/s: in force balance, or at the speed limit where balance would exceed it.
-Eigen::VectorXd driven_velocities(const Problem& problem, const std::vector<Index>& driven,
-                                  const Eigen::MatrixXd& force) {
+/// Velocities of the driven tools, m/s: in force balance, or at the speed limit where balance would exceed it; with the
+/// pressures of trapped air.
+ToolBalance balanced_tools(const Problem& problem, const std::vector<Index>& driven, const Eigen::MatrixXd& force,
+                           const AirResponse* air, const Eigen::VectorXd& first_guess) {
   const auto count = static_cast<Index>(driven.size());
-  ToolBalance balance{problem, driven, force, Eigen::VectorXd::Zero(count), std::vector<bool>(count, false)};
-  for (Index round = 0; count > 0 && round <= count; ++round) {
+  ToolBalance balance{problem, driven,     force, Eigen::VectorXd::Zero(count), std::vector<bool>(count, false),
+                      air,     first_guess};
+  for (Index round = 0; (count > 0 || air) && round <= count; ++round) {
     balance.solve();
     const Index fastest = balance.fastest_beyond_limit();
     if (fastest < 0) break;
     balance.limit(fastest, balance.velocity[fastest]);
   }
-  return balance.velocity;
+  return balance;
+}
+
+/// Adds the forces of the tools on trapped air, N, to those on the glass; columns as in ToolSuperposition.
+void add_air_forces(const TrappedAir& air, const AirLoads& loads, const std::vector<Index>& driven,
+                    Eigen::MatrixXd& force) {
+  const Index first = 1 + static_cast<Index>(driven.size());
+  for (std::size_t k = 0; k < driven.size(); ++k) {
+    force(Index(k), 0) += loads.tool_force[driven[k]];
+    for (std::size_t j = 0; j < air.pockets.size(); ++j)
+      force(Index(k), first + Index(j)) -= air.pockets[j].tool_area[driven[k]];
+  }
+}
+
+/// Adds the response to the pressures of trapped air, Pa, whose columns and forces come last.
+void add_pressures(const Eigen::VectorXd& pressure, const ToolSuperposition& columns,
+                   const std::vector<ContactForces>& forces, Response& response) {
+  const Index first = static_cast<Index>(forces.size()) - static_cast<Index>(pressure.size());
+  for (Index j = 0; j < pressure.size(); ++j) {
+    response.unknowns += pressure[j] * columns.unknowns.col(first + j);
+    response.forces.add(pressure[j], forces[first + j]);
+  }
 }
 
 }  // namespace
 
 ToolSuperposition superpose(const Problem& problem, const CellMatrices& cells, const Constraints& constraints,
-                            const Eigen::VectorXd& load, Eigen::MatrixXd correction, const Iterate& iterate) {
+                            const Eigen::VectorXd& load, Eigen::MatrixXd correction, const Iterate& iterate,
+                            const AirLoads* air) {
   const core::Mesh& mesh = *problem.mesh;
   const Index velocities = dim * mesh.node_count(), driven = Index(iterate.driven.size());
   ToolSuperposition columns{std::move(correction), {}};
   columns.reaction = product(mesh, cells, columns.unknowns, constrained_batches(mesh, constraints)).topRows(velocities);
   columns.reaction.col(0) += iterate.force.head(velocities) - load.head(velocities);
-  columns.reaction.col(0) -= columns.reaction.rightCols(driven) * iterate.driven;
-  columns.unknowns.col(0) += iterate.x - columns.unknowns.rightCols(driven) * iterate.driven;
+  columns.reaction.col(0) -= columns.reaction.middleCols(1, driven) * iterate.driven;
+  columns.unknowns.col(0) += iterate.x - columns.unknowns.middleCols(1, driven) * iterate.driven;
+  if (!air) return columns;
+  const Index pockets = Index(air->unit.cols());
+  columns.reaction.rightCols(pockets) -= air->unit;
+  columns.reaction.col(0) -= columns.reaction.rightCols(pockets) * iterate.air_pressure;
+  columns.unknowns.col(0) -= columns.unknowns.rightCols(pockets) * iterate.air_pressure;
   return columns;
 }
 
 Response balance_tools(const Problem& problem, const std::vector<NodeConstraint>& constraints,
-                       const ToolSuperposition& columns) {
+                       const ToolSuperposition& columns, const AirLoads* air, const Eigen::VectorXd& first_guess) {
   const auto driven = driven_tools(problem);
   const Index count = Index(columns.unknowns.cols());
   Eigen::MatrixXd force = Eigen::MatrixXd::Zero(Index(driven.size()), count);
@@ -105,14 +154,21 @@ Response balance_tools(const Problem& problem, const std::vector<NodeConstraint>
       for (std::size_t k = 0; k < driven.size(); ++k)
         if (problem.candidates[i].tool == driven[k]) force(k, column) += parts.back().axial[i];
   }
-  const Eigen::VectorXd velocity = driven_velocities(problem, driven, force);
-  Response response{columns.unknowns.col(0), parts[0], {}};
+  AirResponse air_rates;
+  if (air) {
+    add_air_forces(*problem.air, *air, driven, force);
+    air_rates = air_response(problem, *air, columns.unknowns, driven);
+  }
+  const auto balance = balanced_tools(problem, driven, force, air ? &air_rates : nullptr, first_guess);
+  const Eigen::VectorXd& velocity = balance.velocity;
+  Response response{columns.unknowns.col(0), parts[0], {}, balance.pressure};
   for (const auto& tool : problem.tools) response.tool_velocity.push_back(tool.velocity);
   for (std::size_t k = 0; k < driven.size(); ++k) {
     response.unknowns += velocity[k] * columns.unknowns.col(1 + k);
     response.forces.add(velocity[k], parts[1 + k]);
     response.tool_velocity[driven[k]] = velocity[k];
   }
+  if (air) add_pressures(balance.pressure, columns, parts, response);
   return response;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
+#include "forming/flow/air/trapped_air.hpp"
 #include "forming/flow/material.hpp"
 
 namespace parison::flow {
@@ -57,6 +58,7 @@ struct Problem {
   std::vector<BoundaryCondition> boundary_conditions;  ///< one for each mesh boundary
   std::vector<ToolMotion> tools;
   std::vector<ContactCandidate> candidates;
+  std::optional<TrappedAir> air;  ///< in sealed cavities; none: each is vented
 };
 
 inline Point node_velocity(const Eigen::VectorXd& velocity, Index node) {

@@ -63,6 +63,26 @@ void evaluate_contact(const Problem& problem, const Equilibrium& equilibrium, So
     result.exposed.push_back(!(in_contact[edge.nodes[0]] && in_contact[edge.nodes[1]] && in_contact[edge.nodes[2]]));
 }
 
+/// What the step leaves of trapped air.
+void evaluate_air(const Problem& problem, const Equilibrium& equilibrium, Solution& result) {
+  if (!problem.air) return;
+  const TrappedAir& air = *problem.air;
+  const Eigen::VectorXd& pressure = equilibrium.response.air_pressure;
+  result.air_behind = equilibrium.air->behind;
+  result.edge_pressure = edge_pressures(problem, *equilibrium.air, pressure);
+  const Eigen::VectorXd force = tool_air_forces(problem, *equilibrium.air, pressure);
+  result.tool_air_force.assign(force.begin(), force.end());
+  const Eigen::VectorXd swept = equilibrium.air->sweep.transpose() * result.velocity;
+  for (std::size_t j = 0; j < air.pockets.size(); ++j) {
+    const AirPocket& pocket = air.pockets[j];
+    double rate = swept[Index(j)];
+    for (std::size_t t = 0; t < result.tool_velocity.size(); ++t) rate += pocket.tool_area[t] * result.tool_velocity[t];
+    const double absolute = air.ambient + pressure[Index(j)];
+    result.pockets.push_back(
+        {absolute, pocket.volume + air.dt * rate, air.dt * vent_outflow(pocket.vent, absolute, air.ambient).value});
+  }
+}
+
 /// Dissipation, rates of deformation, and the powers of friction, impact and corrections.
 void evaluate_powers(const Problem& problem, const Equilibrium& equilibrium, Solution& result) {
   const Discretisation& discretisation = equilibrium.discretisation;
@@ -105,6 +125,7 @@ Solution evaluate(const Problem& problem, Equilibrium equilibrium) {
   result.tool_velocity = equilibrium.response.tool_velocity;
   evaluate_contact(problem, equilibrium, result);
   evaluate_powers(problem, equilibrium, result);
+  evaluate_air(problem, equilibrium, result);
   result.dilatation_mode = std::move(equilibrium.dilatation_mode);
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct Equilibrium : Convergence {
   Eigen::VectorXd dilatation_mode;           ///< two per node, m/s
   std::vector<double> tool_dilatation_mode;  ///< velocities of the tools with it, m/s
   double dilatation_rate = 0;                ///< share of the mode in the velocities, 1/s
+  std::optional<AirLoads> air;               ///< of trapped air, where the problem has some
+};
+
+/// A pocket of trapped air at the end of a step.
+struct PocketAfter {
+  double pressure, volume;  ///< absolute, Pa; m3
+  double outflow;           ///< of p V through the vent in the step, J
 };
 
 /// Adds `rate` (1/s) times the dilatation mode to the velocities of glass and tools, and to the prescribed div v;
@@ -49,9 +57,13 @@ struct Solution : Convergence {
   double correction_power = 0;        ///< of the corrections of volume and penetration, W: not physical
   Eigen::VectorXd dilatation_mode;    ///< m/s, two per node: Equilibrium::dilatation_mode
   std::vector<bool>
-      exposed;           ///< per boundary edge: at least one node free, so that gas pressure and surface tension act
-  double mean_rate = 0;  ///< root mean square of the rate of deformation sqrt(2 D:D) over the volume, 1/s
-  double high_rate = 0;  ///< rate of deformation that `high_rate_fraction` of the volume exceeds, 1/s
+      exposed;  ///< per boundary edge: at least one node free, so that gas pressure and surface tension act
+  std::vector<PocketAfter> pockets;    ///< of trapped air, in the order of the problem
+  std::vector<double> edge_pressure;   ///< gauge, per boundary edge, Pa, where exposed; empty without trapped air
+  std::vector<Index> air_behind;       ///< per boundary edge, as in AirLoads; empty without trapped air
+  std::vector<double> tool_air_force;  ///< of the tool on trapped air along the axis, N; empty without it
+  double mean_rate = 0;                ///< root mean square of the rate of deformation sqrt(2 D:D) over the volume, 1/s
+  double high_rate = 0;                ///< rate of deformation that `high_rate_fraction` of the volume exceeds, 1/s
 };
 
 /// Evaluates contact pressures, dissipation and powers of an equilibrium of `problem`. Of one that did not converge

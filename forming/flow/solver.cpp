@@ -36,9 +36,19 @@ std::string failed_precondition(const Problem& problem) {
   return driven_tools(problem).size() > max_driven_tools ? "more than four tools are driven by force at a time" : "";
 }
 
+/// Gauge pressures of trapped air at the step's start, Pa.
+Eigen::VectorXd initial_air_pressures(const Problem& problem) {
+  if (!problem.air) return {};
+  Eigen::VectorXd pressures(static_cast<Index>(problem.air->pockets.size()));
+  for (Index j = 0; j < pressures.size(); ++j)
+    pressures[j] = problem.air->pockets[j].energy / problem.air->pockets[j].volume - problem.air->ambient;
+  return pressures;
+}
+
 /// The tools as boundary conditions of a dilatation added to a solved problem: tools in force balance yield without a
-/// force, tools at their speed limit and tools of given velocity do not move.
+/// force, tools at their speed limit and tools of given velocity do not move. Trapped air keeps its pressure.
 Problem tools_for_dilatation(Problem problem, const std::vector<double>& tool_velocity) {
+  problem.air.reset();
   for (std::size_t t = 0; t < problem.tools.size(); ++t) {
     ToolMotion& tool = problem.tools[t];
     tool.velocity = 0;
@@ -64,6 +74,8 @@ class ActiveSetIteration {
   bool fail(const char* reason);
   bool constrain_nodes();
   bool solve_linearised();
+  bool add_air_columns(Eigen::MatrixXd& correction);
+  const AirLoads* air() const { return air_ ? &*air_ : nullptr; }
   void balance_driven_tools();
   bool linearise_viscosity();
   bool update_contacts();
@@ -77,12 +89,13 @@ class ActiveSetIteration {
   Corrector& corrector_;
   Equilibrium result_;
 
-  Iterate iterate_;             ///< of the Newton iteration, with its force
-  Eigen::VectorXd load_;        ///< right-hand side with the loads on the free surface
-  ToolSuperposition columns_;   ///< the last linear solution
-  double velocity_change_ = 0;  ///< relative, by the last linear solution
-  bool has_response_ = false;   ///< `result_.response` is that of an iteration
-  bool refined_ = false;        ///< the next iteration is a refinement of the last one
+  Iterate iterate_;              ///< of the Newton iteration, with its force
+  Eigen::VectorXd load_;         ///< right-hand side with the loads on the free surface
+  std::optional<AirLoads> air_;  ///< of trapped air, where there is some
+  ToolSuperposition columns_;    ///< the last linear solution
+  double velocity_change_ = 0;   ///< relative, by the last linear solution
+  bool has_response_ = false;    ///< `result_.response` is that of an iteration
+  bool refined_ = false;         ///< the next iteration is a refinement of the last one
 
   NewtonGuard newton_;
   CoulombSliding sliding_;
@@ -102,7 +115,7 @@ ActiveSetIteration::ActiveSetIteration(const Problem& problem, const std::vector
   result_.active = initial_active_set(problem, initial_active);
   result_.discretisation = discretise(problem);
   iterate_ = {Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size),
-              Eigen::VectorXd::Zero(Index(driven_tools(problem).size()))};
+              Eigen::VectorXd::Zero(Index(driven_tools(problem).size())), initial_air_pressures(problem)};
   corrector_.start(problem.with_dilatation_mode ? result_.discretisation.dilatation_load : Eigen::VectorXd());
 }
 
@@ -138,6 +151,10 @@ bool ActiveSetIteration::constrain_nodes() {
   const auto in_contact = nodes_in_contact(problem_, result_.active);
   load_ = discretisation.load;
   load_.head(velocities_) += surface_load(mesh_, discretisation.surface, in_contact);
+  if (problem_.air) {
+    air_ = air_loads(problem_, in_contact);
+    load_.head(velocities_) += air_->suction + air_->unit * iterate_.air_pressure;
+  }
   result_.constraints = make_constraints(problem_, result_.active);
   if (!support(problem_, load_, result_.active, result_.constraints)) return false;
   add_friction(problem_, result_.active, contact_areas(mesh_, discretisation.surface, in_contact),
@@ -151,16 +168,33 @@ bool ActiveSetIteration::solve_linearised() {
   const CellMatrices& jacobian = result_.discretisation.jacobian();
   auto correction = corrector_.correct(problem_, jacobian, result_.constraints, load_, iterate_);
   result_.factorisations = corrector_.factorisations;
-  if (!correction || !correction->allFinite()) return false;
-  columns_ = superpose(problem_, jacobian, result_.constraints, load_, std::move(*correction), iterate_);
+  if (!correction || !add_air_columns(*correction) || !correction->allFinite()) return false;
+  columns_ = superpose(problem_, jacobian, result_.constraints, load_, std::move(*correction), iterate_, air());
   return true;
 }
 
-/// The next iterate: that superposition of the columns with which driven tools are in balance.
+/// Appends the response to each Pa of each pocket of trapped air; false where the matrix is singular.
+bool ActiveSetIteration::add_air_columns(Eigen::MatrixXd& correction) {
+  for (Index j = 0; air_ && j < air_->unit.cols(); ++j) {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(load_.size());
+    force.head(velocities_) = air_->unit.col(j);
+    const auto response = corrector_.response_to(problem_, result_.constraints, force);
+    if (!response) return false;
+    correction.conservativeResize(Eigen::NoChange, correction.cols() + 1);
+    correction.rightCols(1) = *response;
+  }
+  return true;
+}
+
+/// The next iterate: that superposition of the columns with which driven tools and trapped air are in balance.
 void ActiveSetIteration::balance_driven_tools() {
   const Eigen::VectorXd before = iterate_.x.head(velocities_);
-  result_.response = balance_tools(problem_, result_.constraints.nodes, columns_);
+  result_.response = balance_tools(problem_, result_.constraints.nodes, columns_, air(), iterate_.air_pressure);
   has_response_ = true;
+  if (air_) {
+    load_.head(velocities_) += air_->unit * (result_.response.air_pressure - iterate_.air_pressure);
+    iterate_.air_pressure = result_.response.air_pressure;
+  }
   iterate_.x = result_.response.unknowns;
   const auto tools = driven_tools(problem_);
   for (std::size_t k = 0; k < tools.size(); ++k) iterate_.driven[Index(k)] = result_.response.tool_velocity[tools[k]];
@@ -185,7 +219,11 @@ bool ActiveSetIteration::linearise_viscosity() {
 
 /// True where the active set has not changed.
 bool ActiveSetIteration::update_contacts() {
-  const auto change = update_active_set(problem_, result_.response, result_.active, releases_);
+  Response response = result_.response;
+  if (air_)  // a contact opens where its force falls below that of the air behind it
+    response.forces.normal -= opening_forces(problem_, *air_, iterate_.air_pressure,
+                                             nodes_in_contact(problem_, result_.active), result_.active);
+  const auto change = update_active_set(problem_, response, result_.active, releases_);
   result_.contact_changes += change.changed;
   result_.locked = change.locked;
   return change.changed == 0;
@@ -202,11 +240,14 @@ std::optional<Response> ActiveSetIteration::dilatation_response() {
   const Problem at_rest = tools_for_dilatation(problem_, result_.response.tool_velocity);
   const auto velocity = corrector_.additional_solution(at_rest, result_.constraints);
   if (!velocity || !velocity->allFinite()) return std::nullopt;
+  const Index without_air = 1 + Index(iterate_.driven.size());
+  columns_.unknowns.conservativeResize(Eigen::NoChange, without_air);
+  columns_.reaction.conservativeResize(Eigen::NoChange, without_air);
   columns_.unknowns.col(0) = *velocity;
   columns_.reaction.col(0) =
       product(mesh_, result_.discretisation.jacobian(), *velocity, constrained_batches(mesh_, result_.constraints))
           .topRows(velocities_);
-  Response response = balance_tools(at_rest, result_.constraints.nodes, columns_);
+  Response response = balance_tools(at_rest, result_.constraints.nodes, columns_, nullptr, {});
   if (!response.unknowns.allFinite()) return std::nullopt;
   return response;
 }
@@ -214,6 +255,7 @@ std::optional<Response> ActiveSetIteration::dilatation_response() {
 /// The converged equilibrium. The prescribed dilatation is taken out of its pressures and forces, so that it leaves no
 /// trace in the stress.
 Equilibrium ActiveSetIteration::finish() {
+  result_.air = air_;
   const auto mode = problem_.with_dilatation_mode ? dilatation_response() : std::nullopt;
   if (mode) {
     result_.dilatation_mode = mode->unknowns.head(velocities_);

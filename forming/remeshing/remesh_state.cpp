@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -206,6 +207,16 @@ std::vector<Index> nodes_left_by_tools(const Stage& stage, const State& state) {
   return nodes;
 }
 
+/// Whether two stages have the same tools. Where they have not, the machine has opened the cavities.
+bool same_tools(const Stage& a, const Stage& b) {
+  const auto active = [](const Stage& stage) {
+    std::set<Index> tools;
+    for (const StageTool& tool : stage.tools) tools.insert(tool.tool);
+    return tools;
+  };
+  return active(a) == active(b);
+}
+
 }  // namespace
 
 RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why, const remesh::Mesher& mesher) {
@@ -268,6 +279,8 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.last_step = 0;
   next.moves_smoothly = false;
   next.heat_couplings.clear();
+  if (!scene.stages[stage].trapped_air || !same_tools(scene.stages[state.stage], scene.stages[stage]))
+    next.cavity_air = {};
   const std::vector<Index> left = nodes_left_by_tools(scene.stages[stage], state);
   for_each_glass_field([&](const auto& field) {
     auto& values = next.glass.*field.values;

@@ -215,6 +215,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_remeshing(json, state, summary);
   add_bodies(json, summary);
   add_stages(json, summary.run);
+  add_cavities(json, scene, state);
   add_thickness(json, summary);
   if (bars) add_errors(json, *bars);
   if (bars && bars->control) add_control(json, *bars->control);

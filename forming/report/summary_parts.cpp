@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "forming/report/cavity_report.hpp"
 #include "forming/step/work.hpp"
 
 namespace parison::forming {
@@ -41,6 +42,20 @@ void add_work(core::JsonWriter& json, const Work& work) {
   json.add("surface_J", work.surface);
   json.add("correction_J", work.correction);
   json.add("imbalance", work_imbalance(work));
+  json.close();
+}
+
+void add_cavities(core::JsonWriter& json, const Scene& scene, const State& state) {
+  if (!seals_cavities(scene)) return;
+  const CavityReport report = cavity_report(scene, state);
+  json.open_list("cavities");
+  for (std::size_t i = 0; i < report.size(); ++i) {
+    json.open_object("");
+    json.add("volume_m3", report.volume[i]);
+    json.add("pressure_Pa", report.pressure[i]);
+    json.add("mass_kg", report.mass[i]);
+    json.close();
+  }
   json.close();
 }
 

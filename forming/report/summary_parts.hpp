@@ -11,6 +11,9 @@ void add_solver_statistics(core::JsonWriter& json, const SolverStatistics& stati
 /// The work on the glass, likewise.
 void add_work(core::JsonWriter& json, const Work& work);
 
+/// The sealed cavities of a state, where a stage of the scene seals any.
+void add_cavities(core::JsonWriter& json, const Scene& scene, const State& state);
+
 /// Imbalance of the work at any stage's end, without sign; NaN where nothing was lost.
 double max_work_imbalance(const RunFacts& run);
 

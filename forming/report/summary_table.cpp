@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "forming/report/cavity_report.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/summary.hpp"
 #include "thermal/properties.hpp"
@@ -63,6 +65,18 @@ std::string stage_lines(const RunFacts& run) {
   return text + '\n';
 }
 
+/// The sealed cavities of the run's end.
+std::string cavity_line(const Scene& scene, const State& state) {
+  if (!seals_cavities(scene)) return "";
+  const CavityReport report = cavity_report(scene, state);
+  if (report.size() == 0) return line("sealed cavities", "none at the end");
+  double volume = 0, mass = 0;
+  for (std::size_t i = 0; i < report.size(); ++i) volume += report.volume[i], mass += report.mass[i];
+  const auto [low, high] = std::minmax_element(report.pressure.begin(), report.pressure.end());
+  return line("sealed cavities", fmt::format("{} at the end, {:.3g} cm3, {:.3g} mg of air, {:.3g} to {:.3g} bar",
+                                             report.size(), 1e6 * volume, 1e6 * mass, 1e-5 * *low, 1e-5 * *high));
+}
+
 std::string run_lines(const Scene& scene, const State& state, const Summary& summary) {
   const Totals& totals = state.totals;
   std::string text =
@@ -76,6 +90,7 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
   }
   if (scene.has_flow() && !scene.tools.empty())
     text += line("max penetration", fmt::format("{:.4f} mm", 1e3 * totals.max_penetration));
+  text += cavity_line(scene, state);
   text += line("wall time", fmt::format("{:.1f} s", summary.run.wall_seconds));
   for (const std::string& warning : summary.run.warnings) text += line("warning", warning);
   return text;

@@ -35,7 +35,10 @@ void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
 void read_stages(const CaseTable& root, Scene& scene) {
   const auto& stages = root.get("stage");
   refuse_repeated_names(root.tables("stage"));
-  for (const auto* stage : root.tables("stage")) scene.stages.push_back(read_stage(*stage, root.find("air"), scene));
+  const CommonAir air{root.find("air"), root.find("trapped_air")};
+  if (air.trapped && !scene.has_flow())
+    core::refuse(*air.trapped, "the glass does not flow, this key is allowed only where its material has a viscosity");
+  for (const auto* stage : root.tables("stage")) scene.stages.push_back(read_stage(*stage, air, scene));
   if (scene.stages.empty()) core::refuse(stages, "no stage was found, allowed is at least one");
 }
 
@@ -93,8 +96,8 @@ std::vector<std::string> tool_names(const Scene& scene) {
 Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides) {
   auto file = core::read_case_file(path);
   for (const auto& assignment : overrides) core::override_value(file, assignment);
-  const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "stage",
-                                   "probe", "output", "numerics"});
+  const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "trapped_air",
+                                   "stage", "probe", "output", "numerics"});
   Scene scene;
   scene.name = core::identifier(root.get("case"));
   scene.directory = file.directory;

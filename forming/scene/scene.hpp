@@ -98,6 +98,15 @@ struct NamedBoundary {
   core::Point from, to;
 };
 
+/// What becomes of air that glass and tools seal.
+struct TrappedAirLaw {
+  double exponent;          ///< n of p V^n: 1 isothermal, 1.4 adiabatic
+  double temperature;       ///< of the air, K
+  double ambient = 101325;  ///< absolute pressure outside, Pa
+  double vent_area = 0;     ///< effective flow area of the vent of each cavity, m2
+  double seal_gap = 1e-4;   ///< narrower gaps between tools are closed, m
+};
+
 struct Stage {
   std::string name;
   double duration;  ///< s; the longest when an end condition is given
@@ -108,6 +117,7 @@ struct Stage {
   std::map<std::string, double> pressure;  ///< over-pressure on open glass boundaries by boundary name, Pa
   thermal::SurfaceExchange air;            ///< of open surfaces; emissivity is the body's own
   std::vector<NamedBoundary> named_boundaries;
+  std::optional<TrappedAirLaw> trapped_air;  ///< none: cavities are vented
 };
 
 struct Probe {

@@ -90,6 +90,17 @@ struct Totals {
   RemeshStatistics remeshing;
 };
 
+/// The air in sealed cavities; empty where the stage vents them.
+struct CavityAir {
+  std::vector<double> volume;  ///< of each cavity, m3
+  std::vector<double> energy;  ///< absolute pressure times volume, J; 0 in a void
+  std::vector<double> amount;  ///< p V of the same air at the temperature given in the case, J
+  /// Middles of the exposed edges of the glass, and the cavity that each belongs to, -1 in the open, -2 in a void that
+  /// has just opened: by them the cavities are found again.
+  std::vector<Point> marker;
+  std::vector<Index> marker_cavity;
+};
+
 /// Everything that changes during a run.
 struct State {
   double time = 0;  ///< s
@@ -106,6 +117,7 @@ struct State {
   std::vector<ToolState> tools;  ///< in the order of the scene
   bool moves_smoothly = false;   ///< the last change of velocity was close to what the acceleration before predicts
   std::vector<Point> probes;     ///< present positions, in the body's frame
+  CavityAir cavity_air;
   Totals totals;
 };
 

@@ -81,6 +81,15 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit_remeshing(visit.part("remeshing"), totals.remeshing);
 }
 
+template <typename Visitor, typename Air>
+void visit_cavity_air(Visitor visit, Air& air) {
+  visit("volume", air.volume);
+  visit("energy", air.energy);
+  visit("amount", air.amount);
+  visit("marker", air.marker);
+  visit("marker_cavity", air.marker_cavity);
+}
+
 template <typename Visitor, typename Whole>
 void visit_state(Visitor visit, Whole& state) {
   visit("time", state.time);
@@ -95,6 +104,7 @@ void visit_state(Visitor visit, Whole& state) {
   visit("last_step", state.last_step);
   visit("moves_smoothly", state.moves_smoothly);
   visit("probes", state.probes);
+  visit_cavity_air(visit.part("cavity_air"), state.cavity_air);
   visit_totals(visit.part("totals"), state.totals);
   visit_glass(visit.part("glass"), state.glass);
   for (std::size_t i = 0; i < state.tools.size(); ++i)

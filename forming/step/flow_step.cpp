@@ -11,6 +11,7 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
+#include "forming/step/cavities/trapped_air.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/contact_prediction.hpp"
 #include "forming/step/predictor.hpp"
@@ -87,11 +88,14 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
   problem.candidates = contact_candidates(scene, state, predictor.velocity, dt);
   keep_bounds(predictor.bounds, problem.candidates);
   keep_bounds(corner_bounds(scene, state), problem.candidates);
-  const auto warm = likely_contacts(state, active, problem, predictor.velocity);
+  problem.air = start.air;
+  auto warm = likely_contacts(state, active, problem, predictor.velocity);
+  const bool carried = problem.air && add_carrier(problem, warm);
   if (!workspace.flow) workspace.flow.emplace(middle);
   auto equilibrium = workspace.flow->find_equilibrium(problem, warm);
   correct_volume(scene, state, dt, equilibrium);
   auto solution = flow::evaluate(problem, std::move(equilibrium));
+  if (carried) remove_carrier(problem, solution);
   return {std::move(problem.candidates), std::move(solution)};
 }
 
@@ -232,6 +236,7 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
     return std::nullopt;
   }
   store_flow(start.scene, pass, start.dt, result.state);
+  if (start.air) store_air(start, pass.solution, result.state);
   result.report.strain = pass.solution.high_rate * start.dt;
   result.report.predictor_corrector_difference =
       predictor_corrector_difference(result.state.glass.velocity, predictor.velocity, start.dt);

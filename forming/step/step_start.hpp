@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <vector>
 
 #include "forming/scene/scene.hpp"
@@ -17,6 +18,8 @@ struct StepStart {
   std::vector<bool> frozen;               ///< flags of cells that do not flow; empty where there are none
   std::vector<Penetration> penetrations;  ///< of glass nodes into active tools
   double max_penetration = 0;             ///< m
+  std::optional<flow::TrappedAir> air;    ///< in sealed cavities; none where the stage vents them
+  std::vector<double> air_amount;         ///< in each of its pockets: CavityAir::amount
   double wall = 0;                        ///< twice the volume of the glass over its surface, m
 };
 

@@ -33,12 +33,13 @@ ExposedSurface exposed_surface(const Scene& scene, const Stage& stage, const cor
     if (!flow.exposed[e]) continue;
     const BoundaryKind kind = mesh.kind_of(edge);
     const bool open = kind != BoundaryKind::symmetry && kind != BoundaryKind::fixed;
+    const double over = flow.edge_pressure.empty() ? pressure[edge.boundary_id] : flow.edge_pressure[e];
     for (const auto& rule : core::edge_rule(4)) {
       const auto at = core::map_edge_point(mesh, edge.nodes, scene.geometry, rule);
       if (open) surface.area += at.area;
       for (int i = 0; i < 3; ++i)
-        surface.air_power -= pressure[edge.boundary_id] * at.area * at.shape[i] *
-                             at.normal.dot(flow::node_velocity(flow.velocity, edge.nodes[i]));
+        surface.air_power -=
+            over * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(flow.velocity, edge.nodes[i]));
     }
   }
   return surface;

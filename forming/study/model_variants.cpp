@@ -19,6 +19,7 @@ struct Parts {
   std::string glass;  ///< name of its material in the case
   std::set<std::string> tool_materials;
   std::vector<std::string> still_air;  ///< overrides that take the air's h
+  std::vector<std::string> vents;      ///< overrides that vent the cavities
   std::vector<Variant> variants;
 
   void add(const char* name, const std::string& what, std::vector<std::string> overrides) {
@@ -46,6 +47,7 @@ void find_materials(Parts& parts) {
   parts.tool_materials.erase("");
   const auto still = [&](const core::CaseNode& owner, const std::string& path) {
     if (member(owner, "air")) parts.still_air.push_back(path + "air.h=0 W/m2/K");
+    if (member(owner, "trapped_air")) parts.vents.push_back(path + "trapped_air={law=\"vented\"}");
   };
   still(file.root, "");
   if (const auto* stages = member(file.root, "stage"))
@@ -93,6 +95,18 @@ void add_friction(Parts& parts) {
   }
 }
 
+void add_trapped_air(Parts& parts) {
+  const auto& stages = parts.scene.stages;
+  const bool sealed =
+      std::any_of(stages.begin(), stages.end(), [](const Stage& stage) { return stage.trapped_air.has_value(); });
+  if (sealed)
+    parts.add("no_trapped_air", "air in sealed cavities: vented", parts.vents);
+  else if (!parts.scene.tools.empty())
+    parts.add("with_trapped_air",
+              "air in sealed cavities, which the case vents: isothermal at 500 degC, each with a vent of 20 mm2",
+              {"trapped_air={law=\"isothermal\", temperature=\"500 degC\", vent_area=\"20 mm2\"}"});
+}
+
 void add_flow_parts(Parts& parts) {
   const Scene& scene = parts.scene;
   if (scene.glass.flow->surface_tension > 0)
@@ -110,12 +124,13 @@ void add_flow_parts(Parts& parts) {
   if (!weightless.empty())
     parts.add("no_gravity", "gravity, reduced to 1 % so that the glass stays in position", weightless);
   add_friction(parts);
+  add_trapped_air(parts);
 }
 
 }  // namespace
 
 std::vector<Variant> model_variants(const Scene& scene) {
-  Parts parts{scene, {}, {}, {}, {}};
+  Parts parts{scene, {}, {}, {}, {}, {}};
   find_materials(parts);
   if (scene.has_heat()) add_heat_parts(parts);
   if (scene.has_flow()) add_flow_parts(parts);

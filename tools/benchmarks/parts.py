@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `parison check` estimates of each part of the model, against runs without the part (or with it)."""
+"""What `parison tradeoff` estimates of each part of the model, against runs without the part (or with it)."""
 import json
 import math
 
@@ -41,5 +41,5 @@ def section(_):
                 ratios.append(max(estimated, LEAST) / max(measured, LEAST))
                 print(f"    {case:<18}{part:<20}{key:<10} estimated {100 * estimated:6.2f} %, measured {100 * measured:6.2f} %", flush=True)
     off = [max(r, 1 / r) for r in ratios]
-    yield Figure("parts.worst", f"estimates of `parison check`, the worst of {len(off)}: off by a factor of", max(off), FACTOR)
+    yield Figure("parts.worst", f"estimates of model parts, the worst of {len(off)}: off by a factor of", max(off), FACTOR)
     yield Figure("parts.usual", "  in the geometric mean", math.exp(sum(map(math.log, off)) / len(off)))

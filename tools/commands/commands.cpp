@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "tools/commands/audit.hpp"
 #include "tools/commands/fit_law.hpp"
 #include "tools/commands/run_command.hpp"
 #include "tools/program/bundled_cases.hpp"
@@ -54,6 +55,15 @@ void add_resume(CLI::App& app, Command& chosen) {
 void add_check(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<RunRequest>();
   add_case_options(*add_command(app, "check", "read a case and say what it needs", chosen, request, check), *request);
+}
+
+void add_audit(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<AuditRequest>();
+  auto* command =
+      add_command(app, "audit", "run a case coarsely with each part of its model in and out", chosen, request, audit);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("--accuracy", request->accuracy, "of all runs; coarse ones take seconds")->capture_default_str();
+  command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
 }
 
 void add_tradeoff(CLI::App& app, Command& chosen) {
@@ -113,6 +123,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_run(app, chosen);
   add_resume(app, chosen);
   add_check(app, chosen);
+  add_audit(app, chosen);
   add_tradeoff(app, chosen);
   add_fit_law(app, chosen);
   add_cases(app, chosen);

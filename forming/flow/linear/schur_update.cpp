@@ -130,7 +130,7 @@ std::vector<NodeChange> changed_nodes(const Constraints& base, const Constraints
       changed.push_back(
           {only_normal(before, now, schur_columns) ? NodeChange::Kind::normal : NodeChange::Kind::whole, node});
     else if (std::abs(tangential_stiffness_of(base, node) - tangential_stiffness_of(constraints, node)) >
-             same_stiffness * tangential_stiffness_of(constraints, node))
+             same_stiffness * std::abs(tangential_stiffness_of(constraints, node)))
       changed.push_back({NodeChange::Kind::friction, node});
   }
   return changed;
@@ -308,17 +308,27 @@ std::optional<Eigen::MatrixXd> Corrector::correct(const Problem& problem, const 
 
 std::optional<Eigen::VectorXd> Corrector::additional_solution(const Problem& problem,
                                                               const Constraints& constraints) const {
+  return at_rest(problem, constraints, additional_rhs_, additional_solution_);
+}
+
+std::optional<Eigen::VectorXd> Corrector::response_to(const Problem& problem, const Constraints& constraints,
+                                                      const Eigen::VectorXd& force) const {
+  return at_rest(problem, constraints, force, system_.solve(force));
+}
+
+std::optional<Eigen::VectorXd> Corrector::at_rest(const Problem& problem, const Constraints& constraints,
+                                                  const Eigen::VectorXd& rhs,
+                                                  const Eigen::VectorXd& base_solution) const {
   const auto changed = changed_nodes(system_.base(), constraints, schur_columns_);
-  if (changed.empty()) return additional_solution_;
-  Constraints at_rest = constraints;
-  for (auto& constraint : at_rest.nodes) constraint.given.setZero();
+  if (changed.empty()) return base_solution;
+  Constraints resting = constraints;
+  for (auto& constraint : resting.nodes) constraint.given.setZero();
   const Index driven = Index(driven_tools(problem).size());
-  const Iterate rest{Eigen::VectorXd::Zero(system_.size()), {}, Eigen::VectorXd::Zero(driven)};
+  const Iterate rest{Eigen::VectorXd::Zero(system_.size()), {}, Eigen::VectorXd::Zero(driven), {}};
   Eigen::MatrixXd columns =
       Eigen::MatrixXd::Zero(system_.size(), 1 + driven);  // the columns of the tools are not needed
-  columns.col(0) = additional_solution_;
-  if (!add_schur_correction({problem, system_.base(), at_rest, additional_rhs_, rest}, changed, schur_columns_,
-                            columns))
+  columns.col(0) = base_solution;
+  if (!add_schur_correction({problem, system_.base(), resting, rhs, rest}, changed, schur_columns_, columns))
     return std::nullopt;
   return columns.col(0);
 }

@@ -77,9 +77,16 @@ class Corrector {
   /// Solution for the additional right-hand side with the constraints of the last correction, all prescribed velocities
   /// zero.
   std::optional<Eigen::VectorXd> additional_solution(const Problem& problem, const Constraints& constraints) const;
+  /// Solution for a force on the nodes (one entry per unknown) with the constraints of the last correction, all
+  /// prescribed velocities zero.
+  std::optional<Eigen::VectorXd> response_to(const Problem& problem, const Constraints& constraints,
+                                             const Eigen::VectorXd& force) const;
   int factorisations = 0;  ///< since `start`
 
  private:
+  /// A solution of the base for `rhs`, corrected for the constraints of the last correction.
+  std::optional<Eigen::VectorXd> at_rest(const Problem& problem, const Constraints& constraints,
+                                         const Eigen::VectorXd& rhs, const Eigen::VectorXd& base_solution) const;
   /// Lists the changed nodes and their coordinates without a known column; false, and the lists empty, where it is
   /// cheaper to refactorise.
   [[nodiscard]] bool select_columns(const Constraints& constraints, std::vector<NodeChange>& changed,

@@ -96,6 +96,7 @@ HistoryRow history_row(const Scene& scene, const State& state, const StepReport&
   }
   for (std::size_t probe = 0; probe < scene.probes.size(); ++probe)
     row.probe.push_back(probe_temperature(scene, state, probe));
+  if (seals_cavities(scene)) row.cavities = cavity_report(scene, state);
   return row;
 }
 
@@ -106,6 +107,7 @@ std::string history_header(const Scene& scene) {
   for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_force_N");
   for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_position_m");
   for (const Probe& probe : scene.probes) line += ',' + core::csv_text(probe.name + "_C");
+  if (seals_cavities(scene)) line += ",cavities,cavity_volumes_m3,cavity_pressures_Pa,cavity_masses_kg";
   return line + ",coupling_iterations,flow_solves,contact_changes,heat_substeps,limited_by\n";
 }
 
@@ -118,6 +120,9 @@ std::string history_line(const HistoryRow& row) {
   for (const double value : row.tool_force) line += fmt::format(",{:.10g}", value);
   for (const double value : row.tool_position) line += fmt::format(",{:.10g}", value);
   for (const double value : row.probe) line += fmt::format(",{:.10g}", celsius(value));
+  if (row.cavities)
+    line += fmt::format(",{},{:.10g},{:.10g},{:.10g}", row.cavities->size(), fmt::join(row.cavities->volume, " "),
+                        fmt::join(row.cavities->pressure, " "), fmt::join(row.cavities->mass, " "));
   for (const Index count : {row.coupling_iterations, row.flow_solves, row.contact_changes, row.heat_substeps})
     line += fmt::format(",{}", count);
   return line + ',' + row.limited_by + '\n';

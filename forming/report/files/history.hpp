@@ -1,8 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "forming/report/cavity_report.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 #include "forming/step/step_result.hpp"
@@ -27,6 +29,7 @@ struct HistoryRow {
   std::vector<double> tool_force, tool_position, probe;  ///< N, m, K
   Index coupling_iterations, flow_solves, contact_changes, heat_substeps;
   std::string limited_by;
+  std::optional<CavityReport> cavities;  ///< where a stage of the scene seals cavities
 };
 
 /// The row of a step that ended in `state`.

@@ -36,6 +36,8 @@ std::string flow_parts(const Scene& scene) {
                on ? "the material names none" : no_flow);
   text += part("gravity", on && !gravity.empty(), "in " + gravity, on ? "no stage names it" : no_flow);
   text += part("air pressure", on && !pressure.empty(), "in " + pressure, on ? "no stage names one" : no_flow);
+  const auto sealed = stages_with(scene, [](const Stage& s) { return s.trapped_air.has_value(); });
+  text += part("trapped air", on && !sealed.empty(), "in " + sealed, on ? "cavities are vented" : no_flow);
   text += part("surface tension", tension > 0, fmt::format("{:.3g} N/m", tension),
                on ? "the material names none" : no_flow);
   text += part("contact with tools", on && !scene.tools.empty(),

@@ -214,26 +214,17 @@ std::vector<PartSensitivity> model_sensitivity(const Scene& scene) {
 std::string describe_sensitivity(const Scene& scene) {
   const auto parts = model_sensitivity(scene);
   if (parts.empty()) return {};
-  const double asked = scene.accuracy_choice.target.value_or(expected_error(scene.accuracy_choice.effective_level()));
-  const char* shape = shaped(scene, dimensionless_numbers(scene)) == Shaped::unformed ? "shape" : "thickness";
-  std::string text = fmt::format(
-      "\nrough effect of each part of the model, each scaled by one number from runs of {} (commit {}, {})\n"
-      "(`parison tradeoff CASE --only model` measures most of them)\n",
-      calibration().model_parts.by.case_name, calibration().model_parts.by.commit, calibration().model_parts.by.date);
-  for (const PartSensitivity& part : parts) {
-    text += fmt::format("  {:<20}{:<11}", part.name, part.in_scene ? "in" : "neglected");
-    if (scene.has_flow()) text += fmt::format("{} {:>6.2g} %, ", shape, 100 * part.thickness);
-    if (scene.has_heat()) text += fmt::format("heat {:>6.2g} %", 100 * part.heat);
-    text += fmt::format("   {} {:.2g}\n", part.number_name, part.number);
-  }
-  for (const PartSensitivity& part : parts) {
-    const double change = std::max(part.thickness, part.heat);
-    if (!part.in_scene && change > asked)
-      text += fmt::format(
-          "  warning: {} is neglected and may change the result by some {:.2g} %, more than the {:.2g} % that {}\n",
-          part.name, 100 * change, 100 * asked,
-          scene.accuracy_choice.target ? "are asked for" : "go with this accuracy");
-  }
+  std::string text =
+      "\nparts of the model with the number that governs each (`parison audit CASE` runs the case with and without "
+      "each)\n";
+  for (const PartSensitivity& part : parts)
+    text += fmt::format("  {:<20}{:<11}{} {:.2g}\n", part.name, part.in_scene ? "in" : "neglected", part.number_name,
+                        part.number);
+  constexpr double noticed = 0.01;
+  for (const PartSensitivity& part : parts)
+    if (!part.in_the_model && part.number > noticed)
+      text += fmt::format("  warning: {} is neglected and no run can tell what it changes; {} is {:.2g}\n", part.name,
+                          part.number_name, part.number);
   return text;
 }
 

@@ -27,10 +27,11 @@ struct PartSensitivity {
 /// For every part that applies to the bodies of the scene. The change measured on the bundled jar is scaled by the
 /// ratio of one number: the strain that a stress causes in hot glass, the heat between half-spaces, or a Biot number
 /// and the time. A wall with tools on both sides changes less, by a factor measured on the bundled tumbler; glass that
-/// nothing forms changes its shape no more than it flows. Good to a factor of about five.
+/// nothing forms changes its shape no more than it flows. Within a factor of five on the bundled cases and off by any
+/// factor on others, so that only studies list these estimates beside what they measure.
 std::vector<PartSensitivity> model_sensitivity(const Scene& scene);
 
-/// The same for the terminal, with a warning for each neglected part that matters at the accuracy asked for.
+/// The parts and their numbers for the terminal, with a warning where inertia may matter, which no run can measure.
 std::string describe_sensitivity(const Scene& scene);
 
 }  // namespace parison::forming

@@ -22,6 +22,24 @@ thermal::SurfaceExchange read_air(const CaseNode& node) {
   return air;
 }
 
+/// None where the cavities are vented.
+std::optional<TrappedAirLaw> read_trapped_air(const CaseNode& node) {
+  const CaseTable table(node, {"law", "temperature", "ambient", "vent_area", "seal_gap"});
+  const auto& law = table.get("law");
+  const Index which = core::choice(law, {"vented", "isothermal", "adiabatic"});
+  if (which == 0) {
+    for (const auto* key : {"temperature", "ambient", "vent_area", "seal_gap"})
+      if (const auto* item = table.find(key))
+        core::refuse(*item, "found with the law \"vented\", allowed with \"isothermal\" and \"adiabatic\"");
+    return std::nullopt;
+  }
+  TrappedAirLaw air{which == 1 ? 1.0 : 1.4, core::quantity(table.get("temperature"), dimension::temperature)};
+  if (const auto* item = table.find("ambient")) air.ambient = core::positive(*item, dimension::pressure);
+  if (const auto* item = table.find("vent_area")) air.vent_area = core::positive(*item, dimension::area);
+  if (const auto* item = table.find("seal_gap")) air.seal_gap = core::positive(*item, dimension::length);
+  return air;
+}
+
 bool needs_air(const Body& body) {
   const auto open = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::air; };
   return body.thermal && (body.emissivity > 0 || std::any_of(body.boundaries.begin(), body.boundaries.end(), open));
@@ -120,7 +138,7 @@ void read_named_boundaries(const CaseTable& table, const Scene& scene, Stage& st
 /// What only flowing glass obeys: gravity, pressures, the end condition.
 void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
   if (!scene.has_flow())
-    for (const auto* key : {"gravity", "pressure", "end_speed", "name_boundary"})
+    for (const auto* key : {"gravity", "pressure", "end_speed", "name_boundary", "trapped_air"})
       if (const auto* item = table.find(key))
         core::refuse(*item, "the glass does not flow, this key is allowed only where its material has a viscosity");
   if (const auto* item = table.find("gravity")) stage.gravity = core::quantity(*item, dimension::acceleration);
@@ -139,15 +157,17 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
 
 }  // namespace
 
-Stage read_stage(const CaseNode& node, const CaseNode* air, const Scene& scene) {
-  const CaseTable table(
-      node, {"name", "duration", "end_speed", "gravity", "tools", "motion", "pressure", "air", "name_boundary"});
+Stage read_stage(const CaseNode& node, const CommonAir& common, const Scene& scene) {
+  const CaseTable table(node, {"name", "duration", "end_speed", "gravity", "tools", "motion", "pressure", "air",
+                               "trapped_air", "name_boundary"});
   Stage stage;
   stage.name = core::identifier(table.get("name"));
   stage.duration = core::positive(table.get("duration"), dimension::time);
   stage.tools = read_stage_tools(table, scene);
   read_loads(table, scene, stage);
-  if (const auto* own = table.find("air")) air = own;
+  const auto *own = table.find("air"), *own_trapped = table.find("trapped_air");
+  const CaseNode *air = own ? own : common.air, *trapped = own_trapped ? own_trapped : common.trapped;
+  if (trapped) stage.trapped_air = read_trapped_air(*trapped);
   if (air) stage.air = read_air(*air);
   if (!air) refuse_missing_air(node, scene);
   return stage;

@@ -40,9 +40,12 @@ void check_outline(const core::Profile& profile, core::Geometry geometry, const 
 
 /// The interfaces of one [[interface]] entry, one for each tool it names.
 std::vector<Interface> read_interfaces(const core::CaseNode& node, const Scene& scene);
-/// A stage; `air` is the top-level air, null where the case has none. `scene` contains everything read before the
-/// stage.
-Stage read_stage(const core::CaseNode& node, const core::CaseNode* air, const Scene& scene);
+/// The top-level tables of air that a stage may replace, null where the case has none.
+struct CommonAir {
+  const core::CaseNode *air, *trapped;
+};
+/// A stage. `scene` contains everything read before it.
+Stage read_stage(const core::CaseNode& node, const CommonAir& common, const Scene& scene);
 Probe read_probe(const core::CaseNode& node, const Scene& scene);
 Output read_output(const core::CaseNode& node);
 void read_numerics(const core::CaseNode& node, Scene& scene);

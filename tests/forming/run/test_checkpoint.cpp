@@ -25,6 +25,7 @@ struct Fill {
   double& next;
   double fresh() { return next *= -1.0000001; }
   void operator()(const char*, double& value) { value = fresh(); }
+  void operator()(const char*, std::vector<double>& values) { values = {fresh(), fresh()}; }
   void operator()(const char*, bool& value) { value = !value; }
   void operator()(const char*, int& value) { value = static_cast<int>(1e6 * fresh()); }
   void operator()(const char*, long& value) { value = (1L << 40) + static_cast<long>(1e6 * fresh()); }

@@ -123,6 +123,28 @@ TEST_F(Resume, a_run_stopped_again_and_again_is_the_uninterrupted_one_to_the_las
   expect_same_results(in("parts"), in("whole"));
 }
 
+TEST_F(Resume, trapped_air_is_part_of_the_state_to_the_last_bit) {
+  const std::string air =
+      "trapped_air = { law = \"adiabatic\", temperature = \"500 degC\", vent_area = \"0.1 mm2\" }\n";
+  core::write_text(folder / "case.toml", air + two_stages());
+  scene = read_scene(folder.string(), "draft");
+  const auto whole = run_in_folder(scene, in("whole"));
+  ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
+  write_summary_of(scene, in("whole"), whole);
+  const std::string history = core::read_text(in("whole") + "/history.csv");
+  EXPECT_NE(history.find(",cavities,"), std::string::npos);
+  auto outcome = run_in_folder(scene, in("parts"), {}, stop_after(5));
+  std::size_t sealed = 0;
+  while (!outcome.facts.completed) {
+    ASSERT_TRUE(outcome.facts.stopped) << outcome.facts.reason;
+    sealed = std::max(sealed, outcome.state.cavity_air.volume.size());
+    outcome = resume_in_folder(scene, in("parts"), {}, stop_after(5));
+  }
+  EXPECT_GE(sealed, 1u);
+  write_summary_of(scene, in("parts"), outcome);
+  expect_same_results(in("parts"), in("whole"));
+}
+
 /// Does the work in a process of its own.
 pid_t start_process(const std::function<bool()>& work) {
   const pid_t process = ::fork();

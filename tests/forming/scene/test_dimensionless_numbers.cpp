@@ -50,6 +50,7 @@ TEST(DimensionlessNumbers, physics_that_is_off_says_why) {
             "  heat                off  the glass's material has no heat capacity and conductivity");
   EXPECT_EQ(line_with(flow, "contact with"), "  contact with tools  off  the scene has no tools");
   EXPECT_EQ(line_with(flow, "air pressure"), "  air pressure        on   in inflation");
+  EXPECT_EQ(line_with(flow, "trapped air"), "  trapped air         off  cavities are vented");
 }
 
 TEST(DimensionlessNumbers, glass_that_does_not_flow_has_no_inertia_and_no_emissivity_is_not_named) {

@@ -18,7 +18,7 @@ TEST(SceneErrors, the_small_scene_itself_is_fine) {
 TEST(SceneErrors, unknown_key) {
   expect_complaint("duration = \"2 s\"", "duraton = \"2 s\"",
                    "stage.duraton: unknown key (did you mean \"duration\"?), allowed are name, duration, end_speed, "
-                   "gravity, tools, motion, pressure, air, name_boundary");
+                   "gravity, tools, motion, pressure, air, trapped_air, name_boundary");
 }
 
 TEST(SceneErrors, navier_friction_without_its_coefficient) {
@@ -357,6 +357,18 @@ TEST(SceneErrors, more_tools_driven_by_forces_than_a_stage_bears) {
   const auto message = complaint_about(text);
   EXPECT_NE(message.find("too many tools driven by a force were found, allowed are 4 in a stage"), message.npos)
       << message;
+}
+
+TEST(SceneErrors, trapped_air_with_another_law_or_without_its_temperature) {
+  const auto with = [](const std::string& air) { return complaint_about("trapped_air = " + air + "\n" + small_scene); };
+  EXPECT_EQ(with(R"({ law = "adiabatic", temperature = "500 degC", vent_area = "2 mm2", seal_gap = "0.2 mm" })"), "");
+  EXPECT_EQ(with(R"({ law = "vented" })"), "");
+  EXPECT_NE(with(R"({ law = "isotherm", temperature = "500 degC" })").find("isothermal"), std::string::npos);
+  EXPECT_NE(with(R"({ law = "isothermal" })").find("trapped_air.temperature"), std::string::npos);
+  EXPECT_NE(with(R"({ law = "vented", vent_area = "2 mm2" })").find("found with the law \"vented\""),
+            std::string::npos);
+  EXPECT_NE(with(R"({ law = "isothermal", temperature = "500 degC", vent_area = "2 mm" })").find("is a length"),
+            std::string::npos);
 }
 
 TEST(SceneErrors, a_motion_that_starts_away_from_its_tool) {

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/cavities/outline_walk.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace parison::forming {
+
+namespace {
+
+constexpr int max_chords = 20000;  ///< of one walk
+constexpr double same_place = 1e-9;
+
+double cross(const Point& a, const Point& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/// What a walk meets on a chord, at the fraction t of it.
+struct Event {
+  double t = std::numeric_limits<double>::infinity();
+  enum class Kind { none, target, other_tool } kind = Kind::none;
+  Index arc = -1;
+  OutlinePlace place{};  ///< on the other tool
+};
+
+class Walker {
+ public:
+  Walker(const WalkScene& scene, Index from_node)
+      : scene_(scene), runs_(scene.outlines.runs), from_node_(from_node), near_(runs_.size(), false) {}
+
+  Walk along_tools(const OutlinePlace& from);
+  Walk along_line(const Point& from, const Point& direction);
+
+ private:
+  bool advance();
+  bool follow_line(const Point& from, const Point& direction);
+  bool finish_chord();
+  Event first_event() const;
+  void meet_targets(Event& first) const;
+  void meet_crossings(Index run, Event& first) const;
+  void meet_start(Index run, Event& first) const;
+  std::optional<OutlinePlace> closest_other_run(const Point& x);
+  void go_to(const OutlinePlace& place);
+  void add(Index tool, const Point& to);
+  Index tool() const { return runs_[at_.run].tool; }
+  Point chord_start() const { return runs_[at_.run].points[at_.chord]; }
+  Point chord_end() const { return runs_[at_.run].points[at_.chord + 1]; }
+
+  const WalkScene& scene_;
+  const std::vector<OutlineRun>& runs_;
+  Index from_node_;
+  OutlinePlace at_{};
+  Point here_ = Point::Zero();
+  std::vector<bool> near_;  ///< runs that have been next to the present one since the walk joined it
+  Walk walk_;
+};
+
+void Walker::add(Index tool, const Point& to) {
+  if (to != here_) walk_.pieces.push_back({tool, here_, to});
+  here_ = to;
+}
+
+/// Changes over to another run, which begins next to the present one.
+void Walker::go_to(const OutlinePlace& place) {
+  const Index left = at_.run;
+  add(-1, scene_.outlines.point(place));
+  at_ = place;
+  near_.assign(runs_.size(), false);
+  near_[left] = true;
+}
+
+void Walker::meet_targets(Event& first) const {
+  for (const auto& target : scene_.targets) {
+    const bool ahead = target.place.run == at_.run && target.place.chord == at_.chord &&
+                       target.place.t >= at_.t - same_place && target.place.t < first.t;
+    if (ahead && target.node != from_node_) first = {target.place.t, Event::Kind::target, target.arc, {}};
+  }
+}
+
+/// Chords of another run into which the present chord enters.
+void Walker::meet_crossings(Index run, Event& first) const {
+  const Point a = chord_start(), along = chord_end() - a;
+  const auto& points = runs_[run].points;
+  for (Index c = 0; c < runs_[run].chord_count(); ++c) {
+    const Point other = points[c + 1] - points[c], offset = points[c] - a;
+    const double turn = cross(along, other);
+    // Into the body on the left of `other`.
+    if (!(turn < -1e-12 * along.norm() * other.norm())) continue;
+    const double t = cross(offset, other) / turn, s = cross(offset, along) / turn;
+    if (s < -same_place || s >= 1 || t <= at_.t + same_place || t > 1 || t >= first.t) continue;
+    first = {t, Event::Kind::other_tool, -1, {run, c, std::max(0.0, s)}};
+  }
+}
+
+/// The start of another run next to the present chord.
+void Walker::meet_start(Index run, Event& first) const {
+  if (runs_[run].closed || near_[run]) return;
+  const Point a = chord_start(), along = chord_end() - a, start = runs_[run].points.front();
+  const double t = (start - a).dot(along) / along.squaredNorm();
+  if (t <= at_.t + same_place || t > 1 || t >= first.t) return;
+  if ((a + t * along - start).norm() <= scene_.seal_gap) first = {t, Event::Kind::other_tool, -1, {run, 0, 0}};
+}
+
+Event Walker::first_event() const {
+  Event first;
+  for (Index run = 0; run < static_cast<Index>(runs_.size()); ++run) {
+    if (runs_[run].tool == tool()) continue;
+    meet_crossings(run, first);
+    meet_start(run, first);
+  }
+  meet_targets(first);
+  return first;
+}
+
+/// The nearest place of another tool within the gap that seals. Runs that have been that near since the walk joined the
+/// present one do not count until they have been farther away.
+std::optional<OutlinePlace> Walker::closest_other_run(const Point& x) {
+  std::optional<OutlinePlace> closest;
+  double least = scene_.seal_gap;
+  for (Index run = 0; run < static_cast<Index>(runs_.size()); ++run) {
+    if (runs_[run].tool == tool()) continue;
+    const auto nearest = scene_.outlines.nearest(run, x);
+    if (nearest.distance > scene_.seal_gap) near_[run] = false;
+    if (near_[run] || nearest.distance > least) continue;
+    least = nearest.distance;
+    closest = nearest.place;
+  }
+  return closest;
+}
+
+/// Passes on from the end of the present chord; false where the walk is over.
+bool Walker::finish_chord() {
+  const OutlineRun& run = runs_[at_.run];
+  const bool at_end = at_.chord + 1 == run.chord_count() && !run.closed;
+  if (at_end && run.open_line_after) return follow_line(here_, *run.open_line_after);
+  if (at_end) near_.assign(runs_.size(), false);
+  if (const auto other = closest_other_run(here_)) {
+    const auto& points = runs_[other->run].points;
+    const bool leads_on =
+        other->chord + 1 < static_cast<Index>(points.size()) - 1 || other->t < 1 || runs_[other->run].open_line_after;
+    if (leads_on || !at_end) {
+      go_to(*other);
+      return true;
+    }
+  }
+  if (at_end) return false;
+  at_ = {at_.run, (at_.chord + 1) % run.chord_count(), 0};
+  return true;
+}
+
+bool Walker::advance() {
+  const Event event = first_event();
+  if (event.kind == Event::Kind::none) {
+    add(tool(), chord_end());
+    return finish_chord();
+  }
+  add(tool(), chord_start() + event.t * (chord_end() - chord_start()));
+  if (event.kind == Event::Kind::target) {
+    walk_.arc = event.arc;
+    return false;
+  }
+  go_to(event.place);
+  return true;
+}
+
+/// Goes on with the next body on the symmetry line; false where it is the glass, or where there is none.
+bool Walker::follow_line(const Point& from, const Point& direction) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto is_next = [&](const Point& x, const Point& line) {
+    const double ahead = (x - from).dot(direction), off = std::abs(cross(x - from, direction));
+    const bool found = line.dot(direction) < -0.99 && off <= scene_.seal_gap && ahead > -scene_.seal_gap;
+    if (!found || ahead >= least) return false;
+    least = ahead;
+    return true;
+  };
+  Index arc = -1, next = -1;
+  Point point = from;
+  for (const auto& target : scene_.line_targets)
+    if (is_next(target.point, target.direction)) arc = target.arc, point = target.point;
+  for (Index run = 0; run < static_cast<Index>(runs_.size()); ++run)
+    if (runs_[run].open_line_before && is_next(runs_[run].points.front(), *runs_[run].open_line_before)) next = run;
+  if (next >= 0) {
+    here_ = from;
+    go_to({next, 0, 0});
+    near_.assign(runs_.size(), false);
+    return true;
+  }
+  if (arc >= 0) add(-1, point);
+  walk_.arc = arc;
+  return false;
+}
+
+Walk Walker::along_tools(const OutlinePlace& from) {
+  at_ = from;
+  here_ = scene_.outlines.point(from);
+  int steps = 0;
+  while (advance())
+    if (++steps > max_chords) return {};
+  return std::move(walk_);
+}
+
+Walk Walker::along_line(const Point& from, const Point& direction) {
+  here_ = from;
+  if (!follow_line(from, direction)) return std::move(walk_);
+  int steps = 0;
+  while (advance())
+    if (++steps > max_chords) return {};
+  return std::move(walk_);
+}
+
+}  // namespace
+
+Walk walk_outlines(const WalkScene& scene, const OutlinePlace& from, Index from_node) {
+  return Walker(scene, from_node).along_tools(from);
+}
+
+Walk walk_line(const WalkScene& scene, const Point& from, const Point& direction) {
+  return Walker(scene, -1).along_line(from, direction);
+}
+
+}  // namespace parison::forming
