@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "remesh/mesher/mesh_outline.hpp"
+#include "remesh/surface/axis_closing.hpp"
 #include "remesh/surface/curve.hpp"
 #include "remesh/surface/lap.hpp"
 #include "remesh/surface/restore_volume.hpp"
@@ -63,13 +64,16 @@ std::string describe(const Crossings& crossings, const Surface& surface, double 
 Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mesher& mesher) {
   Remeshed result;
   result.volume_before = core::volume(distorted, criteria.geometry);
-  const Mesh old = without_collapsed_edges(distorted);
+  ClosedOnAxis closed{distorted};
+  if (criteria.geometry == core::Geometry::axisymmetric && has_reached_axis(distorted))
+    closed = close_on_axis(distorted, max_lap * result.volume_before);
+  const Mesh old = without_collapsed_edges(std::move(closed.mesh));
   const SizeField size = size_field(old, criteria);
   result.coarsening_factor = size.coarsening_factor();
   Surface surface = resample(old, criteria, size);
   const double volume = result.volume_before;
   const Crossings crossings = remove_crossings(criteria.geometry, {max_lap * volume, max_torn * volume}, surface);
-  result.laps = crossings.laps, result.lap_volume = crossings.lap_volume;
+  result.laps = crossings.laps + closed.voids, result.lap_volume = crossings.lap_volume + closed.volume;
   result.torn = crossings.torn, result.torn_volume = crossings.torn_volume;
   if (crossings.first >= 0) {
     result.reason = describe(crossings, surface, volume);

@@ -9,6 +9,7 @@
 #include "forming/step/contact/contact_geometry.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/sizing/recovery.hpp"
+#include "remesh/surface/axis_closing.hpp"
 
 namespace parison::forming {
 
@@ -82,6 +83,7 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
 
 bool needs_remesh(const Scene& scene, const State& state) {
   return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
+         (scene.geometry == core::Geometry::axisymmetric && remesh::has_reached_axis(state.glass.mesh)) ||
          (remeshes(state) > 0 && has_stretched_edges(scene, state));
 }
 

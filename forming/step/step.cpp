@@ -19,8 +19,12 @@ namespace parison::forming {
 
 namespace {
 
-void move_nodes(core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt) {
-  for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
+/// Glass that arrives at the axis stays there: it meets its mirror image.
+void move_nodes(core::Geometry geometry, const Eigen::VectorXd& velocity, double dt, core::Mesh& mesh) {
+  for (Index n = 0; n < mesh.node_count(); ++n) {
+    mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
+    if (geometry == core::Geometry::axisymmetric && mesh.nodes[n][0] < 0) mesh.nodes[n][0] = 0;
+  }
 }
 
 /// Velocities of tools that move by position where nothing flows.
@@ -32,7 +36,7 @@ void store_tool_velocities(const Scene& scene, double dt, State& state) {
 
 /// Moves the glass and the active tools with their velocities.
 void move_bodies(const Scene& scene, double dt, State& state) {
-  if (scene.has_flow()) move_nodes(state.glass.mesh, state.glass.velocity, dt);
+  if (scene.has_flow()) move_nodes(scene.geometry, state.glass.velocity, dt, state.glass.mesh);
   for (const auto& tool : scene.stages[state.stage].tools) {
     auto& body = state.tools[tool.tool];
     body.offset += dt * body.velocity;

@@ -7,7 +7,7 @@ namespace parison::remesh {
 /// Largest volumes, m3, of what may be cut off where a surface crosses itself.
 struct CrossingLimits {
   double lap;   ///< notch between folded glass, or glass that overlaps itself
-  double torn;  ///< piece that hangs on a neck thinner than nothing
+  double torn;  ///< piece that hangs on a neck of negative width
 };
 
 /// What was cut off where a surface crossed itself.
@@ -22,7 +22,7 @@ struct Crossings {
 };
 
 /// Removes the places where a surface crosses itself. Where glass has folded onto itself, the notch in between is cut
-/// off by a chord. Where a neck of the glass has become thinner than nothing, the smaller piece behind it has torn off
+/// off by a chord. Where a neck of the glass has become so thin that its sides have crossed, the smaller piece behind it has torn off
 /// and is cut off as well. What is greater than the limits is left as it is.
 Crossings remove_crossings(core::Geometry geometry, const CrossingLimits& limits, Surface& surface);
 
