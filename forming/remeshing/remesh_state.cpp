@@ -80,6 +80,18 @@ bool fit_surface(const Scene& scene, const State& state, core::Mesh& mesh) {
   return min_quality > 0;
 }
 
+/// A new mesh inside the surface of `mesh`, which has been fitted, again with the old volume; leaves it where there is
+/// none.
+void mesh_fitted_surface(const Scene& scene, const State& state, const remesh::Criteria& wanted,
+                         const remesh::Mesher& mesher, core::Mesh& mesh) {
+  auto inside = remesh::mesh_inside(mesh, state.glass.mesh, wanted, mesher);
+  if (!inside.reason.empty()) return;
+  mesh = std::move(inside.mesh);
+  core::Mesh restored = mesh;
+  restore_volume(scene, state, core::volume(state.glass.mesh, scene.geometry), restored);
+  if (remesh::min_quality(restored) > 0) mesh = std::move(restored);
+}
+
 /// The temperature on the new mesh by L2 projection, limited to the old extremes, with the heat content of the old
 /// mesh.
 void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
@@ -231,10 +243,7 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
   State& next = result.state;
   core::Mesh& mesh = next.glass.mesh;
   mesh = std::move(made.mesh);
-  if (!fit_surface(scene, state, mesh)) {
-    auto inside = remesh::mesh_inside(mesh, state.glass.mesh, wanted, mesher);  // the surface as it is now
-    if (inside.reason.empty()) mesh = std::move(inside.mesh);
-  }
+  if (!fit_surface(scene, state, mesh)) mesh_fitted_surface(scene, state, wanted, mesher, mesh);
   if (!(remesh::min_quality(mesh) > 0)) {
     result.reason = "the new mesh has inverted cells where it is projected out of a tool";
     return result;
