@@ -40,6 +40,7 @@ struct ContactCandidate {
   bool tied = false;                        ///< always active, in tension as well (grip)
   double contact_fraction = 1;              ///< share of the step in which the node touches the tool and friction acts
   Point approach_velocity = Point::Zero();  ///< relative to the tool until the node lands, m/s
+  double recovery = 0;                      ///< part of the rate that takes a penetrated node out of the tool, m/s
 };
 
 /// Quasi-static creeping flow (Stokes): div(2 eta D(v)) - grad p + rho g + f = 0, div v = dilatation_rate, with D the

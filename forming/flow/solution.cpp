@@ -49,6 +49,14 @@ double correction_power(const Problem& problem, const std::vector<bool>& active,
   return power;
 }
 
+/// Power of the tools that push penetrated nodes out, W.
+double recovery_power(const Problem& problem, const std::vector<bool>& active, const ContactForces& forces) {
+  double power = 0;
+  for (std::size_t i = 0; i < active.size(); ++i)
+    if (active[i]) power -= forces.normal[i] * problem.candidates[i].recovery;
+  return power;
+}
+
 /// Contact pressures, forces on tools, and the edges that air and surface tension act on.
 void evaluate_contact(const Problem& problem, const Equilibrium& equilibrium, Solution& result) {
   const auto& mesh = *problem.mesh;
@@ -98,6 +106,7 @@ void evaluate_powers(const Problem& problem, const Equilibrium& equilibrium, Sol
   const Response& response = equilibrium.response;
   result.friction_power = friction_power(equilibrium.constraints, response);
   result.impact_power = impact_power(problem, equilibrium.active, response.forces);
+  result.recovery_power = recovery_power(problem, equilibrium.active, response.forces);
   result.correction_power = correction_power(problem, equilibrium.active, response.forces, result.pressure,
                                              discretisation.load.tail(result.pressure.size()));
 }

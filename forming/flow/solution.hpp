@@ -55,6 +55,7 @@ struct Solution : Convergence {
   double friction_power = 0;          ///< lost by the glass where it slides along tools, W
   double impact_power = 0;            ///< lost by glass that comes to rest on a tool within the step, W
   double correction_power = 0;        ///< of the corrections of volume and penetration, W: not physical
+  double recovery_power = 0;          ///< part of it that takes penetrated nodes out of tools, W
   Eigen::VectorXd dilatation_mode;    ///< m/s, two per node: Equilibrium::dilatation_mode
   std::vector<bool>
       exposed;  ///< per boundary edge: at least one node free, so that gas pressure and surface tension act

@@ -277,7 +277,8 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
     if (!solution) return false;
     result.state.totals.work = state.totals.work;
     accumulate_work(scene, state, *solution, dt, result.state.totals.work);
-    result.report.work_error = work_error(scene, state, state.totals.work, result.state.totals.work);
+    result.report.work_error =
+        work_error(scene, state, state.totals.work, result.state.totals.work, dt * solution->recovery_power);
   }
   if (gained > DepthLimits(scene).reject && dt > min_step_ratio * scene.accuracy.initial_step) {
     result.reason = collision_without_contact(start, result.state);

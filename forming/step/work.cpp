@@ -84,10 +84,10 @@ double excess_work(const Work& work) {
 
 }  // namespace
 
-double work_error(const Scene& scene, const State& start, const Work& before, const Work& after) {
+double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery) {
   const double weight = start.glass.density * start.glass.initial_volume * std::abs(scene.stages[start.stage].gravity);
   const double measure = std::max(lost(after), weight * core::size(scene.glass.profile));
-  const double truncation = excess_work(after) - excess_work(before) - (after.correction - before.correction);
+  const double truncation = excess_work(after) - excess_work(before) - recovery;
   return measure > 0 ? std::abs(truncation) / measure : 0;
 }
 

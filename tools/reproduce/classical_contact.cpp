@@ -36,7 +36,7 @@ bool run_stage(const Scene& scene, const std::string& directory) {
   report.interface = couple(scene, state);
   state.next_step = scene.accuracy.initial_step;
   files.fields(state, report.interface);
-  while (!stage_over(scene, state, false)) {
+  while (stage_end(scene, state) == StageEnd::none) {
     report.dt = clip_step_to_event(scene, state, state.next_step);
     const auto heat = advance_heat(scene, state, report.interface, {}, report.dt, workspace);
     if (!heat.converged) return false;

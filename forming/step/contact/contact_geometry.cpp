@@ -226,7 +226,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       const double kept = depth - std::max(0.0, depth - placed.resting) * std::min(1.0, dt / recovery_time);
       const double rate = tied ? 0.0 : (-gap - kept) / dt;
       const double fraction = touched ? 1 : fraction_in_contact(gap, dt * approach, placed.coincident);
-      candidates.push_back({node, tool, constraint.normal, rate, tied, fraction, relative});
+      candidates.push_back({node, tool, constraint.normal, rate, tied, fraction, relative, (depth - kept) / dt});
     }
   }
   return candidates;
