@@ -243,6 +243,7 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
   State& next = result.state;
   core::Mesh& mesh = next.glass.mesh;
   mesh = std::move(made.mesh);
+  keep_beside_axis(scene.geometry, mesh);
   if (!fit_surface(scene, state, mesh)) mesh_fitted_surface(scene, state, wanted, mesher, mesh);
   if (!(remesh::min_quality(mesh) > 0)) {
     result.reason = "the new mesh has inverted cells where it is projected out of a tool";

@@ -15,6 +15,7 @@
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/contact_prediction.hpp"
 #include "forming/step/predictor.hpp"
+#include "forming/step/step_control.hpp"
 #include "forming/step/volume_conservation.hpp"
 #include "forming/step/work.hpp"
 
@@ -269,7 +270,7 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
   const double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
   const auto converged = [&] {
     return gained == 0 && result.report.predictor_corrector_difference <= tolerance &&
-           result.report.work_error <= scene.accuracy.work_per_step;
+           !rejected_for_work(scene, result.report);
   };
   std::optional<flow::Solution> solution;
   for (int iteration = 0; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
@@ -277,8 +278,10 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
     if (!solution) return false;
     result.state.totals.work = state.totals.work;
     accumulate_work(scene, state, *solution, dt, result.state.totals.work);
-    result.report.work_error =
-        work_error(scene, state, state.totals.work, result.state.totals.work, dt * solution->recovery_power);
+    // The pressure of trapped air is that of the step's end: its work is of first order in the step and not resolved.
+    if (solution->edge_pressure.empty())
+      result.report.work_error =
+          work_error(scene, state, state.totals.work, result.state.totals.work, dt * solution->recovery_power);
   }
   if (gained > DepthLimits(scene).reject && dt > min_step_ratio * scene.accuracy.initial_step) {
     result.reason = collision_without_contact(start, result.state);

@@ -19,12 +19,9 @@ namespace parison::forming {
 
 namespace {
 
-/// Glass that arrives at the axis stays there: it meets its mirror image.
 void move_nodes(core::Geometry geometry, const Eigen::VectorXd& velocity, double dt, core::Mesh& mesh) {
-  for (Index n = 0; n < mesh.node_count(); ++n) {
-    mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
-    if (geometry == core::Geometry::axisymmetric && mesh.nodes[n][0] < 0) mesh.nodes[n][0] = 0;
-  }
+  for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
+  keep_beside_axis(geometry, mesh);
 }
 
 /// Velocities of tools that move by position where nothing flows.

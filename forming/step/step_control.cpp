@@ -19,6 +19,10 @@ constexpr double reject_above = 3.0;   ///< times what a step may change
 constexpr double shortest_for_work = 10, bearable_work_error = 1e-3;
 constexpr double same_time = 1e-9;  ///< s
 
+double work_share(const Scene& scene, const StepReport& report) {
+  return std::sqrt(report.work_error / scene.accuracy.work_per_step);
+}
+
 /// What a step changed over what it may change (the largest share of strain, landing, work, temperature and
 /// motion), and which it was.
 std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) {
@@ -26,7 +30,7 @@ std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) 
       {std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
        std::pair(report.landed_length / (scene.accuracy.landing_per_step * scene.accuracy.surface_size),
                  StepLimit::landing),
-       std::pair(std::sqrt(report.work_error / scene.accuracy.work_per_step), StepLimit::work),
+       std::pair(work_share(scene, report), StepLimit::work),
        std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
        std::pair(report.predictor_corrector_difference / scene.accuracy.motion_tolerance, StepLimit::motion)});
 }
@@ -58,6 +62,10 @@ bool rejected_by_error_control(const Scene& scene, const StepReport& report) {
   const bool bearable = by == StepLimit::work && report.work_error < bearable_work_error &&
                         report.dt < shortest_for_work * scene.accuracy.min_step;
   return used > reject_above && !bearable;
+}
+
+bool rejected_for_work(const Scene& scene, const StepReport& report) {
+  return work_share(scene, report) > reject_above;
 }
 
 double clip_step_to_event(const Scene& scene, const State& state, double proposed) {

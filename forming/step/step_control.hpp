@@ -20,6 +20,9 @@ ProposedStep propose_step(const Scene& scene, const StepReport& report, double a
 /// Whether a step changed three times more than it may, so that it is rejected and repeated shorter.
 bool rejected_by_error_control(const Scene& scene, const StepReport& report);
 
+/// Whether it would be for the error of its work alone.
+bool rejected_for_work(const Scene& scene, const StepReport& report);
+
 /// The proposed step, s, clipped so that the stage's end is met exactly and no very short step is left before it. Where
 /// nothing flows it is clipped to the next output time too; the heat integrator's own steps do not depend on that.
 double clip_step_to_event(const Scene& scene, const State& state, double proposed);

@@ -127,7 +127,10 @@ void restore_volume(const Scene& scene, const State& state, double target, core:
   remesh::MovableSurface surface;
   surface.directions = shift_directions;
   surface.in_contact = [&](const core::Mesh& now) { return nodes_at_tools(scene, state, now); };
-  surface.project = [&](core::Mesh& now) { project_out_of_tools(scene, state, now); };
+  surface.project = [&](core::Mesh& now) {
+    project_out_of_tools(scene, state, now);
+    keep_beside_axis(scene.geometry, now);
+  };
   surface.volume_tolerance = 4e-15;
   surface.edge_points = 3;
   remesh::restore_volume(surface, scene.geometry, target, mesh);

@@ -86,7 +86,8 @@ double excess_work(const Work& work) {
 
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery) {
   const double weight = start.glass.density * start.glass.initial_volume * std::abs(scene.stages[start.stage].gravity);
-  const double measure = std::max(lost(after), weight * core::size(scene.glass.profile));
+  const double measure = std::max({lost(after), std::abs(after.tools), std::abs(after.air), std::abs(after.gravity),
+                                   weight * core::size(scene.glass.profile)});
   const double truncation = excess_work(after) - excess_work(before) - recovery;
   return measure > 0 ? std::abs(truncation) / measure : 0;
 }

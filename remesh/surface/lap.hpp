@@ -22,8 +22,8 @@ struct Crossings {
 };
 
 /// Removes the places where a surface crosses itself. Where glass has folded onto itself, the notch in between is cut
-/// off by a chord. Where a neck of the glass has become so thin that its sides have crossed, the smaller piece behind it has torn off
-/// and is cut off as well. What is greater than the limits is left as it is.
+/// off by a chord. Where a neck of the glass has become so thin that its sides have crossed, the smaller piece behind
+/// it has torn off and is cut off as well. What is greater than the limits is left as it is.
 Crossings remove_crossings(core::Geometry geometry, const CrossingLimits& limits, Surface& surface);
 
 }  // namespace parison::remesh

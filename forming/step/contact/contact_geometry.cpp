@@ -264,6 +264,19 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
   return tool_gaps(scene, state, contact_nodes(state.glass.mesh), tool, reach);
 }
 
+void keep_beside_axis(core::Geometry geometry, core::Mesh& mesh) {
+  if (geometry == core::Geometry::planar) return;
+  for (Point& x : mesh.nodes)
+    if (x[0] < 0) x[0] = 0;
+  for (const auto& edge : mesh.boundary_edges()) {
+    const auto& [first, last, middle] = edge.nodes;
+    const double a = mesh.nodes[first][0], b = mesh.nodes[last][0];
+    double& r = mesh.nodes[middle][0];
+    r = std::max(r,
+                 0.25 * (a + b) - 0.5 * std::sqrt(a * b));  // the least with which no point between is beyond the axis
+  }
+}
+
 std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, const State& state) {
   const auto tools = std::make_shared<const PlacedTools>(placed_tools(scene, state));
   return [tools](const Point& x) {
