@@ -12,6 +12,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/program/blas_threads.hpp"
 #include "tools/program/exit_codes.hpp"
+#include "tools/program/kept_memory.hpp"
 #include "tools/program/standard_streams.hpp"
 
 namespace {
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
   tools::Command command;
   tools::add_commands(app, command);
   tools::use_one_blas_thread();
+  tools::keep_freed_memory();
   try {
     app.parse(argc, argv);
     return run(command);
