@@ -25,7 +25,7 @@ std::string stages_with(const Scene& scene, const Test& test) {
 
 std::string flow_parts(const Scene& scene) {
   const bool on = scene.has_flow();
-  const std::string no_flow = "the glass does not flow";
+  const auto or_no_flow = [on](const char* reason) { return on ? reason : "the glass does not flow"; };
   const auto gravity = stages_with(scene, [](const Stage& s) { return s.gravity != 0; });
   const auto pressure = stages_with(scene, [](const Stage& s) { return !s.pressure.empty(); });
   const double tension = on ? scene.glass.flow->surface_tension : 0;
@@ -33,16 +33,16 @@ std::string flow_parts(const Scene& scene) {
   std::string text = part("flow", on, fmt::format("Taylor-Hood P2-P1, {} viscosity", constant ? "constant" : "VFT"),
                           "the glass's material has no viscosity");
   text += part("shear thinning", on && scene.glass.flow->shear_thinning, "Carreau factor",
-               on ? "the material names none" : no_flow);
-  text += part("gravity", on && !gravity.empty(), "in " + gravity, on ? "no stage names it" : no_flow);
-  text += part("air pressure", on && !pressure.empty(), "in " + pressure, on ? "no stage names one" : no_flow);
+               or_no_flow("the material names none"));
+  text += part("gravity", on && !gravity.empty(), "in " + gravity, or_no_flow("no stage names it"));
+  text += part("air pressure", on && !pressure.empty(), "in " + pressure, or_no_flow("no stage names one"));
   const auto sealed = stages_with(scene, [](const Stage& s) { return s.trapped_air.has_value(); });
-  text += part("trapped air", on && !sealed.empty(), "in " + sealed, on ? "cavities are vented" : no_flow);
-  text += part("surface tension", tension > 0, fmt::format("{:.3g} N/m", tension),
-               on ? "the material names none" : no_flow);
+  text += part("trapped air", on && !sealed.empty(), "in " + sealed, or_no_flow("cavities are vented"));
+  text +=
+      part("surface tension", tension > 0, fmt::format("{:.3g} N/m", tension), or_no_flow("the material names none"));
   text += part("contact with tools", on && !scene.tools.empty(),
-               fmt::format("unilateral, tools: {}", scene.tools.size()), on ? "the scene has no tools" : no_flow);
-  return text + part("inertia", false, "", on ? "neglected: see the Reynolds number" : no_flow);
+               fmt::format("unilateral, tools: {}", scene.tools.size()), or_no_flow("the scene has no tools"));
+  return text + part("inertia", false, "", or_no_flow("neglected: see the Reynolds number"));
 }
 
 std::string heat_parts(const Scene& scene) {
