@@ -100,20 +100,12 @@ std::string stage_lines(const Scene& scene) {
 }
 
 std::string choice_text(const Scene& scene) {
-  const AccuracyChoice& choice = scene.accuracy_choice;
-  if (!choice.target) return "preset";
-  if (!scene.is_of_error_law())
-    return "target, by a law for glass that flows on a mesh of the presets: does not apply to this scene";
+  const auto target = scene.accuracy_choice.target;
+  if (!target) return "preset";
   return fmt::format(
-      "target: wall thickness and heat into tools to {:.3g} %, by the errors measured on the bundled containers",
-      100 * *choice.target);
-}
-
-std::string expected_text(const Scene& scene) {
-  if (!scene.is_of_error_law()) return "";
-  const AccuracyChoice& choice = scene.accuracy_choice;
-  return fmt::format("; error expected {:.2g} %{}", 100 * expected_error(choice.effective_level()),
-                     scene.accuracy_origin.empty() ? "" : " except for settings changed by the case or --set");
+      "wall thickness and heat into tools to {:.3g} %: `parison run` finds the settings by runs of this scene, those "
+      "below are a guess",
+      100 * *target);
 }
 
 /// Whether a setting is for meshes that the case maps itself.
@@ -128,13 +120,13 @@ bool is_unused(const Scene& scene, const std::string& key) {
 
 std::string accuracy_lines(const Scene& scene) {
   const AccuracyChoice& choice = scene.accuracy_choice;
-  std::string text = fmt::format("\naccuracy {} ({}; level {:.3g}, 0 is draft, 1 standard, 2 fine{})\n",
-                                 scene.accuracy_name, choice_text(scene), choice.level, expected_text(scene));
+  std::string text = fmt::format("\naccuracy {} ({}; level {:.3g}, 0 is draft, 1 standard, 2 fine)\n",
+                                 scene.accuracy_name, choice_text(scene), choice.level);
   const auto add = [&](const char* key, double value, const char* unit) {
     const auto own = scene.accuracy_origin.find(key);
     const std::string origin = own != scene.accuracy_origin.end() ? own->second
                                : is_unused(scene, key)            ? "not used: the case maps its mesh"
-                               : choice.target                    ? "target"
+                               : choice.target                    ? "guess"
                                                                   : "preset";
     text += fmt::format("  {:<24}{:<12}{}{}\n", key, fmt::format("{:.4g}{}{}", value, *unit ? " " : "", unit), origin,
                         choice.coarsening_factor == 1 ? "" : ", made coarser");

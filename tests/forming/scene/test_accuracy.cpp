@@ -75,7 +75,7 @@ TEST(Accuracy, each_setting_says_who_chose_it) {
   const auto line = [&](const char* key) { return text.substr(text.find(std::string("  ") + key + ' '), 60); };
   EXPECT_NE(line("passes").find("--set"), std::string::npos);
   EXPECT_NE(line("strain_per_step").find("case"), std::string::npos);
-  EXPECT_NE(line("surface_size").find("target"), std::string::npos);
+  EXPECT_NE(line("surface_size").find("guess"), std::string::npos);
 }
 
 TEST(Accuracy, a_profile_is_compared_away_from_where_the_wall_ends) {
