@@ -33,7 +33,6 @@ Point edge_derivative(const Mesh& mesh, const std::array<Index, 3>& edge, double
 namespace index = boost::geometry::index;
 using BoostPoint = boost::geometry::model::point<double, core::dim, boost::geometry::cs::cartesian>;
 using BoostBox = boost::geometry::model::box<BoostPoint>;
-using BoostSegment = boost::geometry::model::segment<BoostPoint>;
 using IndexedBox = std::pair<BoostBox, Index>;
 
 /// Box around a quadratic edge, a tenth wider on every side than around its nodes.
@@ -44,7 +43,8 @@ BoostBox box_of(const Mesh& mesh, const std::array<Index, 3>& edge) {
   return {{low[0] - widened, low[1] - widened}, {high[0] + widened, high[1] + widened}};
 }
 
-/// Finds where rays leave a body, by an R-tree of the boxes of its boundary edges.
+/// Finds where rays leave a body, by an R-tree of the boxes of its boundary edges. The tree is asked for what meets the
+/// box of a ray: a test of the ray itself costs more than the edges that it would exclude.
 class BoundaryRays {
  public:
   explicit BoundaryRays(const Mesh& mesh) : mesh_(mesh) {
@@ -67,7 +67,8 @@ class BoundaryRays {
   Hit first_exit(Index from, const Point& direction, double reach) const {
     const Point start = mesh_.nodes[from], end = start + std::min(reach, extent_) * direction;
     Hit hit;
-    edges_.query(index::intersects(BoostSegment{{start[0], start[1]}, {end[0], end[1]}}),
+    const Point low = start.cwiseMin(end), high = start.cwiseMax(end);
+    edges_.query(index::intersects(BoostBox{{low[0], low[1]}, {high[0], high[1]}}),
                  boost::make_function_output_iterator(
                      [&](const IndexedBox& box) { try_edge(from, direction, box.second, hit); }));
     return hit;
