@@ -243,7 +243,7 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
       predictor_corrector_difference(result.state.glass.velocity, predictor.velocity, start.dt);
   result.report.landed_length = landed_length(start, pass, result.state);
   gained = penetration_gained(start, pass, result.state, predictor);
-  predictor.velocity = result.state.glass.velocity;
+  predictor.velocity = predictor.iteration.next(predictor.velocity, result.state.glass.velocity);
   predictor.trusted = true;
   return std::move(pass.solution);
 }
