@@ -267,8 +267,11 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
   const State& state = start.state;
   const double dt = start.dt;
   double gained = 0;
-  const double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
+  double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
   const auto converged = [&] {
+    // What has left the tolerance would leave it again in the next step.
+    if (result.report.predictor_corrector_difference > tolerance)
+      tolerance = initial_fraction * scene.accuracy.motion_tolerance;
     return gained == 0 && result.report.predictor_corrector_difference <= tolerance &&
            !rejected_for_work(scene, result.report);
   };

@@ -156,7 +156,7 @@ TEST(Accuracy, bars_of_a_small_scene_hold_the_error_against_a_finer_run) {
     EXPECT_LE(std::abs(quantity.value - fine.find(quantity.name)->value), quantity.error) << quantity.name;
   const auto profile = compare_profiles(bars.quantities.profile, fine.profile);
   EXPECT_LE(profile.mean, bars.profile_mean);
-  EXPECT_LE(bars.profile_mean, 10 * profile.mean);
+  EXPECT_LE(bars.profile_mean, 2e-3);
 }
 
 TEST(Accuracy, a_coarser_run_beyond_the_coarsest_accuracy_is_left_out) {
