@@ -18,4 +18,9 @@ Eigen::VectorXd FixedPoint::next(const Eigen::VectorXd& x, const Eigen::VectorXd
   return mapped - mapped_change * change.colPivHouseholderQr().solve(residual_.back());
 }
 
+void FixedPoint::forget() {
+  mapped_.clear();
+  residual_.clear();
+}
+
 }  // namespace parison::forming

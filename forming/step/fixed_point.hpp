@@ -12,6 +12,8 @@ class FixedPoint {
  public:
   /// The next x, from an x and its G(x).
   Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& mapped);
+  /// Leaves the last ones aside, where G has changed.
+  void forget();
 
  private:
   std::vector<Eigen::VectorXd> mapped_, residual_;

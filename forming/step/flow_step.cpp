@@ -236,7 +236,10 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
     result.reason = pass.solution.reason;
     return std::nullopt;
   }
+  const std::vector<Index> touched = result.state.glass.contact_tool;
   store_flow(start.scene, pass, start.dt, result.state);
+  // Glass that lands or leaves makes it another problem, and the pressure of trapped air is of another step.
+  if (start.air || result.state.glass.contact_tool != touched) predictor.iteration.forget();
   if (start.air) store_air(start, pass.solution, result.state);
   result.report.strain = pass.solution.high_rate * start.dt;
   result.report.predictor_corrector_difference =
@@ -270,7 +273,7 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
   double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
   const auto converged = [&] {
     // What has left the tolerance would leave it again in the next step.
-    if (result.report.predictor_corrector_difference > tolerance)
+    if (!start.air && result.report.predictor_corrector_difference > tolerance)
       tolerance = initial_fraction * scene.accuracy.motion_tolerance;
     return gained == 0 && result.report.predictor_corrector_difference <= tolerance &&
            !rejected_for_work(scene, result.report);
