@@ -52,31 +52,48 @@ struct Rule {
 template <int points>
 struct FieldAtPoints {
   std::array<VectorizedArray, points> measure, value;
+};
+template <int points>
+[[gnu::always_inline]] inline void set_field(const Rule<points>& rule, const Mesh& mesh, const Depth& depth,
+                                             const Eigen::VectorXd& nodal, Index batch, FieldAtPoints<points>& field) {
+  BatchIndices<6> nodes;
+  NodeVectors x;
+  UnknownValues<6> at_nodes;
+  MappedPoint<VectorizedArray> at;
+  set_nodes(mesh.cells(), batch, nodes);
+  gather(mesh.nodes.front().data(), nodes, x);
+  gather(nodal.data(), nodes, at_nodes);
+  for (int q = 0; q < points; ++q) {
+    map_point(rule.shapes, q, x, at);
+    depth.set(at.position[0], field.measure[q]);
+    field.measure[q] *= rule.weight[q] * at.determinant;
+    interpolate(rule.shapes.value, q, at_nodes, field.value[q]);
+  }
+}
 
-  FieldAtPoints(const Rule<points>& rule, const Mesh& mesh, const Depth& depth, const Eigen::VectorXd& nodal,
-                Index batch) {
-    BatchIndices<6> nodes;
-    NodeVectors x;
-    UnknownValues<6> at_nodes;
-    MappedPoint<VectorizedArray> at;
-    set_nodes(mesh.cells(), batch, nodes);
-    gather(mesh.nodes.front().data(), nodes, x);
-    gather(nodal.data(), nodes, at_nodes);
-    for (int q = 0; q < points; ++q) {
-      map_point(rule.shapes, q, x, at);
-      depth.set(at.position[0], measure[q]);
-      measure[q] *= rule.weight[q] * at.determinant;
-      interpolate(rule.shapes.value, q, at_nodes, value[q]);
+[[gnu::target_clones("avx2", "default")]] void set_field_of_batch(const Rule<6>& rule, const Mesh& mesh,
+                                                                  const Depth& depth, const Eigen::VectorXd& nodal,
+                                                                  Index batch, FieldAtPoints<6>& field) {
+  set_field(rule, mesh, depth, nodal, batch, field);
+}
+
+/// Integrals of a field and of one, lane by lane.
+struct MeanIntegrals {
+  VectorizedArray content{}, volume{};
+};
+[[gnu::target_clones("avx2", "default")]] void set_mean_integrals(const Rule<12>& rule, const Mesh& mesh,
+                                                                  const Depth& depth, const Eigen::VectorXd& nodal,
+                                                                  MeanIntegrals& sums) {
+  FieldAtPoints<12> field;
+  for (Index batch = 0; batch < batch_count(mesh.cell_count()); ++batch) {
+    set_field(rule, mesh, depth, nodal, batch, field);
+    for (auto& measure : field.measure)
+      for (int lane = filled_lanes(mesh.cell_count(), batch); lane < batch_size; ++lane) measure[lane] = 0;
+    for (std::size_t q = 0; q < field.measure.size(); ++q) {
+      sums.content += field.measure[q] * field.value[q];
+      sums.volume += field.measure[q];
     }
   }
-};
-
-/// Numbers at the points of one cell of a batch.
-template <std::size_t points>
-Eigen::Array<double, static_cast<int>(points), 1> in_lane(const std::array<VectorizedArray, points>& values, int lane) {
-  Eigen::Array<double, static_cast<int>(points), 1> own;
-  for (std::size_t q = 0; q < points; ++q) own[q] = values[q][lane];
-  return own;
 }
 
 }  // namespace
@@ -179,9 +196,10 @@ double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& noda
                 const std::function<double(double)>& function) {
   static const Rule<6> rule(4);
   const Depth depth(geometry);
+  FieldAtPoints<6> field;
   double sum = 0;
   for (Index batch = 0; batch < batch_count(mesh.cell_count()); ++batch) {
-    const FieldAtPoints field(rule, mesh, depth, nodal, batch);
+    set_field_of_batch(rule, mesh, depth, nodal, batch, field);
     for (int lane = 0; lane < filled_lanes(mesh.cell_count(), batch); ++lane)
       for (int q = 0; q < 6; ++q) sum += field.measure[q][lane] * function(field.value[q][lane]);
   }
@@ -190,19 +208,10 @@ double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& noda
 
 double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal) {
   static const Rule<12> rule(6);
-  const Depth depth(geometry);
   const double base = nodal[0];  // a uniform field has its own value as the mean
-  const Eigen::VectorXd excess = nodal.array() - base;
-  double content = 0, volume = 0;
-  for (Index batch = 0; batch < batch_count(mesh.cell_count()); ++batch) {
-    const FieldAtPoints field(rule, mesh, depth, excess, batch);
-    for (int lane = 0; lane < filled_lanes(mesh.cell_count(), batch); ++lane) {
-      const auto measure = in_lane(field.measure, lane);
-      content += (measure * in_lane(field.value, lane)).sum();
-      volume += measure.sum();
-    }
-  }
-  return base + content / volume;
+  MeanIntegrals sums;
+  set_mean_integrals(rule, mesh, Depth(geometry), nodal.array() - base, sums);
+  return base + sum(sums.content, batch_size) / sum(sums.volume, batch_size);
 }
 
 }  // namespace parison::core

@@ -10,8 +10,9 @@ namespace parison::forming {
 /// projection out of the tools.
 remesh::Criteria remesh_criteria(const Scene& scene, const State& state);
 
-/// Whether the glass needs a new mesh: its worst cell is below numerics.quality_floor, or, after a first remeshing, an
-/// edge of its surface has stretched to 1.5 times numerics.surface_size.
+/// Whether the glass needs a new mesh: its worst cell is below numerics.quality_floor, its surface has reached the axis
+/// or folded onto itself, or, after a first remeshing, an edge of its surface has stretched to 1.5 times
+/// numerics.surface_size.
 bool needs_remesh(const Scene& scene, const State& state);
 
 }  // namespace parison::forming

@@ -10,6 +10,7 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/run/step_loop.hpp"
 #include "forming/run/warnings.hpp"
+#include "forming/step/contact/carrier.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/step_control.hpp"
 
@@ -27,12 +28,15 @@ std::string stage_precondition_failure(const Scene& scene, const State& state) {
   Penetration max_penetration{};
   for (const Penetration& inside : penetrations(scene, state, 0))
     if (inside.depth > max_penetration.depth) max_penetration = inside;
-  if (max_penetration.depth <= core::tolerance::stage_overlap * size) return "";
+  if (max_penetration.depth <= core::tolerance::stage_overlap * size) return unsupported_glass(scene, state);
   const Point& x = state.glass.mesh.nodes[max_penetration.node];
   return fmt::format(
       "active tool {} overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit between "
-      "the tools of the stage",
-      scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1]);
+      "the tools of the stage. A parison that hangs too far needs less time or cooler glass before; a tool that closes "
+      "on "
+      "the glass needs a position clear of it and a motion: motion.{} = {{ offset = [...] }}",
+      scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1],
+      scene.tools[max_penetration.tool].name);
 }
 
 namespace {

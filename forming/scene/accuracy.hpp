@@ -20,7 +20,7 @@ struct Accuracy {
   double tool_growth;            ///< growth of the edge with the distance from there
   double strain_per_step;        ///< rate of deformation times step, seen by 2 % of the glass
   double landing_per_step;       ///< length of surface that comes into contact in one step, over surface_size
-  double work_per_step;          ///< work by which the balance of a step may be off, over the work lost so far
+  double work_per_step;          ///< largest work_error of a step
   double temperature_tolerance;  ///< local error of a heat step, K
   double temperature_per_step;   ///< largest change of the glass surface temperature in a coupled step, K
   double max_step;               ///< s

@@ -12,6 +12,7 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
 #include "forming/step/cavities/trapped_air.hpp"
+#include "forming/step/contact/carrier.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/contact_prediction.hpp"
 #include "forming/step/predictor.hpp"
@@ -91,12 +92,16 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
   keep_bounds(corner_bounds(scene, state), problem.candidates);
   problem.air = start.air;
   auto warm = likely_contacts(state, active, problem, predictor.velocity);
-  const bool carried = problem.air && add_carrier(problem, warm);
+  const bool floating = floats(problem);
+  // What nothing drives follows the balance: trapped air may carry the glass.
+  const auto carrier_force = floating ? std::nullopt : std::optional<double>(0.0);
+  const bool carried = (problem.air || floating) && add_carrier(problem, warm, carrier_force);
   if (!workspace.flow) workspace.flow.emplace(middle);
   auto equilibrium = workspace.flow->find_equilibrium(problem, warm);
   correct_volume(scene, state, dt, equilibrium);
   auto solution = flow::evaluate(problem, std::move(equilibrium));
   if (carried) remove_carrier(problem, solution);
+  if (floating && solution.converged) keep_centre_of_mass(problem, solution);
   return {std::move(problem.candidates), std::move(solution)};
 }
 

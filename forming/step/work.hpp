@@ -13,7 +13,9 @@ void accumulate_work(const Scene& scene, const State& start, const flow::Solutio
 
 /// The work of a step that is neither lost nor stored in the surface nor `recovery`, J, which takes penetrated nodes
 /// out of tools, over the greatest of all that was lost until `after` or done by tools, air and gravity: the truncation
-/// error of the step. Where nearly nothing was lost yet, the glass sinking by its own size is the measure.
+/// error of the step. Where nearly nothing was lost yet, the glass sinking by its own size is the measure. A step that
+/// loses less than a 400th of the measure is compared with 400 times its own loss, but with a tenth of the measure at
+/// least.
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery);
 
 /// Work done on the glass that is neither lost nor stored in its surface, relative to what was lost; NaN where nothing

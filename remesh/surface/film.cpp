@@ -54,8 +54,9 @@ Eigen::VectorXd film_between_tools(const core::Mesh& mesh, const remesh::Wall& w
   for (Index node = 0; node < thickness.size(); ++node) {
     if (!std::isfinite(thickness[node])) continue;
     const auto& other = mesh.boundary_edges()[wall.far_edge[node]].nodes;
-    const auto same_tool = [&](Index n) { return contact_tool[n] == contact_tool[node]; };
-    if (std::any_of(other.begin(), other.end(), same_tool)) thickness[node] = std::numeric_limits<double>::infinity();
+    const auto on_other_tool = [&](Index n) { return contact_tool[n] >= 0 && contact_tool[n] != contact_tool[node]; };
+    if (!std::all_of(other.begin(), other.end(), on_other_tool))
+      thickness[node] = std::numeric_limits<double>::infinity();
   }
   return thickness;
 }

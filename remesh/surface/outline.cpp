@@ -42,6 +42,17 @@ std::pair<Index, Index> find_crossing(const Outline& outline) {
   return {first < 0 ? -1 : first / 2, second < 0 ? -1 : second / 2};
 }
 
+bool crosses_itself(const Mesh& mesh) {
+  std::vector<core::Chord> chords;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
+    if (mesh.kind_of(edge) == core::BoundaryKind::symmetry) continue;
+    const auto [first, last, middle] = edge.nodes;
+    chords.push_back({mesh.nodes[first], mesh.nodes[middle], first, middle});
+    chords.push_back({mesh.nodes[middle], mesh.nodes[last], middle, last});
+  }
+  return core::find_crossing(chords).first >= 0;
+}
+
 namespace {
 
 constexpr int samples = 8;             ///< points along an edge at which penetration is tested

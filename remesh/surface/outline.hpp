@@ -25,6 +25,9 @@ std::vector<core::Index> edge_ends(const Outline& outline);
 /// Indices of two edges that cross, or {-1, -1}. Each edge counts as two chords, through its mid point.
 std::pair<core::Index, core::Index> find_crossing(const Outline& outline);
 
+/// Whether the surface of a body, symmetry lines aside, crosses itself: it has folded onto itself or been torn.
+bool crosses_itself(const core::Mesh& mesh);
+
 /// Takes a point that lies inside a tool out to its surface; others stay to the bit. Empty where there are no tools.
 using ExteriorProjection = std::function<core::Point(const core::Point&)>;
 

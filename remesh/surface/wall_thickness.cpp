@@ -33,7 +33,6 @@ Point edge_derivative(const Mesh& mesh, const std::array<Index, 3>& edge, double
 namespace index = boost::geometry::index;
 using BoostPoint = boost::geometry::model::point<double, core::dim, boost::geometry::cs::cartesian>;
 using BoostBox = boost::geometry::model::box<BoostPoint>;
-using BoostSegment = boost::geometry::model::segment<BoostPoint>;
 using IndexedBox = std::pair<BoostBox, Index>;
 
 /// Box around a quadratic edge, a tenth wider on every side than around its nodes.
@@ -44,7 +43,8 @@ BoostBox box_of(const Mesh& mesh, const std::array<Index, 3>& edge) {
   return {{low[0] - widened, low[1] - widened}, {high[0] + widened, high[1] + widened}};
 }
 
-/// Finds where rays leave a body, by an R-tree of the boxes of its boundary edges.
+/// Finds where rays leave a body, by an R-tree of the boxes of its boundary edges. The tree is asked for what meets the
+/// box of a ray: a test of the ray itself costs more than the edges that it would exclude.
 class BoundaryRays {
  public:
   explicit BoundaryRays(const Mesh& mesh) : mesh_(mesh) {
@@ -67,7 +67,8 @@ class BoundaryRays {
   Hit first_exit(Index from, const Point& direction, double reach) const {
     const Point start = mesh_.nodes[from], end = start + std::min(reach, extent_) * direction;
     Hit hit;
-    edges_.query(index::intersects(BoostSegment{{start[0], start[1]}, {end[0], end[1]}}),
+    const Point low = start.cwiseMin(end), high = start.cwiseMax(end);
+    edges_.query(index::intersects(BoostBox{{low[0], low[1]}, {high[0], high[1]}}),
                  boost::make_function_output_iterator(
                      [&](const IndexedBox& box) { try_edge(from, direction, box.second, hit); }));
     return hit;
@@ -97,11 +98,22 @@ class BoundaryRays {
   index::rtree<IndexedBox, index::quadratic<8>> edges_;
 };
 
-/// Sum of the outward unit normals of the edges that meet at each node; zero inside and on symmetry boundaries.
-std::vector<Point> surface_normals(const Mesh& mesh) {
+/// Whether a body goes on as its mirror image behind boundaries of some kind.
+using Mirrors = bool (*)(core::BoundaryKind);
+
+bool is_symmetry(core::BoundaryKind kind) {
+  return kind == core::BoundaryKind::symmetry;
+}
+
+bool passes_no_heat(core::BoundaryKind kind) {
+  return is_symmetry(kind) || kind == core::BoundaryKind::insulated || kind == core::BoundaryKind::fixed;
+}
+
+/// Sum of the outward unit normals of the edges that meet at each node; zero inside and on mirrors.
+std::vector<Point> surface_normals(const Mesh& mesh, Mirrors mirrors) {
   std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
-    if (mesh.kind_of(edge) == core::BoundaryKind::symmetry) continue;
+    if (mirrors(mesh.kind_of(edge))) continue;
     constexpr std::array<double, 3> places{0, 1, 0.5};
     for (int k = 0; k < 3; ++k) {
       const Point along = edge_derivative(mesh, edge.nodes, places[k]).normalized();
@@ -182,28 +194,33 @@ void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
     if (!std::isfinite(value[i]) && source[i] >= 0) value[i] = value[source[i]];
 }
 
-Wall surface_wall(const Mesh& mesh, double reach) {
+namespace {
+
+Wall wall_between(const Mesh& mesh, double reach, Mirrors mirrors) {
   const BoundaryRays rays(mesh);
   Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
-            surface_normals(mesh)};
-  const auto mirrors = [&](const core::BoundaryEdge& edge) {
-    return mesh.kind_of(edge) == core::BoundaryKind::symmetry;
-  };
+            surface_normals(mesh, mirrors)};
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     for (const Index node : edge.nodes) {
-      if (mirrors(edge) || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6) continue;
+      if (mirrors(mesh.kind_of(edge)) || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6) continue;
       wall.normal[node].normalize();
       const BoundaryRays::Hit hit = rays.first_exit(node, -wall.normal[node], reach);
       if (hit.edge < 0) continue;
       wall.far_edge[node] = hit.edge;
-      wall.thickness[node] = mirrors(mesh.boundary_edges()[hit.edge]) ? 2 * hit.distance : hit.distance;
+      wall.thickness[node] = (mirrors(mesh.kind_of(mesh.boundary_edges()[hit.edge])) ? 2 : 1) * hit.distance;
     }
   }
   return wall;
 }
 
+}  // namespace
+
+Wall surface_wall(const Mesh& mesh, double reach) {
+  return wall_between(mesh, reach, is_symmetry);
+}
+
 Eigen::VectorXd wall_thickness(const Mesh& mesh) {
-  Eigen::VectorXd thickness = surface_wall(mesh, infinity).thickness;
+  Eigen::VectorXd thickness = wall_between(mesh, infinity, passes_no_heat).thickness;
   spread_inward(mesh, thickness);
   return thickness;
 }

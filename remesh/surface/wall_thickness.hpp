@@ -24,8 +24,9 @@ Wall surface_wall(const Mesh& mesh, double reach = std::numeric_limits<double>::
 /// Replaces infinite nodal values by the value of the nearest node with a finite one.
 void spread_inward(const Mesh& mesh, Eigen::VectorXd& value);
 
-/// Wall thickness at each node, m: at the surface the distance through the body along the inward normal, inside that of
-/// the nearest surface node.
+/// Wall thickness at each node for heat that leaves through the surface, m: at the surface the distance through the
+/// body along the inward normal, inside that of the nearest surface node. Boundaries that no heat passes (insulated,
+/// fixed) are no surface: the body goes on behind them, as behind symmetry boundaries.
 Eigen::VectorXd wall_thickness(const Mesh& mesh);
 
 }  // namespace parison::remesh

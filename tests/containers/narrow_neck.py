@@ -30,20 +30,19 @@ def blank_cavity(finish, height, length, body, corner_share):
     return cavity.arc((body - corner, length - corner), corner, 0, 90).to((0, length))
 
 
-def long_plunger(draw, finish, height, length):
-    """A slender plunger and the height of its tip in the full cavity."""
+def long_plunger(draw, finish, height, length, tip):
+    """A slender plunger, its tip given or drawn, and the height of its tip in the full cavity."""
     shank = round(finish - draw.uniform(3.6, 4.8), 2)
-    tip = Tip(draw, (3, 0.8 * shank), (25, 50))
+    tip = tip or Tip(draw, (3, 0.8 * shank), (25, 50))
     tip_side = round(draw.uniform(0.55, 0.8) * shank if tip.pointed else tip.radius, 2)
     full = round(length - draw.uniform(7, 11), 2)
     taper = round(height + draw.uniform(12, 25), 1)
     return Plunger(shank, taper - full, shank - 0.05, taper + 1 - full, tip_side, tip), full
 
 
-def gob(draw, wanted, start, blank, length):
+def gob(wanted, start, clearance, blank, length):
     """A gob that has fallen into the blank, its lower pole at `start`, with some clearance to the blank; None where the
     blank cannot hold it."""
-    clearance = draw.uniform(0.6, 1.3)
     points = blank.points()
     lower = radius_at(points, start + 11) - clearance
     heights = [z for _, z in points[1:4] if z > start + lower + 1]
@@ -60,13 +59,13 @@ def gob(draw, wanted, start, blank, length):
     return (made(end), end) if end else (None, 0)
 
 
-def draw_shape(draw):
+def draw_shape(draw, tip=None, clearance=None):
     """Shapes that suit each other; None where the drawn numbers make no container."""
     finish, height, total, mould = container(draw)
     wall = rounded(draw, 1.8, 3.2)
     wanted = wall * (area(mould.points()) + 2 * math.pi * finish * height)
     length = round(height + (total - height) * draw.uniform(0.58, 0.70), 1)
-    plunger, full = long_plunger(draw, finish, height, length)
+    plunger, full = long_plunger(draw, finish, height, length, tip)
     displaced, corner_share = volume(plunger.outer(-full).points()), draw.uniform(0.5, 0.8)
     body = solve(lambda radius: full_cavity(finish, height, blank_cavity(finish, height, length, radius, corner_share)),
                  finish + 1, finish + 9, wanted + displaced)
@@ -75,7 +74,7 @@ def draw_shape(draw):
     blank = blank_cavity(finish, height, length, round(body, 3), round(corner_share, 3))
     start = rounded(draw, 0.5 * height, height, 1)
     shape = Shape(finish, height, total, wall, mould, length, blank, plunger, full, start, Path())
-    shape.glass, _ = gob(draw, shape.cavity(), start, blank, length)
+    shape.glass, _ = gob(shape.cavity(), start, clearance or draw.uniform(0.6, 1.3), blank, length)
     if shape.glass is None or gap_within(blank.points(), mould.points()) < 0:
         return None
     return shape if gap_within(shape.glass.points(), [(finish, 0), *blank.points()]) >= 0.4 else None
@@ -88,6 +87,11 @@ def loads(draw, plunger):
     return plunger_force(draw, math.pi * plunger.shank ** 2, 0.8 + 0.6 * holding), frictions
 
 
-def draw_case(draw, name):
-    """A case file and what it is; None where the drawn numbers make no container."""
-    return pressed_case(draw, name, "narrow-neck bottle", draw_shape(draw), loads, Times((0.4, 1.5), (0.4, 1.6), (0.3, 0.8)))
+def draw_case(draw, name, tip=None, frictions=None, clearance=None):
+    """A case file and what it is, with a plunger tip, the frictions of each tool and the clearance of the gob, mm, given or
+    drawn; None where the drawn numbers make no container."""
+    def given_loads(draw, plunger):
+        return loads(draw, plunger)[0], frictions
+
+    return pressed_case(draw, name, "narrow-neck bottle", draw_shape(draw, tip, clearance), given_loads if frictions else loads,
+                        Times((0.4, 1.5), (0.4, 1.6), (0.3, 0.8)))

@@ -8,8 +8,8 @@ import signal
 import subprocess
 
 WALL_PER_CPU = 10  # a run on a busy machine may take so many times its CPU limit
-COLUMNS = ("name", "completed", "max_volume_drift", "max_work_imbalance", "max_penetration_mm", "short_mm", "laps",
-           "cpu_seconds", "reason")
+COLUMNS = ("name", "completed", "max_volume_drift", "max_work_imbalance", "max_penetration_mm", "max_edge_penetration_mm",
+           "short_mm", "laps", "cpu_seconds", "reason")
 
 
 def command(arguments, cpu_limit, log):
@@ -66,8 +66,8 @@ def run_container(parison, folder, facts, accuracy, cpu_limit):
     if not (results / "summary.json").is_file():
         return {**row, "reason": f"exit code {code} without a summary: {last_lines(folder / 'run.log')}"}
     summary = json.loads((results / "summary.json").read_text(encoding="utf-8"))
-    for key in ("completed", "reason", "max_volume_drift", "max_work_imbalance", "max_penetration_mm", "cpu_seconds",
-                "steps", "rejected_steps", "remeshes"):
+    for key in ("completed", "reason", "max_volume_drift", "max_work_imbalance", "max_penetration_mm",
+                "max_edge_penetration_mm", "cpu_seconds", "steps", "rejected_steps", "remeshes"):
         row[key] = summary[key]
     if code not in (0, 1):
         row.update(completed=False, reason=f"exit code {code}: {last_lines(folder / 'run.log')}")
@@ -89,8 +89,8 @@ def shown(value):
 
 def line(row):
     """One line of the table."""
-    widths = (18, 9, 9, 9, 9, 9, 4, 6, 0)
+    widths = (18, 9, 9, 9, 9, 9, 9, 4, 6, 0)
     return "  ".join(f"{shown(row.get(key, '-')):>{width}}" for key, width in zip(COLUMNS, widths))
 
 
-HEADING = ("              name  completed   drift  work off  depth, mm  short, mm  laps  CPU, s  reason")
+HEADING = ("              name  completed   drift  work off  depth, mm  edge, mm  short, mm  laps  CPU, s  reason")

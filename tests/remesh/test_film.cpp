@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "remesh/mesher/mesh_profile.hpp"
@@ -51,6 +52,26 @@ TEST(Film, glass_is_one_where_tools_press_on_both_sides_and_nowhere_else) {
 TEST(Film, a_rim_that_tapers_off_between_tools_is_none) {
   EXPECT_EQ(share_of_film(wedge(10), {"bottom", "top"}), 1);
   EXPECT_EQ(share_of_film(wedge(25), {"bottom", "top"}), 0);
+}
+
+TEST(Film, a_lip_whose_tip_alone_touches_another_tool_is_none) {
+  const Mesh lip = wedge(0);
+  std::vector<Index> tool(lip.nodes.size(), -1);
+  const auto touch = [&](const std::string& name, Index which, double from) {
+    for (const auto& edge : lip.boundary_edges())
+      if (edge.boundary_id == core::find_boundary(lip, name))
+        for (const Index node : edge.nodes)
+          if (lip.nodes[node][0] >= from) tool[node] = which;
+  };
+  const auto is_film = [&] {
+    const Eigen::VectorXd film = film_between_tools(lip, surface_wall(lip), tool);
+    return std::any_of(film.begin(), film.end(), [](double t) { return std::isfinite(t); });
+  };
+  touch("bottom", 0, 0);
+  touch("top", 1, 29.9e-3);
+  EXPECT_FALSE(is_film());
+  touch("top", 1, 28e-3);
+  EXPECT_TRUE(is_film());
 }
 
 TEST(Film, sizes_put_four_elements_across_up_to_a_millimetre) {

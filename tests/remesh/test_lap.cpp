@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "remesh/mesher/mesh_profile.hpp"
+#include "remesh/profiles.hpp"
 #include "remesh/surface/lap.hpp"
 
 namespace parison::remesh {
@@ -80,6 +82,42 @@ TEST(Crossings, glass_that_overlaps_itself_is_a_lap) {
   EXPECT_GE(found.laps, 1);
   EXPECT_GT(area(surface), before) << "the air between the arms is filled";
   EXPECT_FALSE(remove_crossings(core::Geometry::planar, {0.1, 50}, left).left_torn);
+}
+
+/// A plate of 30 mm by 10 mm with a slot of 2 mm width, 20 mm long, open at the right.
+core::Mesh slotted_plate() {
+  const core::Profile profile = Pen(0, 0)
+                                    .line(30, 0, "below")
+                                    .line(30, 4, "right")
+                                    .line(10, 4, "lower side")
+                                    .line(10, 6, "end")
+                                    .line(30, 6, "upper side")
+                                    .line(30, 10, "right")
+                                    .line(0, 10, "above")
+                                    .line(0, 0, "left")
+                                    .closed();
+  return mesh_profile(profile, {1e-3, 1e-3, 0.3, std::vector<bool>(8, false)});
+}
+
+TEST(Crossings, glass_that_folds_onto_itself_is_noticed_when_its_sides_meet) {
+  const auto sheared = [](double shift) {
+    core::Mesh mesh = slotted_plate();
+    for (Point& x : mesh.nodes)
+      if (x[1] > 5e-3 && x[0] > 10e-3) x[1] -= shift * (x[0] - 10e-3) / 20e-3;
+    return crosses_itself(mesh);
+  };
+  EXPECT_FALSE(sheared(0));
+  EXPECT_FALSE(sheared(1.99e-3));
+  EXPECT_TRUE(sheared(2.01e-3));
+}
+
+TEST(Crossings, a_symmetry_line_is_no_surface_to_fold_onto) {
+  core::Mesh mesh = slotted_plate();
+  for (auto& boundary : mesh.edit().boundaries)
+    if (boundary.name == "upper side") boundary.kind = core::BoundaryKind::symmetry;
+  for (Point& x : mesh.nodes)
+    if (x[1] > 5e-3 && x[1] < 7e-3 && x[0] > 10e-3 && x[0] < 29e-3) x[1] -= 2.5e-3;
+  EXPECT_FALSE(crosses_itself(mesh));
 }
 
 }  // namespace

@@ -53,6 +53,17 @@ TEST(Thickness, a_slab_is_as_thick_as_it_is) {
   for (Index i = 0; i < mesh.node_count(); ++i) EXPECT_NEAR(wall[i], 3e-3, 1e-14);
 }
 
+TEST(Thickness, a_slab_cut_out_of_a_wall_by_insulated_faces_is_as_thick_as_the_wall) {
+  const auto slab = [](const std::vector<std::string>& insulated) {
+    Mesh mesh = mapped_square(8, 4, [](double u, double v) { return Point(2e-3 * u, 5e-3 * v); });
+    for (const auto& name : insulated) mesh.edit().boundaries[find_boundary(mesh, name)].kind = BoundaryKind::insulated;
+    return wall_thickness(mesh);
+  };
+  EXPECT_LT((slab({"left", "right"}).array() - 5e-3).abs().maxCoeff(), 1e-15);
+  EXPECT_LT((slab({"left", "right", "top"}).array() - 10e-3).abs().maxCoeff(), 1e-15);
+  EXPECT_LT(slab({}).minCoeff(), 2.1e-3);
+}
+
 TEST(Thickness, a_wedge_is_thick_in_proportion_to_the_distance_from_its_edge) {
   const Mesh mesh =
       mapped_square(40, 3, [](double x, double y) { return Point(0.01 + 0.1 * x, 0.1 * y * (0.01 + 0.1 * x)); });

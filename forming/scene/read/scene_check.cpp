@@ -195,11 +195,12 @@ void check_support(const Scene& scene, const core::CaseTable& root) {
   for (std::size_t i = 0; i < stages.size(); ++i) {
     named = named || !scene.stages[i].named_boundaries.empty();
     if (!scene.stages[i].tools.empty() && (named || can_touch(scene.glass))) continue;
+    if (scene.stages[i].gravity == 0 && scene.stages[i].pressure.empty()) continue;  // it floats
     core::CaseNode place = *stages[i];
     place.key += ".tools";
     core::refuse(
         place, fmt::format("nothing constrains the glass along the axis in stage \"{}\"; allowed is a tool that it can "
-                           "touch, a fixed boundary or a symmetry plane across the axis",
+                           "touch, a fixed boundary, a symmetry plane across the axis, or neither gravity nor pressure",
                            scene.stages[i].name));
   }
 }

@@ -157,31 +157,6 @@ void seal_air(StepStart& start) {
   start.air_amount = std::move(sealed.amount);
 }
 
-bool add_carrier(flow::Problem& problem, std::vector<bool>& active) {
-  constexpr double unlimited = 1e3;  // m/s
-  const core::Mesh& mesh = *problem.mesh;
-  std::vector<bool> inside(mesh.nodes.size(), true);
-  for (const auto& edge : mesh.boundary_edges())
-    for (const Index node : edge.nodes) inside[node] = false;
-  const auto node = std::find(inside.begin() + mesh.vertex_count(), inside.end(), true);
-  if (node == inside.end() || static_cast<int>(flow::driven_tools(problem).size()) >= flow::max_driven_tools)
-    return false;
-  problem.tools.push_back({{}, 0, 0.0, unlimited});
-  problem.tools.back().friction.law = flow::Friction::Law::slip;
-  problem.candidates.push_back({static_cast<Index>(node - inside.begin()), static_cast<Index>(problem.tools.size()) - 1,
-                                core::axis_direction(), 0.0, true});
-  active.push_back(true);
-  for (auto& pocket : problem.air->pockets) pocket.tool_area.push_back(0);
-  return true;
-}
-
-void remove_carrier(flow::Problem& problem, flow::Solution& solution) {
-  problem.candidates.pop_back();
-  if (!solution.active.empty()) solution.active.pop_back();
-  for (auto* values : {&solution.tool_velocity, &solution.tool_force, &solution.tool_air_force})
-    if (!values->empty()) values->pop_back();
-}
-
 void store_air(const StepStart& start, const flow::Solution& solution, State& state) {
   CavityAir& air = state.cavity_air;
   air = {};

@@ -11,13 +11,6 @@ inline constexpr double gas_constant_of_air = 287.05;  ///< J/(kg K)
 /// Finds the sealed cavities at the start of a step and the air in each.
 void seal_air(StepStart& start);
 
-/// Trapped air may carry glass that nothing else holds along the axis. A tool that is driven by no force at all holds a
-/// node inside the glass, so that the flow equations have a solution; the balance of forces finds its velocity. False,
-/// and nothing added, where as many tools as possible are driven already.
-bool add_carrier(flow::Problem& problem, std::vector<bool>& active);
-/// Takes it away from the problem and its solution.
-void remove_carrier(flow::Problem& problem, flow::Solution& solution);
-
 /// Stores the air that the step leaves in each cavity, and adds the forces of tools on it to those on the glass.
 void store_air(const StepStart& start, const flow::Solution& solution, State& state);
 

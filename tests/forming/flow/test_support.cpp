@@ -96,11 +96,12 @@ namespace {
 
 TEST(Support, a_stage_in_which_nothing_constrains_the_glass_is_refused) {
   const std::string stage = "name = \"rest\"\nduration = \"1 s\"\ntools = [\"plate\"]";
-  const auto text = replaced(stage, "name = \"rest\"\nduration = \"1 s\"");
-  EXPECT_EQ(complaint_about(text),
-            std::to_string(line_of("[[stage]]", text)) +
-                ": stage.tools: nothing constrains the glass along the axis in stage \"rest\"; allowed is a tool "
-                "that it can touch, a fixed boundary or a symmetry plane across the axis");
+  const auto text = replaced(stage, "name = \"rest\"\nduration = \"1 s\"\ngravity = \"-9.81 m/s2\"");
+  EXPECT_EQ(
+      complaint_about(text),
+      std::to_string(line_of("[[stage]]", text)) +
+          ": stage.tools: nothing constrains the glass along the axis in stage \"rest\"; allowed is a tool "
+          "that it can touch, a fixed boundary, a symmetry plane across the axis, or neither gravity nor pressure");
 }
 
 TEST(Support, glass_enclosed_by_fixed_boundaries_is_refused) {

@@ -10,6 +10,7 @@
 #include "../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "forming/run/folder_run.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/work.hpp"
 
 namespace parison::forming {
@@ -46,6 +47,22 @@ TEST(Work, done_on_the_glass_is_lost_or_in_its_surface_at_the_end_of_every_stage
   for (const double part :
        {all.tools, all.gravity, all.air, all.dissipation, all.friction, all.impact_loss, all.surface})
     EXPECT_NE(part, 0);
+}
+
+TEST(Work, an_error_counts_more_in_a_step_that_loses_little_down_to_a_tenth_of_the_whole) {
+  const Scene scene = pot_and_air();
+  const State start = initial_state(scene);
+  Work before;
+  before.tools = before.dissipation = 100;
+  const auto error = [&](double loss) {
+    Work after = before;
+    after.tools += 1.01 * loss;
+    after.dissipation += loss;
+    return work_error(scene, start, before, after, 0) / (0.01 * loss);
+  };
+  EXPECT_NEAR(error(1), 1 / 101.01, 1e-12) << "the whole, where the step is a large part of it";
+  EXPECT_NEAR(error(0.1), 1 / 40.0, 1e-9) << "400 times the own loss";
+  EXPECT_NEAR(error(1e-3), 10 / 100.001, 1e-5) << "a tenth of the whole";
 }
 
 TEST(SolverStatistics, of_the_steps_is_summed_and_every_step_has_its_limit) {

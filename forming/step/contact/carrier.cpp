@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/contact/carrier.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "forming/flow/cells/cell_geometry.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+bool has_fixed_boundary(const core::Mesh& mesh) {
+  const auto& edges = mesh.boundary_edges();
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](const core::BoundaryEdge& edge) { return mesh.kind_of(edge) == BoundaryKind::fixed; });
+}
+
+/// Whether the same pressure acts on all of the surface; `pressure_of` gives that of a boundary, Pa.
+template <typename PressureOf>
+bool has_one_pressure(const core::Mesh& mesh, const PressureOf& pressure_of) {
+  std::optional<double> first;
+  for (const auto& edge : mesh.boundary_edges()) {
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
+    const double pressure = pressure_of(edge.boundary_id);
+    if (first.value_or(pressure) != pressure) return false;
+    first = pressure;
+  }
+  return true;
+}
+
+/// Distance from the glass to the nearest of the stage's tools, m, and which it is.
+std::pair<double, Index> nearest_tool(const Scene& scene, const State& state) {
+  std::pair<double, Index> nearest{std::numeric_limits<double>::infinity(), -1};
+  for (const auto& place : scene.stages[state.stage].tools)
+    nearest = std::min(
+        nearest, {tool_gaps(scene, state, place.tool, std::numeric_limits<double>::infinity()).minCoeff(), place.tool});
+  return nearest;
+}
+
+}  // namespace
+
+bool add_carrier(flow::Problem& problem, std::vector<bool>& active, std::optional<double> force) {
+  constexpr double unlimited = 1e3;  // m/s
+  const core::Mesh& mesh = *problem.mesh;
+  std::vector<bool> inside(mesh.nodes.size(), true);
+  for (const auto& edge : mesh.boundary_edges())
+    for (const Index node : edge.nodes) inside[node] = false;
+  const auto node = std::find(inside.begin() + mesh.vertex_count(), inside.end(), true);
+  const bool too_many = force && static_cast<int>(flow::driven_tools(problem).size()) >= flow::max_driven_tools;
+  if (node == inside.end() || too_many) return false;
+  problem.tools.push_back({{}, 0, force, unlimited});
+  problem.tools.back().friction.law = flow::Friction::Law::slip;
+  problem.candidates.push_back({static_cast<Index>(node - inside.begin()), static_cast<Index>(problem.tools.size()) - 1,
+                                core::axis_direction(), 0.0, true});
+  active.push_back(true);
+  if (problem.air)
+    for (auto& pocket : problem.air->pockets) pocket.tool_area.push_back(0);
+  return true;
+}
+
+void remove_carrier(flow::Problem& problem, flow::Solution& solution) {
+  problem.candidates.pop_back();
+  if (!solution.active.empty()) solution.active.pop_back();
+  for (auto* values : {&solution.tool_velocity, &solution.tool_force, &solution.tool_air_force})
+    if (!values->empty()) values->pop_back();
+}
+
+bool floats(const flow::Problem& problem) {
+  return problem.candidates.empty() && problem.gravity == 0 && !has_fixed_boundary(*problem.mesh) &&
+         has_one_pressure(*problem.mesh, [&](Index id) { return problem.boundary_conditions[id].pressure; });
+}
+
+void keep_centre_of_mass(const flow::Problem& problem, flow::Solution& solution) {
+  const core::Mesh& mesh = *problem.mesh;
+  const Point mean = flow::integral(mesh, problem.geometry, solution.velocity) / core::volume(mesh, problem.geometry);
+  const Point drift = mean.dot(core::axis_direction()) * core::axis_direction();
+  for (Index n = 0; n < mesh.node_count(); ++n) solution.velocity.segment<core::dim>(core::dim * n) -= drift;
+}
+
+std::string unsupported_glass(const Scene& scene, const State& state) {
+  const Stage& stage = scene.stages[state.stage];
+  const core::Mesh& mesh = state.glass.mesh;
+  const auto pressure_of = [&](Index id) {
+    const auto found = stage.pressure.find(mesh.boundaries()[id].name);
+    return found == stage.pressure.end() ? 0.0 : found->second;
+  };
+  const bool is_loaded = stage.gravity != 0 || !has_one_pressure(mesh, pressure_of);
+  if (!scene.has_flow() || !is_loaded || stage.trapped_air || has_fixed_boundary(mesh)) return "";
+  const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(core::dim * mesh.node_count());
+  if (!contact_candidates(scene, state, at_rest, scene.accuracy.initial_step).empty()) return "";
+  const auto [distance, tool] = nearest_tool(scene, state);
+  const std::string nearest =
+      tool < 0 ? "the stage has no tools"
+               : fmt::format("the nearest tool, {}, is {:.3g} mm away", scene.tools[tool].name, 1e3 * distance);
+  return fmt::format(
+      "the glass is not constrained: nothing carries it in this stage, {}; free fall is not computed, so the glass "
+      "must "
+      "start where it touches a tool",
+      nearest);
+}
+
+}  // namespace parison::forming
