@@ -24,12 +24,13 @@ struct Remeshed {
 /// at the most, where all but a little of it touches tools.
 Remeshed remesh_glass(const core::Mesh& old, const Criteria& criteria, const Mesher& mesher = triangulate);
 
-/// Triangles anew inside the surface of `mesh`, which keeps its nodes and edges, with the edge lengths of
-/// `remesh_glass(old, criteria)`. The reason is a sentence where there are none.
+/// A mesh, or a sentence that tells why there is none.
 struct MeshedInside {
   core::Mesh mesh;
   std::string reason;
 };
+/// Triangles anew inside the surface of `mesh`, which keeps its nodes and edges, with the edge lengths of
+/// `remesh_glass(old, criteria)`.
 MeshedInside mesh_inside(const core::Mesh& mesh, const core::Mesh& old, const Criteria& criteria,
                          const Mesher& mesher = triangulate);
 

@@ -209,7 +209,7 @@ std::string collision_without_contact(const StepStart& start, const State& updat
     if (!may_touch[inside.node] && inside.depth > known[inside.node] + tolerance) entered[inside.node] = inside.tool;
   for (const auto& edge : glass.boundary_edges())
     for (const Index node : edge.nodes)
-      if (entered[node] >= 0 && glass.kind_of(edge) != BoundaryKind::symmetry)  // those follow the surface's end
+      if (entered[node] >= 0 && glass.kind_of(edge) != BoundaryKind::symmetry)  // nodes of a line follow its end
         return fmt::format("tool {} runs into {} of the glass, which cannot touch: its condition is not contact",
                            start.scene.tools[entered[node]].name, glass.boundaries()[edge.boundary_id].name);
   return "";

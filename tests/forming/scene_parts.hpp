@@ -25,6 +25,20 @@ viscosity = {{ law = "vft", A = -2.309, B = "3922 K", T0 = "291 degC" }}
                      conductivity);
 }
 
+/// A ring of stiff glass, from 6 to 8 mm radius and 10 mm high, on z = 0; its boundaries are bottom, outer, top, inner.
+inline const std::string ring_of_glass = R"([material.stiff]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e5 Pa.s" }
+[glass]
+material = "stiff"
+mesh = { mapped = [4, 10] }
+boundary = [
+  { name = "bottom", condition = "contact", path = "(6, 0) (8, 0) mm" },
+  { name = "outer", condition = "contact", path = "(8, 10) mm" },
+  { name = "top", condition = "contact", path = "(6, 10) mm" },
+  { name = "inner", condition = "contact", path = "(6, 0) mm" } ]
+)";
+
 /// A conductance that grows with the pressure and falls with the viscosity, between glass and tools.
 inline std::string pressed_contact(const std::string& tools) {
   return fmt::format(R"([[interface]]

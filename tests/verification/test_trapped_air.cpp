@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "figure.hpp"
+#include "forming/scene_parts.hpp"
 #include "forming/scene_text.hpp"
 #include "forming/step/work.hpp"
 #include "stepping.hpp"
@@ -87,18 +88,8 @@ TEST(TrappedAirMotion, a_piston_of_glass_pays_for_the_air_that_it_compresses) {
 const std::string ring_between_plates = R"(case = "ring"
 geometry = "axisymmetric"
 trapped_air = { law = "isothermal", temperature = "500 degC" }
-[material.stiff]
-density = "2400 kg/m3"
-viscosity = { law = "constant", value = "1e5 Pa.s" }
-[glass]
-material = "stiff"
-mesh = { mapped = [4, 10] }
-boundary = [
-  { name = "bottom", condition = "contact", path = "(6, 0) (8, 0) mm" },
-  { name = "outer", condition = "contact", path = "(8, 10) mm" },
-  { name = "top", condition = "contact", path = "(6, 10) mm" },
-  { name = "inner", condition = "contact", path = "(6, 0) mm" } ]
-[[tool]]
+)" + ring_of_glass +
+                                        R"([[tool]]
 name = "floor"
 friction = "slip"
 boundary = [

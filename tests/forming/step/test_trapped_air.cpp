@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "forming/scene_parts.hpp"
 #include "forming/scene_text.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/cavities/trapped_air.hpp"
@@ -15,18 +16,7 @@ namespace {
 const std::string ring = R"(case = "ring"
 geometry = "axisymmetric"
 trapped_air = { law = "isothermal", temperature = "500 degC", ambient = "1 bar" }
-[material.soft]
-density = "2400 kg/m3"
-viscosity = { law = "constant", value = "1e5 Pa.s" }
-[glass]
-material = "soft"
-mesh = { mapped = [4, 10] }
-boundary = [
-  { name = "bottom", condition = "contact", path = "(6, 0) (8, 0) mm" },
-  { name = "outer", condition = "contact", path = "(8, 10) mm" },
-  { name = "top", condition = "contact", path = "(6, 10) mm" },
-  { name = "inner", condition = "contact", path = "(6, 0) mm" } ]
-[[tool]]
+)" + ring_of_glass + R"([[tool]]
 name = "cup"
 friction = "slip"
 boundary = [
