@@ -2,6 +2,7 @@
 #include "core/case/table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace parison::core {
 
@@ -38,6 +39,19 @@ double Table::integral(double at) const {
     sum += 0.5 * (y[i] + (*this)(end)) * (end - x[i]);
   }
   return sum + y.back() * std::max(0.0, at - x.back());
+}
+
+std::vector<double> kinks(const Table& table, double share) {
+  std::vector<double> slope{0};
+  for (std::size_t i = 0; i + 1 < table.x.size(); ++i)
+    slope.push_back((table.y[i + 1] - table.y[i]) / (table.x[i + 1] - table.x[i]));
+  slope.push_back(0);
+  double largest = 0;
+  for (const double value : slope) largest = std::max(largest, std::abs(value));
+  std::vector<double> at;
+  for (std::size_t i = 0; i < table.x.size(); ++i)
+    if (std::abs(slope[i + 1] - slope[i]) > share * largest) at.push_back(table.x[i]);
+  return at;
 }
 
 }  // namespace parison::core

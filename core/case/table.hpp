@@ -16,6 +16,10 @@ struct Table {
   double integral(double at) const;
 };
 
+/// The x at which dy/dx jumps by more than this share of the largest dy/dx: the corners of a curve that is otherwise
+/// smooth, however many entries it is given by.
+std::vector<double> kinks(const Table& table, double share);
+
 inline Table constant(double value) {
   return {{0.0}, {value}};
 }

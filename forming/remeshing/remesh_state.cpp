@@ -299,7 +299,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
       for (const Index n : left) values[n] = field.at_rest();
   });
   next.glass.active_contacts = {};
-  for (ToolState& tool : next.tools) tool.velocity = tool.force = 0;
+  for (ToolState& tool : next.tools) tool.velocity = tool.slowing = tool.force = 0;
   for (const auto& named : scene.stages[stage].named_boundaries)
     name_boundary(named, core::boundaries_of_kind(next.glass.mesh, BoundaryKind::contact), next.glass.mesh);
   return next;

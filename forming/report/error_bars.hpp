@@ -1,32 +1,39 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "forming/report/accuracy_record.hpp"
 #include "forming/report/quantities.hpp"
 
 namespace parison::forming {
 
-/// Edges and steps of the coarse run over those of the run itself.
-inline constexpr double coarsening_factor = 1.5;
+/// Edges and steps of the coarser runs over those of the run itself.
+inline constexpr std::array coarser_factors{1.5, 3.0};
 
-/// Error estimates of a run from a coarse run: Richardson's estimate with the order that the convergence study of the
-/// presets showed. Quantities of one kind lend each other the usual size of their differences, as one of them may
-/// vanish by chance.
+/// A run of the same scene with edges and steps `factor` times as long.
+struct CoarserRun {
+  double factor;
+  Quantities quantities;
+  double cpu_seconds = 0;
+};
+
+/// Error estimates of a run from coarser runs of the same scene, and from nothing else.
 struct ErrorBars {
-  Quantities quantities;             ///< those of the run, with their errors
+  Quantities quantities;             ///< those of the run, with their errors; without one where no coarser run has them
   double profile_mean, profile_max;  ///< of the wall thickness, shares; NaN without a wall
   double heat;                       ///< into all tools, a share; NaN without
-  double coarse_run_cpu_seconds = 0;
-  double factor = coarsening_factor;      ///< by which the coarse run was coarser
+  std::vector<CoarserRun> coarser;
   std::optional<AccuracyRecord> control;  ///< where an accuracy was asked for
 };
-/// Errors known beforehand, as shares: of the wall in the mean, of the heat into all tools; 0 where nothing is known.
-struct ExpectedErrors {
-  double thickness = 0, heat = 0;
-};
-/// No bar is narrower than its `expected` error. The coarse run is `factor` times coarser.
-ErrorBars error_bars(const Quantities& run, const Quantities& coarse_run, const ExpectedErrors& expected = {},
-                     double factor = coarsening_factor);
+
+/// The bar of a quantity: the largest that Richardson's estimate makes, at a low order, of its differences from the
+/// coarser runs (L. F. Richardson, Phil. Trans. R. Soc. A 210 (1911) 307-357). Temperatures and heats lend each other
+/// the usual size of their bars.
+ErrorBars error_bars(const Quantities& run, std::vector<CoarserRun> coarser);
+
+/// By what the difference from a run `factor` times coarser is multiplied.
+double bar_over_difference(double factor);
 
 }  // namespace parison::forming

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "forming/report/summary.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -92,6 +93,20 @@ void add_heat(const Scene& scene, const Summary& summary, const std::vector<Thic
       found.values.push_back({heat_prefix + tool.name, "J", tool.heat_received, std::abs(tool.heat_received)});
 }
 
+/// How far the glass reaches, as shares of the larger of its width and height.
+void add_extent(const State& state, Quantities& found) {
+  const core::Mesh& mesh = state.glass.mesh;
+  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Index node : surface_nodes(mesh)) {
+    low = low.cwiseMin(mesh.nodes[node]);
+    high = high.cwiseMax(mesh.nodes[node]);
+  }
+  const double scale = 1e3 * (high - low).maxCoeff();
+  found.values.push_back({"extent_r_max", "mm", 1e3 * high[0], scale});
+  found.values.push_back({"extent_z_min", "mm", 1e3 * low[1], scale});
+  found.values.push_back({"extent_z_max", "mm", 1e3 * high[1], scale});
+}
+
 void add_tools(const Scene& scene, const State& state, const Summary& summary, Quantities& found) {
   for (std::size_t i = 0; i < std::min(scene.stages.size(), summary.run.stages.size()); ++i)
     if (scene.stages[i].end_speed) {
@@ -117,7 +132,9 @@ Quantities quantities(const Scene& scene, const State& state, const Summary& sum
   Quantities found;
   if (has_wall(scene, rows) && rows.size() > 1) add_wall(rows, found);
   if (scene.has_heat()) add_heat(scene, summary, rows, found);
-  if (scene.has_flow()) add_tools(scene, state, summary, found);
+  if (!scene.has_flow()) return found;
+  add_extent(state, found);
+  add_tools(scene, state, summary, found);
   return found;
 }
 

@@ -161,8 +161,14 @@ void add_stages(JsonWriter& json, const RunFacts& run) {
 
 void add_errors(JsonWriter& json, const ErrorBars& bars) {
   json.open_object("error_bars");
-  json.add("coarsening_factor", bars.factor);
-  json.add("coarse_run_cpu_seconds", bars.coarse_run_cpu_seconds);
+  json.open_list("coarser_runs");
+  for (const CoarserRun& run : bars.coarser) {
+    json.open_object("");
+    json.add("coarser", run.factor);
+    json.add("cpu_seconds", run.cpu_seconds);
+    json.close();
+  }
+  json.close();
   json.add("thickness_profile_mean", bars.profile_mean);
   json.add("thickness_profile_max", bars.profile_max);
   json.add("heat_into_tools", bars.heat);

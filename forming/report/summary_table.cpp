@@ -106,6 +106,22 @@ std::string error_text(const Quantity& quantity) {
   return fmt::format("+- {:.2g}", quantity.error);
 }
 
+/// What the bars rest on.
+std::string coarser_lines(const ErrorBars& bars) {
+  std::string factors, shares;
+  double seconds = 0;
+  for (const CoarserRun& run : bars.coarser) {
+    factors += fmt::format("{}{:.3g}", factors.empty() ? "" : " and ", run.factor);
+    shares += fmt::format("{}{:.2g}", shares.empty() ? "" : " and ", bar_over_difference(run.factor));
+    seconds += run.cpu_seconds;
+  }
+  return fmt::format(
+      "  by {} {} times coarser ({:.1f} s CPU): {} times the difference{};\n"
+      "  about nine of ten true errors are smaller; - where no coarser run has the quantity\n",
+      bars.coarser.size() == 1 ? "a run" : "runs", factors, seconds, shares,
+      bars.coarser.size() == 1 ? "" : ", whichever is larger");
+}
+
 /// The runs that were made for an accuracy that was asked for, and whether it was reached.
 std::string control_lines(const AccuracyRecord& control) {
   std::string text = fmt::format(
@@ -131,8 +147,7 @@ std::string error_table(const ErrorBars& bars) {
   text += percent_line("wall thickness, mean error", bars.profile_mean);
   text += percent_line("wall thickness, largest error", bars.profile_max);
   text += percent_line("heat into tools, error", bars.heat);
-  text +=
-      fmt::format("  by a coarse run {:.3g} times coarser ({:.1f} s CPU)\n", bars.factor, bars.coarse_run_cpu_seconds);
+  text += coarser_lines(bars);
   return bars.control ? text + control_lines(*bars.control) : text;
 }
 

@@ -68,9 +68,9 @@ void update_motion(const Scene& scene, State& state) {
   const Stage& stage = scene.stages[state.stage];
   for (const auto& tool : stage.tools) {
     ToolState& body = state.tools[tool.tool];
-    if (!std::holds_alternative<ForceMotion>(tool.motion)) continue;
-    if (stage.end_speed && std::abs(body.velocity) > *stage.end_speed) state.has_moved = true;
-    body.peak_force = std::max(body.peak_force, std::abs(body.force));
+    const bool driven = std::holds_alternative<ForceMotion>(tool.motion);
+    if (driven && stage.end_speed && std::abs(body.velocity) > *stage.end_speed) state.has_moved = true;
+    if (driven || body.velocity != 0) body.peak_force = std::max(body.peak_force, std::abs(body.force));
   }
 }
 

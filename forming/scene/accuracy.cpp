@@ -74,7 +74,7 @@ const std::vector<Setting>& settings() {
       {"tool_growth", &A::tool_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}, 0.01, 5},
       {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}, 1e-4, 2},
       {"landing_per_step", &A::landing_per_step, dimension::none, "", 1, 0, {0.7, 0.7, 0.7}, 0.01, 1e6},
-      {"work_per_step", &A::work_per_step, dimension::none, "", 1, 2, {6e-5, 2e-5, 7e-6}, 1e-9, 1e6},
+      {"work_per_step", &A::work_per_step, dimension::none, "", 1, 3, {6e-5, 1.5e-5, 3.3e-6}, 1e-9, 1e6},
       {"temperature_tolerance",
        &A::temperature_tolerance,
        dimension::temperature_difference,

@@ -48,7 +48,7 @@ double ErrorLaw::at(double level) const {
 Calibration read_calibration(const std::string& json) {
   const JsonValue root = core::read_json(json, source);
   const JsonValue &law = member(root, "error_law"), &parts = member(root, "model_parts");
-  const JsonValue &shapes = member(root, "model_shapes"), &bars = member(root, "error_bars");
+  const JsonValue& shapes = member(root, "model_shapes");
   Calibration result;
   result.error_law = {measured_by(law), error_law(member(law, "thickness")), error_law(member(law, "heat"))};
   result.model_parts = {measured_by(parts), number(parts, "duration_s"), {}};
@@ -56,8 +56,6 @@ Calibration read_calibration(const std::string& json) {
     result.model_parts.parts[part.name] = {number(part, "number"), number(part, "thickness"), number(part, "heat")};
   result.model_shapes = {measured_by(shapes), number(shapes, "pressed_freedom"), number(shapes, "pressed_open_heat"),
                          number(shapes, "heat_of_strain")};
-  result.error_bars = {measured_by(bars), number(bars, "chance_in_mean"), number(bars, "chance_at_worst"),
-                       number(bars, "chance_in_time")};
   return result;
 }
 

@@ -40,11 +40,6 @@ struct Calibration {
     double pressed_open_heat;  ///< heat of its open surface likewise
     double heat_of_strain;     ///< change of the heat into the tools over the strain of glass that nothing forms
   } model_shapes;
-  struct {
-    MeasuredBy by;
-    /// What two runs may agree on by chance, over the error expected of the wall in the mean.
-    double chance_in_mean, chance_at_worst, chance_in_time;
-  } error_bars;
 };
 
 /// Reads a calibration; throws std::runtime_error that names the entry where one is missing.

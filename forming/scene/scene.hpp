@@ -154,8 +154,6 @@ struct Scene {
 
   bool has_flow() const { return glass.flow.has_value(); }
   bool has_heat() const { return glass.thermal.has_value(); }
-  /// Whether the error law of the presets is of such scenes: glass that flows on a mesh of the presets.
-  bool is_of_error_law() const { return has_flow() && !glass.mesh.mapped; }
 };
 
 /// Body 0 is the glass, body 1 + i tool i.

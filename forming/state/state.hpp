@@ -36,8 +36,9 @@ struct ToolState {
   Eigen::VectorXd temperature;         ///< per node, K; empty where the scene has no heat
   double offset = 0;                   ///< along the axis, m
   double velocity = 0;                 ///< along the axis, m/s
+  double slowing = 0;                  ///< rate at which the logarithm of its speed falls, 1/s; 0 where it does not
   double force = 0;                    ///< on the glass along the axis, N
-  double peak_force = 0;               ///< largest so far without sign while a force drove it, N
+  double peak_force = 0;               ///< largest so far without sign while a force drove it or it moved, N
   double heat_received = 0;            ///< through interfaces since the start, J
   double max_surface_temperature = 0;  ///< highest temperature so far on its contact boundaries, K
 };

@@ -14,6 +14,7 @@ void visit_tool(Visitor visit, Tool& tool) {
   visit("temperature", tool.temperature);
   visit("offset", tool.offset);
   visit("velocity", tool.velocity);
+  visit("slowing", tool.slowing);
   visit("force", tool.force);
   visit("peak_force", tool.peak_force);
   visit("heat_received", tool.heat_received);

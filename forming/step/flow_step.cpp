@@ -241,14 +241,17 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
     result.reason = pass.solution.reason;
     return std::nullopt;
   }
+  const std::vector<Index> touched = result.state.glass.contact_tool;
   store_flow(start.scene, pass, start.dt, result.state);
+  // Glass that lands or leaves makes it another problem, and the pressure of trapped air is of another step.
+  if (start.air || result.state.glass.contact_tool != touched) predictor.iteration.forget();
   if (start.air) store_air(start, pass.solution, result.state);
   result.report.strain = pass.solution.high_rate * start.dt;
   result.report.predictor_corrector_difference =
       predictor_corrector_difference(result.state.glass.velocity, predictor.velocity, start.dt);
   result.report.landed_length = landed_length(start, pass, result.state);
   gained = penetration_gained(start, pass, result.state, predictor);
-  predictor.velocity = result.state.glass.velocity;
+  predictor.velocity = predictor.iteration.next(predictor.velocity, result.state.glass.velocity);
   predictor.trusted = true;
   return std::move(pass.solution);
 }
@@ -272,8 +275,11 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
   const State& state = start.state;
   const double dt = start.dt;
   double gained = 0;
-  const double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
+  double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
   const auto converged = [&] {
+    // What has left the tolerance would leave it again in the next step.
+    if (!start.air && result.report.predictor_corrector_difference > tolerance)
+      tolerance = initial_fraction * scene.accuracy.motion_tolerance;
     return gained == 0 && result.report.predictor_corrector_difference <= tolerance &&
            !rejected_for_work(scene, result.report);
   };

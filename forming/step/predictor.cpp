@@ -2,6 +2,7 @@
 #include "forming/step/predictor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "forming/flow/problem.hpp"
@@ -15,6 +16,11 @@ namespace {
 
 /// The motion is smooth where the last acceleration predicts the next change of velocity to within this relative error.
 constexpr double smooth = 0.5;
+
+/// Rate at which the logarithm of a speed falls, 1/s; 0 where the speed does not fall or turns.
+double slowing(double before, double after, double interval) {
+  return before * after > 0 && std::abs(after) < std::abs(before) ? std::log(before / after) / interval : 0;
+}
 
 }  // namespace
 
@@ -65,8 +71,11 @@ void update_rates(const State& before, double dt, State& after) {
   after.glass.previous_contact_tool = before.glass.contact_tool;
   after.glass.acceleration.setZero(after.glass.velocity.size());
   after.moves_smoothly = false;
+  for (ToolState& tool : after.tools) tool.slowing = 0;
   if (before.last_step == 0) return;
   const double interval = 0.5 * (before.last_step + dt);
+  for (std::size_t i = 0; i < after.tools.size(); ++i)
+    after.tools[i].slowing = slowing(before.tools[i].velocity, after.tools[i].velocity, interval);
   for (Index n = 0; n < static_cast<Index>(after.glass.contact_tool.size()); ++n) {
     const Index tool = after.glass.contact_tool[n];
     if (before.glass.contact_tool[n] == tool && before.glass.previous_contact_tool[n] == tool)

@@ -18,6 +18,11 @@ constexpr double reject_above = 3.0;   ///< times what a step may change
 /// Times the shortest step allowed, and share of the work of the run: shorter steps with less are not repeated for it.
 constexpr double shortest_for_work = 10, bearable_work_error = 1e-3;
 constexpr double same_time = 1e-9;  ///< s
+constexpr double kink_share =
+    0.05;  ///< of the largest speed: smaller jumps of a tool's speed need no step of their own
+/// A stage ends when its tools will be at rest within this share of the last step; towards that moment no step is
+/// shorter than this share of the one proposed.
+constexpr double rest_tolerance = 0.05, shortest_to_rest = 0.1;
 
 double work_share(const Scene& scene, const StepReport& report) {
   return std::sqrt(report.work_error / scene.accuracy.work_per_step);
@@ -42,6 +47,32 @@ double next_output(const Scene& scene, double time) {
   for (const double t : scene.output.times)
     if (t > time + same_time) next = std::min(next, t);
   return next;
+}
+
+/// The next time in the stage, s, at which the speed of a tool that moves by position jumps; infinite for none.
+double next_kink(const Scene& scene, const State& state) {
+  double next = std::numeric_limits<double>::infinity();
+  for (const StageTool& tool : scene.stages[state.stage].tools)
+    if (const auto* motion = std::get_if<PositionMotion>(&tool.motion))
+      for (const double kink : core::kinks(motion->offset, kink_share))
+        if (kink > state.stage_time + same_time) next = std::min(next, kink);
+  return next;
+}
+
+/// Time, s, until all driven tools are slower than the stage's end speed, as their speeds fall now: negative where they
+/// have been for some time, infinite where they do not fall or have not been faster yet.
+double time_to_rest(const Scene& scene, const State& state) {
+  const Stage& stage = scene.stages[state.stage];
+  if (!stage.end_speed || !state.has_moved) return std::numeric_limits<double>::infinity();
+  double latest = -std::numeric_limits<double>::infinity();
+  for (const StageTool& tool : stage.tools) {
+    if (!std::holds_alternative<ForceMotion>(tool.motion)) continue;
+    const ToolState& body = state.tools[tool.tool];
+    const double excess = std::log(std::abs(body.velocity) / *stage.end_speed);  // in the middle of the last step
+    if (excess <= 0) continue;
+    latest = std::max(latest, excess / body.slowing - 0.5 * state.last_step);
+  }
+  return latest;
 }
 
 }  // namespace
@@ -69,7 +100,8 @@ bool rejected_for_work(const Scene& scene, const StepReport& report) {
 }
 
 double clip_step_to_event(const Scene& scene, const State& state, double proposed) {
-  double left = scene.stages[state.stage].duration - state.stage_time;
+  double left = std::min(scene.stages[state.stage].duration, next_kink(scene, state)) - state.stage_time;
+  left = std::min(left, std::max(time_to_rest(scene, state), shortest_to_rest * proposed));
   if (!scene.has_flow()) left = std::min(left, next_output(scene, state.time) - state.time);
   if (left <= proposed * (1 + same_time)) return left;
   return left < 2 * proposed ? 0.5 * left : proposed;
@@ -83,14 +115,8 @@ std::vector<double> outputs_due(const Scene& scene, double from, double to) {
 }
 
 StageEnd stage_end(const Scene& scene, const State& state) {
-  const Stage& stage = scene.stages[state.stage];
-  if (state.stage_time >= stage.duration - same_time) return StageEnd::duration;
-  if (!stage.end_speed || !state.has_moved) return StageEnd::none;
-  const bool at_rest = std::all_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
-    return !std::holds_alternative<ForceMotion>(tool.motion) ||
-           std::abs(state.tools[tool.tool].velocity) < *stage.end_speed;
-  });
-  return at_rest ? StageEnd::tools_at_rest : StageEnd::none;
+  if (state.stage_time >= scene.stages[state.stage].duration - same_time) return StageEnd::duration;
+  return time_to_rest(scene, state) <= rest_tolerance * state.last_step ? StageEnd::tools_at_rest : StageEnd::none;
 }
 
 }  // namespace parison::forming

@@ -22,6 +22,7 @@ constexpr double usual_order = 1.6, min_order = 1, max_order = 2.5;
 constexpr double aim = 0.75;  ///< of the target
 constexpr double most_refinement = 2.5, least_refinement = 1.2;
 constexpr std::size_t most_runs = 7;
+constexpr double most_coarser = 4;  ///< of a run whose difference takes part in the error bars
 
 /// The share of the error that a refinement from `coarse` to `fine` leaves over what it takes.
 double left_over_taken(double coarse, double fine, double order) {
@@ -69,6 +70,7 @@ void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_secon
   ControlledRun& now = record_.runs.back();
   double finer = refinement;
   if (run) {
+    completed_.push_back({factor_, *run, cpu_seconds});
     before_factor_ = std::exchange(partner_factor_, std::exchange(last_factor_, factor_));
     partner_ = std::exchange(last_, run);
     if (partner_) {
@@ -80,6 +82,18 @@ void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_secon
     }
   }
   if (!finished()) factor_ /= finer;
+}
+
+std::vector<CoarserRun> AccuracyControl::coarser() const {
+  std::vector<CoarserRun> runs;
+  if (completed_.empty()) return runs;
+  const double last = completed_.back().factor;
+  for (std::size_t i = completed_.size() - 1; i-- > 0;)
+    if (CoarserRun run = completed_[i]; runs.empty() || run.factor <= most_coarser * last) {
+      run.factor /= last;
+      runs.push_back(std::move(run));
+    }
+  return runs;
 }
 
 bool AccuracyControl::finished() const {

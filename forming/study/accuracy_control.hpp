@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "forming/report/accuracy_record.hpp"
+#include "forming/report/error_bars.hpp"
 #include "forming/report/quantities.hpp"
 
 namespace parison::forming {
@@ -28,9 +30,8 @@ class AccuracyControl {
   /// Whether there is nothing more to run: the accuracy is reached or out of reach.
   bool finished() const;
   const AccuracyRecord& record() const { return record_; }
-  /// The last run but one that completed, which the error of the last one is estimated with; null for none.
-  const Quantities* partner() const { return partner_ ? &*partner_ : nullptr; }
-  double partner_factor() const { return partner_factor_; }
+  /// The completed runs before the last one that are not many times as coarse, for its error bars.
+  std::vector<CoarserRun> coarser() const;
 
  private:
   double order() const;
@@ -38,6 +39,7 @@ class AccuracyControl {
   AccuracyRecord record_;
   double factor_;
   std::optional<Quantities> last_, partner_;
+  std::vector<CoarserRun> completed_;  ///< factors in units of draft
   double last_factor_ = 0, partner_factor_ = 0, before_factor_ = 0, before_difference_ = 0;
 };
 

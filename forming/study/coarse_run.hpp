@@ -9,22 +9,23 @@
 
 namespace parison::forming {
 
-/// What a coarse run is run with, and where.
+/// What a coarser run is run with, and where.
 struct CoarseCase {
   std::string file, accuracy, directory;
   std::vector<std::string> overrides;
+  double factor;
 };
 
-/// The coarse run of a scene's run in a folder.
-CoarseCase coarse_case(const Scene& scene, const std::string& directory);
+/// The coarser runs of a scene's run in a folder, the one nearest to it first.
+std::vector<CoarseCase> coarse_cases(const Scene& scene, const std::string& directory);
 
-/// Whether it has run to its end.
-bool has_completed(const CoarseCase& coarse);
+/// Whether it has come to its end or has failed on its way there, so that there is nothing left to run.
+bool has_ended(const CoarseCase& coarse);
 
-/// Runs it, or continues it where it was stopped; whether it came to its end.
-bool complete(const CoarseCase& coarse, const Observers& observers, const StopRequest& stop);
+/// Runs it, or continues it where it was stopped; whether it has ended then.
+bool finish(const CoarseCase& coarse, const Observers& observers, const StopRequest& stop);
 
-/// Error bars of the quantities of a run by its coarse run, which has completed.
-ErrorBars estimate_errors(const Scene& scene, const Quantities& run, const CoarseCase& coarse);
+/// Error bars of the quantities of a run by those of its coarser runs that came to their end.
+ErrorBars estimate_errors(const Quantities& run, const std::vector<CoarseCase>& coarse);
 
 }  // namespace parison::forming

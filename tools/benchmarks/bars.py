@@ -47,6 +47,8 @@ def compare(run, reference):
     """Rows of name, bar, true error, resolution, all as shares of the quantity's scale."""
     rows = []
     for name, quantity in run["quantities"].items():
+        if name not in reference["quantities"] or "error" not in quantity:
+            continue
         truth = reference["quantities"][name]["value"]
         shares = (quantity["error"], abs(quantity["value"] - truth), resolution(name, run["quantities"]))
         rows.append((name, *(value / abs(quantity["scale"]) for value in shares)))

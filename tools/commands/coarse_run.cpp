@@ -8,7 +8,6 @@
 #include <thread>
 #include <utility>
 
-#include "forming/study/coarse_run.hpp"
 #include "tools/program/child_process.hpp"
 #include "tools/program/stop_request.hpp"
 
@@ -19,33 +18,43 @@ constexpr unsigned poll_microseconds = 20000;
 
 }  // namespace
 
-CoarseRun::CoarseRun(const forming::Scene& scene, std::string directory)
-    : scene_(scene), directory_(std::move(directory)) {}
+CoarseRuns::CoarseRuns(std::vector<forming::CoarseCase> cases) : cases_(std::move(cases)) {}
 
-CoarseRun::~CoarseRun() {
+CoarseRuns::~CoarseRuns() {
   if (has_ended()) return;
   request_stop(child_);
   while (!has_ended()) usleep(poll_microseconds);
 }
 
-void CoarseRun::step_taken(const forming::RunView&, const forming::State&, const forming::StepReport&) {
-  if (std::exchange(started_, true) || std::thread::hardware_concurrency() < 2) return;
-  const forming::CoarseCase coarse_run = forming::coarse_case(scene_, directory_);
-  std::vector<std::string> arguments = {"run",      coarse_run.file,     "--accuracy", coarse_run.accuracy,
-                                        "--output", coarse_run.directory};
-  for (const std::string& assignment : coarse_run.overrides) arguments.insert(arguments.end(), {"--set", assignment});
-  child_ = start_self(arguments, coarse_run.directory + ".log");
+void CoarseRuns::start_next() {
+  const forming::CoarseCase& next = cases_[started_++];
+  std::vector<std::string> arguments = {"run", next.file, "--accuracy", next.accuracy, "--output", next.directory};
+  for (const std::string& assignment : next.overrides) arguments.insert(arguments.end(), {"--set", assignment});
+  child_ = start_self(arguments, next.directory + ".log");
 }
 
-void CoarseRun::wait() {
-  if (has_ended()) return;
-  fmt::print("\nwaiting for the coarse run of the error bars, {}\n", directory_ + "/coarse_run.log");
-  std::fflush(stdout);
-  for (bool requested = false; !has_ended(); usleep(poll_microseconds))
+void CoarseRuns::step_taken(const forming::RunView&, const forming::State&, const forming::StepReport&) {
+  if (started_ < cases_.size() && std::thread::hardware_concurrency() > 1 && has_ended()) start_next();
+}
+
+void CoarseRuns::wait() {
+  if (started_ == 0) return;
+  bool told = false, requested = false;
+  for (;;) {
+    if (has_ended()) {
+      if (started_ == cases_.size() || stop_requested()) return;
+      start_next();
+    }
+    if (!std::exchange(told, true)) {
+      fmt::print("\nwaiting for the coarser runs of the error bars, {}.log\n", cases_[started_ - 1].directory);
+      std::fflush(stdout);
+    }
     if (stop_requested() && !std::exchange(requested, true)) request_stop(child_);
+    usleep(poll_microseconds);
+  }
 }
 
-bool CoarseRun::has_ended() {
+bool CoarseRuns::has_ended() {
   if (child_ != 0 && tools::has_ended(child_)) child_ = 0;
   return child_ == 0;
 }

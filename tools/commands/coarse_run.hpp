@@ -1,33 +1,36 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
+#include <vector>
 
 #include "forming/run/run_observer.hpp"
-#include "forming/scene/scene.hpp"
+#include "forming/study/coarse_run.hpp"
 
 namespace parison::tools {
 
-/// The coarse run of the error bars, parallel to its run on another core; its destructor asks a running one to stop
-/// and waits until it has.
-class CoarseRun : public forming::RunObserver {
+/// The coarser runs of the error bars, one after the other beside their run on another core; the destructor asks a
+/// running one to stop and waits until it has.
+class CoarseRuns : public forming::RunObserver {
  public:
-  /// Of the run of a scene in a folder.
-  CoarseRun(const forming::Scene& scene, std::string directory);
-  ~CoarseRun() override;
+  explicit CoarseRuns(std::vector<forming::CoarseCase> cases);
+  ~CoarseRuns() override;
 
-  /// Starts it after the first step of its run, where this process may use a second core.
+  /// Starts the first after the first step of the run and each of the others when the one before has ended, where this
+  /// process may use a second core.
   void step_taken(const forming::RunView& run, const forming::State& before,
                   const forming::StepReport& report) override;
 
-  /// Returns when it has ended, and prints that it waits; a request to stop is passed on.
+  /// Returns when all that were begun here have ended, and prints that it waits; a request to stop is passed on.
   void wait();
+
+  const std::vector<forming::CoarseCase>& cases() const { return cases_; }
 
  private:
   bool has_ended();
+  void start_next();
 
-  const forming::Scene& scene_;
-  std::string directory_;
-  bool started_ = false;
+  std::vector<forming::CoarseCase> cases_;
+  std::size_t started_ = 0;
   int child_ = 0;  ///< 0 where none runs
 };
 

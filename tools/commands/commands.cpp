@@ -41,7 +41,7 @@ void add_run(CLI::App& app, Command& chosen) {
   auto* command = add_command(app, "run", "run a case", chosen, request, run);
   add_case_options(*command, *request);
   command->add_option("--output", request->output, "new folder for the results [results/NAME]");
-  command->add_flag("--error-bars", request->error_bars, "estimate the error of each result by a coarse run");
+  command->add_flag("--error-bars", request->error_bars, "estimate the error of each result by two coarser runs");
 }
 
 void add_resume(CLI::App& app, Command& chosen) {

@@ -53,10 +53,7 @@ int report(const Attempt& last, const AccuracyControl& control, const std::strin
     fmt::print(stderr, "parison: the run stopped in {}\n", last.outcome.facts.reason);
     return run_failed;
   }
-  const auto& runs = control.record().runs;
-  forming::ErrorBars bars =
-      forming::error_bars(summary.quantities, *control.partner(), {}, control.partner_factor() / runs.back().factor);
-  bars.coarse_run_cpu_seconds = runs[runs.size() - 2].cpu_seconds;
+  forming::ErrorBars bars = forming::error_bars(summary.quantities, control.coarser());
   bars.control = control.record();
   add_error_bars(output, last.scene, last.outcome.state, bars, summary);
   fmt::print("{}", error_table(bars));

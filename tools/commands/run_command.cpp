@@ -29,37 +29,49 @@ namespace {
 using forming::RunOutcome;
 using forming::Scene;
 
-/// Prints the error bars of a run that has completed, after running its coarse run where that has not run yet.
-int report_errors(const Scene& scene, const RunOutcome& outcome, const std::string& output, CoarseRun& beside,
-                  forming::Summary& summary) {
-  beside.wait();
-  const forming::CoarseCase coarse = forming::coarse_case(scene, output);
-  if (!forming::has_completed(coarse)) {
-    fmt::print("\nthe coarse run for the error bars, in {}\n", coarse.directory);
+/// Ends the coarser runs of the error bars that have not ended yet; false where one was stopped.
+bool finish_coarser_runs(const std::vector<forming::CoarseCase>& cases) {
+  for (const forming::CoarseCase& coarse : cases) {
+    if (forming::has_ended(coarse)) continue;
+    fmt::print("\na coarser run for the error bars, in {}\n", coarse.directory);
     std::fflush(stdout);
     Console console;
-    if (!forming::complete(coarse, {&console}, stop_requested)) {
-      fmt::print(stderr, "parison: the coarse run has not completed; `parison resume {} --error-bars` continues it\n",
-                 output);
-      return run_failed;
-    }
+    if (!forming::finish(coarse, {&console}, stop_requested)) return false;
   }
-  const forming::ErrorBars bars = forming::estimate_errors(scene, summary.quantities, coarse);
+  return true;
+}
+
+/// Prints the error bars of a run that has completed, after running its coarser runs where they have not run yet.
+int report_errors(const Scene& scene, const RunOutcome& outcome, const std::string& output, CoarseRuns& beside,
+                  forming::Summary& summary) {
+  beside.wait();
+  if (!finish_coarser_runs(beside.cases())) {
+    fmt::print(stderr, "parison: a coarser run has not ended; `parison resume {} --error-bars` continues it\n", output);
+    return run_failed;
+  }
+  const forming::ErrorBars bars = forming::estimate_errors(summary.quantities, beside.cases());
+  if (bars.coarser.empty()) {
+    fmt::print(stderr, "parison: no error bars: all coarser runs of {} stopped before their end\n", scene.name);
+    return run_failed;
+  }
   add_error_bars(output, scene, outcome.state, bars, summary);
   fmt::print("{}", error_table(bars));
   return 0;
 }
 
-/// Writes the summary of a run and prints how it ended; its coarse run is null where no error bars are wanted.
-int report(const Scene& scene, const RunOutcome& outcome, const std::string& output, CoarseRun* coarse_run) {
+/// Writes the summary of a run and prints how it ended; its coarser runs are null where no error bars are wanted.
+int report(const Scene& scene, const RunOutcome& outcome, const std::string& output, CoarseRuns* coarser) {
   const auto& facts = outcome.facts;
   if (!facts.completed) fmt::print(stderr, "parison: the run stopped in {}\n", facts.reason);
   auto summary = forming::write_summary(output, scene, outcome.state, facts);
   fmt::print("\n{}", summary_table(scene, outcome.state, summary));
+  if (facts.completed && !coarser)
+    fmt::print("  {:<22}not estimated; --error-bars runs the case twice more, coarser, for about half its CPU time\n",
+               "errors");
   std::fflush(stdout);
   if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
   if (!facts.completed) return run_failed;
-  return coarse_run ? report_errors(scene, outcome, output, *coarse_run, summary) : 0;
+  return coarser ? report_errors(scene, outcome, output, *coarser, summary) : 0;
 }
 
 }  // namespace
@@ -83,11 +95,11 @@ int run(const RunRequest& request) {
   std::fflush(stdout);
   catch_signals();
   Console console;
-  CoarseRun coarse_run(scene, output);
+  CoarseRuns coarser(forming::coarse_cases(scene, output));
   forming::Observers observers{&console};
-  if (request.error_bars) observers.push_back(&coarse_run);
+  if (request.error_bars) observers.push_back(&coarser);
   const RunOutcome outcome = forming::run_in_folder(scene, output, observers, stop_requested);
-  return report(scene, outcome, output, request.error_bars ? &coarse_run : nullptr);
+  return report(scene, outcome, output, request.error_bars ? &coarser : nullptr);
 }
 
 int resume(const RunRequest& request) {
@@ -104,9 +116,9 @@ int resume(const RunRequest& request) {
   std::fflush(stdout);
   catch_signals();
   Console console;
-  CoarseRun coarse_run(scene, output);
+  CoarseRuns coarser(forming::coarse_cases(scene, output));
   const RunOutcome outcome = forming::resume_in_folder(scene, output, {&console}, stop_requested);
-  return report(scene, outcome, output, request.error_bars ? &coarse_run : nullptr);
+  return report(scene, outcome, output, request.error_bars ? &coarser : nullptr);
 }
 
 }  // namespace parison::tools

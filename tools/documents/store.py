@@ -13,6 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BENCHMARKS = ROOT / "tools/benchmarks/last.json"
 REFERENCES = ROOT / "tools/benchmarks/references.json"
 CALIBRATION = ROOT / "forming/scene/calibration.json"
+BARS = ROOT / "tests/bars/measured.json"
 VERIFICATION = ROOT / "tests/figures.json"
 PERFECT = '"1e9 W/m2/K"'
 

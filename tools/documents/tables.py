@@ -56,6 +56,19 @@ def bars():
     return table(["what", "measured"], rows)
 
 
+def scene_bars():
+    found = store.read(store.BARS, "tests/error_bars --store")["kinds"]
+    rows = [[line["kind"], str(line["scenes"]), str(line["count"]), f"{100 * line['inside']:.0f} %",
+             f"{100 * line['left_out']:.0f} %", digits(line["width"])] for line in found]
+    return table(["kind", "scenes", "counted", "inside", "inside, factor chosen without the scene", "bar over true error, median"], rows)
+
+
+def preset_orders():
+    found = store.read(store.BARS, "tests/error_bars --store")["presets"]
+    rows = [[line["scene"]] + [f"{digits(100 * error)} %" for error in line["errors"]] + [digits(line["order"])] for line in found]
+    return table(["lengths off, root mean square", "draft", "standard", "fine", "order in the edge"], rows)
+
+
 def parts():
     return table(["estimate against run, by a factor of", "measured"],
                  [["as a rule", digits(benchmark("parts.usual"))],
@@ -222,5 +235,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, parts, model, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, preset_orders, parts, model, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, shell)}

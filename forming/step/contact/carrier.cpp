@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "forming/flow/cells/cell_geometry.hpp"
@@ -13,10 +14,16 @@ namespace parison::forming {
 
 namespace {
 
-bool has_fixed_boundary(const core::Mesh& mesh) {
+/// Whether a boundary keeps the glass from moving along the axis: a fixed one, or a symmetry plane across the axis.
+bool is_held_along_axis(const core::Mesh& mesh) {
+  constexpr double parallel = 1e-6;  // cosine
   const auto& edges = mesh.boundary_edges();
-  return std::any_of(edges.begin(), edges.end(),
-                     [&](const core::BoundaryEdge& edge) { return mesh.kind_of(edge) == BoundaryKind::fixed; });
+  return std::any_of(edges.begin(), edges.end(), [&](const core::BoundaryEdge& edge) {
+    const Point along = mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]];
+    const bool across = std::abs(along.dot(core::axis_direction())) < (1 - parallel) * along.norm();
+    const BoundaryKind kind = mesh.kind_of(edge);
+    return kind == BoundaryKind::fixed || (kind == BoundaryKind::symmetry && across);
+  });
 }
 
 /// Whether the same pressure acts on all of the surface; `pressure_of` gives that of a boundary, Pa.
@@ -70,7 +77,7 @@ void remove_carrier(flow::Problem& problem, flow::Solution& solution) {
 }
 
 bool floats(const flow::Problem& problem) {
-  return problem.candidates.empty() && problem.gravity == 0 && !has_fixed_boundary(*problem.mesh) &&
+  return problem.candidates.empty() && problem.gravity == 0 && !is_held_along_axis(*problem.mesh) &&
          has_one_pressure(*problem.mesh, [&](Index id) { return problem.boundary_conditions[id].pressure; });
 }
 
@@ -89,7 +96,7 @@ std::string unsupported_glass(const Scene& scene, const State& state) {
     return found == stage.pressure.end() ? 0.0 : found->second;
   };
   const bool is_loaded = stage.gravity != 0 || !has_one_pressure(mesh, pressure_of);
-  if (!scene.has_flow() || !is_loaded || stage.trapped_air || has_fixed_boundary(mesh)) return "";
+  if (!scene.has_flow() || !is_loaded || stage.trapped_air || is_held_along_axis(mesh)) return "";
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(core::dim * mesh.node_count());
   if (!contact_candidates(scene, state, at_rest, scene.accuracy.initial_step).empty()) return "";
   const auto [distance, tool] = nearest_tool(scene, state);

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs of the scenes with error bars, and the references that they are compared with."""
+import json
+import math
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+from .exact import SOLUTIONS
+
+HERE = Path(__file__).resolve().parent
+SCENES, REFERENCES, MEASURED = HERE / "scenes", HERE / "references.json", HERE / "measured.json"
+# References are far finer than fine: edges and steps in units of its; what a scene costs decides.
+FINER = {"bottle_blow": 0.6, "vial": 0.6, "neck_press": 0.65, "slab_press": 0.65, "tube": 0.45, "gob": 0.45,
+         "plate_over_ring": 0.45, "cup": 0.45, "squash": 0.45, "punch": 0.45, "bar_press": 0.45,
+         "cup_force": 0.5, "bar_stroke": 0.5, "pad": 0.4}
+FINEST = 0.3
+QUIET = ("--set", "output.interval=1000 s")
+
+
+def scene_names():
+    return sorted(path.stem for path in SCENES.glob("*.toml"))
+
+
+def run_scene(parison, name, accuracy, folder, error_bars=True):
+    """The summary of a run, None where it did not complete."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    command = [parison, "run", SCENES / f"{name}.toml", "--accuracy", accuracy, "--output", folder, *QUIET]
+    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    with open(folder.with_suffix(".log"), "w", encoding="utf-8") as log:
+        code = subprocess.run(command + ["--error-bars"] * error_bars, stdout=log, stderr=subprocess.STDOUT, env=environment,
+                              check=False).returncode
+    return json.loads((folder / "summary.json").read_text(encoding="utf-8")) if code == 0 else None
+
+
+def rounded(value, digits):
+    return None if value is None or not math.isfinite(value) else float(f"{value:.{digits}g}")
+
+
+def reference_of(summary, accuracy):
+    """What is kept of the run of a reference."""
+    return {"accuracy": accuracy, "cpu_seconds": rounded(summary["cpu_seconds"], 3),
+            "quantities": {name: rounded(quantity["value"], 9) for name, quantity in summary["quantities"].items()},
+            "thickness_profile_mm": [rounded(value, 6) for value in summary["thickness_profile_mm"]]}
+
+
+def make_reference(parison, name, folder):
+    accuracy = f"fine coarser {FINER.get(name, FINEST)}"
+    summary = run_scene(parison, name, accuracy, folder, error_bars=False)
+    return reference_of(summary, accuracy) if summary else None
+
+
+def write_references(found):
+    lines = [f' "{name}": {json.dumps(found[name])}' for name in sorted(found)]
+    REFERENCES.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+
+
+def references():
+    """The references, with the exact values where a scene has them."""
+    found = json.loads(REFERENCES.read_text(encoding="utf-8")) if REFERENCES.is_file() else {}
+    for name, solution in SOLUTIONS.items():
+        if name in found:
+            found[name]["quantities"].update(solution())
+            found[name]["quantities"].pop("thickness_min_at", None)  # the wall is the same everywhere
+    return found
