@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/tolerances.hpp"
+#include "forming/state/skin_size.hpp"
 #include "remesh/mesher/mesh_profile.hpp"
 #include "thermal/problem.hpp"
 
@@ -54,8 +55,9 @@ GlassState initial_glass(const Scene& scene) {
   const Accuracy& accuracy = scene.accuracy;
   GlassState glass;
   const double factor = edge_factor(scene);
+  const double wanted = scene.has_flow() ? accuracy.surface_size : factor * accuracy.skin_size;
   glass.mesh = mesh_of(scene.glass, inner_glass_size * factor * accuracy.surface_size,
-                       scene.has_flow() ? accuracy.surface_size : factor * accuracy.skin_size, accuracy.glass_growth);
+                       contact_edge(scene, glass_body, wanted), accuracy.glass_growth);
   for_each_glass_field([&](const auto& field) {
     if (!exists(scene, field.needs)) return;
     const auto size = field.components * place_count(field.location, glass.mesh);
@@ -69,12 +71,14 @@ GlassState initial_glass(const Scene& scene) {
   return glass;
 }
 
-ToolState initial_tool(const Scene& scene, const Tool& tool) {
+ToolState initial_tool(const Scene& scene, Index index) {
+  const Tool& tool = scene.tools[index];
   const Accuracy& accuracy = scene.accuracy;
   ToolState state;
   const double factor = edge_factor(scene);
-  state.mesh = mesh_of(tool, core::tolerance::tool_edge * core::size(scene.glass.profile),
-                       factor * accuracy.tool_contact_size, accuracy.tool_growth);
+  state.mesh =
+      mesh_of(tool, core::tolerance::tool_edge * core::size(scene.glass.profile),
+              contact_edge(scene, body_of_tool(index), factor * accuracy.tool_contact_size), accuracy.tool_growth);
   if (tool.thermal) state.temperature.setConstant(state.mesh.node_count(), tool.initial_temperature);
   state.offset = tool.position;
   state.max_surface_temperature = tool.initial_temperature;
@@ -98,7 +102,8 @@ double glass_heat(const Scene& scene, const State& state) {
 State initial_state(const Scene& scene) {
   State state;
   state.glass = initial_glass(scene);
-  for (const Tool& tool : scene.tools) state.tools.push_back(initial_tool(scene, tool));
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+    state.tools.push_back(initial_tool(scene, static_cast<Index>(i)));
   for (const auto& probe : scene.probes) state.probes.push_back(probe.point);
   if (scene.has_heat()) state.glass.initial_heat = glass_heat(scene, state);
   return state;

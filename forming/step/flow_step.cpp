@@ -237,6 +237,7 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
     return std::nullopt;
   }
   store_flow(start.scene, pass, start.dt, result.state);
+  result.report.contacts = static_cast<Index>(result.state.glass.active_contacts.node.size());
   if (start.air) store_air(start, pass.solution, result.state);
   result.report.strain = pass.solution.high_rate * start.dt;
   result.report.predictor_corrector_difference =

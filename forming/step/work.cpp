@@ -92,6 +92,25 @@ double work_error(const Scene& scene, const State& start, const Work& before, co
   return measure > 0 ? std::abs(truncation) / measure : 0;
 }
 
+double least_loss(const Scene& scene, const State& state) {
+  constexpr double negligible = 1e-6;
+  const double size = core::size(scene.glass.profile), volume = state.glass.initial_volume;
+  const Work& work = state.totals.work;
+  double loads = std::abs(work.tools) + std::abs(work.air) + std::abs(work.gravity) +
+                 scene.glass.flow->surface_tension * volume / size;
+  for (Index s = 0; s <= state.stage; ++s) {
+    const Stage& stage = scene.stages[s];
+    loads += state.glass.density * volume * std::abs(stage.gravity) * size;
+    for (const auto& [name, pressure] : stage.pressure) loads += std::abs(pressure) * volume;
+  }
+  return negligible * loads;
+}
+
+double work_imbalance(const Work& work, double least_loss) {
+  const double excess = excess_work(work), measure = std::max(lost(work), least_loss);
+  return excess == 0 ? 0 : excess / measure;
+}
+
 double work_imbalance(const Work& work) {
   return excess_work(work) / lost(work);
 }

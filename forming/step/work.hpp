@@ -16,8 +16,15 @@ void accumulate_work(const Scene& scene, const State& start, const flow::Solutio
 /// error of the step. Where nearly nothing was lost yet, the glass sinking by its own size is the measure.
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery);
 
+/// Least loss, J, that an imbalance is taken relative to: a share of what the loads of the present stage and those
+/// before it could do. Less is what round-off does to glass at rest.
+double least_loss(const Scene& scene, const State& state);
+
 /// Work done on the glass that is neither lost nor stored in its surface, relative to what was lost; NaN where nothing
 /// was.
 double work_imbalance(const Work& work);
+
+/// The same, relative to `least_loss`, J, where less was lost.
+double work_imbalance(const Work& work, double least_loss);
 
 }  // namespace parison::forming
