@@ -73,19 +73,17 @@ double exact_heat(double inverse_effusivity, double h, double time) {
   return h * time * ((scaled - 1) / (y * y) + 2 / (y * std::sqrt(M_PI)));
 }
 
-/// Heat that leaves the first unknowns `hot` of a system, which begin at 1 K, the others at 0, by its modes, J/m2.
-double discrete_heat(const Column& system, int hot, double time) {
+/// Heat that leaves the unknowns that are `hot`, 1, in a system by its modes, J/m2; they begin at `start`, K.
+double discrete_heat(const Column& system, const VectorXd& hot, const VectorXd& start, double time) {
   const VectorXd scale = system.mass.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd mass = scale.asDiagonal() * system.mass * scale.asDiagonal();
   const MatrixXd stiffness = scale.asDiagonal() * system.stiffness * scale.asDiagonal();
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(stiffness, mass);
-  VectorXd start = VectorXd::Zero(scale.size());
-  start.head(hot).setOnes();
-  const VectorXd content = scale.cwiseProduct(system.mass * start);
-  const VectorXd amplitude = modes.eigenvectors().transpose() * content;
-  double heat = 0;
+  const VectorXd content = modes.eigenvectors().transpose() * scale.cwiseProduct(system.mass * hot);
+  const VectorXd amplitude = modes.eigenvectors().transpose() * scale.cwiseProduct(system.mass * start);
+  double heat = hot.dot(system.mass * (hot - start));  // taken at the start
   for (Eigen::Index i = 0; i < amplitude.size(); ++i)
-    heat -= amplitude[i] * amplitude[i] * std::expm1(-std::max(modes.eigenvalues()[i], 0.0) * time);
+    heat -= content[i] * amplitude[i] * std::expm1(-std::max(modes.eigenvalues()[i], 0.0) * time);
   return heat;
 }
 
@@ -93,10 +91,14 @@ double discrete_heat(const Column& system, int hot, double time) {
 
 double skin_error(const SkinSide& side, double h, double time) {
   if (!(h > 0) || !(time > 0)) return 0;
+  const bool prescribed = std::isinf(h);
   h = std::min(h, perfect_conductance(side.conductivity, side.first_cell));
   Column system = column(side, time);
   system.stiffness(0, 0) += h;
-  const double heat = discrete_heat(system, static_cast<int>(system.mass.rows()), time);
+  const VectorXd hot = VectorXd::Ones(system.mass.rows());
+  VectorXd start = hot;
+  if (prescribed) start[0] = 0;
+  const double heat = discrete_heat(system, hot, start, time);
   return heat / exact_heat(1 / effusivity(side), h, time) - 1;
 }
 
@@ -115,8 +117,9 @@ double skin_error(const SkinSide& first, const SkinSide& second, double h, doubl
   system.stiffness(n, n) += h;
   system.stiffness(0, n) -= h;
   system.stiffness(n, 0) -= h;
-  return discrete_heat(system, static_cast<int>(n), time) /
-             exact_heat(1 / effusivity(first) + 1 / effusivity(second), h, time) -
+  VectorXd hot = VectorXd::Zero(n + m);
+  hot.head(n).setOnes();
+  return discrete_heat(system, hot, hot, time) / exact_heat(1 / effusivity(first) + 1 / effusivity(second), h, time) -
          1;
 }
 

@@ -15,6 +15,7 @@ struct SkinSide {
 /// Relative error of the heat that a half-space on such a mesh has given after `time`, s, to surroundings of another
 /// temperature through a conductance h, W/m2/K: that of the semi-discrete equations over the exact solution (Carslaw
 /// and Jaeger 1959, section 2.7), less 1. It is far above zero while the skin is thinner than the first cell.
+/// With an infinite h the surface's nodes are set to the temperature of the surroundings at the start.
 double skin_error(const SkinSide& side, double h, double time);
 
 /// The same of two half-spaces of different temperatures brought together at time 0.

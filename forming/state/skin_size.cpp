@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "forming/state/state.hpp"
 
@@ -24,15 +25,6 @@ double run_time(const Scene& scene) {
   double time = 0;
   for (const Stage& stage : scene.stages) time += stage.duration;
   return time;
-}
-
-/// Of a body in the air of all stages.
-double edge_in_air(const Scene& scene, Index body, double wanted) {
-  const Body& data = body_of(scene, body);
-  double h = 0;
-  for (const Stage& stage : scene.stages)
-    if (differ(scene, data.initial_temperature, stage.air.air_temperature)) h = std::max(h, stage.air.h.max());
-  return thermal::fitting_first_cell(skin_side(scene, body, wanted), h, run_time(scene), skin_tolerance);
 }
 
 /// Cells for which a mesh has room: a layer of `wanted` edges that grow from there has a few cells for each.
@@ -78,10 +70,38 @@ double glass_edge_at_tool(const Scene& scene, const Interface& interface, double
                                               active_time(scene, interface.tool), skin_tolerance));
 }
 
+double surroundings_conductance(const Scene& scene, Index body, std::size_t boundary, Index last_stage) {
+  const Body& data = body_of(scene, body);
+  const Boundary& given = data.boundaries[boundary];
+  const double start = data.initial_temperature;
+  if (given.kind == BoundaryKind::temperature)
+    return differ(scene, start, given.temperature(0)) ? std::numeric_limits<double>::infinity() : 0;
+  if (given.kind == BoundaryKind::cooled)
+    return differ(scene, start, given.cooling.air_temperature) ? given.cooling.h.max() : 0;
+  double h = 0;
+  if (given.kind != BoundaryKind::contact && given.kind != BoundaryKind::air) return h;
+  for (Index s = 0; s <= last_stage; ++s) {
+    const thermal::SurfaceExchange& air = scene.stages[s].air;
+    if (differ(scene, start, air.air_temperature)) h = std::max(h, air.h.max());
+    if (data.emissivity > 0 && differ(scene, start, air.ambient_temperature))
+      h = std::max(h, 4 * data.emissivity * thermal::stefan_boltzmann *
+                          std::pow(std::max(start, air.ambient_temperature.max()), 3));
+  }
+  return h;
+}
+
+double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, double wanted) {
+  const Body& data = body_of(scene, body);
+  if (!data.thermal) return wanted;
+  const double h = surroundings_conductance(scene, body, boundary, static_cast<Index>(scene.stages.size()) - 1);
+  return std::max(std::min(wanted, least_edge(scene, data)),
+                  thermal::fitting_first_cell(skin_side(scene, body, wanted), h, run_time(scene), skin_tolerance));
+}
+
 double contact_edge(const Scene& scene, Index body, double wanted) {
   const Body& data = body_of(scene, body);
   if (!data.thermal) return wanted;
-  double edge = edge_in_air(scene, body, wanted);
+  double edge = wanted;
   for (const Interface& interface : scene.interfaces) {
     if (body == glass_body) edge = glass_edge_at_tool(scene, interface, edge);
     if (body != body_of_tool(interface.tool) ||

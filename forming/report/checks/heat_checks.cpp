@@ -51,38 +51,13 @@ double first_cell(const core::Mesh& mesh, Index boundary) {
   return length > 0 ? area / length : 0;
 }
 
-/// What a boundary exchanges heat with, besides tools: the largest h, W/m2/K, and whether it is of another temperature.
-double exchange_with_surroundings(const Scene& scene, const State& state, Index body, std::size_t boundary) {
-  const Body& data = body_of(scene, body);
-  const double start = data.initial_temperature, small = no_jump * temperature_range(scene).span();
-  const auto jumps = [&](const core::TimeFunction& T) {
-    return std::max(std::abs(T.max() - start), std::abs(T.min() - start)) > small;
-  };
-  const Boundary& given = data.boundaries[boundary];
-  if (given.kind == BoundaryKind::temperature) {
-    const bool at_once = std::abs(given.temperature(0) - start) > small;
-    return at_once ? std::numeric_limits<double>::max() : 0;
-  }
-  if (given.kind == BoundaryKind::cooled) return jumps(given.cooling.air_temperature) ? given.cooling.h.max() : 0;
-  if (given.kind != BoundaryKind::contact && given.kind != BoundaryKind::air) return 0;
-  double h = 0;
-  for (Index s = 0; s <= state.stage; ++s) {
-    const thermal::SurfaceExchange& air = scene.stages[s].air;
-    if (jumps(air.air_temperature)) h = std::max(h, air.h.max());
-    if (data.emissivity > 0 && jumps(air.ambient_temperature))
-      h = std::max(h, 4 * data.emissivity * thermal::stefan_boltzmann *
-                          std::pow(std::max(start, air.ambient_temperature.max()), 3));
-  }
-  return h;
-}
-
 Skin skin_at_surroundings(const Scene& scene, const State& state) {
   Skin worst;
   for (Index body = 0; body < body_count(state); ++body) {
     const Body& data = body_of(scene, body);
     if (!data.thermal) continue;
     for (std::size_t b = 0; b < data.boundaries.size(); ++b) {
-      const double h = exchange_with_surroundings(scene, state, body, b);
+      const double h = surroundings_conductance(scene, body, b, state.stage);
       const double cell = first_cell(mesh_of(state, body), static_cast<Index>(b));
       if (h == 0 || cell == 0) continue;
       const double error = std::abs(thermal::skin_error(skin_side(scene, body, cell), h, state.time));
@@ -126,7 +101,7 @@ Check overshoot(const Scene& scene, const State& state, double TemperatureBounds
   return {
       name,
       worst,
-      0.1,
+      0.2,
       0.5,
       "%",
       fmt::format("inside {} a temperature went {} all that its surface and its start had, by so much of the jump at "
@@ -140,7 +115,7 @@ Check overshoot(const Scene& scene, const State& state, double TemperatureBounds
 void add_heat_checks(const Scene& scene, const State& state, Checks& checks) {
   const Totals& totals = state.totals;
   checks.push_back(
-      {"energy_imbalance", glass_facts(scene, state).energy_imbalance, 2e-3, 2e-2, "%",
+      {"energy_imbalance", glass_facts(scene, state).energy_imbalance, 5e-3, 5e-2, "%",
        "so much of the heat that the glass lost is not explained by its change of heat content, and "
        "heat and temperatures are wrong by about as much; a smaller numerics.temperature_tolerance helps"});
   checks.push_back({"interface_flux", totals.max_flux_mismatch, 1e-6, 1e-2, "%",

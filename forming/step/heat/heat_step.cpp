@@ -59,6 +59,10 @@ double temperature_tolerance(const Scene& scene) {
   return span > 0 ? std::min(tolerance, of_span * span) : tolerance;
 }
 
+/// Local error of a step of IDA, as a fraction of that: where nothing moves it takes many small changes, whose errors
+/// add up, and costs little.
+constexpr double integrator_fraction = 0.2;
+
 /// Algebraic error of a stage, as a fraction of the local error that the step may have.
 constexpr double newton_fraction = 1e-3;
 
@@ -167,7 +171,7 @@ std::unique_ptr<StaticStage> start_static_stage(const Scene& scene, const State&
   auto problem = make_problem(scene, state, meshes, interface, clamped_lookups);
   result->wall_thickness = limiting_wall_thickness(scene, result->meshes[glass_body]);
   if (result->wall_thickness.size() > 0) problem.bodies[glass_body].wall_thickness = &result->wall_thickness;
-  const thermal::IdaOptions options{temperature_tolerance(scene)};
+  const thermal::IdaOptions options{integrator_fraction * temperature_tolerance(scene)};
   result->integrator.emplace(std::move(problem), state.time, temperatures(state), options);
   return result;
 }
