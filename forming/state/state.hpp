@@ -109,6 +109,7 @@ struct Totals {
   double max_reynolds = 0;
   double overshoot = 0;          ///< of any temperature above the hottest of the scene at any step, K
   double viscous_heating = 0;    ///< by which dissipation can at most have heated a point of the glass, K
+  double capped_work = 0;        ///< dissipated where the glass should be stiffer than its viscosity is let be, J
   double off_axis = 0;           ///< largest correction of nodes beyond the axis in a step, m
   Index short_steps = 0;         ///< that were nearly as short as numerics.min_step
   double max_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative

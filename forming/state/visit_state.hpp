@@ -100,6 +100,7 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("max_reynolds", totals.max_reynolds);
   visit("overshoot", totals.overshoot);
   visit("viscous_heating", totals.viscous_heating);
+  visit("capped_work", totals.capped_work);
   visit("off_axis", totals.off_axis);
   visit("short_steps", totals.short_steps);
   visit("max_flux_mismatch", totals.max_flux_mismatch);

@@ -292,6 +292,7 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
   }
   auto& totals = result.state.totals;
   totals.max_reynolds = std::max(totals.max_reynolds, reynolds(start, *solution));
+  totals.capped_work = state.totals.capped_work + capped_work(scene, state, *solution, dt);
   result.dissipation = heating(std::move(*solution));
   move_glass_probes(scene, state.glass.mesh, result.state.glass.velocity, dt, result.state);
   return true;

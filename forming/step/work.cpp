@@ -84,6 +84,21 @@ double excess_work(const Work& work) {
 
 }  // namespace
 
+double capped_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt) {
+  const flow::Viscosity& viscosity = scene.glass.flow->viscosity;
+  const Eigen::VectorXd& temperature = start.glass.temperature;
+  const auto capped = [&](Index node) {
+    return viscosity.is_capped(temperature.size() > 0 ? temperature[node] : scene.glass.initial_temperature);
+  };
+  const auto& cells = start.glass.mesh.cells();
+  const std::size_t points = flow.dissipation.size() / cells.size();
+  double power = 0;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    if (capped(cells[cell][0]) && capped(cells[cell][1]) && capped(cells[cell][2]))
+      for (std::size_t q = 0; q < points; ++q) power += flow.dissipation[cell * points + q];
+  return dt * power;
+}
+
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery) {
   const double weight = start.glass.density * start.glass.initial_volume * std::abs(scene.stages[start.stage].gravity);
   const double measure = std::max({lost(after), std::abs(after.tools), std::abs(after.air), std::abs(after.gravity),

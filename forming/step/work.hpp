@@ -11,6 +11,9 @@ namespace parison::forming {
 /// independently of the flow equations, so that the balance tests them.
 void accumulate_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work);
 
+/// The work, J, that a step of such a length and flow dissipates where the viscosity is at its cap.
+double capped_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt);
+
 /// The work of a step that is neither lost nor stored in the surface nor `recovery`, J, which takes penetrated nodes
 /// out of tools, over the greatest of all that was lost until `after` or done by tools, air and gravity: the truncation
 /// error of the step. Where nearly nothing was lost yet, the glass sinking by its own size is the measure.

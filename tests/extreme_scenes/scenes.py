@@ -125,7 +125,7 @@ def squeeze(viscosity=1e4, speed=1e-3, height=0.01, radius=0.02, share=0.1, law=
                                 "min_step": f'"{max(duration * 1e-7, 1e-12):.9g} s"'} | (more or {})
     text = 'case = "squeeze"\ngeometry = "axisymmetric"\n' + flow_material(law or viscosity)
     kelvins = f'temperature = "{kelvin:.9g} K"\n' if kelvin else ""
-    text += f'[glass]\nmaterial = "liquid"\n{kelvins}' + box(radius, 0, height, (CONTACT, CONTACT, CONTACT, SYMMETRY))
+    text += f'[glass]\nmaterial = "liquid"\n{kelvins}film = {{ min_thickness = "{0.01 * height:.9g} m" }}\n' + box(radius, 0, height, (CONTACT, CONTACT, CONTACT, SYMMETRY))
     text += plates(radius, height, "", f'{{ offset = [["0 s", "0 m"], ["{duration:.9g} s", "{-share * height:.12g} m"]] }}', duration,
                    friction=friction)
     text += f'[output]\ninterval = "{duration:.9g} s"\n' + numerics(settings)
@@ -140,7 +140,7 @@ def press(viscosity=1e4, force=100.0, height=0.01, radius=0.02, share=0.2, more=
     settings = sizes(height) | {"max_step": f'"{duration / 5:.9g} s"', "initial_step": f'"{duration / 200:.9g} s"',
                                 "min_step": f'"{max(duration * 1e-7, 1e-12):.9g} s"'} | (more or {})
     text = 'case = "press"\ngeometry = "axisymmetric"\n' + flow_material(viscosity)
-    text += '[glass]\nmaterial = "liquid"\n' + box(radius, 0, height, (CONTACT, CONTACT, CONTACT, SYMMETRY))
+    text += f'[glass]\nmaterial = "liquid"\nfilm = {{ min_thickness = "{0.01 * height:.9g} m" }}\n' + box(radius, 0, height, (CONTACT, CONTACT, CONTACT, SYMMETRY))
     limit = 100 * height / duration
     text += plates(radius, height, "", f'{{ force = "{-force:.9g} N", speed_limit = "{limit:.9g} m/s" }}', duration)
     text += f'[output]\ninterval = "{duration:.9g} s"\n' + numerics(settings)
