@@ -21,10 +21,10 @@ struct ActiveContacts {
 };
 
 /// Temperatures of a body's surface and start, beyond which none inside can go but by viscous heat (maximum principle),
-/// and how far those of the mesh did at any step, K.
+/// and how far those of the mesh did.
 struct TemperatureBounds {
-  double coldest = 0, hottest = 0;  ///< K; both 0 before the first step with heat
-  double undershoot = 0, overshoot = 0;
+  double coldest = 0, hottest = 0;       ///< K; both 0 before the first step with heat
+  double undershoot = 0, overshoot = 0;  ///< of the node furthest beyond, integral over time, K s
 };
 
 /// The glass at an instant; its mesh moves with it.

@@ -100,9 +100,14 @@ double capped_work(const Scene& scene, const State& start, const flow::Solution&
 }
 
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery) {
+  // Of what pressures could do: round-off of glass that they hold at rest is far below.
+  constexpr double negligible = 1e-3;
+  double pressure = 0;
+  for (const auto& [name, value] : scene.stages[start.stage].pressure) pressure = std::max(pressure, std::abs(value));
   const double weight = start.glass.density * start.glass.initial_volume * std::abs(scene.stages[start.stage].gravity);
-  const double measure = std::max({lost(after), std::abs(after.tools), std::abs(after.air), std::abs(after.gravity),
-                                   weight * core::size(scene.glass.profile)});
+  const double measure =
+      std::max({lost(after), std::abs(after.tools), std::abs(after.air), std::abs(after.gravity),
+                weight * core::size(scene.glass.profile), negligible * pressure * start.glass.initial_volume});
   const double truncation = excess_work(after) - excess_work(before) - recovery;
   return measure > 0 ? std::abs(truncation) / measure : 0;
 }

@@ -19,7 +19,7 @@ def material(name, density, capacity=None, conductivity=None, extra=""):
     return f'[material.{name}]\ndensity = "{density:.9g} kg/m3"\n{heat}{extra}\n'
 
 
-def box(width, bottom, top, kinds, ring=False):
+def box(width, bottom, top, kinds):
     """Boundaries of a rectangle from the axis to `width`, m: bottom, side, top, axis, with their conditions."""
     names = ("bottom", "side", "top", "axis")
     points = [f"({width:.12g}, {bottom:.12g})", f"({width:.12g}, {top:.12g})", f"(0, {top:.12g})", f"(0, {bottom:.12g})"]
@@ -107,43 +107,68 @@ def sizes(length):
             "tool_contact_size": f'"{length / 3:.9g} m"', "motion_tolerance": f'"{length / 400:.9g} m"'}
 
 
-def plates(radius, height, tool_extra, motion, duration, gravity="", stages=None, tools=("base", "ram"), friction='"slip"'):
-    text = "".join(stages) if stages else (f'[[stage]]\nname = "press"\nduration = "{duration:.9g} s"\n{gravity}tools = ["base", "ram"]\n'
-                                           f'motion.ram = {motion}\n')
+def plates(radius, height, motions, friction='"slip"'):
+    """Two plates around a disc; a stage for each (duration, motion of the upper one)."""
+    text = ""
+    for number, (duration, motion) in enumerate(motions):
+        text += f'[[stage]]\nname = "press{number}"\nduration = "{duration:.12g} s"\ntools = ["base", "ram"]\nmotion.ram = {motion}\n'
     wide, thick = 20 * radius, 0.5 * radius
     for name, low, high, face in (("base", -thick, 0, 2), ("ram", height, height + thick, 0)):
         kinds = [INSULATED, INSULATED, INSULATED, SYMMETRY]
         kinds[face] = CONTACT
-        text += f'[[tool]]\nname = "{name}"\nfriction = {friction}\n{tool_extra}' + box(wide, low, high, kinds)
+        text += f'[[tool]]\nname = "{name}"\nfriction = {friction}\n' + box(wide, low, high, kinds)
     return text
 
 
-def squeeze(viscosity=1e4, speed=1e-3, height=0.01, radius=0.02, share=0.1, law=None, kelvin=None, more=None, friction='"slip"'):
-    """A disc pressed between plates without friction at a constant speed by a share of its height: work of the ram."""
+def time_settings(duration):
+    return {"max_step": f'"{duration / 5:.9g} s"', "initial_step": f'"{max(duration / 200, 1e-9):.9g} s"',
+            "min_step": f'"{max(duration * 1e-7, 1e-12):.9g} s"'}
+
+
+def output(duration):
+    return f'[output]\ninterval = "{max(duration, 1e-6):.9g} s"\n'
+
+
+def disc(radius, height, extra=""):
+    return (f'[glass]\nmaterial = "liquid"\n{extra}film = {{ min_thickness = "{0.01 * height:.9g} m" }}\n'
+            + box(radius, 0, height, (CONTACT, CONTACT, CONTACT, SYMMETRY)))
+
+
+def squeeze(viscosity=1e4, speed=1e-3, height=0.01, radius=0.02, share=0.1, law=None, kelvin=None, more=None, friction='"slip"', stages=1,
+            back=False):
+    """A disc pressed between plates at a constant speed by a share of its height: work of the ram. Without slip a lower and an upper
+    bound of it (Stefan's film and the work of the extension in its velocities) stand for the exact value."""
     volume, duration = math.pi * radius ** 2 * height, share * height / speed
-    settings = sizes(height) | {"max_step": f'"{duration / 5:.9g} s"', "initial_step": f'"{duration / 200:.9g} s"',
-                                "min_step": f'"{max(duration * 1e-7, 1e-12):.9g} s"'} | (more or {})
     text = 'case = "squeeze"\ngeometry = "axisymmetric"\n' + flow_material(law or viscosity)
-    kelvins = f'temperature = "{kelvin:.9g} K"\n' if kelvin else ""
-    text += f'[glass]\nmaterial = "liquid"\n{kelvins}film = {{ min_thickness = "{0.01 * height:.9g} m" }}\n' + box(radius, 0, height, (CONTACT, CONTACT, CONTACT, SYMMETRY))
-    text += plates(radius, height, "", f'{{ offset = [["0 s", "0 m"], ["{duration:.9g} s", "{-share * height:.12g} m"]] }}', duration,
-                   friction=friction)
-    text += f'[output]\ninterval = "{duration:.9g} s"\n' + numerics(settings)
-    work = 3 * viscosity * volume * speed * (1 / ((1 - share) * height) - 1 / height)
-    return Scene(text, {"work.tools_J": work})
+    text += disc(radius, height, f'temperature = "{kelvin:.9g} K"\n' if kelvin else "")
+    part, ends = duration / stages, [-share * height * i / stages for i in range(stages + 1)]
+    motions = [(part, f'{{ offset = [["0 s", "{a:.15g} m"], ["{part:.12g} s", "{b:.15g} m"]] }}') for a, b in zip(ends, ends[1:])]
+    if back:  # the same way back, off the glass
+        motions.append((part, f'{{ offset = [["0 s", "{ends[-1]:.15g} m"], ["{part:.12g} s", "0 m"]] }}'))
+    text += plates(radius, height, motions, friction=friction)
+    text += output(duration) + numerics(sizes(height) | time_settings(duration) | (more or {}))
+    end = (1 - share) * height
+    slipping = 3 * viscosity * volume * speed * (1 / end - 1 / height)
+    if friction == '"slip"' or "navier" in friction:
+        return Scene(text, {"work.tools_J": slipping})
+    # Power of the parabolic velocities: pi eta V^2 (3.6 R^2/h + 1.5 R^4/h^3), R^2 h constant, integrated over h.
+    film = math.pi * viscosity * speed * (1.8 * radius ** 2 * height * (1 / end ** 2 - 1 / height ** 2)
+                                          + 0.375 * (radius ** 2 * height) ** 2 * (1 / end ** 4 - 1 / height ** 4))
+
+    def outside(summary):
+        work = summary["work"]["tools_J"]
+        return max(0.0, slipping / work - 1, work / film - 1)
+    return Scene(text, error=outside)
 
 
 def press(viscosity=1e4, force=100.0, height=0.01, radius=0.02, share=0.2, more=None):
     """The same under a force, for the time in which it loses a share of its height."""
     volume = math.pi * radius ** 2 * height
     duration = 3 * viscosity * volume / (force * height) * (1 / (1 - share) - 1)
-    settings = sizes(height) | {"max_step": f'"{duration / 5:.9g} s"', "initial_step": f'"{duration / 200:.9g} s"',
-                                "min_step": f'"{max(duration * 1e-7, 1e-12):.9g} s"'} | (more or {})
-    text = 'case = "press"\ngeometry = "axisymmetric"\n' + flow_material(viscosity)
-    text += f'[glass]\nmaterial = "liquid"\nfilm = {{ min_thickness = "{0.01 * height:.9g} m" }}\n' + box(radius, 0, height, (CONTACT, CONTACT, CONTACT, SYMMETRY))
+    text = 'case = "press"\ngeometry = "axisymmetric"\n' + flow_material(viscosity) + disc(radius, height)
     limit = 100 * height / duration
-    text += plates(radius, height, "", f'{{ force = "{-force:.9g} N", speed_limit = "{limit:.9g} m/s" }}', duration)
-    text += f'[output]\ninterval = "{duration:.9g} s"\n' + numerics(settings)
+    text += plates(radius, height, [(duration, f'{{ force = "{-force:.9g} N", speed_limit = "{limit:.9g} m/s" }}')])
+    text += output(duration) + numerics(sizes(height) | time_settings(duration) | (more or {}))
     return Scene(text, {"work.tools_J": force * share * height})
 
 
@@ -151,11 +176,51 @@ def shell(viscosity=1e4, pressure=1e5, inner=0.01, outer=0.015, growth=1.3, tens
     """A spherical shell blown up: its wall at the time when the exact inner radius has grown by a factor."""
     duration = exact.shell_time(viscosity, pressure, inner, outer, growth * inner, tension)
     wall = (outer ** 3 - inner ** 3 + (growth * inner) ** 3) ** (1 / 3) - growth * inner
-    settings = sizes(outer - inner) | {"strain_per_step": 0.04, "max_step": f'"{duration / 5:.9g} s"',
-                                       "initial_step": f'"{duration / 200:.9g} s"',
-                                       "min_step": f'"{max(duration * 1e-7, 1e-12):.9g} s"'} | (more or {})
+    settings = sizes(max(outer - inner, outer / 20)) | {"strain_per_step": 0.04} | time_settings(duration) | (more or {})
     text = 'case = "shell"\ngeometry = "axisymmetric"\n' + flow_material(viscosity, tension=tension)
     text += f'[glass]\nmaterial = "liquid"\n{mesh}' + quarter(inner, outer, (SYMMETRY, AIR, SYMMETRY, AIR))
     text += f'[[stage]]\nname = "blow"\nduration = "{duration:.12g} s"\npressure.inner = "{pressure:.9g} Pa"\n'
-    text += f'[output]\ninterval = "{duration:.9g} s"\n' + numerics(settings)
+    text += output(duration) + numerics(settings)
     return Scene(text, {"thickness.mean_mm": 1e3 * wall})
+
+
+def drop(radius=0.01, viscosity=1e4, tension=0.3, time=None):
+    """A sphere with surface tension at rest: it stays, and its volume and radius with it."""
+    time = time or 10 * viscosity * radius / tension
+    text = 'case = "drop"\ngeometry = "axisymmetric"\n' + flow_material(viscosity, tension=tension)
+    text += '[glass]\nmaterial = "liquid"\n' + quarter(0, radius, (SYMMETRY, AIR, SYMMETRY))
+    text += f'[[stage]]\nname = "rest"\nduration = "{time:.12g} s"\n'
+    text += output(time) + numerics(sizes(radius) | time_settings(time))
+    # What moves dissipates: a sphere that keeps its form does not.
+    energy = tension * 2 * math.pi * radius ** 2
+    return Scene(text, error=lambda summary: abs(summary["work"]["dissipation_J"]) / energy)
+
+
+def at_rest(gravity=9.81, density=2400.0, viscosity=1e2, radius=0.02, height=0.02, time=1.0, friction='"slip"', pressure=0.0):
+    """Glass that fills a cup, under gravity and pressure: it stays at rest and loses no work."""
+    text = 'case = "rest"\ngeometry = "axisymmetric"\n' + flow_material(viscosity, density)
+    text += '[glass]\nmaterial = "liquid"\n' + box(radius, 0, height, (CONTACT, CONTACT, AIR, SYMMETRY))
+    wall = 0.5 * radius
+    path = (f'(0, {-wall:.12g}) ({radius + wall:.12g}, {-wall:.12g}) ({radius + wall:.12g}, {2 * height:.12g}) ({radius:.12g}, {2 * height:.12g}) m')
+    text += f'[[tool]]\nname = "cup"\nfriction = {friction}\nboundary = [{{ name = "outside", path = "{path}", condition = {INSULATED} }}, '
+    text += f'{{ name = "inside", path = "({radius:.12g}, 0) (0, 0) m", condition = {CONTACT} }}, '
+    text += f'{{ name = "axis", path = "(0, {-wall:.12g}) m", condition = {SYMMETRY} }}]\n'
+    text += f'[[stage]]\nname = "rest"\nduration = "{time:.9g} s"\ngravity = "{-gravity:.9g} m/s2"\ntools = ["cup"]\n'
+    text += (f'pressure.top = "{pressure:.9g} Pa"\n' if pressure else "") + output(time) + numerics(sizes(height) | time_settings(time))
+    weight = density * math.pi * radius ** 2 * height * gravity + pressure * math.pi * radius ** 2
+    return Scene(text, error=lambda summary: abs(summary["work"]["dissipation_J"]) / (weight * height))
+
+
+def warmed(speed=1.0, viscosity=1e4, height=0.01, radius=0.02, share=0.1, start=1273.15):
+    """A disc of glass with heat pressed between plates without friction or heat: its work warms it."""
+    volume, duration = math.pi * radius ** 2 * height, share * height / speed
+    text = 'case = "warmed"\ngeometry = "axisymmetric"\n'
+    text += flow_material(viscosity, heat='heat_capacity = "1300 J/kg/K"\nconductivity = "1.3 W/m/K"\n')
+    text += material("iron", 7200, 490, 46)
+    text += disc(radius, height, f'temperature = "{start:.9g} K"\n')
+    text += plates(radius, height, [(duration, f'{{ offset = [["0 s", "0 m"], ["{duration:.12g} s", "{-share * height:.15g} m"]] }}')])
+    text = text.replace('friction = "slip"\n', f'friction = "slip"\nmaterial = "iron"\ntemperature = "{start:.9g} K"\n')
+    text += '[[interface]]\ntools = ["base", "ram"]\nlaw = "constant"\nh = "1e-3 W/m2/K"\n'
+    text += output(duration) + numerics(sizes(height) | time_settings(duration))
+    work = 3 * viscosity * volume * speed * (1 / ((1 - share) * height) - 1 / height)
+    return Scene(text, {"dissipation_J": work})

@@ -52,13 +52,6 @@ thermal::BodyView view_of(const Scene& scene, Index body, const core::Mesh& mesh
   return view;
 }
 
-/// Local error of a heat step, K: that of the accuracy, or less where all temperatures differ by little.
-double temperature_tolerance(const Scene& scene) {
-  constexpr double of_span = 2e-3;
-  const double span = temperature_range(scene).span(), tolerance = scene.accuracy.temperature_tolerance;
-  return span > 0 ? std::min(tolerance, of_span * span) : tolerance;
-}
-
 /// Local error of a step of IDA, as a fraction of that: where nothing moves it takes many small changes, whose errors
 /// add up, and costs little.
 constexpr double integrator_fraction = 0.2;
@@ -220,6 +213,12 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
 }
 
 }  // namespace
+
+double temperature_tolerance(const Scene& scene) {
+  constexpr double of_span = 2e-3;
+  const double span = temperature_range(scene).span(), tolerance = scene.accuracy.temperature_tolerance;
+  return span > 0 ? std::min(tolerance, of_span * span) : tolerance;
+}
 
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace) {

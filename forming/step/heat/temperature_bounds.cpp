@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/mesh/element.hpp"
+#include "forming/step/heat/heat_step.hpp"
 
 namespace parison::forming {
 
@@ -13,7 +14,7 @@ namespace {
 
 /// Follows how far temperatures inside a body go beyond those that its surface and its start have had.
 void update_bounds(const core::Mesh& mesh, const Eigen::VectorXd& temperature, double initial, double heating,
-                   TemperatureBounds& bounds) {
+                   double tolerance, double dt, TemperatureBounds& bounds) {
   if (temperature.size() == 0) return;
   if (bounds.hottest == 0) bounds.coldest = bounds.hottest = initial;
   for (const auto& edge : mesh.boundary_edges()) {
@@ -23,8 +24,8 @@ void update_bounds(const core::Mesh& mesh, const Eigen::VectorXd& temperature, d
       bounds.hottest = std::max(bounds.hottest, temperature[node]);
     }
   }
-  bounds.undershoot = std::max(bounds.undershoot, bounds.coldest - temperature.minCoeff());
-  bounds.overshoot = std::max(bounds.overshoot, temperature.maxCoeff() - bounds.hottest - heating);
+  bounds.undershoot += dt * std::max(0.0, bounds.coldest - temperature.minCoeff() - tolerance);
+  bounds.overshoot += dt * std::max(0.0, temperature.maxCoeff() - bounds.hottest - heating - tolerance);
 }
 
 /// By which the dissipation of a step can at most heat a point of the glass, K.
@@ -48,7 +49,7 @@ void update_temperature_bounds(const Scene& scene, const std::vector<double>& di
   if (!dissipation.empty()) state.totals.viscous_heating += viscous_heating(scene, state, dissipation, dt);
   for (Index b = 0; b < body_count(state); ++b)
     update_bounds(mesh_of(state, b), temperature_of(state, b), body_of(scene, b).initial_temperature,
-                  b == glass_body ? state.totals.viscous_heating : 0,
+                  b == glass_body ? state.totals.viscous_heating : 0, temperature_tolerance(scene), dt,
                   b == glass_body ? state.glass.bounds : state.tools[b - 1].bounds);
 }
 
