@@ -53,6 +53,7 @@ double active_time(const Scene& scene, Index tool) {
 }
 
 double perfect_contact(const Scene& scene, const Interface& interface) {
+  if (!scene.glass.thermal || !scene.tools[interface.tool].thermal) return std::numeric_limits<double>::infinity();
   const auto layer = [&](Index body, double edge) {
     const thermal::SkinSide side = skin_side(scene, body, edge);
     return thermal::perfect_conductance(side.conductivity, edge);

@@ -107,11 +107,13 @@ struct Totals {
   double max_edge_penetration = 0;  ///< the same of a point on an edge in contact, m
   double max_drift = 0;             ///< of the glass volume at any step, relative to the start, without sign
   double max_reynolds = 0;
-  double overshoot = 0;          ///< of any temperature above the hottest of the scene at any step, K
-  double viscous_heating = 0;    ///< by which dissipation can at most have heated a point of the glass, K
-  double capped_work = 0;        ///< dissipated where the glass should be stiffer than its viscosity is let be, J
-  double off_axis = 0;           ///< largest correction of nodes beyond the axis in a step, m
-  Index short_steps = 0;         ///< that were nearly as short as numerics.min_step
+  double overshoot = 0;        ///< of any temperature above the hottest of the scene at any step, K
+  double viscous_heating = 0;  ///< by which dissipation can at most have heated a point of the glass, K
+  double capped_work = 0;      ///< dissipated where the glass should be stiffer than its viscosity is let be, J
+  double sampled_work = 0;     ///< dissipated in the steps whose rate of deformation was compared with the recovered, J
+  double unresolved_work = 0;  ///< the part of it in the difference, J
+  double off_axis = 0;         ///< largest correction of nodes beyond the axis in a step, m
+  Index short_steps = 0;       ///< that were nearly as short as numerics.min_step
   double max_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative
   Work work;
   RemeshStatistics remeshing;

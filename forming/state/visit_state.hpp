@@ -101,6 +101,8 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("overshoot", totals.overshoot);
   visit("viscous_heating", totals.viscous_heating);
   visit("capped_work", totals.capped_work);
+  visit("sampled_work", totals.sampled_work);
+  visit("unresolved_work", totals.unresolved_work);
   visit("off_axis", totals.off_axis);
   visit("short_steps", totals.short_steps);
   visit("max_flux_mismatch", totals.max_flux_mismatch);

@@ -82,6 +82,13 @@ double excess_work(const Work& work) {
   return work.tools + work.gravity + work.air - lost(work) - work.surface;
 }
 
+/// Work, J, of a strain that nobody sees in the time of a stage: less is round-off of glass that nothing loads.
+double work_of_no_motion(const Scene& scene, const State& state) {
+  constexpr double unseen = 1e-4;
+  const double viscosity = scene.glass.flow->viscosity(scene.glass.initial_temperature);
+  return unseen * unseen * viscosity * state.glass.initial_volume / scene.stages[state.stage].duration;
+}
+
 }  // namespace
 
 double capped_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt) {
@@ -100,14 +107,15 @@ double capped_work(const Scene& scene, const State& start, const flow::Solution&
 }
 
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery) {
-  // Of what pressures could do: round-off of glass that they hold at rest is far below.
-  constexpr double negligible = 1e-3;
+  constexpr double negligible =
+      1e-3;  // of what pressures could do: glass that they hold at rest has round-off far below
   double pressure = 0;
   for (const auto& [name, value] : scene.stages[start.stage].pressure) pressure = std::max(pressure, std::abs(value));
   const double weight = start.glass.density * start.glass.initial_volume * std::abs(scene.stages[start.stage].gravity);
   const double measure =
       std::max({lost(after), std::abs(after.tools), std::abs(after.air), std::abs(after.gravity),
-                weight * core::size(scene.glass.profile), negligible * pressure * start.glass.initial_volume});
+                weight * core::size(scene.glass.profile), negligible * pressure * start.glass.initial_volume,
+                work_of_no_motion(scene, start)});
   const double truncation = excess_work(after) - excess_work(before) - recovery;
   return measure > 0 ? std::abs(truncation) / measure : 0;
 }
@@ -123,7 +131,7 @@ double least_loss(const Scene& scene, const State& state) {
     loads += state.glass.density * volume * std::abs(stage.gravity) * size;
     for (const auto& [name, pressure] : stage.pressure) loads += std::abs(pressure) * volume;
   }
-  return negligible * loads;
+  return negligible * loads + work_of_no_motion(scene, state);
 }
 
 double work_imbalance(const Work& work, double least_loss) {

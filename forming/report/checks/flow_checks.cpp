@@ -43,7 +43,13 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
                       "smaller numerics.strain_per_step helps"});
 }
 
-void add_mesh_checks(const Scene& scene, const RemeshStatistics& remeshing, Checks& checks) {
+void add_mesh_checks(const Scene& scene, const Totals& totals, Checks& checks) {
+  const RemeshStatistics& remeshing = totals.remeshing;
+  checks.push_back({"flow_resolution", totals.sampled_work > 0 ? totals.unresolved_work / totals.sampled_work : 0, 0.02,
+                    0.2, "%",
+                    "about so much of the work is dissipated by motion that the glass mesh does not resolve, and "
+                    "shapes, forces and times are wrong by up to as much; a "
+                    "smaller numerics.surface_size or mesh.size of the glass, or more numerics.elements_across helps"});
   checks.push_back({"failed_meshes", static_cast<double>(remeshing.failed), 1, no_limit, "",
                     "so many new glass meshes could not be made and the old ones stayed in use, as a rule next to thin "
                     "films or folds; a smaller numerics.surface_size may help"});
@@ -87,7 +93,7 @@ void add_flow_checks(const Scene& scene, const State& state, const RunFacts& fac
                     "forces and times are wrong by about as much; a higher accuracy or a smaller "
                     "numerics.strain_per_step helps"});
   add_shape_checks(scene, state, checks);
-  add_mesh_checks(scene, state.totals.remeshing, checks);
+  add_mesh_checks(scene, state.totals, checks);
   add_step_checks(scene, state, facts, checks);
 }
 
