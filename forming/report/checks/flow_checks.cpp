@@ -45,8 +45,8 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
 
 void add_mesh_checks(const Scene& scene, const Totals& totals, Checks& checks) {
   const RemeshStatistics& remeshing = totals.remeshing;
-  checks.push_back({"flow_resolution", totals.sampled_work > 0 ? totals.unresolved_work / totals.sampled_work : 0, 0.02,
-                    0.2, "%",
+  checks.push_back({"flow_resolution", totals.sampled_work > 0 ? totals.unresolved_work / totals.sampled_work : 0, 0.05,
+                    0.5, "%",
                     "about so much of the work is dissipated by motion that the glass mesh does not resolve, and "
                     "shapes, forces and times are wrong by up to as much; a "
                     "smaller numerics.surface_size or mesh.size of the glass, or more numerics.elements_across helps"});
