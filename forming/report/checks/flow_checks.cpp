@@ -43,10 +43,12 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
                       "smaller numerics.strain_per_step helps"});
 }
 
-void add_mesh_checks(const Scene& scene, const Totals& totals, Checks& checks) {
+void add_mesh_checks(const Scene& scene, const State& state, Checks& checks) {
+  const Totals& totals = state.totals;
   const RemeshStatistics& remeshing = totals.remeshing;
-  checks.push_back({"flow_resolution", totals.sampled_work > 0 ? totals.unresolved_work / totals.sampled_work : 0, 0.05,
-                    0.5, "%",
+  const double unresolved =
+      totals.sampled_work > 0 ? totals.unresolved_work / std::max(totals.sampled_work, least_loss(scene, state)) : 0;
+  checks.push_back({"flow_resolution", unresolved, 0.05, 0.5, "%",
                     "about so much of the work is dissipated by motion that the glass mesh does not resolve, and "
                     "shapes, forces and times are wrong by up to as much; a "
                     "smaller numerics.surface_size or mesh.size of the glass, or more numerics.elements_across helps"});
@@ -93,7 +95,7 @@ void add_flow_checks(const Scene& scene, const State& state, const RunFacts& fac
                     "forces and times are wrong by about as much; a higher accuracy or a smaller "
                     "numerics.strain_per_step helps"});
   add_shape_checks(scene, state, checks);
-  add_mesh_checks(scene, state.totals, checks);
+  add_mesh_checks(scene, state, checks);
   add_step_checks(scene, state, facts, checks);
 }
 
