@@ -259,7 +259,7 @@ void sample_resolution(const Scene& scene, const State& state, const flow::Solut
   const double work = dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
   const double error = remesh::rate_error(state.glass.mesh, scene.geometry, solution.velocity).relative();
   totals.sampled_work = state.totals.sampled_work + work;
-  totals.unresolved_work = state.totals.unresolved_work + error * error * work;
+  totals.unresolved_work = state.totals.unresolved_work + std::min(1.0, error * error) * work;
 }
 
 /// Viscous heat at the quadrature points, W: the dissipation without that of impacts and corrections, to which no
