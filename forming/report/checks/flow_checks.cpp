@@ -73,7 +73,7 @@ void add_step_checks(const Scene& scene, const State& state, const RunFacts& fac
                       "so many of all contacts were held closed although they pull, because the set of contacts "
                       "cycled: glass sticks there that should come off; a smaller numerics.surface_size or "
                       "numerics.max_step helps"});
-  checks.push_back({"step_collapse", static_cast<double>(totals.short_steps) / steps, 0.1, no_limit, "%",
+  checks.push_back({"step_collapse", static_cast<double>(totals.short_steps) / steps, 0.3, no_limit, "%",
                     fmt::format("so many of the steps were shorter than ten times numerics.min_step, {:g} s: the "
                                 "motion is faster there than any forming, as of a bursting film or of a tool that is "
                                 "not balanced; look at the last pictures",
