@@ -20,6 +20,14 @@ class TimeFunction {
   double min() const { return is_constant() ? constant_ : *std::min_element(over_time_.y.begin(), over_time_.y.end()); }
   double max() const { return is_constant() ? constant_ : *std::max_element(over_time_.y.begin(), over_time_.y.end()); }
 
+  /// The same, at most `limit`, where it exceeds it at its given times.
+  TimeFunction limited(double limit) const {
+    TimeFunction result = *this;
+    result.constant_ = std::min(constant_, limit);
+    for (double& y : result.over_time_.y) y = std::min(y, limit);
+    return result;
+  }
+
  private:
   bool is_constant() const { return over_time_.x.empty(); }
 

@@ -30,6 +30,10 @@ Number log_factor(const Carreau& law, const Number& squared_rate) {
 
 }  // namespace
 
+bool Viscosity::is_capped(double temperature) const {
+  return !constant && !(temperature > T0 && A + B / (temperature - T0) < max_log10);
+}
+
 double Viscosity::operator()(double temperature) const {
   return constant ? *constant : std::exp(log_viscosity(*this, temperature));
 }

@@ -13,6 +13,8 @@ struct Viscosity {
 
   /// eta, Pa.s, at a temperature in K.
   double operator()(double temperature) const;
+  /// Whether glass of a temperature should be stiffer than this law lets it be.
+  bool is_capped(double temperature) const;
   /// d eta / dT, Pa.s/K.
   double derivative(double temperature) const;
   /// d ln eta / dT, 1/K.

@@ -6,6 +6,7 @@
 
 #include "core/mesh/tolerances.hpp"
 #include "forming/remeshing/tool_corners.hpp"
+#include "forming/state/skin_size.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/sizing/recovery.hpp"
@@ -66,8 +67,12 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
   if (scene.has_heat())
     for (const auto& place : scene.stages[state.stage].tools) {
       const Eigen::VectorXd gaps = tool_gaps(scene, state, place.tool, contact_proximity);
+      double edge = accuracy.skin_size;
+      for (const Interface& interface : scene.interfaces)
+        if (interface.tool == place.tool) edge = glass_edge_at_tool(scene, interface, edge);
+      result.min_size = std::min(result.min_size, min_edge_fraction * edge);
       for (Index n = 0; n < mesh.node_count(); ++n)
-        if (gaps[n] < contact_proximity) result.target_skin_size[n] = accuracy.skin_size;
+        if (gaps[n] < contact_proximity) result.target_skin_size[n] = std::min(result.target_skin_size[n], edge);
     }
   result.min_film_thickness = scene.glass.film.min_thickness;
   result.max_cells = accuracy.max_cells;

@@ -11,6 +11,7 @@ void add_step(const StepReport& report, bool accepted, SolverStatistics& statist
   statistics.flow_factorisations += report.flow_factorisations;
   statistics.contact_changes += report.contact_changes;
   statistics.heat_substeps += report.heat_substeps;
+  statistics.contacts += report.contacts;
   statistics.locked_contacts += report.locked_contacts;
   statistics.max_coupling_iterations = std::max(statistics.max_coupling_iterations, report.coupling_iterations);
   statistics.max_flow_solves = std::max(statistics.max_flow_solves, report.flow_solves);

@@ -9,6 +9,7 @@ namespace parison::forming {
 /// Cost of the steps of a run. Sums include rejected steps, `limited_by` counts accepted ones only.
 struct SolverStatistics {
   long coupling_iterations = 0, flow_solves = 0, flow_factorisations = 0, contact_changes = 0, heat_substeps = 0;
+  long contacts = 0;         ///< active, summed over all steps
   long locked_contacts = 0;  ///< contacts, over all steps, that pulled but stayed closed
   Index max_coupling_iterations = 0, max_flow_solves = 0, max_contact_changes = 0,
         max_heat_substeps = 0;                         ///< in one step
@@ -25,6 +26,7 @@ void visit_statistics(Visitor visit, Counts& statistics) {
   visit("flow_factorisations", statistics.flow_factorisations);
   visit("contact_changes", statistics.contact_changes);
   visit("heat_substeps", statistics.heat_substeps);
+  visit("contacts", statistics.contacts);
   visit("locked_contacts", statistics.locked_contacts);
   visit("max_coupling_iterations_per_step", statistics.max_coupling_iterations);
   visit("max_flow_solves_per_step", statistics.max_flow_solves);

@@ -11,6 +11,7 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "core/mesh/element.hpp"
+#include "forming/report/checks/checks.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/summary_parts.hpp"
 #include "forming/state/fingerprint.hpp"
@@ -216,19 +217,31 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_numerics(json, scene.accuracy);
   add_balance(json, state, summary);
   add_work(json, state.totals.work);
-  json.add("max_work_imbalance", max_work_imbalance(summary.run));
+  json.add("max_work_imbalance", max_work_imbalance(scene, state, summary.run));
   add_solver_statistics(json, summary.run.solver_statistics);
   add_remeshing(json, state, summary);
   add_bodies(json, summary);
   add_stages(json, summary.run);
   add_cavities(json, scene, state);
   add_thickness(json, summary);
+  add_checks(json, summary.run.checks);
   if (bars) add_errors(json, *bars);
   if (bars && bars->control) add_control(json, *bars->control);
   add_quantities(json, summary.quantities);
   json.open_list("warnings");
   for (const std::string& warning : summary.run.warnings) json.add("", warning);
   return json.finish();
+}
+
+/// Leaves a file in a result folder that says so where its results are not trustworthy.
+void mark(const std::string& directory, const Checks& checks) {
+  const std::string path = directory + "/NOT_TRUSTWORTHY.txt";
+  if (trustworthy(checks)) {
+    std::filesystem::remove(path);
+    return;
+  }
+  core::replace_file(path, fmt::format("The results in this folder are not trustworthy.\n{}\n{}\n",
+                                       verdict_sentence(checks), fmt::join(complaints(checks), "\n")));
 }
 
 }  // namespace
@@ -255,6 +268,7 @@ Summary write_summary(const std::string& directory, const Scene& scene, const St
   const Summary summary = summarise(scene, state, run, profile);
   core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));
   write_thickness(directory + "/thickness.csv", profile.rows);
+  mark(directory, run.checks);
   return summary;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "forming/report/checks/check.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/quantities.hpp"
 #include "forming/report/solver_statistics.hpp"
@@ -34,6 +35,7 @@ struct RunFacts {
   double cpu_seconds = 0;                ///< of the whole process
   std::map<std::string, double> timing;  ///< s by part
   std::vector<std::string> warnings;
+  Checks checks;  ///< of the run's end
   std::vector<StageRecord> stages;
   SolverStatistics solver_statistics;
 };

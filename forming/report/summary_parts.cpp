@@ -59,9 +59,11 @@ void add_cavities(core::JsonWriter& json, const Scene& scene, const State& state
   json.close();
 }
 
-double max_work_imbalance(const RunFacts& run) {
+double max_work_imbalance(const Scene& scene, const State& state, const RunFacts& run) {
   double largest = std::numeric_limits<double>::quiet_NaN();
-  for (const StageRecord& stage : run.stages) largest = std::fmax(largest, std::abs(work_imbalance(stage.work)));
+  if (!scene.has_flow()) return largest;
+  const double least = least_loss(scene, state);
+  for (const StageRecord& stage : run.stages) largest = std::fmax(largest, std::abs(work_imbalance(stage.work, least)));
   return largest;
 }
 

@@ -14,7 +14,7 @@ void add_work(core::JsonWriter& json, const Work& work);
 /// The sealed cavities of a state, where a stage of the scene seals any.
 void add_cavities(core::JsonWriter& json, const Scene& scene, const State& state);
 
-/// Imbalance of the work at any stage's end, without sign; NaN where nothing was lost.
-double max_work_imbalance(const RunFacts& run);
+/// Imbalance of the work at any stage's end, without sign; NaN where nothing flows.
+double max_work_imbalance(const Scene& scene, const State& state, const RunFacts& run);
 
 }  // namespace parison::forming

@@ -93,7 +93,8 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
   text += cavity_line(scene, state);
   text += line("wall time", fmt::format("{:.1f} s", summary.run.wall_seconds));
   for (const std::string& warning : summary.run.warnings) text += line("warning", warning);
-  return text;
+  for (const std::string& complaint : complaints(summary.run.checks)) text += line("check", complaint);
+  return text + line("verdict", verdict_sentence(summary.run.checks));
 }
 
 std::string percent_line(const char* label, double fraction) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/process/run_error.hpp"
+#include "forming/report/checks/checks.hpp"
 #include "forming/run/run_in_progress.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/run/step_loop.hpp"
@@ -78,7 +79,8 @@ RunOutcome finish(RunInProgress& run, const Work& from_here) {
   }
   const std::string& stage = run.scene.stages[state.stage].name;
   facts.reason = facts.completed ? "" : fmt::format("stage {} at {:.5f} s: {}", stage, state.time, facts.reason);
-  add_warnings(accuracy_warnings(run.scene, state, facts), facts);
+  add_warnings(remeshing_warnings(state), facts);
+  facts.checks = checks(run.scene, state, facts);
   if (facts.completed) add_warnings(unused_interface_warnings(run.scene, state), facts);
   notify(run, &RunObserver::run_ends);
   return std::move(run.outcome);

@@ -15,8 +15,8 @@ using Warnings = std::vector<std::string>;
 /// Of tools that were to come to rest in the present stage, which ended by its duration before they did.
 Warnings moving_tool_warnings(const Scene& scene, const State& state);
 
-/// Of what makes the results of a run less accurate than they look: neglected inertia, remeshes, balances, overshoots.
-Warnings accuracy_warnings(const Scene& scene, const State& state, const RunFacts& facts);
+/// Of folds and torn pieces of the glass: what the container would show.
+Warnings remeshing_warnings(const State& state);
 
 /// Of interfaces that exchanged no heat in the whole run; bodies that start at the same temperature are skipped.
 Warnings unused_interface_warnings(const Scene& scene, const State& state);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/tolerances.hpp"
+#include "forming/state/skin_size.hpp"
 #include "remesh/mesher/mesh_profile.hpp"
 #include "thermal/problem.hpp"
 
@@ -12,20 +13,31 @@ namespace parison::forming {
 
 namespace {
 
-core::Mesh mesh_without_kinds(const Body& body, double size, double contact_size, double growth) {
-  if (const auto& mapped = body.mesh.mapped)
-    return remesh::mesh_mapped(body.profile, mapped->along_first, mapped->along_second, mapped->ratio_first,
-                               mapped->ratio_second);
+/// Sizes of a body's first mesh, m: at the boundaries that have a skin the edge that resolves it.
+remesh::ProfileSizes first_sizes(const Scene& scene, Index index, double size, double contact_size, double growth) {
+  const Body& body = body_of(scene, index);
   remesh::ProfileSizes sizes;
   sizes.size = body.mesh.size.value_or(size);
-  sizes.contact_size = body.mesh.contact_size.value_or(contact_size);
   sizes.growth = body.mesh.growth.value_or(growth);
   sizes.fine_boundaries = contact_boundaries(body);
-  return remesh::mesh_profile(body.profile, sizes);
+  double edge = contact_edge(scene, index, contact_size);
+  for (std::size_t b = 0; b < body.boundaries.size(); ++b) {
+    const double wanted = sizes.fine_boundaries[b] ? contact_size : sizes.size;
+    const double needed = surroundings_edge(scene, index, b, wanted);
+    if (needed >= wanted) continue;
+    sizes.fine_boundaries[b] = true;
+    edge = std::min(edge, needed);
+  }
+  sizes.contact_size = body.mesh.contact_size.value_or(edge);
+  return sizes;
 }
 
-core::Mesh mesh_of(const Body& body, double size, double contact_size, double growth) {
-  core::Mesh mesh = mesh_without_kinds(body, size, contact_size, growth);
+core::Mesh mesh_of(const Scene& scene, Index index, double size, double contact_size, double growth) {
+  const Body& body = body_of(scene, index);
+  const auto& mapped = body.mesh.mapped;
+  core::Mesh mesh = mapped ? remesh::mesh_mapped(body.profile, mapped->along_first, mapped->along_second,
+                                                 mapped->ratio_first, mapped->ratio_second)
+                           : remesh::mesh_profile(body.profile, first_sizes(scene, index, size, contact_size, growth));
   for (std::size_t i = 0; i < body.boundaries.size(); ++i) mesh.edit().boundaries[i].kind = body.boundaries[i].kind;
   return mesh;
 }
@@ -54,8 +66,9 @@ GlassState initial_glass(const Scene& scene) {
   const Accuracy& accuracy = scene.accuracy;
   GlassState glass;
   const double factor = edge_factor(scene);
-  glass.mesh = mesh_of(scene.glass, inner_glass_size * factor * accuracy.surface_size,
-                       scene.has_flow() ? accuracy.surface_size : factor * accuracy.skin_size, accuracy.glass_growth);
+  const double wanted = scene.has_flow() ? accuracy.surface_size : factor * accuracy.skin_size;
+  glass.mesh =
+      mesh_of(scene, glass_body, inner_glass_size * factor * accuracy.surface_size, wanted, accuracy.glass_growth);
   for_each_glass_field([&](const auto& field) {
     if (!exists(scene, field.needs)) return;
     const auto size = field.components * place_count(field.location, glass.mesh);
@@ -69,11 +82,12 @@ GlassState initial_glass(const Scene& scene) {
   return glass;
 }
 
-ToolState initial_tool(const Scene& scene, const Tool& tool) {
+ToolState initial_tool(const Scene& scene, Index index) {
+  const Tool& tool = scene.tools[index];
   const Accuracy& accuracy = scene.accuracy;
   ToolState state;
   const double factor = edge_factor(scene);
-  state.mesh = mesh_of(tool, core::tolerance::tool_edge * core::size(scene.glass.profile),
+  state.mesh = mesh_of(scene, body_of_tool(index), core::tolerance::tool_edge * core::size(scene.glass.profile),
                        factor * accuracy.tool_contact_size, accuracy.tool_growth);
   if (tool.thermal) state.temperature.setConstant(state.mesh.node_count(), tool.initial_temperature);
   state.offset = tool.position;
@@ -98,7 +112,8 @@ double glass_heat(const Scene& scene, const State& state) {
 State initial_state(const Scene& scene) {
   State state;
   state.glass = initial_glass(scene);
-  for (const Tool& tool : scene.tools) state.tools.push_back(initial_tool(scene, tool));
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+    state.tools.push_back(initial_tool(scene, static_cast<Index>(i)));
   for (const auto& probe : scene.probes) state.probes.push_back(probe.point);
   if (scene.has_heat()) state.glass.initial_heat = glass_heat(scene, state);
   return state;

@@ -20,6 +20,13 @@ struct ActiveContacts {
   std::vector<Point> normal;  ///< unit, from the tool into the glass
 };
 
+/// Temperatures of a body's surface and start, beyond which none inside can go but by viscous heat (maximum principle),
+/// and how far those of the mesh did.
+struct TemperatureBounds {
+  double coldest = 0, hottest = 0;       ///< K; both 0 before the first step with heat
+  double undershoot = 0, overshoot = 0;  ///< of the node furthest beyond, integral over time, K s
+};
+
 /// The glass at an instant; its mesh moves with it.
 struct GlassState : GlassFields {
   core::Mesh mesh;
@@ -28,6 +35,20 @@ struct GlassState : GlassFields {
   double initial_volume = 0;      ///< m3
   double initial_heat = 0;        ///< heat content at the start, J
   ActiveContacts active_contacts;
+  TemperatureBounds bounds;
+};
+
+/// The thermal contact of the glass with a tool that goes on, and what the contacts before it left: by these the run
+/// knows how well its meshes resolve the skin.
+struct ContactSkin {
+  double area_time = 0;    ///< integral of the area over time, m2 s; the next three are means when divided by it
+  double conductance = 0;  ///< of h, W s/K
+  double glass_cell = 0;   ///< of the height of the glass's cells at the surface, m3 s
+  double tool_cell = 0;    ///< of that of the tool's cells, m3 s
+  double peak_area = 0;    ///< m2
+  double heat = 0;         ///< into the tool in this contact, J
+  double wrong = 0;        ///< estimated error of the heat of earlier contacts, without sign, J
+  double exchanged = 0;    ///< heat of all contacts without sign, J
 };
 
 /// A tool at an instant; it keeps its mesh and moves by `offset`.
@@ -41,6 +62,8 @@ struct ToolState {
   double peak_force = 0;               ///< largest so far without sign while a force drove it or it moved, N
   double heat_received = 0;            ///< through interfaces since the start, J
   double max_surface_temperature = 0;  ///< highest temperature so far on its contact boundaries, K
+  ContactSkin skin;
+  TemperatureBounds bounds;
 };
 
 /// Why the glass was given a new mesh, and the names of these reasons.
@@ -85,7 +108,13 @@ struct Totals {
   double max_edge_penetration = 0;  ///< the same of a point on an edge in contact, m
   double max_drift = 0;             ///< of the glass volume at any step, relative to the start, without sign
   double max_reynolds = 0;
-  double overshoot = 0;          ///< of any temperature above the hottest of the scene at any step, K
+  double overshoot = 0;        ///< of any temperature above the hottest of the scene at any step, K
+  double viscous_heating = 0;  ///< by which dissipation can at most have heated a point of the glass, K
+  double capped_work = 0;      ///< dissipated where the glass should be stiffer than its viscosity is let be, J
+  double sampled_work = 0;     ///< dissipated in the steps whose rate of deformation was compared with the recovered, J
+  double unresolved_work = 0;  ///< the part of it in the difference, J
+  double off_axis = 0;         ///< largest correction of nodes beyond the axis in a step, m
+  Index short_steps = 0;       ///< that were nearly as short as numerics.min_step
   double max_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative
   Work work;
   RemeshStatistics remeshing;

@@ -6,6 +6,26 @@
 
 namespace parison::forming {
 
+template <typename Visitor, typename Skin>
+void visit_skin(Visitor visit, Skin& skin) {
+  visit("area_time", skin.area_time);
+  visit("conductance", skin.conductance);
+  visit("glass_cell", skin.glass_cell);
+  visit("tool_cell", skin.tool_cell);
+  visit("peak_area", skin.peak_area);
+  visit("heat", skin.heat);
+  visit("wrong", skin.wrong);
+  visit("exchanged", skin.exchanged);
+}
+
+template <typename Visitor, typename Bounds>
+void visit_bounds(Visitor visit, Bounds& bounds) {
+  visit("coldest", bounds.coldest);
+  visit("hottest", bounds.hottest);
+  visit("undershoot", bounds.undershoot);
+  visit("overshoot", bounds.overshoot);
+}
+
 /// Lists every value of a state with its name: one list serves writing, reading and comparing. A visitor takes a name
 /// and a value, and gives a visitor for a named part.
 template <typename Visitor, typename Tool>
@@ -19,6 +39,8 @@ void visit_tool(Visitor visit, Tool& tool) {
   visit("peak_force", tool.peak_force);
   visit("heat_received", tool.heat_received);
   visit("max_surface_temperature", tool.max_surface_temperature);
+  visit_skin(visit.part("skin"), tool.skin);
+  visit_bounds(visit.part("bounds"), tool.bounds);
 }
 
 template <typename Visitor, typename Glass>
@@ -32,6 +54,7 @@ void visit_glass(Visitor visit, Glass& glass) {
   visit("active_contact_node", glass.active_contacts.node);
   visit("active_contact_tool", glass.active_contacts.tool);
   visit("active_contact_normal", glass.active_contacts.normal);
+  visit_bounds(visit.part("bounds"), glass.bounds);
 }
 
 template <typename Visitor, typename Statistics>
@@ -77,6 +100,12 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("max_drift", totals.max_drift);
   visit("max_reynolds", totals.max_reynolds);
   visit("overshoot", totals.overshoot);
+  visit("viscous_heating", totals.viscous_heating);
+  visit("capped_work", totals.capped_work);
+  visit("sampled_work", totals.sampled_work);
+  visit("unresolved_work", totals.unresolved_work);
+  visit("off_axis", totals.off_axis);
+  visit("short_steps", totals.short_steps);
   visit("max_flux_mismatch", totals.max_flux_mismatch);
   visit_work(visit.part("work"), totals.work);
   visit_remeshing(visit.part("remeshing"), totals.remeshing);

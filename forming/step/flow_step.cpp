@@ -19,6 +19,7 @@
 #include "forming/step/step_control.hpp"
 #include "forming/step/volume_conservation.hpp"
 #include "forming/step/work.hpp"
+#include "remesh/sizing/recovery.hpp"
 
 namespace parison::forming {
 
@@ -245,6 +246,7 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
   store_flow(start.scene, pass, start.dt, result.state);
   // Glass that lands or leaves makes it another problem, and the pressure of trapped air is of another step.
   if (start.air || result.state.glass.contact_tool != touched) predictor.iteration.forget();
+  result.report.contacts = static_cast<Index>(result.state.glass.active_contacts.node.size());
   if (start.air) store_air(start, pass.solution, result.state);
   result.report.strain = pass.solution.high_rate * start.dt;
   result.report.predictor_corrector_difference =
@@ -254,6 +256,18 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
   predictor.velocity = predictor.iteration.next(predictor.velocity, result.state.glass.velocity);
   predictor.trusted = true;
   return std::move(pass.solution);
+}
+
+/// Compares, in one of some steps, the rate of deformation with the recovered one: the square of the relative
+/// difference is the share of the dissipation that the mesh does not resolve (Zienkiewicz and Zhu 1992).
+void sample_resolution(const Scene& scene, const State& state, const flow::Solution& solution, double dt,
+                       Totals& totals) {
+  constexpr Index every = 10;
+  if (state.totals.steps % every != 0) return;
+  const double work = dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
+  const double error = remesh::rate_error(state.glass.mesh, scene.geometry, solution.velocity).relative();
+  totals.sampled_work = state.totals.sampled_work + work;
+  totals.unresolved_work = state.totals.unresolved_work + std::min(1.0, error * error) * work;
 }
 
 /// Viscous heat at the quadrature points, W: the dissipation without that of impacts and corrections, to which no
@@ -302,6 +316,8 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
   }
   auto& totals = result.state.totals;
   totals.max_reynolds = std::max(totals.max_reynolds, reynolds(start, *solution));
+  sample_resolution(scene, state, *solution, dt, totals);
+  totals.capped_work = state.totals.capped_work + capped_work(scene, state, *solution, dt);
   result.dissipation = heating(std::move(*solution));
   move_glass_probes(scene, state.glass.mesh, result.state.glass.velocity, dt, result.state);
   return true;

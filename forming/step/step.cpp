@@ -19,9 +19,13 @@ namespace parison::forming {
 
 namespace {
 
-void move_nodes(core::Geometry geometry, const Eigen::VectorXd& velocity, double dt, core::Mesh& mesh) {
+/// Times numerics.min_step: a step below counts as collapsed.
+constexpr double short_step = 10;
+
+/// Gives how far the furthest node went beyond the axis, m; it is put back.
+double move_nodes(core::Geometry geometry, const Eigen::VectorXd& velocity, double dt, core::Mesh& mesh) {
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
-  keep_beside_axis(geometry, mesh);
+  return keep_beside_axis(geometry, mesh);
 }
 
 /// Velocities of tools that move by position where nothing flows.
@@ -33,7 +37,9 @@ void store_tool_velocities(const Scene& scene, double dt, State& state) {
 
 /// Moves the glass and the active tools with their velocities.
 void move_bodies(const Scene& scene, double dt, State& state) {
-  if (scene.has_flow()) move_nodes(scene.geometry, state.glass.velocity, dt, state.glass.mesh);
+  if (scene.has_flow())
+    state.totals.off_axis =
+        std::max(state.totals.off_axis, move_nodes(scene.geometry, state.glass.velocity, dt, state.glass.mesh));
   for (const auto& tool : scene.stages[state.stage].tools) {
     auto& body = state.tools[tool.tool];
     body.offset += dt * body.velocity;
@@ -110,6 +116,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   after.time += dt;
   after.stage_time += dt;
   ++after.totals.steps;
+  if (dt < short_step * scene.accuracy.min_step) ++after.totals.short_steps;
   after.totals.clamped_lookups = workspace.clamped_lookups;
   if (!workspace.static_stage) {
     after.totals.max_penetration = std::max(after.totals.max_penetration, max_penetration(scene, after));

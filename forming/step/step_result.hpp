@@ -20,6 +20,7 @@ struct StepReport {
   double dt = 0;
   Index coupling_iterations = 0, flow_solves = 0, flow_factorisations = 0, contact_changes = 0,
         heat_substeps = 0;    ///< in all coupling iterations
+  Index contacts = 0;         ///< active, in the last coupling iteration
   Index locked_contacts = 0;  ///< that pull but stay closed, in the last coupling iteration
   StepLimit limit = StepLimit::initial;
   double temperature_change = 0;              ///< largest of the glass surface, K

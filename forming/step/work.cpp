@@ -82,20 +82,67 @@ double excess_work(const Work& work) {
   return work.tools + work.gravity + work.air - lost(work) - work.surface;
 }
 
+/// Work, J, of a strain that nobody sees in the time of a stage: less is round-off of glass that nothing loads.
+double work_of_no_motion(const Scene& scene, const State& state) {
+  constexpr double unseen = 1e-4;
+  const double viscosity = scene.glass.flow->viscosity(scene.glass.initial_temperature);
+  return unseen * unseen * viscosity * state.glass.initial_volume / scene.stages[state.stage].duration;
+}
+
 }  // namespace
+
+double capped_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt) {
+  const flow::Viscosity& viscosity = scene.glass.flow->viscosity;
+  const Eigen::VectorXd& temperature = start.glass.temperature;
+  const auto capped = [&](Index node) {
+    return viscosity.is_capped(temperature.size() > 0 ? temperature[node] : scene.glass.initial_temperature);
+  };
+  const auto& cells = start.glass.mesh.cells();
+  const std::size_t points = flow.dissipation.size() / cells.size();
+  double power = 0;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    if (capped(cells[cell][0]) && capped(cells[cell][1]) && capped(cells[cell][2]))
+      for (std::size_t q = 0; q < points; ++q) power += flow.dissipation[cell * points + q];
+  return dt * power;
+}
 
 /// Steps of which each may have an error in proportion to its own loss; the least share of the whole that counts. A
 /// film that bursts takes many steps, each with little of the work and half of that wrong.
 constexpr double usual_steps = 400, least_share = 0.1;
 
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery) {
+  constexpr double negligible =
+      1e-3;  // of what pressures could do: glass that they hold at rest has round-off far below
+  double pressure = 0;
+  for (const auto& [name, value] : scene.stages[start.stage].pressure) pressure = std::max(pressure, std::abs(value));
   const double weight = start.glass.density * start.glass.initial_volume * std::abs(scene.stages[start.stage].gravity);
-  const double measure = std::max({lost(after), std::abs(after.tools), std::abs(after.air), std::abs(after.gravity),
-                                   weight * core::size(scene.glass.profile)});
+  const double measure =
+      std::max({lost(after), std::abs(after.tools), std::abs(after.air), std::abs(after.gravity),
+                weight * core::size(scene.glass.profile), negligible * pressure * start.glass.initial_volume,
+                work_of_no_motion(scene, start)});
   const double truncation = excess_work(after) - excess_work(before) - recovery;
   const double own = usual_steps * (lost(after) - lost(before));
   const double counted = std::min(measure, std::max(own, least_share * measure));
   return counted > 0 ? std::abs(truncation) / counted : 0;
+}
+
+double least_loss(const Scene& scene, const State& state) {
+  constexpr double negligible = 1e-6;
+  const double size = core::size(scene.glass.profile), volume = state.glass.initial_volume;
+  const Work& work = state.totals.work;
+  double loads = std::abs(work.tools) + std::abs(work.air) + std::abs(work.gravity) +
+                 scene.glass.flow->surface_tension * volume / size;
+  for (Index s = 0; s <= state.stage; ++s) {
+    const Stage& stage = scene.stages[s];
+    loads += state.glass.density * volume * std::abs(stage.gravity) * size;
+    for (const auto& [name, pressure] : stage.pressure) loads += std::abs(pressure) * volume;
+  }
+  return negligible * loads + work_of_no_motion(scene, state);
+}
+
+double work_imbalance(const Work& work, double least_loss) {
+  const double excess = excess_work(work), measure = std::max(lost(work), least_loss);
+  return excess == 0 ? 0 : excess / measure;
 }
 
 double work_imbalance(const Work& work) {

@@ -11,6 +11,9 @@ namespace parison::forming {
 /// independently of the flow equations, so that the balance tests them.
 void accumulate_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work);
 
+/// The work, J, that a step of such a length and flow dissipates where the viscosity is at its cap.
+double capped_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt);
+
 /// The work of a step that is neither lost nor stored in the surface nor `recovery`, J, which takes penetrated nodes
 /// out of tools, over the greatest of all that was lost until `after` or done by tools, air and gravity: the truncation
 /// error of the step. Where nearly nothing was lost yet, the glass sinking by its own size is the measure. A step that
@@ -18,8 +21,15 @@ void accumulate_work(const Scene& scene, const State& start, const flow::Solutio
 /// least.
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery);
 
+/// Least loss, J, that an imbalance is taken relative to: a share of what the loads of the present stage and those
+/// before it could do. Less is what round-off does to glass at rest.
+double least_loss(const Scene& scene, const State& state);
+
 /// Work done on the glass that is neither lost nor stored in its surface, relative to what was lost; NaN where nothing
 /// was.
 double work_imbalance(const Work& work);
+
+/// The same, relative to `least_loss`, J, where less was lost.
+double work_imbalance(const Work& work, double least_loss);
 
 }  // namespace parison::forming

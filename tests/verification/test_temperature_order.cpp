@@ -55,7 +55,7 @@ double deviation(Index across, Index along) {
 
 /// On flat cells linear triangles disturb a one-dimensional field across the cells: both directions are refined.
 TEST(TemperatureOrder, linear_temperatures_of_the_contact_cylinders_converge_to_within_a_tenth_of_a_kelvin) {
-  const double coarse = deviation(40, 48), finer = deviation(80, 96), finest = deviation(160, 96);
+  const double coarse = deviation(40, 48), finer = deviation(80, 96), finest = deviation(160, 128);
   std::printf("linear temperatures: worst deviation %.4f, %.4f, %.4f K\n", coarse, finer, finest);
   EXPECT_GT(std::log2(coarse / finer), 1.7);
   tests::expect_at_most("glass on steel with linear temperatures, finest of three meshes: off by", finest, 0.1, "K");

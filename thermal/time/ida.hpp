@@ -11,7 +11,7 @@ namespace parison::thermal {
 
 /// Error control of IDA.
 struct IdaOptions {
-  double tolerance = 0.01;  ///< local error of a step, root mean square over the nodes, K
+  double tolerance = 0.01;  ///< local error of a step, the largest of any node, K
 };
 
 /// Result of a call; without convergence only `reason` is set.

@@ -41,6 +41,7 @@ void add_run(CLI::App& app, Command& chosen) {
   auto* command = add_command(app, "run", "run a case", chosen, request, run);
   add_case_options(*command, *request);
   command->add_option("--output", request->output, "new folder for the results [results/NAME]");
+  command->add_flag("--keep-going", request->keep_going, "exit code 0 also where the results are not trustworthy");
   command->add_flag("--error-bars", request->error_bars, "estimate the error of each result by two coarser runs");
 }
 
@@ -49,6 +50,7 @@ void add_resume(CLI::App& app, Command& chosen) {
   auto* command = add_command(app, "resume", "continue a run from its last checkpoint", chosen, request, resume);
   command->add_option("results", request->output, "folder with the results of the run")->required();
   command->add_option("--case", request->case_path, "the case, where it has moved")->transform(find_case);
+  command->add_flag("--keep-going", request->keep_going, "exit code 0 also where the results are not trustworthy");
   command->add_flag("--error-bars", request->error_bars, "as for run; also for a run that has completed");
 }
 

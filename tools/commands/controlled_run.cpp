@@ -46,7 +46,7 @@ std::string heading(const AccuracyControl& control) {
   return text + "\n";
 }
 
-int report(const Attempt& last, const AccuracyControl& control, const std::string& output) {
+int report(const Attempt& last, const AccuracyControl& control, const RunRequest& request, const std::string& output) {
   forming::Summary summary = last.summary;
   fmt::print("\n{}", summary_table(last.scene, last.outcome.state, summary));
   if (!last.outcome.facts.completed) {
@@ -57,7 +57,7 @@ int report(const Attempt& last, const AccuracyControl& control, const std::strin
   bars.control = control.record();
   add_error_bars(output, last.scene, last.outcome.state, bars, summary);
   fmt::print("{}", error_table(bars));
-  return bars.control->reached() ? 0 : run_failed;
+  return bars.control->reached() ? code_of(last.outcome.facts, request.keep_going) : run_failed;
 }
 
 }  // namespace
@@ -73,9 +73,9 @@ int run_to_accuracy(const RunRequest& request, double target) {
     std::fflush(stdout);
     const Attempt now = attempt(request, control, output);
     const bool completed = now.outcome.facts.completed;
-    if (now.outcome.facts.stopped) return report(now, control, output);
+    if (now.outcome.facts.stopped) return report(now, control, request, output);
     control.add(completed ? std::optional(now.summary.quantities) : std::nullopt, now.outcome.facts.cpu_seconds);
-    if (control.finished()) return report(now, control, output);
+    if (control.finished()) return report(now, control, request, output);
     std::filesystem::remove_all(output);  // made by this command; a finer run takes its place
   }
 }

@@ -60,7 +60,8 @@ int report_errors(const Scene& scene, const RunOutcome& outcome, const std::stri
 }
 
 /// Writes the summary of a run and prints how it ended; its coarser runs are null where no error bars are wanted.
-int report(const Scene& scene, const RunOutcome& outcome, const std::string& output, CoarseRuns* coarser) {
+int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& request, const std::string& output,
+           CoarseRuns* coarser) {
   const auto& facts = outcome.facts;
   if (!facts.completed) fmt::print(stderr, "parison: the run stopped in {}\n", facts.reason);
   auto summary = forming::write_summary(output, scene, outcome.state, facts);
@@ -71,10 +72,15 @@ int report(const Scene& scene, const RunOutcome& outcome, const std::string& out
   std::fflush(stdout);
   if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
   if (!facts.completed) return run_failed;
-  return coarser ? report_errors(scene, outcome, output, *coarser, summary) : 0;
+  const int code = coarser ? report_errors(scene, outcome, output, *coarser, summary) : 0;
+  return code != 0 ? code : code_of(facts, request.keep_going);
 }
 
 }  // namespace
+
+int code_of(const forming::RunFacts& facts, bool keep_going) {
+  return forming::trustworthy(facts.checks) || keep_going ? 0 : not_trustworthy;
+}
 
 int check(const RunRequest& request) {
   const Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
@@ -99,7 +105,7 @@ int run(const RunRequest& request) {
   forming::Observers observers{&console};
   if (request.error_bars) observers.push_back(&coarser);
   const RunOutcome outcome = forming::run_in_folder(scene, output, observers, stop_requested);
-  return report(scene, outcome, output, request.error_bars ? &coarser : nullptr);
+  return report(scene, outcome, request, output, request.error_bars ? &coarser : nullptr);
 }
 
 int resume(const RunRequest& request) {
@@ -118,7 +124,7 @@ int resume(const RunRequest& request) {
   Console console;
   CoarseRuns coarser(forming::coarse_cases(scene, output));
   const RunOutcome outcome = forming::resume_in_folder(scene, output, {&console}, stop_requested);
-  return report(scene, outcome, output, request.error_bars ? &coarser : nullptr);
+  return report(scene, outcome, request, output, request.error_bars ? &coarser : nullptr);
 }
 
 }  // namespace parison::tools

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "forming/report/summary.hpp"
+
 namespace parison::tools {
 
 /// What `parison run`, `parison check` and `parison resume` are asked for.
@@ -12,10 +14,14 @@ struct RunRequest {
   std::vector<std::string> overrides;
   std::string output;  ///< result folder; run: empty for results/NAME
   bool error_bars = false;
+  bool keep_going = false;  ///< exit code 0 also where the results are not trustworthy
 };
 
 /// Prints what a case needs. Like the others here it returns the exit code of the program.
 int check(const RunRequest& request);
+
+/// Exit code of a run that completed, by its checks.
+int code_of(const forming::RunFacts& facts, bool keep_going);
 
 /// Runs a case into a new folder.
 int run(const RunRequest& request);

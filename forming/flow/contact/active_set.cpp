@@ -21,6 +21,13 @@ constexpr int max_reversals = 3;
 /// the matrix singular where all contacts slide.
 constexpr double min_stiffness_ratio = 1e-3;
 
+/// Viscous force of speeds that count as round-off, N: glass that nothing loads has such contact forces of either sign.
+double round_off_force(const Problem& problem) {
+  const double size = core::size(*problem.mesh), speed = core::tolerance::round_off_speed * size;
+  const double hottest = problem.temperature && problem.temperature->size() > 0 ? problem.temperature->maxCoeff() : 0;
+  return problem.material->viscosity(hottest) * speed * size;
+}
+
 }  // namespace
 
 std::vector<bool> initial_active_set(const Problem& problem, const std::vector<bool>& guess) {
@@ -33,7 +40,7 @@ std::vector<bool> initial_active_set(const Problem& problem, const std::vector<b
 ActiveSetChange update_active_set(const Problem& problem, const Response& response, std::vector<bool>& active,
                                   std::vector<int>& releases) {
   const Eigen::VectorXd lumped = lumped_forces(problem, active, response.forces.normal);
-  const double force_noise = 1e-6 * response.forces.normal.lpNorm<Eigen::Infinity>();
+  const double force_noise = 1e-6 * response.forces.normal.lpNorm<Eigen::Infinity>() + round_off_force(problem);
   const double speed_noise = 1e-9 * response.unknowns.head(dim * problem.mesh->node_count()).lpNorm<Eigen::Infinity>() +
                              core::tolerance::round_off_speed * core::size(*problem.mesh);
   const Point axis = core::axis_direction();

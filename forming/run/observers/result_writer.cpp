@@ -18,8 +18,8 @@ void ResultWriter::run_begins(const RunView& run) {
     files_.emplace(run.scene, directory_);
 }
 
-void ResultWriter::step_taken(const RunView& run, const State&, const StepReport& report) {
-  files_->row(history_row(run.scene, run.state, report));
+void ResultWriter::step_taken(const RunView& run, const State& before, const StepReport& report) {
+  files_->row(history_row(run.scene, before, run.state, report));
 }
 
 void ResultWriter::fields_due(const RunView& run, const State& at) {

@@ -31,6 +31,9 @@ void require_order(const CaseTable& table, const char* low_key, double low, cons
                            high, low_key, high_key));
 }
 
+/// More change nothing: each brings flow and heat of a step closer together.
+constexpr int max_passes = 20;
+
 }  // namespace
 
 void read_numerics(const CaseNode& node, Scene& scene) {
@@ -42,7 +45,11 @@ void read_numerics(const CaseNode& node, Scene& scene) {
     if (const auto* item = table.find(key)) scene.accuracy_origin[key] = item->line > 0 ? "case" : item->file;
   for (const Setting& setting : settings())
     if (const auto* item = table.find(setting.key)) accuracy.*setting.value = read_setting(*item, setting);
-  if (const auto* item = table.find("passes")) accuracy.passes = core::count(*item);
+  if (const auto* item = table.find("passes")) {
+    accuracy.passes = core::count(*item);
+    if (accuracy.passes > max_passes)
+      core::refuse(*item, fmt::format("{} was found, allowed are up to {}", accuracy.passes, max_passes));
+  }
   if (const auto* item = table.find("temperature_order")) {
     accuracy.temperature_order = core::count(*item);
     if (accuracy.temperature_order > 2)

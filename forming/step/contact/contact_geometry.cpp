@@ -264,10 +264,14 @@ Eigen::VectorXd tool_gaps(const Scene& scene, const State& state, Index tool, do
   return tool_gaps(scene, state, contact_nodes(state.glass.mesh), tool, reach);
 }
 
-void keep_beside_axis(core::Geometry geometry, core::Mesh& mesh) {
-  if (geometry == core::Geometry::planar) return;
+double keep_beside_axis(core::Geometry geometry, core::Mesh& mesh) {
+  if (geometry == core::Geometry::planar) return 0;
+  double furthest = 0;
   for (Point& x : mesh.nodes)
-    if (x[0] < 0) x[0] = 0;
+    if (x[0] < 0) {
+      furthest = std::max(furthest, -x[0]);
+      x[0] = 0;
+    }
   for (const auto& edge : mesh.boundary_edges()) {
     const auto& [first, last, middle] = edge.nodes;
     const double a = mesh.nodes[first][0], b = mesh.nodes[last][0];
@@ -275,6 +279,7 @@ void keep_beside_axis(core::Geometry geometry, core::Mesh& mesh) {
     r = std::max(r,
                  0.25 * (a + b) - 0.5 * std::sqrt(a * b));  // the least with which no point between is beyond the axis
   }
+  return furthest;
 }
 
 std::function<Point(const Point&)> projector_out_of_tools(const Scene& scene, const State& state) {

@@ -41,7 +41,7 @@ void project_out_of_tools(const Scene& scene, const State& state, core::Mesh& me
 
 /// Sets nodes that have passed the axis onto it, and middles of edges so that no point of an edge is beyond it: glass
 /// that arrives there meets its mirror image.
-void keep_beside_axis(core::Geometry geometry, core::Mesh& mesh);
+double keep_beside_axis(core::Geometry geometry, core::Mesh& mesh);
 
 /// Constraints of a node whose normals differ by less than 3 degrees (this is the cosine) count as one.
 inline constexpr double same_direction = 0.9986;

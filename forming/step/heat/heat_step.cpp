@@ -5,12 +5,21 @@
 #include <utility>
 
 #include "forming/state/initial_state.hpp"
+#include "forming/state/skin_size.hpp"
+#include "forming/step/heat/contact_skin.hpp"
+#include "forming/step/heat/temperature_bounds.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
 #include "remesh/surface/wall_thickness.hpp"
 
 namespace parison::forming {
 
 namespace {
+
+/// Beyond this the surface has the temperature of what cools it; a larger h would only lose digits.
+double perfect_cooling(const Scene& scene, Index body) {
+  const double edge = body == glass_body ? scene.accuracy.skin_size : scene.accuracy.tool_contact_size;
+  return thermal::perfect_conductance(skin_side(scene, body, edge).conductivity, edge);
+}
 
 /// Exchange of a boundary of a body's mesh with its cooling or the air. The boundaries of the outline come first in the
 /// mesh, before those that a stage names.
@@ -33,12 +42,19 @@ std::optional<core::TimeFunction> prescribed_of(const Body& body, const core::Me
 thermal::BodyView view_of(const Scene& scene, Index body, const core::Mesh& mesh, const Stage& stage) {
   const Body& data = body_of(scene, body);
   thermal::BodyView view{&mesh, &mesh, data.thermal->density, &*data.thermal, {}, {}};
+  const double perfect = perfect_cooling(scene, body);
   for (std::size_t boundary = 0; boundary < mesh.boundaries().size(); ++boundary) {
     view.exchange.push_back(exchange_of(data, mesh, boundary, stage));
+    if (auto& exchange = view.exchange.back(); exchange && exchange->h.max() > perfect)
+      exchange->h = exchange->h.limited(perfect);
     view.prescribed.push_back(prescribed_of(data, mesh, boundary));
   }
   return view;
 }
+
+/// Local error of a step of IDA, as a fraction of that: where nothing moves it takes many small changes, whose errors
+/// add up, and costs little.
+constexpr double integrator_fraction = 0.2;
 
 /// Algebraic error of a stage, as a fraction of the local error that the step may have.
 constexpr double newton_fraction = 1e-3;
@@ -148,7 +164,7 @@ std::unique_ptr<StaticStage> start_static_stage(const Scene& scene, const State&
   auto problem = make_problem(scene, state, meshes, interface, clamped_lookups);
   result->wall_thickness = limiting_wall_thickness(scene, result->meshes[glass_body]);
   if (result->wall_thickness.size() > 0) problem.bodies[glass_body].wall_thickness = &result->wall_thickness;
-  const thermal::IdaOptions options{scene.accuracy.temperature_tolerance};
+  const thermal::IdaOptions options{integrator_fraction * temperature_tolerance(scene)};
   result->integrator.emplace(std::move(problem), state.time, temperatures(state), options);
   return result;
 }
@@ -183,7 +199,7 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
   const Eigen::VectorXd wall_thickness = limiting_wall_thickness(scene, state.glass.mesh);
   if (wall_thickness.size() > 0) glass.wall_thickness = &wall_thickness;
   thermal::StepOptions options;
-  options.tolerance = scene.accuracy.temperature_tolerance;
+  options.tolerance = temperature_tolerance(scene);
   options.newton_tolerance = newton_fraction * options.tolerance;
   options.initial_substep = state.heat_substep;
   workspace.heat.couplings = couplings_of(state);
@@ -198,14 +214,24 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
 
 }  // namespace
 
+double temperature_tolerance(const Scene& scene) {
+  constexpr double of_span = 2e-3;
+  const double span = temperature_range(scene).span(), tolerance = scene.accuracy.temperature_tolerance;
+  return span > 0 ? std::min(tolerance, of_span * span) : tolerance;
+}
+
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace) {
+  std::vector<double> heat_before;
+  for (const ToolState& tool : state.tools) heat_before.push_back(tool.heat_received);
   const HeatOutcome outcome = is_static(scene, scene.stages[state.stage])
                                   ? advance_by_ida(scene, state, interface, dt, workspace)
                                   : advance_by_tr_bdf2(scene, state, interface, dissipation, dt, workspace);
   if (!outcome.converged) return outcome;
   update_max_surface_temperatures(state);
   update_overshoot(scene, state);
+  update_temperature_bounds(scene, dissipation, dt, state);
+  update_contact_skins(scene, interface, dt, heat_before, state);
   return outcome;
 }
 

@@ -21,4 +21,7 @@ struct HeatOutcome {
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace);
 
+/// Local error that a heat step may have, K: that of the accuracy, or less where all temperatures differ by little.
+double temperature_tolerance(const Scene& scene);
+
 }  // namespace parison::forming

@@ -6,6 +6,7 @@
 #include "contact/conductance/interface_conductance.hpp"
 #include "contact/mortar/mortar.hpp"
 #include "forming/state/initial_state.hpp"
+#include "forming/state/skin_size.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 
 namespace parison::forming {
@@ -40,6 +41,8 @@ core::Conductance point_conductance(const Scene& scene, const core::InterfacePoi
   }
   const auto value = contact::conductance(scene.interfaces[point.law].law, point.pressure, viscosity);
   clamped_lookups += value.clamped;
+  const double perfect = perfect_contact(scene, scene.interfaces[point.law]);
+  if (value.h >= perfect) return {perfect, 0};
   return {value.h, value.dh_deta * derivative};
 }
 
@@ -47,13 +50,18 @@ thermal::InterfaceLaw interface_law(const Scene& scene, const std::vector<core::
                                     long& clamped_lookups) {
   std::vector<contact::ConductanceLaw> laws;
   for (const auto& each : scene.interfaces) laws.push_back(each.law);
-  return [&scene, &clamped_lookups, law = contact::InterfaceConductance(laws, interface)](
+  Eigen::ArrayXd perfect(interface.size());
+  std::vector<double> perfect_of_law;
+  for (const auto& each : scene.interfaces) perfect_of_law.push_back(perfect_contact(scene, each));
+  for (std::size_t i = 0; i < interface.size(); ++i) perfect[i] = perfect_of_law[interface[i].law];
+  return [&scene, &clamped_lookups, perfect, law = contact::InterfaceConductance(laws, interface)](
              double, const std::vector<core::InterfacePoint>&, const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h,
              Eigen::ArrayXd* dh_dT) {
     const flow::Viscosity unknown{0, 0, 0, 1.0};
     const flow::Viscosity& viscosity = scene.has_flow() ? scene.glass.flow->viscosity : unknown;
     clamped_lookups += law(viscosity.logarithm(temperature), h, dh_dT);
-    if (dh_dT) *dh_dT *= viscosity.log_derivative(temperature);
+    if (dh_dT) *dh_dT = (h < perfect).select(*dh_dT * viscosity.log_derivative(temperature), 0.0);
+    h = h.min(perfect);
   };
 }
 

@@ -57,7 +57,7 @@ TEST(History, a_row_says_what_the_state_holds) {
   report.dt = 0.125;
   report.flow_solves = 7;
   report.limit = StepLimit::event;
-  const auto fields = fields_of(lines_of(history_line(history_row(scene, state, report)))[0]);
+  const auto fields = fields_of(lines_of(history_line(history_row(scene, state, state, report)))[0]);
   ASSERT_EQ(fields.size(), fields_of(history_header(scene)).size());
   EXPECT_EQ(fields[0], "0.25");
   EXPECT_EQ(fields[1], "rest");
@@ -76,7 +76,7 @@ TEST(History, the_contact_area_is_that_of_the_edges_pressed_at_all_their_nodes) 
   State state = initial_state(scene);
   for (std::size_t i = 0; i < state.glass.mesh.nodes.size(); ++i)
     if (std::abs(state.glass.mesh.nodes[i][1]) < 1e-9) state.glass.contact_tool[i] = 0;
-  EXPECT_NEAR(history_row(scene, state, {}).contact_area, M_PI * 0.02 * 0.02, 1e-12);
+  EXPECT_NEAR(history_row(scene, state, state, {}).contact_area, M_PI * 0.02 * 0.02, 1e-12);
 }
 
 TEST(History, the_imbalance_is_the_heat_that_no_entry_explains) {
@@ -133,7 +133,7 @@ TEST(ResultFiles, history_rows_are_on_the_disk_at_once) {
   const State state = initial_state(scene);
   const std::string folder = absent_folder();
   ResultFiles files(scene, folder);
-  files.row(history_row(scene, state, {}));
+  files.row(history_row(scene, state, state, {}));
   EXPECT_EQ(lines_of(core::read_text(folder + "/history.csv")).size(), 2u);
 }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/checks/checks.hpp"
+
+namespace parison::forming {
+
+Checks checks(const Scene& scene, const State& state, const RunFacts& facts) {
+  Checks all;
+  if (scene.has_heat()) add_heat_checks(scene, state, all);
+  if (scene.has_flow()) add_flow_checks(scene, state, facts, all);
+  return all;
+}
+
+void add_checks(core::JsonWriter& json, const Checks& checks) {
+  json.add("trustworthy", trustworthy(checks));
+  json.add("verdict", verdict_sentence(checks));
+  json.open_list("checks");
+  for (const Check& check : checks) {
+    json.open_object("");
+    json.add("name", check.name);
+    json.add("value", check.value);
+    json.add("limit", check.limit);
+    json.add("severe_limit", check.severe_limit);
+    json.add("verdict", name_of(check.verdict()));
+    json.add("sentence", check.sentence);
+    json.close();
+  }
+  json.close();
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,20 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/json.hpp"
+#include "forming/report/checks/check.hpp"
+#include "forming/report/summary.hpp"
+
+namespace parison::forming {
+
+/// Every number of a run that is watched, of its parts that the scene has.
+Checks checks(const Scene& scene, const State& state, const RunFacts& facts);
+
+/// Those of heat: balance, overshoots, thermal skin, conductance.
+void add_heat_checks(const Scene& scene, const State& state, Checks& checks);
+/// Those of the motion: work, volume, penetration, axis, contacts, steps, inertia, caps.
+void add_flow_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks);
+
+/// The list `checks` and the verdict as keys of summary.json.
+void add_checks(core::JsonWriter& json, const Checks& checks);
+
+}  // namespace parison::forming

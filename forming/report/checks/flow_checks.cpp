@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/report/checks/checks.hpp"
+#include "forming/report/summary_parts.hpp"
+#include "forming/step/work.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Section of the glass over half its outline, m: the thickness of a wall, the radius of a drop.
+double wall_scale(const core::Mesh& mesh) {
+  double area = 0, outline = 0;
+  for (const auto& edge : mesh.boundary_edges()) {
+    const core::Point &a = mesh.nodes[edge.nodes[0]], &b = mesh.nodes[edge.nodes[1]];
+    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    if (mesh.kind_of(edge) != BoundaryKind::symmetry) outline += (b - a).norm();
+  }
+  return 2 * std::abs(area) / outline;
+}
+
+void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
+  const Totals& totals = state.totals;
+  const double wall = wall_scale(state.glass.mesh);
+  checks.push_back({"volume_drift", totals.max_drift, 1e-3, 1e-2, "%",
+                    "the glass had so much more or less volume than at its start, and its wall is wrong by about as "
+                    "much; a smaller numerics.strain_per_step helps"});
+  if (!scene.tools.empty()) {
+    checks.push_back({"penetration", totals.max_penetration / wall, 1e-2, 0.1, "%",
+                      "a node of the glass was inside a tool by so much of the mean wall; a smaller "
+                      "numerics.strain_per_step or numerics.surface_size helps"});
+    checks.push_back({"edge_penetration", totals.max_edge_penetration / wall, 5e-2, 0.25, "%",
+                      "an edge of the glass cut into a tool by so much of the mean wall; a smaller "
+                      "numerics.surface_size helps"});
+  }
+  if (scene.geometry == core::Geometry::axisymmetric)
+    checks.push_back({"axis", totals.off_axis / wall, 1e-2, 0.1, "%",
+                      "a node of the glass passed the axis in one step by so much of the mean wall and was put back; a "
+                      "smaller numerics.strain_per_step helps"});
+}
+
+void add_mesh_checks(const Scene& scene, const State& state, Checks& checks) {
+  const Totals& totals = state.totals;
+  const RemeshStatistics& remeshing = totals.remeshing;
+  const double unresolved =
+      totals.sampled_work > 0 ? totals.unresolved_work / std::max(totals.sampled_work, least_loss(scene, state)) : 0;
+  checks.push_back({"flow_resolution", unresolved, 0.05, 0.5, "%",
+                    "about so much of the work is dissipated by motion that the glass mesh does not resolve, and "
+                    "shapes, forces and times are wrong by up to as much; a "
+                    "smaller numerics.surface_size or mesh.size of the glass, or more numerics.elements_across helps"});
+  checks.push_back({"failed_meshes", static_cast<double>(remeshing.failed), 1, no_limit, "",
+                    "so many new glass meshes could not be made and the old ones stayed in use, as a rule next to thin "
+                    "films or folds; a smaller numerics.surface_size may help"});
+  checks.push_back({"mesh_coarsening", remeshing.coarsening_factor - 1, 0, 1, "%",
+                    fmt::format("a glass mesh was so much coarser than asked for, to have about {:g} cells; a larger "
+                                "numerics.max_cells lifts this",
+                                scene.accuracy.max_cells)});
+}
+
+void add_step_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks) {
+  const Totals& totals = state.totals;
+  const double steps = std::max(1.0, static_cast<double>(totals.steps));
+  const double share_of_capped =
+      totals.capped_work > 0 ? totals.capped_work / std::max(totals.work.dissipation, least_loss(scene, state)) : 0;
+  const double contacts = std::max(1.0, static_cast<double>(facts.solver_statistics.contacts));
+  if (!scene.tools.empty())
+    checks.push_back({"locked_contacts", static_cast<double>(facts.solver_statistics.locked_contacts) / contacts, 1e-2,
+                      0.1, "%",
+                      "so many of all contacts were held closed although they pull, because the set of contacts "
+                      "cycled: glass sticks there that should come off; a smaller numerics.surface_size or "
+                      "numerics.max_step helps"});
+  checks.push_back({"step_collapse", static_cast<double>(totals.short_steps) / steps, 0.3, no_limit, "%",
+                    fmt::format("so many of the steps were shorter than ten times numerics.min_step, {:g} s: the "
+                                "motion is faster there than any forming, as of a bursting film or of a tool that is "
+                                "not balanced; look at the last pictures",
+                                scene.accuracy.min_step)});
+  checks.push_back({"inertia", totals.max_reynolds, 1, 20, "",
+                    "inertia is neglected, but the Reynolds number reached this: speeds and times are too short; a "
+                    "stiffer glass or slower tools are what this program can do"});
+  checks.push_back({"viscosity_cap", share_of_capped, 1e-2, 0.1, "%",
+                    "the viscosity is capped at 1e12 Pa.s, and so much of the work was lost in glass that should be "
+                    "stiffer: forces are too low and the glass gives way too easily; hotter glass or a constant "
+                    "viscosity, which has no cap, helps"});
+}
+
+}  // namespace
+
+void add_flow_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks) {
+  checks.push_back({"work_balance", max_work_imbalance(scene, state, facts), 5e-3, 5e-2, "%",
+                    "the work done on the glass and the work dissipated or stored differ by this at a stage's end, and "
+                    "forces and times are wrong by about as much; a higher accuracy or a smaller "
+                    "numerics.strain_per_step helps"});
+  add_shape_checks(scene, state, checks);
+  add_mesh_checks(scene, state, checks);
+  add_step_checks(scene, state, facts, checks);
+}
+
+}  // namespace parison::forming

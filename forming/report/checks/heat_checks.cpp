@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/report/checks/checks.hpp"
+#include "forming/report/files/history.hpp"
+#include "forming/state/skin_size.hpp"
+#include "forming/step/heat/contact_skin.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Heat, as a share of the greatest exchange, below which the error of a tool's heat counts by its share of this.
+constexpr double small_exchange = 0.02;
+/// Share of the range of temperatures below which a body sees no jump.
+constexpr double no_jump = 1e-6;
+
+/// A skin of which the mesh gets the heat wrong.
+struct Skin {
+  double error = 0;
+  std::string where;
+};
+
+Skin skin_at_tools(const Scene& scene, const State& state) {
+  double greatest = 0;
+  for (const ToolState& tool : state.tools) greatest = std::max(greatest, tool.skin.exchanged);
+  Skin worst;
+  for (std::size_t i = 0; i < scene.tools.size(); ++i) {
+    const double exchanged = state.tools[i].skin.exchanged;
+    if (!(exchanged > 0)) continue;
+    const double error = contact_skin_error(scene, state, static_cast<Index>(i)) *
+                         std::min(1.0, exchanged / (small_exchange * greatest));
+    if (!(error <= worst.error)) worst = {error, "at the contact with " + scene.tools[i].name};
+  }
+  return worst;
+}
+
+/// Mean height of the cells along a boundary, m.
+double first_cell(const core::Mesh& mesh, Index boundary) {
+  double area = 0, length = 0;
+  for (const auto& edge : mesh.boundary_edges()) {
+    if (edge.boundary_id != boundary) continue;
+    const auto& cell = mesh.cells()[edge.cell];
+    const core::Point a = mesh.nodes[cell[1]] - mesh.nodes[cell[0]], b = mesh.nodes[cell[2]] - mesh.nodes[cell[0]];
+    area += std::abs(a[0] * b[1] - a[1] * b[0]);
+    length += (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
+  }
+  return length > 0 ? area / length : 0;
+}
+
+Skin skin_at_surroundings(const Scene& scene, const State& state) {
+  Skin worst;
+  for (Index body = 0; body < body_count(state); ++body) {
+    const Body& data = body_of(scene, body);
+    if (!data.thermal) continue;
+    for (std::size_t b = 0; b < data.boundaries.size(); ++b) {
+      const double h = surroundings_conductance(scene, body, b, state.stage);
+      const double cell = first_cell(mesh_of(state, body), static_cast<Index>(b));
+      if (h == 0 || cell == 0) continue;
+      const double error = std::abs(thermal::skin_error(skin_side(scene, body, cell), h, state.time));
+      if (!(error <= worst.error))
+        worst = {error, fmt::format("at boundary {} of {}", data.boundaries[b].name, data.name)};
+    }
+  }
+  return worst;
+}
+
+Check thermal_skin(const Scene& scene, const State& state) {
+  const Skin tools = skin_at_tools(scene, state), surroundings = skin_at_surroundings(scene, state);
+  const Skin& worst = tools.error > surroundings.error ? tools : surroundings;
+  return {"thermal_skin",
+          worst.error,
+          0.01,
+          0.1,
+          "%",
+          fmt::format("the heat exchanged {} is wrong by about this, because the skin that cools or warms is thinner "
+                      "than the first cells; smaller first cells (mesh.contact_size of the body, numerics.skin_size "
+                      "for glass that flows) or a longer time help",
+                      worst.where.empty() ? "anywhere" : worst.where)};
+}
+
+/// Share of the jump that a body's surface has seen.
+double share(double excess, const TemperatureBounds& bounds, double span, double time) {
+  const double jump = bounds.hottest - bounds.coldest;
+  return jump > no_jump * span && time > 0 ? excess / (jump * time) : 0;
+}
+
+Check overshoot(const Scene& scene, const State& state, double TemperatureBounds::*excess, const char* name,
+                const char* direction) {
+  const double span = temperature_range(scene).span();
+  double worst = share(state.glass.bounds.*excess, state.glass.bounds, span, state.time);
+  std::string of = "the glass";
+  for (std::size_t i = 0; i < state.tools.size(); ++i)
+    if (const double found = share(state.tools[i].bounds.*excess, state.tools[i].bounds, span, state.time);
+        !(found <= worst)) {
+      worst = found;
+      of = scene.tools[i].name;
+    }
+  return {
+      name,
+      worst,
+      0.1,
+      0.5,
+      "%",
+      fmt::format("inside {} a temperature was {} all that its surface and its start had, in the mean over the run by "
+                  "so much of the jump at the surface: the thermal boundary layer is thinner than the mesh resolves; "
+                  "smaller first cells (mesh.contact_size of the body, numerics.skin_size for glass that flows) help",
+                  of, direction)};
+}
+
+}  // namespace
+
+void add_heat_checks(const Scene& scene, const State& state, Checks& checks) {
+  const Totals& totals = state.totals;
+  checks.push_back(
+      {"energy_imbalance", glass_facts(scene, state).energy_imbalance, 5e-3, 5e-2, "%",
+       "so much of the heat that the glass lost is not explained by its change of heat content, and "
+       "heat and temperatures are wrong by about as much; a smaller numerics.temperature_tolerance helps"});
+  checks.push_back({"interface_flux", totals.max_flux_mismatch, 1e-6, 1e-2, "%",
+                    "the heat out of the glass and the heat into a tool differ; this is an error of the program, "
+                    "please report it with the case"});
+  checks.push_back(thermal_skin(scene, state));
+  checks.push_back(overshoot(scene, state, &TemperatureBounds::overshoot, "overshoot", "above"));
+  checks.push_back(overshoot(scene, state, &TemperatureBounds::undershoot, "undershoot", "below"));
+  if (scene.interfaces.empty()) return;
+  checks.push_back({"conductance_table", static_cast<double>(totals.clamped_lookups), 0, no_limit, "",
+                    "so many look-ups of a conductance table were outside its range and were clamped to its ends; a "
+                    "table over a wider range of pressure and viscosity helps"});
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/state/skin_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Error of the heat that a first mesh may have from its first cells.
+constexpr double skin_tolerance = 3e-3;
+/// Share of the scene's range of temperatures below which two temperatures are the same.
+constexpr double same_temperature = 1e-9;
+
+bool differ(const Scene& scene, double first, const core::TimeFunction& second) {
+  const double small = same_temperature * temperature_range(scene).span();
+  return std::abs(second.max() - first) > small || std::abs(second.min() - first) > small;
+}
+
+double run_time(const Scene& scene) {
+  double time = 0;
+  for (const Stage& stage : scene.stages) time += stage.duration;
+  return time;
+}
+
+/// Cells for which a mesh has room: a layer of `wanted` edges that grow from there has a few cells for each.
+double least_edge(const Scene& scene, const Body& body) {
+  constexpr double cells_per_edge = 6;
+  return cells_per_edge * core::size(body.profile) / scene.accuracy.max_cells;
+}
+
+}  // namespace
+
+thermal::SkinSide skin_side(const Scene& scene, Index body, double first_cell) {
+  const Body& data = body_of(scene, body);
+  const thermal::Material& material = *data.thermal;
+  const double temperature = data.initial_temperature;
+  const double growth = body == glass_body ? scene.accuracy.glass_growth : scene.accuracy.tool_growth;
+  return {thermal::conductivity(material, temperature, 0), material.density * material.heat_capacity(temperature),
+          first_cell, data.mesh.growth.value_or(growth), scene.accuracy.temperature_order};
+}
+
+double active_time(const Scene& scene, Index tool) {
+  double time = 0;
+  for (const Stage& stage : scene.stages)
+    for (const StageTool& place : stage.tools)
+      if (place.tool == tool) time += stage.duration;
+  return time;
+}
+
+double perfect_contact(const Scene& scene, const Interface& interface) {
+  if (!scene.glass.thermal || !scene.tools[interface.tool].thermal) return std::numeric_limits<double>::infinity();
+  const auto layer = [&](Index body, double edge) {
+    const thermal::SkinSide side = skin_side(scene, body, edge);
+    return thermal::perfect_conductance(side.conductivity, edge);
+  };
+  const double glass = layer(glass_body, scene.accuracy.skin_size);
+  const double tool = layer(body_of_tool(interface.tool), scene.accuracy.tool_contact_size);
+  return 1 / (1 / glass + 1 / tool);
+}
+
+double glass_edge_at_tool(const Scene& scene, const Interface& interface, double wanted) {
+  const Tool& tool = scene.tools[interface.tool];
+  if (!tool.thermal || !differ(scene, scene.glass.initial_temperature, tool.initial_temperature)) return wanted;
+  return std::max(std::min(wanted, least_edge(scene, scene.glass)),
+                  thermal::fitting_first_cell(skin_side(scene, glass_body, wanted), contact::highest(interface.law),
+                                              active_time(scene, interface.tool), skin_tolerance));
+}
+
+double surroundings_conductance(const Scene& scene, Index body, std::size_t boundary, Index last_stage) {
+  const Body& data = body_of(scene, body);
+  const Boundary& given = data.boundaries[boundary];
+  const double start = data.initial_temperature;
+  if (given.kind == BoundaryKind::temperature)
+    return differ(scene, start, given.temperature(0)) ? std::numeric_limits<double>::infinity() : 0;
+  if (given.kind == BoundaryKind::cooled)
+    return differ(scene, start, given.cooling.air_temperature) ? given.cooling.h.max() : 0;
+  double h = 0;
+  if (given.kind != BoundaryKind::contact && given.kind != BoundaryKind::air) return h;
+  for (Index s = 0; s <= last_stage; ++s) {
+    const thermal::SurfaceExchange& air = scene.stages[s].air;
+    if (differ(scene, start, air.air_temperature)) h = std::max(h, air.h.max());
+    if (data.emissivity > 0 && differ(scene, start, air.ambient_temperature))
+      h = std::max(h, 4 * data.emissivity * thermal::stefan_boltzmann *
+                          std::pow(std::max(start, air.ambient_temperature.max()), 3));
+  }
+  return h;
+}
+
+double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, double wanted) {
+  const Body& data = body_of(scene, body);
+  if (!data.thermal) return wanted;
+  const double h = surroundings_conductance(scene, body, boundary, static_cast<Index>(scene.stages.size()) - 1);
+  return std::max(std::min(wanted, least_edge(scene, data)),
+                  thermal::fitting_first_cell(skin_side(scene, body, wanted), h, run_time(scene), skin_tolerance));
+}
+
+double contact_edge(const Scene& scene, Index body, double wanted) {
+  const Body& data = body_of(scene, body);
+  if (!data.thermal) return wanted;
+  double edge = wanted;
+  for (const Interface& interface : scene.interfaces) {
+    if (body == glass_body) edge = glass_edge_at_tool(scene, interface, edge);
+    if (body != body_of_tool(interface.tool) ||
+        !differ(scene, scene.glass.initial_temperature, data.initial_temperature))
+      continue;
+    edge = thermal::fitting_first_cell(skin_side(scene, body, edge), contact::highest(interface.law),
+                                       active_time(scene, interface.tool), skin_tolerance);
+  }
+  return std::max(std::min(wanted, least_edge(scene, data)), edge);
+}
+
+}  // namespace parison::forming

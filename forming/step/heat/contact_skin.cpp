@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/heat/contact_skin.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "contact/conductance/conductance.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/state/skin_size.hpp"
+#include "forming/step/heat/thermal_interface.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Share of its greatest area below which a contact is over.
+constexpr double lost_contact = 0.02;
+
+/// Height of the cell on each edge of a mesh's surface, m, by node: the least of those at a node.
+Eigen::VectorXd surface_cells(const core::Mesh& mesh) {
+  Eigen::VectorXd height = Eigen::VectorXd::Constant(mesh.node_count(), std::numeric_limits<double>::infinity());
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
+    const auto& cell = mesh.cells()[edge.cell];
+    const core::Point a = mesh.nodes[cell[1]] - mesh.nodes[cell[0]], b = mesh.nodes[cell[2]] - mesh.nodes[cell[0]];
+    const double length = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
+    height[edge.nodes[2]] = std::abs(a[0] * b[1] - a[1] * b[0]) / length;  // each mid-side node has one edge
+  }
+  return height;
+}
+
+/// Of a contact that goes on.
+double error_of(const Scene& scene, Index tool, const ContactSkin& skin) {
+  if (!(skin.area_time > 0) || !(skin.conductance > 0)) return 0;
+  const double mean = 1 / skin.area_time, time = skin.area_time / skin.peak_area;
+  return std::abs(thermal::skin_error(skin_side(scene, glass_body, mean * skin.glass_cell),
+                                      skin_side(scene, body_of_tool(tool), mean * skin.tool_cell),
+                                      mean * skin.conductance, time));
+}
+
+/// Makes an end of a contact.
+void close(const Scene& scene, Index tool, ContactSkin& skin) {
+  ContactSkin after;
+  after.exchanged = skin.exchanged;
+  after.wrong = skin.wrong + error_of(scene, tool, skin) * std::abs(skin.heat);
+  skin = after;
+}
+
+}  // namespace
+
+void update_contact_skins(const Scene& scene, const std::vector<core::InterfacePoint>& interface, double dt,
+                          const std::vector<double>& heat_before, State& state) {
+  const std::size_t tools = state.tools.size();
+  std::vector<double> area(tools), conductance(tools), glass_cell(tools), tool_cell(tools);
+  if (!interface.empty()) {
+    const Eigen::VectorXd cells = surface_cells(state.glass.mesh);
+    std::vector<Eigen::VectorXd> of_tool(tools);
+    Eigen::ArrayXd temperature = Eigen::ArrayXd::Zero(interface.size()), h(interface.size());
+    for (std::size_t p = 0; p < interface.size(); ++p)
+      for (int i = 0; i < 3; ++i)
+        temperature[p] += interface[p].slave_shape[i] * state.glass.temperature[interface[p].slave_nodes[i]];
+    long clamped = 0;
+    interface_law(scene, interface, clamped)(state.time, interface, temperature, h, nullptr);
+    for (std::size_t p = 0; p < interface.size(); ++p) {
+      const core::InterfacePoint& point = interface[p];
+      const std::size_t tool = point.master_body - body_of_tool(0);
+      if (of_tool[tool].size() == 0) of_tool[tool] = surface_cells(state.tools[tool].mesh);
+      const double weight = point.contact_weight * point.area;
+      area[tool] += weight;
+      conductance[tool] += weight * h[p];
+      glass_cell[tool] += weight * cells[point.slave_nodes[2]];
+      tool_cell[tool] += weight * of_tool[tool][point.master_nodes[2]];
+    }
+  }
+  for (std::size_t tool = 0; tool < tools; ++tool) {
+    ContactSkin& skin = state.tools[tool].skin;
+    if (skin.peak_area > 0 && area[tool] < lost_contact * skin.peak_area) close(scene, Index(tool), skin);
+    const double heat = state.tools[tool].heat_received - heat_before[tool];
+    skin.exchanged += std::abs(heat);
+    if (area[tool] == 0) continue;
+    skin.peak_area = std::max(skin.peak_area, area[tool]);
+    skin.area_time += dt * area[tool];
+    skin.conductance += dt * conductance[tool];
+    skin.glass_cell += dt * glass_cell[tool];
+    skin.tool_cell += dt * tool_cell[tool];
+    skin.heat += heat;
+  }
+}
+
+double contact_skin_error(const Scene& scene, const State& state, Index tool) {
+  ContactSkin skin = state.tools[tool].skin;
+  if (!(skin.exchanged > 0)) return std::numeric_limits<double>::quiet_NaN();
+  close(scene, tool, skin);
+  return skin.wrong / skin.exchanged;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The estimated error of a thermal skin that the mesh does not resolve, against that of the program itself.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "thermal/bodies.hpp"
+#include "thermal/skin_error.hpp"
+#include "thermal/time/tr_bdf2.hpp"
+
+namespace parison::thermal::test {
+namespace {
+
+constexpr double conductivity = 1.3, density = 2400, heat_capacity = 1300, start = 1300, air = 300;
+
+/// Error of the heat that a slab on cells of equal height gives to air through h in a time; the slab is deep.
+double error_of_program(double cell, double h, double time) {
+  const Material material{density, core::constant(heat_capacity), core::constant(conductivity), {}};
+  const core::Mesh mesh = rectangle({0, cell, 2 * cell}, divide(0, 40 * cell, 40));
+  Problem problem{core::Geometry::planar, {body(mesh, material)}, {}, {}};
+  problem.bodies[0].exchange.assign(4, std::nullopt);
+  problem.bodies[0].exchange[bottom] = SurfaceExchange{h, air};
+  StepOptions options;
+  options.tolerance = 1e-3;
+  options.newton_tolerance = 1e-6;
+  StepMatrix matrix;
+  const StepOutcome outcome =
+      advance(problem, 0, {Eigen::VectorXd::Constant(mesh.node_count(), start)}, time, options, matrix);
+  EXPECT_TRUE(outcome.converged) << outcome.reason;
+  const double b = h / std::sqrt(conductivity * density * heat_capacity), y = b * std::sqrt(time);
+  const double exact =
+      2 * cell * h * (start - air) * ((std::exp(y * y) * std::erfc(y) - 1) / (b * b) + 2 * std::sqrt(time / M_PI) / b);
+  return outcome.balance.bodies[0].to_air / exact - 1;
+}
+
+TEST(SkinError, is_that_of_the_program_within_a_third_and_seldom_less_where_the_skin_is_thinner_than_a_cell) {
+  const double diffusivity = conductivity / (density * heat_capacity), cell = 1e-3;
+  for (const double fourier : {0.003, 0.01, 0.03, 0.1})
+    for (const double biot : {0.3, 3.0, 10.0}) {
+      const double time = fourier * cell * cell / diffusivity, h = biot * conductivity / cell;
+      const double estimated = skin_error({conductivity, density * heat_capacity, cell, 0}, h, time);
+      const double found = error_of_program(cell, h, time);
+      std::printf("Fo %g, Bi %g: estimated %.4f, found %.4f\n", fourier, biot, estimated, found);
+      EXPECT_GT(estimated, 0.9 * found - 1e-3);
+      EXPECT_LT(estimated, 1.35 * found + 1e-3);
+    }
+}
+
+TEST(SkinError, of_two_bodies_is_that_of_one_where_the_other_conducts_perfectly) {
+  const SkinSide glass{conductivity, density * heat_capacity, 1e-3}, perfect{1e7, 1e9, 1e-3};
+  for (const double time : {0.01, 0.1, 1.0}) {
+    const double one = skin_error(glass, 5000, time);
+    EXPECT_NEAR(skin_error(glass, perfect, 5000, time), one, 1e-3 * std::abs(one) + 1e-6);
+  }
+}
+
+TEST(SkinError, falls_to_nothing_with_time_and_with_the_cell) {
+  SkinSide side{conductivity, density * heat_capacity, 1e-3};
+  EXPECT_GT(skin_error(side, 1e6, 1e-3), 1);
+  EXPECT_LT(std::abs(skin_error(side, 1e6, 10.0)), 1e-3);
+  side.first_cell = 1e-5;
+  EXPECT_LT(std::abs(skin_error(side, 1e6, 1e-3)), 1e-2);
+  EXPECT_EQ(skin_error(side, 0, 1), 0);
+}
+
+TEST(SkinError, a_fitting_cell_keeps_the_tolerance_and_is_not_refined_without_need) {
+  SkinSide side{conductivity, density * heat_capacity, 1e-3};
+  EXPECT_EQ(fitting_first_cell(side, 100, 10, 3e-3), side.first_cell);
+  const double fitting = fitting_first_cell(side, 1e9, 1e-3, 3e-3);
+  EXPECT_LT(fitting, 0.2 * side.first_cell);
+  side.first_cell = fitting;
+  EXPECT_LE(std::abs(skin_error(side, 1e9, 1e-3)), 3e-3);
+}
+
+}  // namespace
+}  // namespace parison::thermal::test

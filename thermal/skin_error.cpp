@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/skin_error.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace parison::thermal {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Penetration depths sqrt(alpha t) beyond which a half-space has not changed, and the smallest cell that matters, in
+/// the same measure.
+constexpr double depth_of_column = 12, smallest_cell = 0.03;
+constexpr int fewest_cells = 4;
+
+double penetration(const SkinSide& side, double time) {
+  return std::sqrt(side.conductivity / side.capacity * time);
+}
+
+/// Stiffness and mass of the columns of a contact, one after the other, W/m2/K and J/m2/K.
+struct Column {
+  MatrixXd stiffness, mass;
+};
+
+/// Positions of the vertices of a column under the surface, m.
+std::vector<double> vertices(const SkinSide& side, double time) {
+  const double reach = penetration(side, time), first = std::max(side.first_cell, smallest_cell * reach);
+  std::vector<double> x{0};
+  while (static_cast<int>(x.size()) <= fewest_cells || x.back() < depth_of_column * reach)
+    x.push_back(x.back() + first + side.growth * x.back());
+  return x;
+}
+
+Column column(const SkinSide& side, double time) {
+  static const Eigen::Matrix3d mass = (Eigen::Matrix3d() << 4, 2, -1, 2, 16, 2, -1, 2, 4).finished() / 30;
+  static const Eigen::Matrix3d stiffness = (Eigen::Matrix3d() << 7, -8, 1, -8, 16, -8, 1, -8, 7).finished() / 3;
+  static const Eigen::Matrix2d linear_mass = (Eigen::Matrix2d() << 2, 1, 1, 2).finished() / 6;
+  static const Eigen::Matrix2d linear_stiffness = (Eigen::Matrix2d() << 1, -1, -1, 1).finished();
+  const auto x = vertices(side, time);
+  const int order = side.order == 1 ? 1 : 2, cells = static_cast<int>(x.size()) - 1, size = order * cells + 1;
+  Column result{MatrixXd::Zero(size, size), MatrixXd::Zero(size, size)};
+  for (int cell = 0; cell < cells; ++cell) {
+    const double height = x[cell + 1] - x[cell];
+    const double conductance = side.conductivity / height, capacity = side.capacity * height;
+    auto k = result.stiffness.block(order * cell, order * cell, order + 1, order + 1);
+    auto m = result.mass.block(order * cell, order * cell, order + 1, order + 1);
+    if (order == 1) {
+      k += conductance * linear_stiffness;
+      m += capacity * linear_mass;
+    } else {
+      k += conductance * stiffness;
+      m += capacity * mass;
+    }
+  }
+  return result;
+}
+
+double effusivity(const SkinSide& side) {
+  return std::sqrt(side.conductivity * side.capacity);
+}
+
+/// Heat through the surface for a jump of 1 K, J/m2, from the sum of the inverse effusivities.
+double exact_heat(double inverse_effusivity, double h, double time) {
+  const double y = h * inverse_effusivity * std::sqrt(time);
+  constexpr double small = 1e-4, large = 20;
+  if (y < small) return h * time * (1 - 4 * y / (3 * std::sqrt(M_PI)));
+  const double scaled = y < large ? std::exp(y * y) * std::erfc(y) : (1 - 0.5 / (y * y)) / (y * std::sqrt(M_PI));
+  return h * time * ((scaled - 1) / (y * y) + 2 / (y * std::sqrt(M_PI)));
+}
+
+/// Heat that leaves the unknowns that are `hot`, 1, in a system by its modes, J/m2; they begin at `start`, K.
+double discrete_heat(const Column& system, const VectorXd& hot, const VectorXd& start, double time) {
+  const VectorXd scale = system.mass.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd mass = scale.asDiagonal() * system.mass * scale.asDiagonal();
+  const MatrixXd stiffness = scale.asDiagonal() * system.stiffness * scale.asDiagonal();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(stiffness, mass);
+  const VectorXd content = modes.eigenvectors().transpose() * scale.cwiseProduct(system.mass * hot);
+  const VectorXd amplitude = modes.eigenvectors().transpose() * scale.cwiseProduct(system.mass * start);
+  double heat = hot.dot(system.mass * (hot - start));  // taken at the start
+  for (Eigen::Index i = 0; i < amplitude.size(); ++i)
+    heat -= content[i] * amplitude[i] * std::expm1(-std::max(modes.eigenvalues()[i], 0.0) * time);
+  return heat;
+}
+
+}  // namespace
+
+double skin_error(const SkinSide& side, double h, double time) {
+  if (!(h > 0) || !(time > 0)) return 0;
+  const bool prescribed = std::isinf(h);
+  h = std::min(h, perfect_conductance(side.conductivity, side.first_cell));
+  Column system = column(side, time);
+  system.stiffness(0, 0) += h;
+  const VectorXd hot = VectorXd::Ones(system.mass.rows());
+  VectorXd start = hot;
+  if (prescribed) start[0] = 0;
+  const double heat = discrete_heat(system, hot, start, time);
+  return heat / exact_heat(1 / effusivity(side), h, time) - 1;
+}
+
+double skin_error(const SkinSide& first, const SkinSide& second, double h, double time) {
+  if (!(h > 0) || !(time > 0)) return 0;
+  h = std::min(h, 1 / (1 / perfect_conductance(first.conductivity, first.first_cell) +
+                       1 / perfect_conductance(second.conductivity, second.first_cell)));
+  const Column a = column(first, time), b = column(second, time);
+  const Eigen::Index n = a.mass.rows(), m = b.mass.rows();
+  Column system{MatrixXd::Zero(n + m, n + m), MatrixXd::Zero(n + m, n + m)};
+  system.stiffness.topLeftCorner(n, n) = a.stiffness;
+  system.stiffness.bottomRightCorner(m, m) = b.stiffness;
+  system.mass.topLeftCorner(n, n) = a.mass;
+  system.mass.bottomRightCorner(m, m) = b.mass;
+  system.stiffness(0, 0) += h;
+  system.stiffness(n, n) += h;
+  system.stiffness(0, n) -= h;
+  system.stiffness(n, 0) -= h;
+  VectorXd hot = VectorXd::Zero(n + m);
+  hot.head(n).setOnes();
+  return discrete_heat(system, hot, hot, time) / exact_heat(1 / effusivity(first) + 1 / effusivity(second), h, time) -
+         1;
+}
+
+double fitting_first_cell(const SkinSide& side, double h, double time, double tolerance) {
+  constexpr double step = 0.8;   // from one cell that is tried to the next
+  constexpr double small = 0.1;  // of the penetration depth: smaller ones always do
+  SkinSide tried = side;
+  const double least = small * penetration(side, time);
+  while (tried.first_cell > least && std::abs(skin_error(tried, h, time)) > tolerance) tried.first_cell *= step;
+  return tried.first_cell;
+}
+
+double perfect_conductance(double conductivity, double thickness) {
+  constexpr double negligible = 1e-6;  // of the resistance of the layer
+  return conductivity / (negligible * thickness);
+}
+
+}  // namespace parison::thermal

@@ -1,0 +1,31 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+namespace parison::thermal {
+
+/// A body that begins to exchange heat through its surface, as a half-space, and how its mesh resolves the skin.
+struct SkinSide {
+  double conductivity;  ///< W/m/K
+  double capacity;      ///< volumetric, J/m3/K
+  double first_cell;    ///< height of the cells at the surface, m
+  double growth = 0.5;  ///< of the cells' height with the depth
+  int order = 2;        ///< polynomial degree of the temperature
+};
+
+/// Relative error of the heat that a half-space on such a mesh has given after `time`, s, to surroundings of another
+/// temperature through a conductance h, W/m2/K: that of the semi-discrete equations over the exact solution (Carslaw
+/// and Jaeger 1959, section 2.7), less 1. It is far above zero while the skin is thinner than the first cell.
+/// With an infinite h the surface's nodes are set to the temperature of the surroundings at the start.
+double skin_error(const SkinSide& side, double h, double time);
+
+/// The same of two half-spaces of different temperatures brought together at time 0.
+double skin_error(const SkinSide& first, const SkinSide& second, double h, double time);
+
+/// The largest first cell, m, not above that of `side`, with which the error keeps within `tolerance`.
+double fitting_first_cell(const SkinSide& side, double h, double time, double tolerance);
+
+/// Conductance, W/m2/K, beyond which a contact counts as perfect: its resistance is 1e-6 of that of layers of such
+/// conductivity and thickness, W/m/K and m. More changes nothing but the round-off.
+double perfect_conductance(double conductivity, double thickness);
+
+}  // namespace parison::thermal
