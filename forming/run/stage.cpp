@@ -8,8 +8,10 @@
 #include <stdexcept>
 
 #include "core/mesh/tolerances.hpp"
+#include "forming/remeshing/remesh_state.hpp"
 #include "forming/run/step_loop.hpp"
 #include "forming/run/warnings.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/contact/carrier.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/step_control.hpp"
@@ -37,6 +39,10 @@ std::string stage_precondition_failure(const Scene& scene, const State& state) {
       "the glass needs a position clear of it and a motion: motion.{} = {{ offset = [...] }}",
       scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1],
       scene.tools[max_penetration.tool].name);
+}
+
+std::string first_stage_failure(const Scene& scene) {
+  return stage_precondition_failure(scene, start_stage(scene, initial_state(scene), 0));
 }
 
 namespace {

@@ -8,6 +8,8 @@ namespace parison::forming {
 
 /// Why the present stage cannot begin with the present positions of tools and glass; empty when it can.
 std::string stage_precondition_failure(const Scene& scene, const State& state);
+/// The same of the first stage, at the start of a run.
+std::string first_stage_failure(const Scene& scene);
 
 /// Enters a stage; false when it cannot begin, and the facts say why.
 bool begin_stage(RunInProgress& run, Index stage);

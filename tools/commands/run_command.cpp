@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "core/case/case_error.hpp"
-#include "forming/remeshing/remesh_state.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/run/folder_run.hpp"
@@ -15,7 +14,6 @@
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/scene.hpp"
-#include "forming/state/initial_state.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "tools/commands/coarse_run.hpp"
 #include "tools/commands/console.hpp"
@@ -86,8 +84,7 @@ int check(const RunRequest& request) {
   const Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
   fmt::print("{}", forming::describe_scene(scene));
   std::fflush(stdout);
-  const std::string reason =
-      forming::stage_precondition_failure(scene, forming::start_stage(scene, forming::initial_state(scene), 0));
+  const std::string reason = forming::first_stage_failure(scene);
   if (reason.empty()) return 0;
   fmt::print(stderr, "{}: stage {} cannot begin: {}\n", request.case_path, scene.stages.front().name, reason);
   return case_wrong;

@@ -105,7 +105,7 @@ ErrorBars bars_of_order(double order, double shift_of_second = 0) {
 
 TEST(Accuracy, a_bar_holds_errors_of_low_and_of_second_order_and_is_less_than_seven_times_as_wide) {
   const double errors[] = {1, 0.8, 0.02};
-  for (const double order : {0.9, 1.0, 2.0}) {
+  for (const double order : {0.8, 1.0, 2.0}) {
     const ErrorBars bars = bars_of_order(order);
     for (int i = 0; i < 3; ++i) {
       EXPECT_GE(bars.quantities.values[i].error, errors[i]);
@@ -130,7 +130,7 @@ TEST(Accuracy, a_bar_is_never_below_the_resolution_and_missing_where_no_coarser_
 
 TEST(Accuracy, without_the_coarsest_run_the_same_difference_makes_a_wider_bar) {
   EXPECT_GT(bar_over_difference(1.5), 3 * bar_over_difference(3));
-  EXPECT_NEAR(bar_over_difference(3), 0.71, 0.01);
+  EXPECT_NEAR(bar_over_difference(3), 0.86, 0.01);
 }
 
 TEST(Accuracy, bars_of_a_small_scene_hold_the_error_against_a_finer_run) {
