@@ -76,5 +76,7 @@ std::string error_table(const ErrorBars& bars);
 
 /// What a process engineer asks for, as a table for the terminal.
 std::string summary_table(const Scene& scene, const State& state, const Summary& summary);
+/// Its last line: what the checks of the run say together.
+std::string verdict_line(const Summary& summary);
 
 }  // namespace parison::forming

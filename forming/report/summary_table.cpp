@@ -94,7 +94,7 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
   text += line("wall time", fmt::format("{:.1f} s", summary.run.wall_seconds));
   for (const std::string& warning : summary.run.warnings) text += line("warning", warning);
   for (const std::string& complaint : complaints(summary.run.checks)) text += line("check", complaint);
-  return text + line("verdict", verdict_sentence(summary.run.checks));
+  return text;
 }
 
 std::string percent_line(const char* label, double fraction) {
@@ -159,6 +159,10 @@ std::string summary_table(const Scene& scene, const State& state, const Summary&
   for (const std::string& assignment : scene.overrides) text += line("override", assignment);
   return text + glass_lines(scene, summary) + tool_lines(summary) + stage_lines(summary.run) +
          run_lines(scene, state, summary);
+}
+
+std::string verdict_line(const Summary& summary) {
+  return line("verdict", verdict_sentence(summary.run.checks));
 }
 
 }  // namespace parison::forming

@@ -66,14 +66,6 @@ def steps(viscosity):
     return s.shell(viscosity=viscosity)
 
 
-def narrow(width):
-    """Contact over a part of one edge of the glass, through a small conductance: heat by area."""
-    scene = s.contact(h=1.0, time=0.1, mesh=(mapped(2, 20, 5), ""))
-    scene.text = scene.text.replace("(0.01, -0.02) m", f"({width:g}, -0.02) m").replace("(0.01, 0) m\", condition = \"contact\" }, { name = \"axis\", path = \"(0, -0.02)",
-                                                                                       f"({width:g}, 0) m\", condition = \"contact\" }}, {{ name = \"axis\", path = \"(0, -0.02)")
-    return scene
-
-
 HEAT = [
     Axis("conductance of a contact, W/m2/K", SLABS, over(s.contact, "h", (1e-6, 1, 1e3, 1e6, 1e9, 1e12, 1e15, 1e18, 1e21, 1e30))),
     Axis("cooling by air, h in W/m2/K", SERIES, over(s.in_air, "h", (1e-6, 1, 1e3, 1e6, 1e12, 1e18, 1e30))),

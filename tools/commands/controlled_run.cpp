@@ -50,13 +50,14 @@ int report(const Attempt& last, const AccuracyControl& control, const RunRequest
   forming::Summary summary = last.summary;
   fmt::print("\n{}", summary_table(last.scene, last.outcome.state, summary));
   if (!last.outcome.facts.completed) {
+    fmt::print("{}", verdict_line(summary));
     fmt::print(stderr, "parison: the run stopped in {}\n", last.outcome.facts.reason);
     return run_failed;
   }
   forming::ErrorBars bars = forming::error_bars(summary.quantities, control.coarser());
   bars.control = control.record();
   add_error_bars(output, last.scene, last.outcome.state, bars, summary);
-  fmt::print("{}", error_table(bars));
+  fmt::print("{}{}", error_table(bars), verdict_line(summary));
   return bars.control->reached() ? code_of(last.outcome.facts, request.keep_going) : run_failed;
 }
 

@@ -67,10 +67,11 @@ int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& requ
   if (facts.completed && !coarser)
     fmt::print("  {:<22}not estimated; --error-bars runs the case twice more, coarser, for about half its CPU time\n",
                "errors");
+  const int code = facts.completed && coarser ? report_errors(scene, outcome, output, *coarser, summary) : 0;
+  fmt::print("{}", verdict_line(summary));
   std::fflush(stdout);
   if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
   if (!facts.completed) return run_failed;
-  const int code = coarser ? report_errors(scene, outcome, output, *coarser, summary) : 0;
   return code != 0 ? code : code_of(facts, request.keep_going);
 }
 
