@@ -11,6 +11,7 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "core/mesh/element.hpp"
+#include "forming/report/container/container_report.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/summary_parts.hpp"
 #include "forming/state/fingerprint.hpp"
@@ -217,6 +218,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_stages(json, summary.run);
   add_cavities(json, scene, state);
   add_thickness(json, summary);
+  add_container(json, scene, state);
   if (bars) add_errors(json, *bars);
   if (bars && bars->control) add_control(json, *bars->control);
   add_quantities(json, summary.quantities);

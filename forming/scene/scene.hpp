@@ -59,10 +59,18 @@ struct FilmLimit {
   enum class Then { stop, freeze } then = Then::stop;  ///< the run ends, or the film flows no more
 };
 
+/// A colder skin of the gob: the temperature at a distance d from its open surface is core + (surface - core)
+/// exp(-d/depth).
+struct GobSkin {
+  double temperature;  ///< at the surface, K
+  double depth;        ///< m
+};
+
 /// The body that flows; always body 0. Without `flow` it does not move.
 struct Glass : Body {
   std::optional<flow::Material> flow;
   FilmLimit film;
+  std::optional<GobSkin> skin;  ///< at the start; initial_temperature is that of the core
 };
 
 struct Tool : Body {
@@ -127,6 +135,7 @@ struct Probe {
 };
 
 struct Output {
+  std::optional<double> fill_level;       ///< of the finished container below its rim, m
   double interval = 0.1;                  ///< between field outputs, s
   std::vector<double> times;              ///< further output times, s
   double checkpoint_interval = 300;       ///< between checkpoints, s of wall time

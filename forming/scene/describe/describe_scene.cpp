@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "thermal/properties.hpp"
@@ -145,7 +146,8 @@ std::string describe_scene(const Scene& scene) {
   std::string head = fmt::format("{}, {}\n", scene.name, geometry);
   for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
-         number_lines(dimensionless_numbers(scene), scene.geometry) + stage_lines(scene) + accuracy_lines(scene);
+         number_lines(dimensionless_numbers(scene), scene.geometry) + describe_container(scene) + stage_lines(scene) +
+         accuracy_lines(scene);
 }
 
 }  // namespace parison::forming

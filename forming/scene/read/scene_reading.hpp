@@ -29,6 +29,12 @@ struct BodyContext {
 Glass read_glass(const core::CaseNode& node, const BodyContext& context);
 Tool read_tool(const core::CaseNode& node, const BodyContext& context);
 
+/// Draws the glass as a capsule of a given mass, or scales its outline to the mass.
+void read_gob(const core::CaseNode& node, core::Geometry geometry, Glass& glass);
+GobSkin read_skin(const core::CaseNode& node, const Glass& glass);
+/// Refuses a gob given by its mass that does not fit the cavity of its press or mould.
+void check_gob(const Scene& scene, const core::CaseNode& glass);
+
 /// A table of a body's list of boundaries, with the keys that it may have.
 core::CaseTable boundary_table(const core::CaseNode& node);
 /// A point such as "(31, 14) mm".
