@@ -62,6 +62,14 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
   json.open_list("overrides");
   for (const std::string& assignment : scene.overrides) json.add("", assignment);
   json.close();
+  json.open_object("dimensions");
+  for (const core::NamedDimension& dimension : scene.dimensions) {
+    json.open_object(dimension.name);
+    json.add("given", dimension.given);
+    json.add("value_SI", dimension.measure.value);
+    json.close();
+  }
+  json.close();
   json.add("completed", summary.run.completed);
   json.add("stopped", summary.run.stopped);
   json.add("reason", summary.run.reason);

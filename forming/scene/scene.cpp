@@ -97,9 +97,11 @@ std::vector<std::string> tool_names(const Scene& scene) {
 Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides) {
   auto file = core::read_case_file(path);
   for (const auto& assignment : overrides) core::override_value(file, assignment);
+  const auto dimensions = core::read_dimensions(file);
   const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "trapped_air",
-                                   "stage", "probe", "output", "numerics"});
+                                   "stage", "probe", "output", "numerics", "dimension"});
   Scene scene;
+  scene.dimensions = dimensions;
   scene.name = core::identifier(root.get("case"));
   scene.directory = file.directory;
   scene.file = file.path;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/conductance/conductance.hpp"
+#include "core/case/arithmetic/named_dimensions.hpp"
 #include "core/case/table.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/profile.hpp"
@@ -145,8 +146,9 @@ struct Output {
 /// A whole case in SI units, validated; nothing changes it during a run.
 struct Scene {
   std::string name;
-  std::string file, directory;         ///< the case file and its folder
-  std::uint64_t fingerprint = 0;       ///< of the case file's text, the overrides and all outlines
+  std::string file, directory;    ///< the case file and its folder
+  std::uint64_t fingerprint = 0;  ///< of the case file's text, the overrides and all outlines
+  std::vector<core::NamedDimension> dimensions;
   std::vector<std::string> overrides;  ///< values that replace those of the case file, "path=value"
   core::Geometry geometry;
   Glass glass;

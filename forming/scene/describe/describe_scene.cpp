@@ -145,6 +145,8 @@ std::string describe_scene(const Scene& scene) {
   const char* geometry = scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar";
   std::string head = fmt::format("{}, {}\n", scene.name, geometry);
   for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
+  for (const auto& dimension : scene.dimensions)
+    head += fmt::format("  {:<20}{} = {}\n", "dimension", dimension.name, dimension.given);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
          number_lines(dimensionless_numbers(scene), scene.geometry) + describe_container(scene) + stage_lines(scene) +
          accuracy_lines(scene);
