@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/mesh/tolerances.hpp"
+#include "forming/remeshing/named_boundary.hpp"
 #include "forming/run/step_loop.hpp"
 #include "forming/run/warnings.hpp"
 #include "forming/step/contact/contact_geometry.hpp"

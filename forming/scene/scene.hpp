@@ -100,11 +100,12 @@ struct StageTool {
   Motion motion;  ///< monostate: stays at its present offset
 };
 
-/// Names a part of the glass surface at the stage's start: from the surface point nearest `from` to the one nearest
-/// `to`, walked with the glass on the left.
+/// Names a part of the glass surface at the stage's start: what a tool touched at the end of the stage before, or from
+/// the surface point nearest `from` to the one nearest `to`, walked with the glass on the left.
 struct NamedBoundary {
   std::string name;
-  core::Point from, to;
+  core::Point from = core::Point::Zero(), to = core::Point::Zero();
+  std::optional<Index> touched = std::nullopt;  ///< index into Scene::tools
 };
 
 /// What becomes of air that glass and tools seal.

@@ -96,6 +96,9 @@ std::string stage_lines(const Scene& scene) {
     const char* limit = stage.end_speed ? "at most " : "";
     text +=
         fmt::format("  {:<20}{}{:.4g} s; {}\n", stage.name, limit, stage.duration, tools.empty() ? "no tools" : tools);
+    for (const NamedBoundary& named : stage.named_boundaries)
+      if (named.touched)
+        text += fmt::format("  {:<20}names {}: what {} touched\n", "", named.name, scene.tools[*named.touched].name);
   }
   return text;
 }

@@ -117,26 +117,8 @@ std::vector<std::string> open_boundaries(const Scene& scene, const Stage& stage)
   return names;
 }
 
-void read_named_boundaries(const CaseTable& table, const Scene& scene, Stage& stage) {
-  refuse_repeated_names(table.tables("name_boundary"));
-  for (const auto* node : table.tables("name_boundary")) {
-    const CaseTable named(*node, {"name", "from", "to"});
-    const auto& name = core::identifier(named.get("name"));
-    const auto exists = [&](const Boundary& boundary) { return boundary.name == name; };
-    if (std::any_of(scene.glass.boundaries.begin(), scene.glass.boundaries.end(), exists))
-      core::refuse(named.get("name"),
-                   fmt::format("\"{}\" is a boundary of the glass already, allowed is a new name", name));
-    for (const auto& earlier : scene.stages)
-      for (const auto& other : earlier.named_boundaries)
-        if (other.name == name)
-          core::refuse(named.get("name"),
-                       fmt::format("stage \"{}\" names \"{}\" already, allowed is a new name", earlier.name, name));
-    stage.named_boundaries.push_back({name, read_point(named.get("from")), read_point(named.get("to"))});
-  }
-}
-
 /// What only flowing glass obeys: gravity, pressures, the end condition.
-void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
+void read_loads(const CaseTable& table, Scene& scene, Stage& stage) {
   if (!scene.has_flow())
     for (const auto* key : {"gravity", "pressure", "end_speed", "name_boundary", "trapped_air"})
       if (const auto* item = table.find(key))
@@ -145,6 +127,9 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
   read_named_boundaries(table, scene, stage);
   if (const auto* pressures = table.find("pressure"))
     for (const auto& item : core::entries(*pressures)) {
+      const auto names = open_boundaries(scene, stage);
+      if (item.name == "inner" && std::find(names.begin(), names.end(), item.name) == names.end())
+        name_inner_side(item, scene, stage);
       core::choice(core::key_of(item), open_boundaries(scene, stage));
       stage.pressure[item.name] = core::quantity(item, dimension::pressure);
     }
@@ -157,7 +142,7 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
 
 }  // namespace
 
-Stage read_stage(const CaseNode& node, const CommonAir& common, const Scene& scene) {
+Stage read_stage(const CaseNode& node, const CommonAir& common, Scene& scene) {
   const CaseTable table(node, {"name", "duration", "end_speed", "gravity", "tools", "motion", "pressure", "air",
                                "trapped_air", "name_boundary"});
   Stage stage;
