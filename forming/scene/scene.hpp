@@ -117,17 +117,33 @@ struct TrappedAirLaw {
   double seal_gap = 1e-4;   ///< narrower gaps between tools are closed, m
 };
 
+/// What ends a stage before its duration has passed.
+struct EndCondition {
+  enum class Kind {
+    force,          ///< N: the force between the glass and any tool of the stage
+    filled,         ///< share of the surface without pressure that is within `within` of the tools of the stage
+    surface_below,  ///< K: mean temperature of the surface
+    surface_above,  ///< K
+    lowest          ///< m along the axis: the lowest point of the glass has come there, as gravity has it
+  } kind;
+  double value;
+  double within = 0;  ///< m
+};
+
 struct Stage {
   std::string name;
   double duration;  ///< s; the longest when an end condition is given
   std::optional<double>
       end_speed;  ///< the stage also ends when every force-driven tool is slower than this, m/s, having been faster
+  std::vector<EndCondition> ends;          ///< the stage also ends when any of these holds
   double gravity = 0;                      ///< along +axis, m/s2
   std::vector<StageTool> tools;            ///< active tools; the others are absent
   std::map<std::string, double> pressure;  ///< over-pressure on open glass boundaries by boundary name, Pa
   thermal::SurfaceExchange air;            ///< of open surfaces; emissivity is the body's own
   std::vector<NamedBoundary> named_boundaries;
   std::optional<TrappedAirLaw> trapped_air;  ///< none: cavities are vented
+
+  bool may_end_early() const { return end_speed || !ends.empty(); }
 };
 
 struct Probe {

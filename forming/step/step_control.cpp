@@ -17,7 +17,6 @@ constexpr double safety_factor = 0.9;  ///< of the step that would change just a
 constexpr double reject_above = 3.0;   ///< times what a step may change
 /// Times the shortest step allowed, and share of the work of the run: shorter steps with less are not repeated for it.
 constexpr double shortest_for_work = 10, bearable_work_error = 1e-3;
-constexpr double same_time = 1e-9;  ///< s
 
 double work_share(const Scene& scene, const StepReport& report) {
   return std::sqrt(report.work_error / scene.accuracy.work_per_step);
@@ -80,17 +79,6 @@ std::vector<double> outputs_due(const Scene& scene, double from, double to) {
   for (double t = next_output(scene, from); t <= to + same_time; t = next_output(scene, t))
     due.push_back(to - t < same_time ? to : t);
   return due;
-}
-
-StageEnd stage_end(const Scene& scene, const State& state) {
-  const Stage& stage = scene.stages[state.stage];
-  if (state.stage_time >= stage.duration - same_time) return StageEnd::duration;
-  if (!stage.end_speed || !state.has_moved) return StageEnd::none;
-  const bool at_rest = std::all_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
-    return !std::holds_alternative<ForceMotion>(tool.motion) ||
-           std::abs(state.tools[tool.tool].velocity) < *stage.end_speed;
-  });
-  return at_rest ? StageEnd::tools_at_rest : StageEnd::none;
 }
 
 }  // namespace parison::forming

@@ -145,7 +145,7 @@ void plan_press(const Scene& scene, Placed& placed, ContainerPlan& plan) {
       const auto* force = std::get_if<ForceMotion>(&entry.motion);
       const auto* position = std::get_if<PositionMotion>(&entry.motion);
       std::optional<double> end;
-      if (position && !stage.end_speed) end = position->offset(stage.duration);
+      if (position && !stage.may_end_early()) end = position->offset(stage.duration);
       if (!plan.press && plan.misfit.empty() && placed.offset[entry.tool]) {
         Press press{stage, static_cast<Index>(i), entry.tool, placed};
         if (force) plan_driven(press, force->force > 0 ? 1 : -1, plan);

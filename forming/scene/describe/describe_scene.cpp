@@ -93,7 +93,7 @@ std::string stage_lines(const Scene& scene) {
   for (const Stage& stage : scene.stages) {
     std::string tools;
     for (const StageTool& tool : stage.tools) tools += (tools.empty() ? "" : ", ") + stage_tool_text(scene, tool);
-    const char* limit = stage.end_speed ? "at most " : "";
+    const char* limit = stage.may_end_early() ? "at most " : "";
     text +=
         fmt::format("  {:<20}{}{:.4g} s; {}\n", stage.name, limit, stage.duration, tools.empty() ? "no tools" : tools);
     for (const NamedBoundary& named : stage.named_boundaries)
