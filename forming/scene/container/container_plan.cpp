@@ -136,20 +136,27 @@ void plan_moved(Press& press, double end, ContainerPlan& plan) {
                               press.stage.name, 1e6 * cavity->volume);
 }
 
-/// The first stage in which a moving tool closes a cavity; gives the offsets of all tools at the end.
+/// The motion of a tool as the press, where it closes a cavity.
+void plan_motion(Press& press, const Motion& motion, const std::optional<double>& end, ContainerPlan& plan) {
+  const double start = *press.placed.offset[press.tool];
+  if (const auto* force = std::get_if<ForceMotion>(&motion)) plan_driven(press, force->force > 0 ? 1 : -1, plan);
+  if (end && *end != start) plan_moved(press, *end, plan);
+}
+
+/// The first stage in which a moving tool closes a cavity, of a few that are looked at; gives the offsets of all tools
+/// at the end.
 void plan_press(const Scene& scene, Placed& placed, ContainerPlan& plan) {
+  int left = 6;  // motions
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     const Stage& stage = scene.stages[i];
     for (const StageTool& entry : stage.tools) {
       if (std::holds_alternative<std::monostate>(entry.motion)) continue;
-      const auto* force = std::get_if<ForceMotion>(&entry.motion);
       const auto* position = std::get_if<PositionMotion>(&entry.motion);
       std::optional<double> end;
       if (position && !stage.may_end_early()) end = position->offset(stage.duration);
-      if (!plan.press && plan.misfit.empty() && placed.offset[entry.tool]) {
+      if (!plan.press && plan.misfit.empty() && placed.offset[entry.tool] && left-- > 0) {
         Press press{stage, static_cast<Index>(i), entry.tool, placed};
-        if (force) plan_driven(press, force->force > 0 ? 1 : -1, plan);
-        if (end && *end != *placed.offset[entry.tool]) plan_moved(press, *end, plan);
+        plan_motion(press, entry.motion, end, plan);
       }
       const bool is_press = plan.press && plan.press->stage == static_cast<Index>(i) && plan.press->tool == entry.tool;
       placed.offset[entry.tool] = is_press ? plan.press->stop : end;
