@@ -19,6 +19,7 @@ constexpr int least_panels = 800;  // over the whole height
 struct Level {
   double z, height;
   double from, to;  ///< of its panel, m
+  int band;
 };
 
 /// What a line passes: solid from `inner` to `outer`, radii in m.
@@ -44,14 +45,16 @@ std::vector<Level> levels_of(std::vector<double> places, double low, double high
   const double least = (high - low) / most_bands, panel = (high - low) / least_panels;
   std::vector<Level> levels;
   double from = low;
+  int band = 0;
   for (const double to : places) {
     if (to <= from || to > high || (to - from < least && places.size() > most_bands && to < high)) continue;
     const int count = std::max(1, static_cast<int>(std::ceil((to - from) / panel)));
     const double height = (to - from) / count;
     for (int i = 0; i < count; ++i)
       for (const double t : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)})
-        levels.push_back({from + (i + t) * height, height / 2, from + i * height, from + (i + 1) * height});
+        levels.push_back({from + (i + t) * height, height / 2, from + i * height, from + (i + 1) * height, band});
     from = to;
+    ++band;
   }
   return levels;
 }
@@ -62,6 +65,32 @@ void add_spans(std::vector<Crossing> crossings, std::size_t solid, std::vector<S
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
     spans.push_back({std::max(crossings[i].at, 0.0), crossings[i + 1].at, solid, solid, crossings[i].contact,
                      crossings[i + 1].contact});
+}
+
+/// What two lists of spans share, in any order.
+std::vector<Span> shared(const std::vector<Span>& below, const std::vector<Span>& above) {
+  std::vector<Span> result;
+  constexpr std::size_t most = 10'000;
+  for (const Span& a : below)
+    for (const Span& b : above) {
+      Span span = a.inner > b.inner ? a : b;
+      const Span& outer = a.outer < b.outer ? a : b;
+      span.outer = outer.outer, span.outer_solid = outer.outer_solid, span.outer_contact = outer.outer_contact;
+      if (span.inner < span.outer && result.size() < most) result.push_back(span);
+    }
+  return result;
+}
+
+/// Closes gaps along the axis: where a band between two ends of outlines is narrower than `sealed`, what is solid on
+/// both sides of it is solid in it.
+void close_bands(const std::vector<Level>& levels, double sealed, std::vector<std::vector<Span>>& spans) {
+  for (std::size_t first = 1, end; first < levels.size(); first = end) {
+    end = first + 1;
+    while (end < levels.size() && levels[end].band == levels[first].band) ++end;
+    if (end == levels.size() || levels[end - 1].to - levels[first].from >= sealed) continue;
+    const std::vector<Span> both = shared(spans[first - 1], spans[end]);
+    for (std::size_t k = first; k < end; ++k) spans[k].insert(spans[k].end(), both.begin(), both.end());
+  }
 }
 
 /// What the spans leave free of a line, without gaps up to `sealed`.
@@ -164,6 +193,7 @@ std::optional<std::vector<FreeRegion>> free_regions(const std::vector<Solid>& so
     }
     for (std::size_t k = 0; k < levels.size(); ++k) add_spans(std::move(crossings[k]), i, spans[k]);
   }
+  close_bands(levels, limits.sealed_gap, spans);
   std::vector<Gap> gaps;
   for (std::size_t k = 0; k < levels.size(); ++k) add_gaps(std::move(spans[k]), k, limits.sealed_gap, gaps);
   return regions_of(gaps, levels, solids.size(), limits);

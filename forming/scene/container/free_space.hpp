@@ -23,7 +23,8 @@ struct FreeRegion {
   std::vector<bool> touches;                             ///< by solid: with a contact boundary
 };
 
-/// The part of space that is looked at, m along the axis, and the width across it below which a gap is closed.
+/// The part of space that is looked at, m along the axis, and the width across and along it below which a gap
+/// is closed.
 struct SpaceLimits {
   std::optional<double> low, high;  ///< none: to the ends of the solids, beyond which all is open
   double sealed_gap = 0;

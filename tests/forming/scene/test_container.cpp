@@ -85,6 +85,29 @@ TEST(FreeSpace, a_limit_closes_what_it_cuts_and_a_gap_opens_it) {
     }
 }
 
+TEST(FreeSpace, a_joint_between_two_tools_is_closed_where_it_is_narrower_than_the_sealed_gap) {
+  const auto box = [](double inner, double low, double high) {
+    core::Profile profile;
+    const core::Point corners[] = {{inner, low}, {0.05, low}, {0.05, high}, {inner, high}};
+    for (int i = 0; i < 4; ++i) profile.segments.push_back({corners[i], corners[(i + 1) % 4]});
+    return profile;
+  };
+  const core::Profile floor = box(0, -0.01, 0), ring = box(0.01, 0, 0.02), lid = box(0, 0.02, 0.03);
+  const auto closed_volume = [&](double joint, double sealed) {
+    double volume = 0;
+    const auto regions =
+        *free_regions({{&floor, {true}, 0}, {&ring, {true}, 0}, {&lid, {true}, joint}}, {{}, {}, sealed});
+    for (const auto& region : regions)
+      if (!region.is_open) volume += region.volume;
+    return volume;
+  };
+  const double whole = M_PI * 1e-4 * 0.02;
+  EXPECT_NEAR(closed_volume(0, 0), whole, 1e-6 * whole);
+  EXPECT_EQ(closed_volume(5e-5, 0), 0);
+  EXPECT_NEAR(closed_volume(5e-5, 1e-4), M_PI * 1e-4 * 0.02, 3e-3 * whole);
+  EXPECT_EQ(closed_volume(2e-4, 1e-4), 0);
+}
+
 TEST(FreeSpace, outlines_too_fine_for_it_are_given_up_in_a_bounded_time) {
   core::Profile comb;
   core::Point at(0.001, 0);
