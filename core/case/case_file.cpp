@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/case/arithmetic/expression.hpp"
+
 namespace parison::core {
 namespace {
 
@@ -120,6 +122,15 @@ std::vector<const CaseNode*> CaseTable::tables(const std::string& key) const {
   return result;
 }
 
+double text_quantity(const CaseNode& node, std::string_view text, const Dimension& dimension, std::string_view unit) {
+  const auto simple = parse_quantity(unit.empty() ? std::string(text) : fmt::format("{} {}", text, unit), dimension);
+  if (simple.problem.empty()) return simple.value;
+  const auto formula = parse_formula_as(text, dimension, node.known ? *node.known : NamedQuantities{}, unit);
+  if (formula.problem.empty()) return formula.value;
+  const bool is_formula = node.known || text.find_first_of("+*(") != text.npos;
+  refuse(node, is_formula ? formula.problem : simple.problem);
+}
+
 double quantity(const CaseNode& node, const Dimension& dimension) {
   const bool plain = dimension.length == 0 && dimension.mass == 0 && dimension.time == 0 && dimension.temperature == 0;
   if (node.kind == CaseNode::Kind::number && plain) {
@@ -128,11 +139,10 @@ double quantity(const CaseNode& node, const Dimension& dimension) {
                              largest_of(dimension)));
   }
   require_kind(node, CaseNode::Kind::text, describe(dimension));
-  const auto parsed = parse_quantity(node.text, dimension);
-  if (!parsed.problem.empty()) refuse(node, parsed.problem);
-  if (dimension.absolute && parsed.value <= 0)
+  const double value = text_quantity(node, node.text, dimension);
+  if (dimension.absolute && value <= 0)
     refuse(node, fmt::format("\"{}\" is not above absolute zero, allowed is {}", node.text, describe(dimension)));
-  return parsed.value;
+  return value;
 }
 
 double positive(const CaseNode& node, const Dimension& dimension) {

@@ -1,6 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/case/case_error.hpp"
@@ -9,6 +11,8 @@
 #include "core/case/units.hpp"
 
 namespace parison::core {
+
+struct NamedQuantities;
 
 /// A value of a case file and its location in the file.
 struct CaseNode {
@@ -21,7 +25,8 @@ struct CaseNode {
   std::string text;
   double number = 0;
   bool flag = false;
-  std::vector<CaseNode> items;  ///< of a list in its order, of a table by name
+  std::vector<CaseNode> items;                   ///< of a list in its order, of a table by name
+  std::shared_ptr<const NamedQuantities> known;  ///< what its text may name; null where the case has no dimensions
 };
 
 /// A case file as text with line numbers; nothing of it is interpreted.
@@ -64,6 +69,10 @@ class CaseTable {
 
 /// A quantity in SI; plain numbers serve where the dimension is none.
 double quantity(const CaseNode& node, const Dimension& dimension);
+/// The quantity of a part of a node's text, a formula with the names of the case or "2.5 mm"; a plain number counts in
+/// `unit` where there is one.
+double text_quantity(const CaseNode& node, std::string_view text, const Dimension& dimension,
+                     std::string_view unit = "");
 /// A quantity above zero.
 double positive(const CaseNode& node, const Dimension& dimension);
 /// A quantity not below zero.

@@ -98,7 +98,8 @@ void override_value(CaseFile& file, const std::string& assignment) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool last = i + 1 == words.size();
     // A new name in the middle of a path would make a table that nothing uses; the case's own tables are known.
-    at = &step_down(*at, words[i], place, i == 0 || last);
+    // So are the named dimensions, which the case's texts use.
+    at = &step_down(*at, words[i], place, words[0] != "dimension" && (i == 0 || last));
   }
   const std::string name = at->name;
   *at = value;

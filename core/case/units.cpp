@@ -5,20 +5,12 @@
 
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <string_view>
 
 namespace parison::core {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double celsius_zero = 273.15;
-
-/// A unit or a product of units: its size in SI and its dimension.
-struct Unit {
-  double factor = 1;
-  Dimension dimension;
-};
 
 struct NamedUnit {
   std::string_view symbol;
@@ -84,9 +76,13 @@ constexpr NamedDimension named_dimensions[] = {
     {dimension::conductance, "a heat transfer coefficient", "5000 W/m2/K", 1e18},
 };
 
+}  // namespace
+
 bool same_exponents(const Dimension& a, const Dimension& b) {
   return a.length == b.length && a.mass == b.mass && a.time == b.time && a.temperature == b.temperature;
 }
+
+namespace {
 
 /// Null for a dimension without a name of its own.
 const NamedDimension* find_named(const Dimension& dimension) {
@@ -108,10 +104,14 @@ std::string si_unit(const Dimension& dimension) {
   return unit;
 }
 
+}  // namespace
+
 std::string name_of(const Dimension& dimension) {
   if (const auto* named = find_named(dimension)) return named->name;
   return "a quantity in" + si_unit(dimension);
 }
+
+namespace {
 
 std::optional<Unit> find_unit(std::string_view symbol) {
   for (const auto& named : named_units)
@@ -141,7 +141,8 @@ std::optional<Unit> parse_factor(std::string_view text) {
               {d.length * exponent, d.mass * exponent, d.time * exponent, d.temperature * exponent}};
 }
 
-/// Factors joined by '.', '*' or a blank; each '/' divides by the one factor that follows it.
+}  // namespace
+
 std::optional<Unit> parse_unit(std::string_view text) {
   Unit product;
   int sign = 1;
@@ -159,6 +160,8 @@ std::optional<Unit> parse_unit(std::string_view text) {
     text.remove_prefix(end + 1);
   }
 }
+
+namespace {
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");

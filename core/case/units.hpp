@@ -1,6 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace parison::core {
 
@@ -44,6 +46,20 @@ ParsedQuantity parse_quantity(const std::string& text, const Dimension& expected
 
 /// The largest size of a quantity that is taken, SI.
 double largest_of(const Dimension& dimension);
+
+/// A unit or a product of units: its size in SI and its dimension.
+struct Unit {
+  double factor = 1;
+  Dimension dimension;
+};
+/// Factors such as "W/m2/K" joined by '.', '*' or a blank; each '/' divides by the one factor that follows it. Nothing
+/// for what is no unit; degC is none.
+std::optional<Unit> parse_unit(std::string_view text);
+
+/// Whether two dimensions have the same exponents.
+bool same_exponents(const Dimension& a, const Dimension& b);
+/// "a length", "a quantity in kg m^-3".
+std::string name_of(const Dimension& dimension);
 
 /// What a dimension is called, with an example: `a length such as "2.5 mm"`.
 std::string describe(const Dimension& dimension);

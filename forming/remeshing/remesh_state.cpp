@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/remeshing/remesh_state.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +11,7 @@
 #include "contact/unilateral/tool_gap.hpp"
 #include "core/mesh/tolerances.hpp"
 #include "forming/remeshing/mesh_smoothing.hpp"
+#include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_criteria.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
@@ -178,36 +177,6 @@ void accumulate(const Scene& scene, const State& state, RemeshReason why, const 
   statistics.min_median = std::min(statistics.min_median, quality.median);
 }
 
-/// The edge that may touch tools whose first (`end` 0) or last (1) node is nearest to x, and the distance.
-struct NearestEdge {
-  std::size_t edge = 0;
-  double distance = std::numeric_limits<double>::infinity();
-};
-NearestEdge nearest_edge(const core::Mesh& mesh, const std::vector<bool>& may_touch, const Point& x, int end) {
-  NearestEdge nearest;
-  for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e) {
-    if (!may_touch[mesh.boundary_edges()[e].boundary_id]) continue;
-    const double d = (mesh.nodes[mesh.boundary_edges()[e].nodes[end]] - x).norm();
-    if (d < nearest.distance) nearest = {e, d};
-  }
-  return nearest;
-}
-
-/// Gives the contact edges between the surface nodes nearest to `from` and `to` a boundary of their own.
-void name_boundary(const NamedBoundary& named, const std::vector<bool>& may_touch, core::Mesh& mesh) {
-  Index boundary_id = core::find_boundary(mesh, named.name);
-  if (boundary_id < 0) {
-    boundary_id = static_cast<Index>(mesh.boundaries().size());
-    mesh.edit().boundaries.push_back(named.name);
-  }
-  const std::size_t last = nearest_edge(mesh, may_touch, named.to, 1).edge;
-  for (std::size_t e = nearest_edge(mesh, may_touch, named.from, 0).edge;; e = (e + 1) % mesh.boundary_edges().size()) {
-    if (mesh.boundary_edges()[e].boundary_id != boundary_id && may_touch[mesh.boundary_edges()[e].boundary_id])
-      mesh.edit().boundary_edges[e].boundary_id = boundary_id;
-    if (e == last) break;
-  }
-}
-
 /// Nodes in contact with a tool that the stage takes away.
 std::vector<Index> nodes_left_by_tools(const Stage& stage, const State& state) {
   std::vector<Index> nodes;
@@ -260,26 +229,6 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
   return result;
 }
 
-std::string misplaced_boundary(const Scene& scene, const State& state, Index stage) {
-  const core::Mesh& mesh = state.glass.mesh;
-  const auto may_touch = core::boundaries_of_kind(mesh, BoundaryKind::contact);
-  const double max_end_distance = core::tolerance::named_end * core::size(scene.glass.profile);
-  for (const auto& named : scene.stages[stage].named_boundaries)
-    for (const int end : {0, 1}) {
-      const Point& x = end == 0 ? named.from : named.to;
-      const auto nearest = nearest_edge(mesh, may_touch, x, end);
-      if (nearest.distance <= max_end_distance) continue;
-      const Point& found = mesh.nodes[mesh.boundary_edges()[nearest.edge].nodes[end]];
-      return fmt::format(
-          "name_boundary {}: \"{}\", ({:.4g}, {:.4g}) mm, lies {:.3g} mm from the surface of the glass, nearest to "
-          "({:.4g}, {:.4g}) mm; "
-          "allowed are {:g} mm",
-          named.name, end == 0 ? "from" : "to", 1e3 * x[0], 1e3 * x[1], 1e3 * nearest.distance, 1e3 * found[0],
-          1e3 * found[1], 1e3 * max_end_distance);
-    }
-  return "";
-}
-
 State start_stage(const Scene& scene, const State& state, Index stage) {
   State next = state;
   next.stage = stage;
@@ -300,8 +249,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   });
   next.glass.active_contacts = {};
   for (ToolState& tool : next.tools) tool.velocity = tool.slowing = tool.force = 0;
-  for (const auto& named : scene.stages[stage].named_boundaries)
-    name_boundary(named, core::boundaries_of_kind(next.glass.mesh, BoundaryKind::contact), next.glass.mesh);
+  for (const auto& named : scene.stages[stage].named_boundaries) name_boundary(scene, state, named, next.glass.mesh);
   return next;
 }
 

@@ -22,7 +22,4 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
 /// released, fields follow their stage-start rule, and the boundaries that the stage names are assigned.
 State start_stage(const Scene& scene, const State& state, Index stage);
 
-/// A sentence where an end of a boundary that stage `stage` names does not lie on the present surface; empty otherwise.
-std::string misplaced_boundary(const Scene& scene, const State& state, Index stage);
-
 }  // namespace parison::forming

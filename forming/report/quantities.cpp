@@ -109,7 +109,7 @@ void add_extent(const State& state, Quantities& found) {
 
 void add_tools(const Scene& scene, const State& state, const Summary& summary, Quantities& found) {
   for (std::size_t i = 0; i < std::min(scene.stages.size(), summary.run.stages.size()); ++i)
-    if (scene.stages[i].end_speed) {
+    if (scene.stages[i].may_end_early()) {
       const StageRecord& record = summary.run.stages[i];
       const double lasted = record.end - record.start;
       found.values.push_back({"time_" + record.name, "s", lasted, lasted});

@@ -12,6 +12,7 @@
 #include "core/io/json.hpp"
 #include "core/mesh/element.hpp"
 #include "forming/report/checks/checks.hpp"
+#include "forming/report/container/container_report.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/summary_parts.hpp"
 #include "forming/state/fingerprint.hpp"
@@ -61,6 +62,14 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
   json.add("accuracy", scene.accuracy_name);
   json.open_list("overrides");
   for (const std::string& assignment : scene.overrides) json.add("", assignment);
+  json.close();
+  json.open_object("dimensions");
+  for (const core::NamedDimension& dimension : scene.dimensions) {
+    json.open_object(dimension.name);
+    json.add("given", dimension.given);
+    json.add("value_SI", dimension.measure.value);
+    json.close();
+  }
   json.close();
   json.add("completed", summary.run.completed);
   json.add("stopped", summary.run.stopped);
@@ -225,6 +234,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_cavities(json, scene, state);
   add_thickness(json, summary);
   add_checks(json, summary.run.checks);
+  add_container(json, scene, state);
   if (bars) add_errors(json, *bars);
   if (bars && bars->control) add_control(json, *bars->control);
   add_quantities(json, summary.quantities);

@@ -19,7 +19,7 @@ namespace parison::forming {
 struct StageRecord {
   std::string name;
   double start, end;       ///< s since the start of the run
-  std::string end_reason;  ///< "duration", "tools at rest", "stop" or "failure"
+  std::string end_reason;  ///< name_of a StageEnd, "stop" or "failure"
   Work work = {};          ///< since the start of the run
 };
 

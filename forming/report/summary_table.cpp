@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forming/report/cavity_report.hpp"
+#include "forming/report/container/container_report.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/summary.hpp"
 #include "thermal/properties.hpp"
@@ -33,13 +34,14 @@ std::string thickness_lines(const Summary& summary) {
          line("at (r, z)", fmt::format("min {}, max {}", at(range.lowest_at), at(range.highest_at)));
 }
 
-std::string glass_lines(const Scene& scene, const Summary& summary) {
+std::string glass_lines(const Scene& scene, const State& state, const Summary& summary) {
   const GlassFacts& glass = summary.glass;
   std::string text = line("glass", fmt::format("{:.1f} g, {:.2f} cm3", 1e3 * glass.mass, 1e6 * glass.volume));
   if (scene.has_heat())
     text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
                                                   celsius(glass.lowest), celsius(glass.highest)));
   text += thickness_lines(summary);
+  if (const auto capacity = capacity_text(scene, state); !capacity.empty()) text += line("capacity", capacity);
   if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
     text += line("outer surface",
                  fmt::format("{:.1f} % within 0.2 mm of the active tools", 100 * summary.outer_within_02mm));
@@ -157,7 +159,7 @@ std::string summary_table(const Scene& scene, const State& state, const Summary&
   text += summary.run.completed ? fmt::format("completed, {:.4g} s simulated\n", state.time)
                                 : fmt::format("stopped at {:.4g} s: {}\n", state.time, summary.run.reason);
   for (const std::string& assignment : scene.overrides) text += line("override", assignment);
-  return text + glass_lines(scene, summary) + tool_lines(summary) + stage_lines(summary.run) +
+  return text + glass_lines(scene, state, summary) + tool_lines(summary) + stage_lines(summary.run) +
          run_lines(scene, state, summary);
 }
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/mesh/tolerances.hpp"
+#include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/run/step_loop.hpp"
 #include "forming/run/warnings.hpp"
@@ -86,15 +86,7 @@ namespace {
 const char* end_reason(const RunInProgress& run, bool good) {
   if (run.outcome.facts.stopped) return "stop";
   if (!good) return "failure";
-  switch (stage_end(run.scene, run.outcome.state)) {
-    case StageEnd::duration:
-      return "duration";
-    case StageEnd::tools_at_rest:
-      return "tools at rest";
-    case StageEnd::none:
-      break;
-  }
-  throw std::logic_error("a stage ended without a condition");
+  return name_of(stage_end(run.scene, run.outcome.state));
 }
 
 }  // namespace

@@ -79,6 +79,7 @@ TemperatureRange temperature_range(const Scene& scene) {
     }
   };
   include_body(scene.glass);
+  if (scene.glass.skin) include(scene.glass.skin->temperature);
   for (const Tool& tool : scene.tools) include_body(tool);
   for (const Stage& stage : scene.stages) {
     if (stage.air.h.max() > 0) include(stage.air.air_temperature);
@@ -96,9 +97,11 @@ std::vector<std::string> tool_names(const Scene& scene) {
 Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides) {
   auto file = core::read_case_file(path);
   for (const auto& assignment : overrides) core::override_value(file, assignment);
+  const auto dimensions = core::read_dimensions(file);
   const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "trapped_air",
-                                   "stage", "probe", "output", "numerics"});
+                                   "stage", "probe", "output", "numerics", "dimension"});
   Scene scene;
+  scene.dimensions = dimensions;
   scene.name = core::identifier(root.get("case"));
   scene.directory = file.directory;
   scene.file = file.path;
@@ -114,6 +117,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   if (const auto* numerics = root.find("numerics")) read_numerics(*numerics, scene);
   if (scene.accuracy_choice.coarsening_factor != 1) coarsen(scene, scene.accuracy_choice.coarsening_factor);
   check_sizes(scene, root);
+  check_gob(scene, root.get("glass"));
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));
   check_support(scene, root);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/conductance/conductance.hpp"
+#include "core/case/arithmetic/named_dimensions.hpp"
 #include "core/case/table.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/profile.hpp"
@@ -59,10 +60,18 @@ struct FilmLimit {
   enum class Then { stop, freeze } then = Then::stop;  ///< the run ends, or the film flows no more
 };
 
+/// A colder skin of the gob: the temperature at a distance d from its open surface is core + (surface - core)
+/// exp(-d/depth).
+struct GobSkin {
+  double temperature;  ///< at the surface, K
+  double depth;        ///< m
+};
+
 /// The body that flows; always body 0. Without `flow` it does not move.
 struct Glass : Body {
   std::optional<flow::Material> flow;
   FilmLimit film;
+  std::optional<GobSkin> skin;  ///< at the start; initial_temperature is that of the core
 };
 
 struct Tool : Body {
@@ -91,11 +100,12 @@ struct StageTool {
   Motion motion;  ///< monostate: stays at its present offset
 };
 
-/// Names a part of the glass surface at the stage's start: from the surface point nearest `from` to the one nearest
-/// `to`, walked with the glass on the left.
+/// Names a part of the glass surface at the stage's start: what a tool touched at the end of the stage before, or from
+/// the surface point nearest `from` to the one nearest `to`, walked with the glass on the left.
 struct NamedBoundary {
   std::string name;
-  core::Point from, to;
+  core::Point from = core::Point::Zero(), to = core::Point::Zero();
+  std::optional<Index> touched = std::nullopt;  ///< index into Scene::tools
 };
 
 /// What becomes of air that glass and tools seal.
@@ -107,17 +117,33 @@ struct TrappedAirLaw {
   double seal_gap = 1e-4;   ///< narrower gaps between tools are closed, m
 };
 
+/// What ends a stage before its duration has passed.
+struct EndCondition {
+  enum class Kind {
+    force,          ///< N: the force between the glass and any tool of the stage
+    filled,         ///< share of the surface without pressure that is within `within` of the tools of the stage
+    surface_below,  ///< K: mean temperature of the surface
+    surface_above,  ///< K
+    lowest          ///< m along the axis: the lowest point of the glass has come there, as gravity has it
+  } kind;
+  double value;
+  double within = 0;  ///< m
+};
+
 struct Stage {
   std::string name;
   double duration;  ///< s; the longest when an end condition is given
   std::optional<double>
       end_speed;  ///< the stage also ends when every force-driven tool is slower than this, m/s, having been faster
+  std::vector<EndCondition> ends;          ///< the stage also ends when any of these holds
   double gravity = 0;                      ///< along +axis, m/s2
   std::vector<StageTool> tools;            ///< active tools; the others are absent
   std::map<std::string, double> pressure;  ///< over-pressure on open glass boundaries by boundary name, Pa
   thermal::SurfaceExchange air;            ///< of open surfaces; emissivity is the body's own
   std::vector<NamedBoundary> named_boundaries;
   std::optional<TrappedAirLaw> trapped_air;  ///< none: cavities are vented
+
+  bool may_end_early() const { return end_speed || !ends.empty(); }
 };
 
 struct Probe {
@@ -127,6 +153,7 @@ struct Probe {
 };
 
 struct Output {
+  std::optional<double> fill_level;       ///< of the finished container below its rim, m
   double interval = 0.1;                  ///< between field outputs, s
   std::vector<double> times;              ///< further output times, s
   double checkpoint_interval = 300;       ///< between checkpoints, s of wall time
@@ -136,8 +163,9 @@ struct Output {
 /// A whole case in SI units, validated; nothing changes it during a run.
 struct Scene {
   std::string name;
-  std::string file, directory;         ///< the case file and its folder
-  std::uint64_t fingerprint = 0;       ///< of the case file's text, the overrides and all outlines
+  std::string file, directory;    ///< the case file and its folder
+  std::uint64_t fingerprint = 0;  ///< of the case file's text, the overrides and all outlines
+  std::vector<core::NamedDimension> dimensions;
   std::vector<std::string> overrides;  ///< values that replace those of the case file, "path=value"
   core::Geometry geometry;
   Glass glass;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/mesh/tolerances.hpp"
 #include "forming/state/skin_size.hpp"
@@ -62,6 +63,16 @@ bool exists(const Scene& scene, Needs needs) {
   return false;
 }
 
+/// Temperature of glass with a skin at a point, K.
+double skin_temperature(const Glass& glass, const core::Point& x) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const core::Segment& segment : glass.profile.segments)
+    if (glass.boundaries[segment.boundary_id].kind != BoundaryKind::symmetry)
+      distance = core::distance(segment, x, distance);
+  const double core_temperature = glass.initial_temperature;
+  return core_temperature + (glass.skin->temperature - core_temperature) * std::exp(-distance / glass.skin->depth);
+}
+
 GlassState initial_glass(const Scene& scene) {
   const Accuracy& accuracy = scene.accuracy;
   GlassState glass;
@@ -76,6 +87,9 @@ GlassState initial_glass(const Scene& scene) {
     std::fill((glass.*field.values).begin(), (glass.*field.values).end(), field.at_rest());
   });
   std::fill(glass.temperature.begin(), glass.temperature.end(), scene.glass.initial_temperature);
+  if (scene.glass.skin)
+    for (Index node = 0; node < glass.temperature.size(); ++node)
+      glass.temperature[node] = skin_temperature(scene.glass, glass.mesh.nodes[node]);
   glass.mass_nodes = glass.mesh.nodes;
   glass.density = scene.has_heat() ? scene.glass.thermal->density : scene.has_flow() ? scene.glass.flow->density : 0;
   glass.initial_volume = core::volume(glass.mesh, scene.geometry);

@@ -17,12 +17,10 @@ constexpr double safety_factor = 0.9;  ///< of the step that would change just a
 constexpr double reject_above = 3.0;   ///< times what a step may change
 /// Times the shortest step allowed, and share of the work of the run: shorter steps with less are not repeated for it.
 constexpr double shortest_for_work = 10, bearable_work_error = 1e-3;
-constexpr double same_time = 1e-9;  ///< s
-constexpr double kink_share =
-    0.05;  ///< of the largest speed: smaller jumps of a tool's speed need no step of their own
-/// A stage ends when its tools will be at rest within this share of the last step; towards that moment no step is
-/// shorter than this share of the one proposed.
-constexpr double rest_tolerance = 0.05, shortest_to_rest = 0.1;
+/// Smaller jumps of a tool's speed, as shares of its largest speed, need no step of their own.
+constexpr double kink_share = 0.05;
+/// Towards the moment at which tools come to rest no step is shorter than this share of the one proposed.
+constexpr double shortest_to_rest = 0.1;
 
 double work_share(const Scene& scene, const StepReport& report) {
   return std::sqrt(report.work_error / scene.accuracy.work_per_step);
@@ -57,22 +55,6 @@ double next_kink(const Scene& scene, const State& state) {
       for (const double kink : core::kinks(motion->offset, kink_share))
         if (kink > state.stage_time + same_time) next = std::min(next, kink);
   return next;
-}
-
-/// Time, s, until all driven tools are slower than the stage's end speed, as their speeds fall now: negative where they
-/// have been for some time, infinite where they do not fall or have not been faster yet.
-double time_to_rest(const Scene& scene, const State& state) {
-  const Stage& stage = scene.stages[state.stage];
-  if (!stage.end_speed || !state.has_moved) return std::numeric_limits<double>::infinity();
-  double latest = -std::numeric_limits<double>::infinity();
-  for (const StageTool& tool : stage.tools) {
-    if (!std::holds_alternative<ForceMotion>(tool.motion)) continue;
-    const ToolState& body = state.tools[tool.tool];
-    const double excess = std::log(std::abs(body.velocity) / *stage.end_speed);  // in the middle of the last step
-    if (excess <= 0) continue;
-    latest = std::max(latest, excess / body.slowing - 0.5 * state.last_step);
-  }
-  return latest;
 }
 
 }  // namespace
@@ -112,11 +94,6 @@ std::vector<double> outputs_due(const Scene& scene, double from, double to) {
   for (double t = next_output(scene, from); t <= to + same_time; t = next_output(scene, t))
     due.push_back(to - t < same_time ? to : t);
   return due;
-}
-
-StageEnd stage_end(const Scene& scene, const State& state) {
-  if (state.stage_time >= scene.stages[state.stage].duration - same_time) return StageEnd::duration;
-  return time_to_rest(scene, state) <= rest_tolerance * state.last_step ? StageEnd::tools_at_rest : StageEnd::none;
 }
 
 }  // namespace parison::forming

@@ -31,10 +31,19 @@ double clip_step_to_event(const Scene& scene, const State& state, double propose
 std::vector<double> outputs_due(const Scene& scene, double from, double to);
 
 /// The condition by which a stage ends; `none` while it goes on.
-enum class StageEnd { none, duration, tools_at_rest };
+enum class StageEnd { none, duration, tools_at_rest, force, filled, surface_below, surface_above, lowest };
+/// What it is called in the results.
+const char* name_of(StageEnd end);
+
+/// Times closer than this are one, s.
+inline constexpr double same_time = 1e-9;
+
+/// Time, s, until all driven tools are slower than the stage's end speed, as their speeds fall now: negative where they
+/// have been for some time, infinite where they do not fall or have not been faster yet.
+double time_to_rest(const Scene& scene, const State& state);
 
 /// Whether and by which condition the present stage is over: its duration has passed, or its driven tools have moved
-/// faster than the end speed and are all slower again.
+/// faster than the end speed and are all slower again, or a condition of the stage holds at the end of a step.
 StageEnd stage_end(const Scene& scene, const State& state);
 
 }  // namespace parison::forming

@@ -9,6 +9,7 @@
 
 #include "tools/commands/audit.hpp"
 #include "tools/commands/fit_law.hpp"
+#include "tools/commands/new_case.hpp"
 #include "tools/commands/run_command.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/tradeoff/tradeoff.hpp"
@@ -56,7 +57,16 @@ void add_resume(CLI::App& app, Command& chosen) {
 
 void add_check(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<RunRequest>();
-  add_case_options(*add_command(app, "check", "read a case and say what it needs", chosen, request, check), *request);
+  auto* command = add_command(app, "check", "read a case and say what it needs", chosen, request, check);
+  add_case_options(*command, *request);
+  command->add_option("--picture", request->picture, "SVG file for the section with tools, glass and axis");
+}
+
+void add_new(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<NewRequest>();
+  auto* command = add_command(app, "new", "begin a case like a bundled one", chosen, request, new_case);
+  command->add_option("folder", request->folder, "new folder; its name is that of the case")->required();
+  command->add_option("--like", request->like, "name of a bundled case")->capture_default_str();
 }
 
 void add_audit(CLI::App& app, Command& chosen) {
@@ -125,6 +135,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_run(app, chosen);
   add_resume(app, chosen);
   add_check(app, chosen);
+  add_new(app, chosen);
   add_audit(app, chosen);
   add_tradeoff(app, chosen);
   add_fit_law(app, chosen);

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/run/folder_run.hpp"
@@ -18,6 +19,7 @@
 #include "tools/commands/coarse_run.hpp"
 #include "tools/commands/console.hpp"
 #include "tools/commands/controlled_run.hpp"
+#include "tools/commands/section_picture.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 
@@ -83,6 +85,11 @@ int code_of(const forming::RunFacts& facts, bool keep_going) {
 
 int check(const RunRequest& request) {
   const Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
+  if (!request.picture.empty()) {
+    if (std::filesystem::path(request.picture).extension() != ".svg")
+      throw core::CaseError(fmt::format("--picture: \"{}\" was found, allowed is a file named .svg", request.picture));
+    core::replace_file(request.picture, section_picture(scene));
+  }
   fmt::print("{}", forming::describe_scene(scene));
   std::fflush(stdout);
   const std::string reason = forming::first_stage_failure(scene);

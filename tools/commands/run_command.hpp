@@ -12,7 +12,8 @@ struct RunRequest {
   std::string case_path;  ///< resume: empty for the case as it was
   std::string accuracy = "standard";
   std::vector<std::string> overrides;
-  std::string output;  ///< result folder; run: empty for results/NAME
+  std::string output;   ///< result folder; run: empty for results/NAME
+  std::string picture;  ///< check: SVG file, empty for none
   bool error_bars = false;
   bool keep_going = false;  ///< exit code 0 also where the results are not trustworthy
 };

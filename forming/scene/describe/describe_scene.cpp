@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "thermal/properties.hpp"
@@ -92,9 +93,12 @@ std::string stage_lines(const Scene& scene) {
   for (const Stage& stage : scene.stages) {
     std::string tools;
     for (const StageTool& tool : stage.tools) tools += (tools.empty() ? "" : ", ") + stage_tool_text(scene, tool);
-    const char* limit = stage.end_speed ? "at most " : "";
+    const char* limit = stage.may_end_early() ? "at most " : "";
     text +=
         fmt::format("  {:<20}{}{:.4g} s; {}\n", stage.name, limit, stage.duration, tools.empty() ? "no tools" : tools);
+    for (const NamedBoundary& named : stage.named_boundaries)
+      if (named.touched)
+        text += fmt::format("  {:<20}names {}: what {} touched\n", "", named.name, scene.tools[*named.touched].name);
   }
   return text;
 }
@@ -144,8 +148,11 @@ std::string describe_scene(const Scene& scene) {
   const char* geometry = scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar";
   std::string head = fmt::format("{}, {}\n", scene.name, geometry);
   for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
+  for (const auto& dimension : scene.dimensions)
+    head += fmt::format("  {:<20}{} = {}\n", "dimension", dimension.name, dimension.given);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
-         number_lines(dimensionless_numbers(scene), scene.geometry) + stage_lines(scene) + accuracy_lines(scene);
+         number_lines(dimensionless_numbers(scene), scene.geometry) + describe_container(scene) + stage_lines(scene) +
+         accuracy_lines(scene);
 }
 
 }  // namespace parison::forming

@@ -17,20 +17,6 @@ double surface_length(const Body& body) {
   return total;
 }
 
-/// Volume of the outline, m3, of a planar one for a metre of depth; arcs by many chords.
-double outline_volume(const core::Profile& profile, core::Geometry geometry) {
-  if (geometry == core::Geometry::planar) return std::abs(core::signed_area(profile));
-  constexpr int chords = 256;
-  double volume = 0;
-  for (const core::Segment& segment : profile.segments)
-    for (int i = 0; i < chords; ++i) {
-      const core::Point a = core::point_at(segment, double(i) / chords),
-                        b = core::point_at(segment, double(i + 1) / chords);
-      volume += M_PI / 3 * (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) * (b[1] - a[1]);
-    }
-  return std::abs(volume);
-}
-
 /// m/s: the fastest tool, else what the highest pressure or the weight makes of the viscous glass over the length.
 std::optional<double> flow_speed(const Scene& scene, double length, double viscosity) {
   if (!scene.has_flow()) return {};
@@ -83,6 +69,19 @@ void add_heat_numbers(const Scene& scene, DimensionlessNumbers& numbers) {
 }
 
 }  // namespace
+
+double outline_volume(const core::Profile& profile, core::Geometry geometry) {
+  if (geometry == core::Geometry::planar) return std::abs(core::signed_area(profile));
+  constexpr int chords = 256;
+  double volume = 0;
+  for (const core::Segment& segment : profile.segments)
+    for (int i = 0; i < chords; ++i) {
+      const core::Point a = core::point_at(segment, double(i) / chords),
+                        b = core::point_at(segment, double(i + 1) / chords);
+      volume += M_PI / 3 * (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) * (b[1] - a[1]);
+    }
+  return std::abs(volume);
+}
 
 double fastest(const StageTool& tool) {
   if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) return force->speed_limit;

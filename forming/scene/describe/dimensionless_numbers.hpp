@@ -17,6 +17,9 @@ struct DimensionlessNumbers {
 };
 DimensionlessNumbers dimensionless_numbers(const Scene& scene);
 
+/// Volume of an outline, m3, of a planar one for a metre of depth; arcs by many chords.
+double outline_volume(const core::Profile& profile, core::Geometry geometry);
+
 /// m/s, of a tool in a stage; 0 where it does not move.
 double fastest(const StageTool& tool);
 

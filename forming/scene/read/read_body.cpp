@@ -153,7 +153,7 @@ FilmLimit read_film(const CaseNode& node) {
 }  // namespace
 
 Glass read_glass(const CaseNode& node, const BodyContext& context) {
-  const CaseTable table(node, {"material", "temperature", "mesh", "film", "boundary"});
+  const CaseTable table(node, {"material", "temperature", "skin", "gob", "mesh", "film", "boundary"});
   Glass glass;
   glass.name = "glass";
   const auto& material = find_material(table.get("material"), context);
@@ -173,7 +173,11 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
                    fmt::format("\"{}\" was found, allowed are temperatures above T0 of the viscosity", item->text));
   }
   if (const auto* item = table.find("film")) glass.film = read_film(*item);
-  read_shape(table, context, glass);
+  if (const auto* item = table.find("skin")) glass.skin = read_skin(*item, glass);
+  const auto* gob = table.find("gob");
+  if (!gob || table.find("boundary")) read_shape(table, context, glass);
+  if (gob) read_gob(*gob, context.geometry, glass);
+  if (const auto* mesh = table.find("mesh"); mesh && !table.find("boundary")) glass.mesh = read_mesh(*mesh, glass);
   return glass;
 }
 

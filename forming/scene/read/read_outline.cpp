@@ -22,19 +22,22 @@ using core::Segment;
 namespace dimension = core::dimension;
 
 double part_quantity(const CaseNode& node, std::string_view text, const core::Dimension& expected) {
-  const auto parsed = core::parse_quantity(std::string(text), expected);
-  if (!parsed.problem.empty()) core::refuse(node, parsed.problem);
-  return parsed.value;
+  return core::text_quantity(node, text, expected);
+}
+
+/// The unit of a coordinate: zero needs none.
+std::string_view of_points(std::string_view unit, std::string_view coordinate) {
+  return unit.empty() && core::trimmed(coordinate) == "0" ? "m" : unit;
 }
 
 /// "31, 14" and "mm" to a point.
 Point coordinates(const CaseNode& node, std::string_view inside, std::string_view unit) {
-  const auto parts = core::split_at_commas(inside);
+  const auto parts = split_coordinates(inside);
   if (parts.size() != core::dim)
     core::refuse(node, fmt::format("\"({})\" has {} coordinates, allowed are {}", inside, parts.size(), core::dim));
   Point point;
   for (std::size_t i = 0; i < core::dim; ++i)
-    point[i] = part_quantity(node, fmt::format("{} {}", parts[i], unit), dimension::length);
+    point[i] = core::text_quantity(node, core::trimmed(parts[i]), dimension::length, of_points(unit, parts[i]));
   return point;
 }
 

@@ -117,26 +117,44 @@ std::vector<std::string> open_boundaries(const Scene& scene, const Stage& stage)
   return names;
 }
 
-void read_named_boundaries(const CaseTable& table, const Scene& scene, Stage& stage) {
-  refuse_repeated_names(table.tables("name_boundary"));
-  for (const auto* node : table.tables("name_boundary")) {
-    const CaseTable named(*node, {"name", "from", "to"});
-    const auto& name = core::identifier(named.get("name"));
-    const auto exists = [&](const Boundary& boundary) { return boundary.name == name; };
-    if (std::any_of(scene.glass.boundaries.begin(), scene.glass.boundaries.end(), exists))
-      core::refuse(named.get("name"),
-                   fmt::format("\"{}\" is a boundary of the glass already, allowed is a new name", name));
-    for (const auto& earlier : scene.stages)
-      for (const auto& other : earlier.named_boundaries)
-        if (other.name == name)
-          core::refuse(named.get("name"),
-                       fmt::format("stage \"{}\" names \"{}\" already, allowed is a new name", earlier.name, name));
-    stage.named_boundaries.push_back({name, read_point(named.get("from")), read_point(named.get("to"))});
+void refuse_end(const CaseNode& node, const char* reason) {
+  core::refuse(node, fmt::format("{}, allowed is another condition or the duration alone", reason));
+}
+
+std::vector<EndCondition> read_ends(const CaseNode& node, const Scene& scene, const Stage& stage) {
+  using Kind = EndCondition::Kind;
+  const CaseTable table(node, {"force", "filled", "within", "surface_below", "surface_above", "lowest"});
+  std::vector<EndCondition> ends;
+  if (const auto* item = table.find("force")) {
+    if (stage.tools.empty() || !scene.has_flow()) refuse_end(*item, "no tool presses on flowing glass in this stage");
+    ends.push_back({Kind::force, core::positive(*item, dimension::force)});
   }
+  if (const auto* item = table.find("filled")) {
+    const double share = core::positive(*item, dimension::none), within_default = 0.2e-3;
+    if (share > 1) core::refuse(*item, fmt::format("a share of {:g} was found, allowed are shares up to 100 %", share));
+    if (stage.tools.empty()) refuse_end(*item, "no tool is active in this stage");
+    const auto* within = table.find("within");
+    ends.push_back({Kind::filled, share, within ? core::positive(*within, dimension::length) : within_default});
+  } else if (const auto* within = table.find("within")) {
+    core::refuse(*within, "a distance was found, allowed only together with \"filled\"");
+  }
+  for (const auto& [key, kind] :
+       {std::pair{"surface_below", Kind::surface_below}, {"surface_above", Kind::surface_above}})
+    if (const auto* item = table.find(key)) {
+      if (!scene.has_heat()) refuse_end(*item, "the glass carries no heat");
+      ends.push_back({kind, core::quantity(*item, dimension::temperature)});
+    }
+  if (const auto* item = table.find("lowest")) {
+    if (stage.gravity == 0) refuse_end(*item, "the stage has no gravity, which says what is low");
+    ends.push_back({Kind::lowest, core::quantity(*item, dimension::length)});
+  }
+  if (ends.empty())
+    core::refuse(node, "no condition was found, allowed are force, filled, surface_below, surface_above, lowest");
+  return ends;
 }
 
 /// What only flowing glass obeys: gravity, pressures, the end condition.
-void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
+void read_loads(const CaseTable& table, Scene& scene, Stage& stage) {
   if (!scene.has_flow())
     for (const auto* key : {"gravity", "pressure", "end_speed", "name_boundary", "trapped_air"})
       if (const auto* item = table.find(key))
@@ -145,6 +163,9 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
   read_named_boundaries(table, scene, stage);
   if (const auto* pressures = table.find("pressure"))
     for (const auto& item : core::entries(*pressures)) {
+      const auto names = open_boundaries(scene, stage);
+      if (item.name == "inner" && std::find(names.begin(), names.end(), item.name) == names.end())
+        name_inner_side(item, scene, stage);
       core::choice(core::key_of(item), open_boundaries(scene, stage));
       stage.pressure[item.name] = core::quantity(item, dimension::pressure);
     }
@@ -157,14 +178,15 @@ void read_loads(const CaseTable& table, const Scene& scene, Stage& stage) {
 
 }  // namespace
 
-Stage read_stage(const CaseNode& node, const CommonAir& common, const Scene& scene) {
-  const CaseTable table(node, {"name", "duration", "end_speed", "gravity", "tools", "motion", "pressure", "air",
+Stage read_stage(const CaseNode& node, const CommonAir& common, Scene& scene) {
+  const CaseTable table(node, {"name", "duration", "end_speed", "gravity", "tools", "motion", "pressure", "end", "air",
                                "trapped_air", "name_boundary"});
   Stage stage;
   stage.name = core::identifier(table.get("name"));
   stage.duration = core::positive(table.get("duration"), dimension::time);
   stage.tools = read_stage_tools(table, scene);
   read_loads(table, scene, stage);
+  if (const auto* item = table.find("end")) stage.ends = read_ends(*item, scene, stage);
   const auto *own = table.find("air"), *own_trapped = table.find("trapped_air");
   const CaseNode *air = own ? own : common.air, *trapped = own_trapped ? own_trapped : common.trapped;
   if (trapped) stage.trapped_air = read_trapped_air(*trapped);

@@ -175,7 +175,7 @@ void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>&
                         1e3 * first, 1e3 * *at[entry.tool]));
       }
       at[entry.tool].reset();
-      if (!scene.stages[i].end_speed) at[entry.tool] = position->offset(scene.stages[i].duration);
+      if (!scene.stages[i].may_end_early()) at[entry.tool] = position->offset(scene.stages[i].duration);
     }
 }
 

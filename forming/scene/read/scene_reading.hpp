@@ -29,6 +29,12 @@ struct BodyContext {
 Glass read_glass(const core::CaseNode& node, const BodyContext& context);
 Tool read_tool(const core::CaseNode& node, const BodyContext& context);
 
+/// Draws the glass as a capsule of a given mass, or scales its outline to the mass.
+void read_gob(const core::CaseNode& node, core::Geometry geometry, Glass& glass);
+GobSkin read_skin(const core::CaseNode& node, const Glass& glass);
+/// Refuses a gob given by its mass that does not fit the cavity of its press or mould.
+void check_gob(const Scene& scene, const core::CaseNode& glass);
+
 /// A table of a body's list of boundaries, with the keys that it may have.
 core::CaseTable boundary_table(const core::CaseNode& node);
 /// A point such as "(31, 14) mm".
@@ -44,8 +50,14 @@ std::vector<Interface> read_interfaces(const core::CaseNode& node, const Scene& 
 struct CommonAir {
   const core::CaseNode *air, *trapped;
 };
-/// A stage. `scene` contains everything read before it.
-Stage read_stage(const core::CaseNode& node, const CommonAir& common, const Scene& scene);
+/// A stage. `scene` contains everything read before it; a stage read before gets the name of the inner side where this
+/// one loads it.
+Stage read_stage(const core::CaseNode& node, const CommonAir& common, Scene& scene);
+/// The boundaries that a stage names.
+void read_named_boundaries(const core::CaseTable& table, const Scene& scene, Stage& stage);
+/// Names the inner side, which nothing in the case does, by the tool that has made it: the one moved tool that has left
+/// the glass, or else the one tool that has. `load` is the entry that loads it.
+void name_inner_side(const core::CaseNode& load, Scene& scene, Stage& stage);
 Probe read_probe(const core::CaseNode& node, const Scene& scene);
 Output read_output(const core::CaseNode& node);
 void read_numerics(const core::CaseNode& node, Scene& scene);

@@ -23,5 +23,8 @@ inline constexpr double on_outline = 1.5e-5;
 /// Overlap of a tool and the glass in the drawings that counts as contact (1 um: the sagitta of sampled arcs is half
 /// as large).
 inline constexpr double initial_overlap = 1.5e-5;
+/// Width of a gap between tools that counts as closed where the volume of a cavity is taken (0.1 mm: clearances of
+/// plungers and moulds).
+inline constexpr double sealed = 1.5e-3;
 
 }  // namespace parison::forming::tolerance

@@ -53,7 +53,7 @@ TEST(Scene, the_jar_is_a_gob_of_220_grams_among_five_tools) {
   ASSERT_EQ(scene.stages.size(), 7u);
   const auto& press = scene.stages[1];
   EXPECT_DOUBLE_EQ(std::get<ForceMotion>(press.tools.back().motion).force, 8000);
-  EXPECT_DOUBLE_EQ(scene.stages[3].named_boundaries.at(0).from[1], 92e-3);
+  EXPECT_EQ(scene.stages[3].named_boundaries.at(0).touched, std::optional<Index>(scene.stages[1].tools.back().tool));
   EXPECT_DOUBLE_EQ(scene.stages[6].pressure.at("inner"), 0.35e5);
   for (const auto& tool : scene.tools) EXPECT_GT(core::signed_area(tool.profile), 0) << tool.name;
   EXPECT_DOUBLE_EQ(temperature_range(scene).min_temperature, 50 + 273.15);

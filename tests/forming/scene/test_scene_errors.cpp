@@ -18,7 +18,7 @@ TEST(SceneErrors, the_small_scene_itself_is_fine) {
 TEST(SceneErrors, unknown_key) {
   expect_complaint("duration = \"2 s\"", "duraton = \"2 s\"",
                    "stage.duraton: unknown key (did you mean \"duration\"?), allowed are name, duration, end_speed, "
-                   "gravity, tools, motion, pressure, air, trapped_air, name_boundary");
+                   "gravity, tools, motion, pressure, end, air, trapped_air, name_boundary");
 }
 
 TEST(SceneErrors, navier_friction_without_its_coefficient) {

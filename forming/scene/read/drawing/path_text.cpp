@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/scene/read/drawing/path_text.hpp"
 
+#include <algorithm>
+
 #include "core/case/given_file.hpp"
 
 namespace parison::forming {
@@ -31,11 +33,21 @@ std::string_view take_word(std::string_view& text) {
 /// Takes "(...)" and gives what is between the brackets; nothing where the text does not begin so.
 std::optional<std::string_view> take_brackets(std::string_view& text) {
   if (text.empty() || text.front() != '(') return {};
-  const auto end = text.find_first_of("()", 1);
-  if (end == text.npos || text[end] == '(') return {};
+  std::size_t end = 0;
+  for (int depth = 0; end < text.size(); ++end) {
+    depth += (text[end] == '(') - (text[end] == ')');
+    if (depth == 0) break;
+  }
+  if (end == text.size()) return {};
   const auto inside = text.substr(1, end - 1);
   text.remove_prefix(end + 1);
   return inside;
+}
+
+/// Whether a text has a name in it or a unit of its own.
+bool has_letter(std::string_view text) {
+  return std::any_of(text.begin(), text.end(),
+                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; });
 }
 
 /// Takes everything before the next word that is `end`, and that word; nothing where there is none.
@@ -60,8 +72,24 @@ std::optional<PointsText> split_points(std::string_view text) {
     skip_blanks(text);
   }
   result.unit = take_word(text);
-  if (result.points.empty() || !apart || result.unit.empty() || !text.empty()) return {};
+  if (result.points.empty() || !text.empty()) return {};
+  if (result.unit.empty() ? !std::any_of(result.points.begin(), result.points.end(), has_letter) : !apart) return {};
   return result;
+}
+
+std::vector<std::string_view> split_coordinates(std::string_view inside) {
+  constexpr std::size_t most = 1000;
+  std::vector<std::string_view> parts;
+  std::size_t from = 0;
+  int depth = 0;
+  for (std::size_t i = 0; i < inside.size() && parts.size() < most; ++i) {
+    depth += (inside[i] == '(') - (inside[i] == ')');
+    if (inside[i] != ',' || depth != 0) continue;
+    parts.push_back(inside.substr(from, i - from));
+    from = i + 1;
+  }
+  parts.push_back(inside.substr(from));
+  return parts;
 }
 
 std::optional<ArcText> split_arc(std::string_view text) {
@@ -69,8 +97,10 @@ std::optional<ArcText> split_arc(std::string_view text) {
   if (take_word(text) != "arc" || take_word(text) != "centre") return {};
   const auto centre = take_brackets(text);
   skip_blanks(text);
-  const auto unit = take_word(text);
-  if (!centre || unit.empty() || take_word(text) != "radius") return {};
+  const auto word = take_word(text);
+  const auto unit = word == "radius" ? std::string_view{} : word;
+  if (!centre || (unit.empty() && !has_letter(*centre))) return {};
+  if (!unit.empty() && take_word(text) != "radius") return {};
   const auto radius = take_until(text, "from"), from = take_until(text, "to");
   const auto to = trimmed(text);
   if (!radius || !from || radius->empty() || from->empty() || to.empty()) return {};

@@ -7,7 +7,8 @@
 
 namespace parison::forming {
 
-/// "(31, 14) (29.5, 20) mm": what stands between the brackets of each point, and the unit.
+/// "(31, 14) (29.5, 20) mm": what stands between the brackets of each point, and the unit, which may be missing where a
+/// point has units or names of its own.
 struct PointsText {
   std::vector<std::string_view> points;
   std::string_view unit;
@@ -19,6 +20,9 @@ std::optional<PointsText> split_points(std::string_view text);
 struct ArcText {
   std::string_view centre, unit, radius, from, to;
 };
+/// The parts of a point between its commas; those inside brackets do not part. The last has the rest where there are
+/// more than a thousand.
+std::vector<std::string_view> split_coordinates(std::string_view inside);
 /// Nothing where the text has another form.
 std::optional<ArcText> split_arc(std::string_view text);
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/container/container_report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/report/files/history.hpp"
+#include "forming/scene/container/container_plan.hpp"
+#include "forming/scene/container/free_space.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// The surface of a mesh as straight lines between its nodes.
+core::Profile surface_of(const core::Mesh& mesh) {
+  core::Profile profile;
+  for (const auto& edge : mesh.boundary_edges()) {
+    const Point a = mesh.nodes[edge.nodes[0]], b = mesh.nodes[edge.nodes[1]], middle = mesh.nodes[edge.nodes[2]];
+    profile.segments.push_back({a, middle});
+    profile.segments.push_back({middle, b});
+  }
+  return profile;
+}
+
+/// Volume of what the glass holds below a level, m3; `up` is 1 where it stands along the axis, -1 against it.
+std::optional<double> volume_below(const core::Profile& surface, double level, int up) {
+  SpaceLimits limits;
+  (up > 0 ? limits.high : limits.low) = level;
+  const auto regions = free_regions({{&surface, {true}, 0}}, limits);
+  std::optional<double> volume;
+  if (regions)
+    for (const FreeRegion& region : *regions)
+      if (!region.is_open && (up > 0 ? region.from_high_limit : region.from_low_limit))
+        volume = std::max(volume.value_or(0), region.volume);
+  return volume;
+}
+
+void add_optional(core::JsonWriter& json, const char* key, const std::optional<double>& value, double unit) {
+  if (value) json.add(key, *value / unit);
+}
+
+constexpr double millilitre = 1e-6, millimetre = 1e-3;
+
+void add_volumes(core::JsonWriter& json, const std::optional<double>& capacity, const std::optional<double>& filled) {
+  add_optional(json, "capacity_ml", capacity, millilitre);
+  add_optional(json, "to_fill_level_ml", filled, millilitre);
+  if (capacity && filled) json.add("ullage_ml", (*capacity - *filled) / millilitre);
+}
+
+}  // namespace
+
+std::optional<ContainerReport> container_report(const Scene& scene, const State& state) {
+  const auto plan = container_plan(scene);
+  const double gravity = scene.stages.back().gravity;
+  if (!plan || !plan->capacity || gravity == 0) return {};
+  const int up = gravity > 0 ? -1 : 1;
+  const core::Profile surface = surface_of(state.glass.mesh);
+  ContainerReport report;
+  report.weight = glass_facts(scene, state).mass;
+  report.rim = up * HUGE_VAL * -1;
+  for (const core::Segment& segment : surface.segments)
+    report.rim = up > 0 ? std::max(report.rim, segment.start[1]) : std::min(report.rim, segment.start[1]);
+  report.capacity = volume_below(surface, report.rim, up);
+  if (const auto level = scene.output.fill_level) report.filled = volume_below(surface, report.rim - up * *level, up);
+  if (plan->press && plan->press->is_driven && state.stage >= plan->press->stage)
+    report.plunger_stop = state.tools[plan->press->tool].offset;
+  return report;
+}
+
+void add_container(core::JsonWriter& json, const Scene& scene, const State& state) {
+  const auto report = container_report(scene, state);
+  if (!report) return;
+  json.open_object("container");
+  json.add("weight_g", 1e3 * report->weight);
+  json.add("rim_mm", report->rim / millimetre);
+  add_volumes(json, report->capacity, report->filled);
+  add_optional(json, "plunger_stop_mm", report->plunger_stop, millimetre);
+  add_optional(json, "fill_level_mm", scene.output.fill_level, millimetre);
+  const ContainerPlan plan = *container_plan(scene);
+  json.open_object("from_drawings");
+  json.add("weight_g", 1e3 * plan.mass);
+  add_volumes(json, plan.capacity, plan.filled);
+  if (plan.press) json.add("press_cavity_ml", plan.press->cavity / millilitre);
+  if (plan.press) json.add("plunger_stop_mm", plan.press->stop / millimetre);
+  add_optional(json, "mould_ml", plan.outside, millilitre);
+  json.close();
+  json.close();
+}
+
+std::string capacity_text(const Scene& scene, const State& state) {
+  const auto report = container_report(scene, state);
+  if (!report || !report->capacity) return "";
+  std::string text = fmt::format("{:.2f} ml to the rim", *report->capacity / millilitre);
+  if (report->filled)
+    text += fmt::format(", {:.2f} ml to {:.4g} mm below it", *report->filled / millilitre,
+                        *scene.output.fill_level / millimetre);
+  return text;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/container/container_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/scene/container/free_space.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/read/tolerances.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double fits = 1e-3;  // share of the cavity that sampled outlines leave open
+
+/// The tools of a scene at their offsets, as far as these are known before a run.
+struct Placed {
+  const Scene& scene;
+  std::vector<std::optional<double>> offset;  ///< by tool, m
+
+  Solid solid(Index tool) const {
+    const Tool& body = scene.tools[tool];
+    return {&body.profile, contact_boundaries(body), offset[tool].value_or(0)};
+  }
+  double sealed_gap() const { return tolerance::sealed * core::size(scene.glass.profile); }
+};
+
+/// The closed region that tools of a stage bound, the largest; with `needed` one that this tool touches.
+std::optional<FreeRegion> closed_region(const Placed& placed, const Stage& stage, std::optional<Index> needed) {
+  std::vector<Solid> solids;
+  std::size_t which = 0;
+  for (const StageTool& entry : stage.tools) {
+    if (!placed.offset[entry.tool]) return {};
+    if (needed && entry.tool == *needed) which = solids.size();
+    solids.push_back(placed.solid(entry.tool));
+  }
+  const auto regions = free_regions(solids, {{}, {}, placed.sealed_gap()});
+  std::optional<FreeRegion> best;
+  if (regions)
+    for (const FreeRegion& region : *regions) {
+      const auto touched = std::count(region.touches.begin(), region.touches.end(), true);
+      const bool wanted = needed ? region.touches[which] && touched > 1 : touched > 0;
+      if (wanted && !region.is_open && (!best || region.volume > best->volume)) best = region;
+    }
+  return best;
+}
+
+struct Press {
+  const Stage& stage;
+  Index stage_index, tool;
+  Placed placed;
+
+  std::optional<FreeRegion> cavity(double offset) {
+    placed.offset[tool] = offset;
+    return closed_region(placed, stage, tool);
+  }
+};
+
+/// Offsets at which a driven plunger is looked at, from where it is to where it meets another tool.
+std::vector<double> offsets_of_stroke(const Press& press, double sense, std::string& against) {
+  std::vector<Solid> others;
+  std::vector<Index> indices;
+  for (const StageTool& entry : press.stage.tools)
+    if (entry.tool != press.tool) {
+      if (!press.placed.offset[entry.tool]) return {};
+      others.push_back(press.placed.solid(entry.tool));
+      indices.push_back(entry.tool);
+    }
+  const auto travel = free_travel(press.placed.solid(press.tool), others, sense);
+  if (!travel) return {};
+  against = press.placed.scene.tools[indices[travel->met]].name;
+  constexpr int count = 48;
+  std::vector<double> offsets;
+  for (int i = 0; i <= count; ++i)
+    offsets.push_back(*press.placed.offset[press.tool] + sense * travel->distance * i / count);
+  return offsets;
+}
+
+/// Offset between two at which the closed cavity holds a volume, by bisection.
+double offset_of_volume(Press& press, double volume, double wide, double narrow) {
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (wide + narrow);
+    const auto cavity = press.cavity(middle);
+    (!cavity || cavity->volume > volume ? wide : narrow) = middle;
+  }
+  return narrow;
+}
+
+std::string volume_text(const ContainerPlan& plan) {
+  return fmt::format("{:.4g} g of glass have {:.4g} cm3", 1e3 * plan.mass, 1e6 * plan.glass_volume);
+}
+
+/// A plunger that a force drives stops where the glass fills the cavity.
+void plan_driven(Press& press, double sense, ContainerPlan& plan) {
+  std::string against;
+  const std::vector<double> offsets = offsets_of_stroke(press, sense, against);
+  std::optional<double> most, least, wide;
+  double most_at = 0;
+  for (const double offset : offsets) {
+    const auto cavity = press.cavity(offset);
+    if (!cavity) continue;
+    if (!most || cavity->volume > *most) most = cavity->volume, most_at = offset;
+    least = cavity->volume;
+    if (cavity->volume >= plan.glass_volume) {
+      wide = offset;
+      continue;
+    }
+    if (!wide) wide = offset == offsets.front() ? offset : offset - (offsets[1] - offsets[0]);
+    const double stop = offset_of_volume(press, plan.glass_volume, *wide, offset);
+    const auto full = press.cavity(stop);
+    if (!full || std::abs(full->volume - plan.glass_volume) > fits * plan.glass_volume) break;
+    plan.press = PressPlan{press.stage_index, press.tool, true, stop, full->volume, full->low, full->high};
+    return;
+  }
+  if (!most) return;
+  const std::string& name = press.placed.scene.tools[press.tool].name;
+  if (*most < plan.glass_volume)
+    plan.misfit = fmt::format("{}, but the cavity of stage \"{}\" has at most {:.4g} cm3 (with \"{}\" at {:.4g} mm)",
+                              volume_text(plan), press.stage.name, 1e6 * *most, name, 1e3 * most_at);
+  else
+    plan.misfit = fmt::format(
+        "{}, but the cavity of stage \"{}\" has at least {:.4g} cm3 (with \"{}\" at {:.4g} mm, where it "
+        "meets \"{}\")",
+        volume_text(plan), press.stage.name, 1e6 * *least, name, 1e3 * offsets.back(), against);
+}
+
+/// A plunger with a given motion has to leave the glass its room.
+void plan_moved(Press& press, double end, ContainerPlan& plan) {
+  const auto cavity = press.cavity(end);
+  if (!cavity) return;
+  plan.press = PressPlan{press.stage_index, press.tool, false, end, cavity->volume, cavity->low, cavity->high};
+  if (cavity->volume < (1 - fits) * plan.glass_volume)
+    plan.misfit = fmt::format("{}, but the cavity of stage \"{}\" has {:.4g} cm3 at its end", volume_text(plan),
+                              press.stage.name, 1e6 * cavity->volume);
+}
+
+/// The motion of a tool as the press, where it closes a cavity.
+void plan_motion(Press& press, const Motion& motion, const std::optional<double>& end, ContainerPlan& plan) {
+  const double start = *press.placed.offset[press.tool];
+  if (const auto* force = std::get_if<ForceMotion>(&motion)) plan_driven(press, force->force > 0 ? 1 : -1, plan);
+  if (end && *end != start) plan_moved(press, *end, plan);
+}
+
+/// The first stage in which a moving tool closes a cavity, of a few that are looked at; gives the offsets of all tools
+/// at the end.
+void plan_press(const Scene& scene, Placed& placed, ContainerPlan& plan) {
+  int left = 6;  // motions
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    const Stage& stage = scene.stages[i];
+    for (const StageTool& entry : stage.tools) {
+      if (std::holds_alternative<std::monostate>(entry.motion)) continue;
+      const auto* position = std::get_if<PositionMotion>(&entry.motion);
+      std::optional<double> end;
+      if (position && !stage.may_end_early()) end = position->offset(stage.duration);
+      if (!plan.press && plan.misfit.empty() && placed.offset[entry.tool] && left-- > 0) {
+        Press press{stage, static_cast<Index>(i), entry.tool, placed};
+        plan_motion(press, entry.motion, end, plan);
+      }
+      const bool is_press = plan.press && plan.press->stage == static_cast<Index>(i) && plan.press->tool == entry.tool;
+      placed.offset[entry.tool] = is_press ? plan.press->stop : end;
+    }
+  }
+}
+
+/// Volume of the plunger between two places, as it stands when the press ends.
+double plunger_volume(const Scene& scene, const PressPlan& press, double low, double high) {
+  const Tool& tool = scene.tools[press.tool];
+  return contact_volume({&tool.profile, contact_boundaries(tool), press.stop}, low, high);
+}
+
+/// Rim, capacity and what it holds to the fill level.
+void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan) {
+  const Stage& last = scene.stages.back();
+  if (last.gravity == 0) return;
+  const bool rim_is_low = last.gravity > 0;
+  if (const auto mould = closed_region(placed, last, {})) {
+    plan.outside = mould->volume;
+    plan.rim = rim_is_low ? mould->low : mould->high;
+    plan.capacity = *plan.outside - plan.glass_volume;
+    if (plan.misfit.empty() && *plan.outside < (1 - fits) * plan.glass_volume)
+      plan.misfit = fmt::format("{}, but the cavity of stage \"{}\" has {:.4g} cm3", volume_text(plan), last.name,
+                                1e6 * *plan.outside);
+  } else if (plan.press) {
+    plan.rim = rim_is_low ? plan.press->low : plan.press->high;
+    plan.capacity = plunger_volume(scene, *plan.press, plan.press->low, plan.press->high);
+  }
+  if (!plan.press || !plan.capacity || !scene.output.fill_level) return;
+  const double level = *scene.output.fill_level;
+  plan.filled = *plan.capacity - (rim_is_low ? plunger_volume(scene, *plan.press, *plan.rim, *plan.rim + level)
+                                             : plunger_volume(scene, *plan.press, *plan.rim - level, *plan.rim));
+}
+
+}  // namespace
+
+std::optional<ContainerPlan> container_plan(const Scene& scene) {
+  if (scene.geometry != core::Geometry::axisymmetric || !scene.has_flow() || scene.tools.empty()) return {};
+  const DimensionlessNumbers numbers = dimensionless_numbers(scene);
+  ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, {}, {}, {}, {}};
+  Placed placed{scene, {}};
+  for (const Tool& tool : scene.tools) placed.offset.emplace_back(tool.position);
+  plan_press(scene, placed, plan);
+  plan_capacity(scene, placed, plan);
+  return plan;
+}
+
+std::string describe_container(const Scene& scene) {
+  const auto plan = container_plan(scene);
+  if (!plan) return "";
+  std::string text = fmt::format("\ncontainer, from the drawings\n  {:<20}{:.4g} g\n", "weight", 1e3 * plan->mass);
+  const auto line = [&](const char* label, const std::string& value) {
+    text += fmt::format("  {:<20}{}\n", label, value);
+  };
+  if (plan->press) {
+    const std::string& tool = scene.tools[plan->press->tool].name;
+    line("press cavity", fmt::format("{:.4g} cm3 with \"{}\" at {:.5g} mm, {} of stage \"{}\"",
+                                     1e6 * plan->press->cavity, tool, 1e3 * plan->press->stop,
+                                     plan->press->is_driven ? "where it stops for this mass, the end" : "the end",
+                                     scene.stages[plan->press->stage].name));
+  }
+  if (plan->outside)
+    line("mould", fmt::format("{:.5g} cm3 closed in stage \"{}\"", 1e6 * *plan->outside, scene.stages.back().name));
+  if (plan->capacity)
+    line("capacity", fmt::format("{:.5g} ml to the rim at {:.4g} mm", 1e6 * *plan->capacity, 1e3 * *plan->rim));
+  if (plan->filled)
+    line("fill level", fmt::format("{:.5g} ml to {:.4g} mm below the rim, ullage {:.4g} ml", 1e6 * *plan->filled,
+                                   1e3 * *scene.output.fill_level, 1e6 * (*plan->capacity - *plan->filled)));
+  if (!plan->misfit.empty()) line("does not fit", plan->misfit);
+  return text;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,37 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// The press as its drawings have it: the cavity that tools and plunger close.
+struct PressPlan {
+  Index stage, tool;  ///< indices into Scene::stages and tools
+  bool is_driven;     ///< by a force: the plunger stops where the glass fills the cavity
+  double stop;        ///< offset of the plunger then, or at the end of its given motion, m
+  double cavity;      ///< volume with the plunger there, m3
+  double low, high;   ///< of the cavity then, m along the axis
+};
+
+/// What drawings and mass say about the container before anything is run.
+struct ContainerPlan {
+  double mass, glass_volume;       ///< kg, m3
+  std::optional<PressPlan> press;  ///< none where no tools and plunger close a cavity
+  std::string misfit;              ///< why the glass does not fit its cavity, a sentence; empty where it does
+  std::optional<double> outside;   ///< volume of the closed mould of the last stage, m3
+  std::optional<double> rim;       ///< place of the rim along the axis, m
+  std::optional<double> capacity;  ///< to the rim, m3
+  std::optional<double> filled;    ///< to the fill level, m3, the inside of the finish as the plunger made it
+};
+
+/// Nothing in a planar scene, without flow or without tools. The container stands upright in the last stage: its rim is
+/// at the end of its mould against gravity.
+std::optional<ContainerPlan> container_plan(const Scene& scene);
+
+/// The same as lines for the terminal, empty without a plan.
+std::string describe_container(const Scene& scene);
+
+}  // namespace parison::forming

@@ -1,0 +1,48 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <vector>
+
+#include "core/mesh/profile.hpp"
+
+namespace parison::forming {
+
+/// A body that fills space, moved along the axis.
+struct Solid {
+  const core::Profile* profile;
+  std::vector<bool> contact;  ///< by boundary: whether it may touch glass
+  double shift = 0;           ///< m
+};
+
+/// A connected part of the space that no solid fills, turned about the axis.
+struct FreeRegion {
+  double volume = 0;                                     ///< m3, of what is bounded
+  bool is_open = false;                                  ///< reaches outside, other than through a limit
+  double low = 0, high = 0;                              ///< lowest and highest place, m
+  bool from_low_limit = false, from_high_limit = false;  ///< reaches the lower (upper) limit
+  std::vector<bool> touches;                             ///< by solid: with a contact boundary
+};
+
+/// The part of space that is looked at, m along the axis, and the width across and along it below which a gap
+/// is closed.
+struct SpaceLimits {
+  std::optional<double> low, high;  ///< none: to the ends of the solids, beyond which all is open
+  double sealed_gap = 0;
+};
+
+/// The regions between axisymmetric solids, found on lines across the axis. Nothing where the outlines are too fine for
+/// it (more than some 300000 crossings with the lines).
+std::optional<std::vector<FreeRegion>> free_regions(const std::vector<Solid>& solids, const SpaceLimits& limits);
+
+/// Volume inside the contact boundaries of a solid, as if it had no bore, between two places along the axis, m3.
+double contact_volume(const Solid& solid, double low, double high);
+
+/// Distance that a solid can move along the axis (`sense` 1 or -1) until one of its contact boundaries meets that of
+/// another one, which `met` names by its index; nothing where it never does.
+struct Travel {
+  double distance;  ///< m
+  std::size_t met;
+};
+std::optional<Travel> free_travel(const Solid& moved, const std::vector<Solid>& others, double sense);
+
+}  // namespace parison::forming

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "forming/scene/container/container_plan.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/read/scene_reading.hpp"
+#include "forming/scene/read/tolerances.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+using core::CaseTable;
+using core::Point;
+using core::Segment;
+namespace dimension = core::dimension;
+
+constexpr core::Dimension mass_dimension{0, 1};
+
+double density_of(const Glass& glass) {
+  return glass.flow ? glass.flow->density : glass.thermal->density;
+}
+
+Segment arc_of(const Point& centre, double radius, double from, double to, const Point& start, const Point& end) {
+  Segment arc{start, end};
+  arc.is_arc = true;
+  arc.centre = centre;
+  arc.radius = radius;
+  arc.from = from;
+  arc.to = to;
+  return arc;
+}
+
+/// The point that stays where it is, on the axis.
+Point pole_of(const CaseNode& node, double size) {
+  const Point at = read_point(node);
+  if (std::abs(at[0]) > tolerance::joined * std::max(size, std::abs(at[1])))
+    core::refuse(node, fmt::format("\"{}\" was found, allowed are points on the axis", node.text));
+  return Point(0, at[1]);
+}
+
+/// Length of the straight part of a capsule, m.
+double straight_length(const CaseTable& table, double volume, double diameter) {
+  constexpr double longest = 100;  // diameters
+  const double radius = diameter / 2, sphere = 4 * M_PI / 3 * std::pow(radius, 3);
+  const CaseNode& node = table.get("diameter");
+  if (volume < (1 - 1e-9) * sphere)
+    core::refuse(node, fmt::format("a sphere of {:.4g} mm has more than the gob's {:.4g} cm3, allowed is a diameter of "
+                                   "up to {:.4g} mm",
+                                   1e3 * diameter, 1e6 * volume, 2e3 * std::cbrt(3 * volume / (4 * M_PI))));
+  const double length = std::max(0.0, (volume - sphere) / (M_PI * radius * radius));
+  if (!(length <= longest * diameter))
+    core::refuse(node,
+                 fmt::format("the gob would be {:.3g} m long, allowed are up to {:g} diameters", length, longest));
+  return length;
+}
+
+/// A cylinder between two half spheres, its lower pole at `at`.
+void draw_capsule(const CaseTable& table, double volume, Glass& glass) {
+  const double diameter = core::positive(table.get("diameter"), dimension::length), radius = diameter / 2;
+  const double length = straight_length(table, volume, diameter);
+  const double pole = pole_of(table.get("at"), diameter)[1];
+  const Point below(0, pole + radius), above(0, pole + radius + length);
+  const Point low(0, pole), high(0, pole + 2 * radius + length), first(radius, below[1]), second(radius, above[1]);
+  auto& segments = glass.profile.segments;
+  segments.push_back(arc_of(below, radius, -M_PI / 2, 0, low, first));
+  if (length > tolerance::joined * diameter) segments.push_back({first, second});
+  segments.push_back(arc_of(above, radius, 0, M_PI / 2, segments.back().end, high));
+  segments.push_back({high, low});
+  segments.back().boundary_id = 1;
+  glass.profile.boundary_names = {"surface", "axis"};
+  glass.boundaries = {{"surface", BoundaryKind::contact, {}, {}}, {"axis", BoundaryKind::symmetry, {}, {}}};
+}
+
+/// The lowest point of an outline on the axis.
+Point lower_pole(const CaseNode& node, const Body& body) {
+  const double on_axis = tolerance::joined * core::size(body.profile);
+  double lowest = HUGE_VAL;
+  for (const Segment& segment : body.profile.segments)
+    if (std::abs(segment.start[0]) <= on_axis) lowest = std::min(lowest, segment.start[1]);
+  if (!std::isfinite(lowest))
+    core::refuse(node, "the outline does not meet the axis, allowed is \"at\" with a point there");
+  return Point(0, lowest);
+}
+
+/// Makes the drawn outline larger or smaller about a point of the axis.
+void scale_outline(const CaseTable& table, double volume, Glass& glass) {
+  if (const auto* item = table.find("diameter"))
+    core::refuse(*item, "a diameter and a boundary were found, allowed is one of them");
+  const auto* at = table.find("at");
+  const Point fixed = at ? pole_of(*at, core::size(glass.profile)) : lower_pole(table.node(), glass);
+  const double factor = std::cbrt(volume / outline_volume(glass.profile, core::Geometry::axisymmetric));
+  for (Segment& segment : glass.profile.segments) {
+    for (Point* x : {&segment.start, &segment.end, &segment.centre}) *x = fixed + factor * (*x - fixed);
+    segment.radius *= factor;
+  }
+}
+
+}  // namespace
+
+void read_gob(const CaseNode& node, core::Geometry geometry, Glass& glass) {
+  const CaseTable table(node, {"mass", "diameter", "at"});
+  if (geometry != core::Geometry::axisymmetric)
+    core::refuse(node, "a gob was found in a planar scene, allowed is a boundary");
+  const double mass = core::positive(table.get("mass"), mass_dimension), volume = mass / density_of(glass);
+  constexpr double least = 1e-15, most = 1e3;  // m3
+  if (!(volume >= least && volume <= most))
+    core::refuse(table.get("mass"),
+                 fmt::format("a gob of {:.3g} cm3 was found, allowed are volumes from {:g} to {:g} cm3", 1e6 * volume,
+                             1e6 * least, 1e6 * most));
+  if (glass.boundaries.empty())
+    draw_capsule(table, volume, glass);
+  else
+    scale_outline(table, volume, glass);
+}
+
+GobSkin read_skin(const CaseNode& node, const Glass& glass) {
+  const CaseTable table(node, {"temperature", "depth"});
+  if (!glass.thermal) core::refuse(node, "the glass carries no heat, this key is allowed only where it does");
+  const auto& temperature = table.get("temperature");
+  const GobSkin skin{core::quantity(temperature, dimension::temperature),
+                     core::positive(table.get("depth"), dimension::length)};
+  if (glass.flow && !glass.flow->viscosity.constant && skin.temperature <= glass.flow->viscosity.T0)
+    core::refuse(temperature,
+                 fmt::format("\"{}\" was found, allowed are temperatures above T0 of the viscosity", temperature.text));
+  return skin;
+}
+
+void check_gob(const Scene& scene, const CaseNode& glass) {
+  for (const auto& item : glass.items) {
+    if (item.name != "gob") continue;
+    const auto plan = container_plan(scene);
+    if (plan && !plan->misfit.empty()) core::refuse(item, fmt::format("{}; allowed is a mass that fits", plan->misfit));
+  }
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "contact/unilateral/tool_gap.hpp"
+#include "forming/step/step_control.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// Calls work(node, area, edge) for the three nodes of each edge of the glass surface, with the area that each stands
+/// for by Simpson's rule, without symmetry boundaries.
+template <typename Work>
+void for_surface_nodes(const Scene& scene, const core::Mesh& mesh, const Work& work) {
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
+    const double length = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
+    for (int i = 0; i < 3; ++i) {
+      const Index node = edge.nodes[static_cast<std::size_t>(i)];
+      const double around = scene.geometry == core::Geometry::planar ? 1 : 2 * M_PI * mesh.nodes[node][0];
+      work(node, length * around * (i == 2 ? 4 : 1) / 6, edge);
+    }
+  }
+}
+
+double mean_surface_temperature(const Scene& scene, const State& state) {
+  double sum = 0, area = 0;
+  for_surface_nodes(scene, state.glass.mesh, [&](Index node, double part, const core::BoundaryEdge&) {
+    sum += part * state.glass.temperature[node];
+    area += part;
+  });
+  return sum / area;
+}
+
+/// Share of the surface on which the stage sets no pressure that is near a tool of the stage.
+double share_near_tools(const Scene& scene, const State& state, double within) {
+  const Stage& stage = scene.stages[state.stage];
+  std::vector<contact::ToolGap> gaps;
+  std::vector<Point> offsets;
+  for (const StageTool& entry : stage.tools) {
+    const Tool& tool = scene.tools[entry.tool];
+    gaps.emplace_back(tool.profile, contact_boundaries(tool), 2 * within);
+    offsets.push_back(state.tools[entry.tool].offset * core::axis_direction());
+  }
+  const core::Mesh& mesh = state.glass.mesh;
+  double near = 0, whole = 0;
+  for_surface_nodes(scene, mesh, [&](Index node, double part, const core::BoundaryEdge& edge) {
+    if (stage.pressure.count(mesh.boundaries()[edge.boundary_id].name)) return;
+    whole += part;
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+      if (gaps[i](mesh.nodes[node] - offsets[i]) <= within) {
+        near += part;
+        return;
+      }
+  });
+  return whole > 0 ? near / whole : 0;
+}
+
+/// Whether the glass has come to a place along the axis in the direction of gravity.
+bool has_come_to(const State& state, double gravity, double place) {
+  const double down = gravity > 0 ? 1 : -1;
+  return std::any_of(state.glass.mesh.nodes.begin(), state.glass.mesh.nodes.end(),
+                     [&](const Point& x) { return down * (x[core::dim - 1] - place) >= 0; });
+}
+
+bool holds(const Scene& scene, const State& state, const EndCondition& end) {
+  const Stage& stage = scene.stages[state.stage];
+  switch (end.kind) {
+    case EndCondition::Kind::force:
+      return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
+        return std::abs(state.tools[tool.tool].force) >= end.value * (1 - 1e-9);
+      });
+    case EndCondition::Kind::filled:
+      return share_near_tools(scene, state, end.within) >= end.value;
+    case EndCondition::Kind::surface_below:
+      return mean_surface_temperature(scene, state) <= end.value;
+    case EndCondition::Kind::surface_above:
+      return mean_surface_temperature(scene, state) >= end.value;
+    case EndCondition::Kind::lowest:
+      return has_come_to(state, stage.gravity, end.value);
+  }
+  return false;
+}
+
+StageEnd reason_of(EndCondition::Kind kind) {
+  switch (kind) {
+    case EndCondition::Kind::force:
+      return StageEnd::force;
+    case EndCondition::Kind::filled:
+      return StageEnd::filled;
+    case EndCondition::Kind::surface_below:
+      return StageEnd::surface_below;
+    case EndCondition::Kind::surface_above:
+      return StageEnd::surface_above;
+    case EndCondition::Kind::lowest:
+      return StageEnd::lowest;
+  }
+  return StageEnd::none;
+}
+
+/// A stage ends when its tools will be at rest within this share of the last step.
+constexpr double rest_tolerance = 0.05;
+
+}  // namespace
+
+double time_to_rest(const Scene& scene, const State& state) {
+  const Stage& stage = scene.stages[state.stage];
+  if (!stage.end_speed || !state.has_moved) return std::numeric_limits<double>::infinity();
+  double latest = -std::numeric_limits<double>::infinity();
+  for (const StageTool& tool : stage.tools) {
+    if (!std::holds_alternative<ForceMotion>(tool.motion)) continue;
+    const ToolState& body = state.tools[tool.tool];
+    const double excess = std::log(std::abs(body.velocity) / *stage.end_speed);  // in the middle of the last step
+    if (excess <= 0) continue;
+    latest = std::max(latest, excess / body.slowing - 0.5 * state.last_step);
+  }
+  return latest;
+}
+
+StageEnd stage_end(const Scene& scene, const State& state) {
+  const Stage& stage = scene.stages[state.stage];
+  if (state.stage_time >= stage.duration - same_time) return StageEnd::duration;
+  if (time_to_rest(scene, state) <= rest_tolerance * state.last_step) return StageEnd::tools_at_rest;
+  if (state.stage_time > 0)
+    for (const EndCondition& end : stage.ends)
+      if (holds(scene, state, end)) return reason_of(end.kind);
+  return StageEnd::none;
+}
+
+const char* name_of(StageEnd end) {
+  switch (end) {
+    case StageEnd::duration:
+      return "duration";
+    case StageEnd::tools_at_rest:
+      return "tools at rest";
+    case StageEnd::force:
+      return "force reached";
+    case StageEnd::filled:
+      return "mould filled";
+    case StageEnd::surface_below:
+      return "surface below its temperature";
+    case StageEnd::surface_above:
+      return "surface above its temperature";
+    case StageEnd::lowest:
+      return "lowest point reached";
+    case StageEnd::none:
+      break;
+  }
+  throw std::logic_error("a stage ended without a condition");
+}
+
+}  // namespace parison::forming

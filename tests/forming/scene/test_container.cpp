@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../scene_text.hpp"
+#include "forming/scene/container/container_plan.hpp"
+#include "forming/scene/container/free_space.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/state/initial_state.hpp"
+
+namespace parison::forming {
+namespace {
+
+const std::string cases = std::string(PARISON_SOURCE_DIR) + "/cases/";
+const std::string drawn_glass = R"(boundary = [
+  { name = "surface", path = "(0, 0) (20, 0) (20, 10) (0, 10) mm", condition = "contact" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
+])";
+
+Scene jar_with(const std::string& gob) {
+  return read_scene(cases + "jar", "draft",
+                    {"glass={ material = \"container_glass\", temperature = \"1150 degC\", gob = " + gob + " }"});
+}
+
+std::string complaint_about_jar_with(const std::string& gob) {
+  try {
+    jar_with(gob);
+  } catch (const core::CaseError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+double volume_of(const Scene& scene) {
+  return outline_volume(scene.glass.profile, scene.geometry);
+}
+
+/// A tool with a cylindrical cavity (radius 10 mm, height 30 mm) below a half sphere of the same radius.
+core::Profile domed_mould() {
+  core::Profile profile;
+  const auto line = [&](double r, double z) {
+    const core::Point start = profile.segments.empty() ? core::Point(0, -0.01) : profile.segments.back().end;
+    profile.segments.push_back({start, core::Point(r, z)});
+  };
+  line(0.05, -0.01), line(0.05, 0.06), line(0, 0.06), line(0, 0.04);
+  core::Segment dome{core::Point(0, 0.04), core::Point(0.01, 0.03)};
+  dome.is_arc = true, dome.centre = core::Point(0, 0.03), dome.radius = 0.01, dome.from = M_PI / 2, dome.to = 0;
+  profile.segments.push_back(dome);
+  line(0.01, 0), line(0, 0), line(0, -0.01);
+  return profile;
+}
+
+TEST(FreeSpace, volume_of_a_closed_cavity_is_that_of_its_shape) {
+  const core::Profile mould = domed_mould();
+  const auto regions = free_regions({{&mould, {true}, 0.002}}, {});
+  ASSERT_TRUE(regions);
+  double volume = 0;
+  for (const auto& region : *regions)
+    if (!region.is_open) {
+      volume += region.volume;
+      EXPECT_NEAR(region.high, 0.042, 1e-12);
+      EXPECT_NEAR(region.low, 0.002, 1e-12);
+    }
+  EXPECT_NEAR(volume, M_PI * 1e-4 * 0.03 + 2 * M_PI / 3 * 1e-6, 1e-6 * volume);
+}
+
+TEST(FreeSpace, a_limit_closes_what_it_cuts_and_a_gap_opens_it) {
+  const core::Profile mould = domed_mould();
+  core::Profile pierced = mould;
+  for (auto& segment : pierced.segments)
+    for (auto* x : {&segment.start, &segment.end})
+      if ((*x)[0] == 0 && (*x)[1] < 0.005) (*x)[0] = 0.001;
+  const auto is_closed = [](const std::vector<FreeRegion>& regions) {
+    return std::any_of(regions.begin(), regions.end(), [](const auto& region) { return !region.is_open; });
+  };
+  EXPECT_TRUE(is_closed(*free_regions({{&mould, {true}, 0}}, {})));
+  EXPECT_FALSE(is_closed(*free_regions({{&pierced, {true}, 0}}, {})));
+  EXPECT_TRUE(is_closed(*free_regions({{&pierced, {true}, 0}}, {{}, {}, 0.0011})));
+  const auto half = *free_regions({{&mould, {true}, 0}}, {0.01, {}, 0});
+  for (const auto& region : half)
+    if (!region.is_open) {
+      EXPECT_TRUE(region.from_low_limit);
+      EXPECT_NEAR(region.volume, M_PI * 1e-4 * 0.02 + 2 * M_PI / 3 * 1e-6, 1e-6 * region.volume);
+    }
+}
+
+TEST(FreeSpace, a_joint_between_two_tools_is_closed_where_it_is_narrower_than_the_sealed_gap) {
+  const auto box = [](double inner, double low, double high) {
+    core::Profile profile;
+    const core::Point corners[] = {{inner, low}, {0.05, low}, {0.05, high}, {inner, high}};
+    for (int i = 0; i < 4; ++i) profile.segments.push_back({corners[i], corners[(i + 1) % 4]});
+    return profile;
+  };
+  const core::Profile floor = box(0, -0.01, 0), ring = box(0.01, 0, 0.02), lid = box(0, 0.02, 0.03);
+  const auto closed_volume = [&](double joint, double sealed) {
+    double volume = 0;
+    const auto regions =
+        *free_regions({{&floor, {true}, 0}, {&ring, {true}, 0}, {&lid, {true}, joint}}, {{}, {}, sealed});
+    for (const auto& region : regions)
+      if (!region.is_open) volume += region.volume;
+    return volume;
+  };
+  const double whole = M_PI * 1e-4 * 0.02;
+  EXPECT_NEAR(closed_volume(0, 0), whole, 1e-6 * whole);
+  EXPECT_EQ(closed_volume(5e-5, 0), 0);
+  EXPECT_NEAR(closed_volume(5e-5, 1e-4), M_PI * 1e-4 * 0.02, 3e-3 * whole);
+  EXPECT_EQ(closed_volume(2e-4, 1e-4), 0);
+}
+
+TEST(FreeSpace, outlines_too_fine_for_it_are_given_up_in_a_bounded_time) {
+  core::Profile comb;
+  core::Point at(0.001, 0);
+  for (int i = 1; i <= 4000; ++i) {
+    const core::Point next(0.001 + 1e-6 * i, i % 2 ? 1 : 0);
+    comb.segments.push_back({at, next});
+    at = next;
+  }
+  comb.segments.push_back({at, core::Point(0.001, 0)});
+  EXPECT_FALSE(free_regions({{&comb, {true}, 0}}, {}));
+}
+
+TEST(ContainerPlan, the_plunger_of_the_jar_stops_where_its_drawing_says) {
+  const auto plan = container_plan(read_scene(cases + "jar", "draft"));
+  ASSERT_TRUE(plan && plan->press && plan->capacity);
+  EXPECT_NEAR(1e3 * plan->press->stop, 92, 0.05);
+  EXPECT_NEAR(plan->press->cavity, plan->glass_volume, 1e-4 * plan->glass_volume);
+  EXPECT_NEAR(*plan->capacity + plan->glass_volume, *plan->outside, 1e-12);
+}
+
+TEST(ContainerPlan, a_pressed_tumbler_holds_what_its_plunger_displaces) {
+  auto scene = read_scene(cases + "tumbler", "draft", {"output.fill_level=10 mm"});
+  const auto plan = container_plan(scene);
+  ASSERT_TRUE(plan && plan->press && plan->filled);
+  EXPECT_NEAR(1e3 * plan->press->stop, 8, 0.05);
+  EXPECT_NEAR(1e3 * *plan->rim, 90, 1e-6);
+  EXPECT_FALSE(plan->outside);
+  // Between the heights 82 and 90 mm the plunger's radius grows from 31.53 to 32 mm.
+  EXPECT_NEAR(1e6 * (*plan->capacity - *plan->filled), M_PI * 3.2 * 3.2, 0.7);
+}
+
+TEST(ContainerPlan, a_heavier_gob_stops_the_plunger_earlier_by_its_volume_over_the_area_at_the_rim) {
+  const auto at = [](const char* mass) {
+    return container_plan(
+               jar_with("{ mass = \"" + std::string(mass) + "\", diameter = \"52 mm\", at = \"(0, 20) mm\" }"))
+        ->press->stop;
+  };
+  const double moved = at("219.6 g") - at("222 g");
+  EXPECT_NEAR(moved * M_PI * 0.027 * 0.027, 1e-6, 1e-8);  // the plunger is 27 mm thick where it enters the cavity
+}
+
+TEST(Gob, a_capsule_has_its_mass_and_its_pole) {
+  const Scene scene = jar_with("{ mass = \"219.6 g\", diameter = \"52 mm\", at = \"(0, 20) mm\" }");
+  EXPECT_NEAR(2400 * volume_of(scene), 0.2196, 1e-5 * 0.2196);
+  EXPECT_EQ(scene.glass.profile.segments.front().start, core::Point(0, 0.02));
+  const Scene sphere =
+      scene_of(replaced(drawn_glass, "gob = { mass = \"20 g\", diameter = \"25.153 mm\", at = \"(0, 0) mm\" }"));
+  EXPECT_NEAR(2400 * volume_of(sphere), 0.02, 1e-4 * 0.02);
+}
+
+TEST(Gob, an_outline_is_scaled_to_the_mass_about_its_lower_pole) {
+  const Scene scene = scene_of(replaced(drawn_glass, "gob.mass = \"15 g\"\n" + drawn_glass));
+  EXPECT_NEAR(2400 * volume_of(scene), 0.015, 1e-9);
+  const double factor = std::cbrt(0.015 / (2400 * M_PI * 4e-6));
+  EXPECT_NEAR(core::size(scene.glass.profile), factor * std::hypot(0.02, 0.01), 1e-12);
+  EXPECT_EQ(scene.glass.profile.segments.front().start, core::Point(0, 0));
+}
+
+TEST(Gob, its_skin_is_as_cold_as_given_and_its_core_warm) {
+  const State state = initial_state(
+      scene_of(replaced("temperature = \"1000 degC\"",
+                        "temperature = \"1000 degC\"\nskin = { temperature = \"900 degC\", depth = \"1 mm\" }")));
+  const auto& nodes = state.glass.mesh.nodes;
+  double coldest = 1e9;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double depth = std::min({nodes[i][1], 0.01 - nodes[i][1], 0.02 - nodes[i][0]});
+    EXPECT_NEAR(state.glass.temperature[static_cast<Index>(i)], 1273.15 - 100 * std::exp(-depth / 1e-3), 1e-6);
+    coldest = std::min(coldest, state.glass.temperature[static_cast<Index>(i)]);
+  }
+  EXPECT_NEAR(coldest, 1173.15, 1e-6);
+}
+
+TEST(Gob, one_that_does_not_fit_is_refused_with_what_fits) {
+  const auto heavy = complaint_about_jar_with("{ mass = \"900 g\", diameter = \"50 mm\", at = \"(0, 20) mm\" }");
+  EXPECT_NE(heavy.find("glass.gob: 900 g of glass have 375 cm3, but the cavity of stage \"press\" has at most 2"),
+            heavy.npos)
+      << heavy;
+  const auto light = complaint_about_jar_with("{ mass = \"150 g\", diameter = \"40 mm\", at = \"(0, 20) mm\" }");
+  EXPECT_NE(light.find("cm3, but the cavity of stage \"press\" has at least "), light.npos) << light;
+  EXPECT_NE(light.find("(with \"plunger\" at 98 mm, where it meets \"blank\"); allowed is a mass that fits"),
+            light.npos)
+      << light;
+}
+
+TEST(Gob, mistakes_have_their_sentences) {
+  const auto with = [](const std::string& gob) {
+    const auto text = complaint_about(replaced(drawn_glass, gob));
+    return text.substr(text.find(' ') + 1);
+  };
+  EXPECT_EQ(with("gob = { mass = \"20 g\", diameter = \"44 mm\", at = \"(0, 0) mm\" }"),
+            "glass.gob.diameter: a sphere of 44 mm has more than the gob's 8.333 cm3, allowed is a diameter of up to "
+            "25.15 mm");
+  EXPECT_EQ(with("gob = { mass = \"20 g\", diameter = \"1 mm\", at = \"(0, 0) mm\" }"),
+            "glass.gob.diameter: the gob would be 10.6 m long, allowed are up to 100 diameters");
+  EXPECT_EQ(with("gob = { mass = \"20 mm\", diameter = \"20 mm\", at = \"(0, 0) mm\" }"),
+            "glass.gob.mass: \"20 mm\" is a length, allowed is a mass such as \"220 g\"");
+  EXPECT_EQ(with("gob = { mass = \"20 g\", diameter = \"20 mm\", at = \"(3, 0) mm\" }"),
+            "glass.gob.at: \"(3, 0) mm\" was found, allowed are points on the axis");
+  EXPECT_EQ(with("gob = { mass = \"20 g\", at = \"(0, 0) mm\" }"),
+            "glass.gob.diameter: missing, the table that starts here needs the key \"diameter\"");
+  EXPECT_EQ(with("gob = { mass = \"20 g\", diameter = \"20 mm\" }\n" + drawn_glass),
+            "glass.gob.diameter: a diameter and a boundary were found, allowed is one of them");
+  EXPECT_EQ(with("gob.mass = \"1e9 t\"\n" + drawn_glass),
+            "glass.gob.mass: a gob of 4.17e+14 cm3 was found, allowed are volumes from 1e-09 to 1e+09 cm3");
+  EXPECT_EQ(with("skin.temperature = \"900 degC\"\n" + drawn_glass),
+            "glass.skin.depth: missing, the table that starts here needs the key \"depth\"");
+}
+
+}  // namespace
+}  // namespace parison::forming

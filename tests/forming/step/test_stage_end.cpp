@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "../scene_text.hpp"
+#include "forming/run/run.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/step_control.hpp"
+
+namespace parison::forming {
+namespace {
+
+const std::string pressed = "duration = \"2 s\"\n";
+
+/// How the press of the small scene ends with these conditions, in a state that has begun it.
+StageEnd end_with(const std::string& conditions, double offset = 0, double force = 0, double temperature = 1273.15) {
+  const Scene scene = scene_of(replaced(pressed, pressed + "end = { " + conditions + " }\n"));
+  State state = initial_state(scene);
+  state.stage = 1;
+  state.stage_time = 0.1;
+  state.tools[1].offset = 0.01 + offset;
+  state.tools[1].force = force;
+  state.glass.temperature.setConstant(temperature);
+  return stage_end(scene, state);
+}
+
+TEST(StageEnd, a_force_ends_the_stage_whatever_its_sign) {
+  EXPECT_EQ(end_with("force = \"4 N\"", 0, -3.9), StageEnd::none);
+  EXPECT_EQ(end_with("force = \"4 N\"", 0, -4), StageEnd::force);
+  EXPECT_EQ(end_with("force = \"4 N\"", 0, 4.1), StageEnd::force);
+}
+
+TEST(StageEnd, the_mean_surface_temperature_ends_it_from_either_side) {
+  EXPECT_EQ(end_with("surface_below = \"999 degC\""), StageEnd::none);
+  EXPECT_EQ(end_with("surface_below = \"1001 degC\""), StageEnd::surface_below);
+  EXPECT_EQ(end_with("surface_above = \"999 degC\""), StageEnd::surface_above);
+  EXPECT_EQ(end_with("surface_above = \"1001 degC\""), StageEnd::none);
+}
+
+TEST(StageEnd, a_mould_is_filled_by_the_share_of_the_surface_near_its_tools) {
+  // A disc of 20 mm by 10 mm lies on the plate.
+  const auto ended = [](const std::string& share, double offset) {
+    const std::string text = replaced("pressure.surface = \"0.1 bar\"\n", "",
+                                      replaced(pressed, pressed + "end = { filled = \"" + share + "\" }\n"));
+    const Scene scene = scene_of(text);
+    State state = initial_state(scene);
+    state.stage = 1, state.stage_time = 0.1, state.tools[1].offset = 0.01 + offset;
+    return stage_end(scene, state);
+  };
+  // Bottom 400, top under the face 225, of 1200 in all (in units of pi mm2): 33.3 % and 52.1 %.
+  EXPECT_EQ(ended("32 %", 0.005), StageEnd::filled);
+  EXPECT_EQ(ended("36 %", 0.005), StageEnd::none);
+  EXPECT_EQ(ended("49 %", 0), StageEnd::filled);
+  EXPECT_EQ(ended("56 %", 0), StageEnd::none);
+  EXPECT_EQ(ended("49 %", 0.0003), StageEnd::none);
+}
+
+TEST(StageEnd, the_lowest_point_counts_in_the_direction_of_gravity) {
+  EXPECT_EQ(end_with("lowest = \"0 mm\""), StageEnd::lowest);
+  EXPECT_EQ(end_with("lowest = \"-0.1 mm\""), StageEnd::none);
+}
+
+TEST(StageEnd, several_conditions_end_it_by_the_first_that_holds_and_none_at_its_very_start) {
+  EXPECT_EQ(end_with("force = \"4 N\", surface_below = \"1001 degC\"", 0, 1), StageEnd::surface_below);
+  EXPECT_EQ(end_with("force = \"4 N\", surface_below = \"1001 degC\"", 0, 5), StageEnd::force);
+  const Scene scene = scene_of(replaced(pressed, pressed + "end.surface_below = \"1001 degC\"\n"));
+  State state = initial_state(scene);
+  state.stage = 1;
+  EXPECT_EQ(stage_end(scene, state), StageEnd::none);
+}
+
+TEST(StageEnd, a_run_ends_its_stage_by_the_condition_and_says_so) {
+  const Scene scene =
+      scene_of(replaced("duration = \"1 s\"\n", "duration = \"1 s\"\nend.surface_below = \"985 degC\"\n"));
+  const RunOutcome outcome = run(scene);
+  ASSERT_FALSE(outcome.facts.stages.empty());
+  EXPECT_EQ(outcome.facts.stages[0].end_reason, "surface below its temperature");
+  EXPECT_LT(outcome.facts.stages[0].end, 1);
+  EXPECT_GT(outcome.facts.stages[0].end, 0);
+}
+
+TEST(StageEnd, mistakes_have_their_sentences) {
+  const auto with = [](const std::string& stage, const std::string& keys) {
+    const auto text = complaint_about(replaced(stage, stage + "end = { " + keys + " }\n"));
+    return text.substr(text.find(' ') + 1);
+  };
+  const std::string rest = "duration = \"1 s\"\n", or_else = ", allowed is another condition or the duration alone";
+  EXPECT_EQ(with(rest, "lowest = \"3 mm\""),
+            "stage.end.lowest: the stage has no gravity, which says what is low" + or_else);
+  EXPECT_EQ(with(pressed, "filled = \"120 %\""),
+            "stage.end.filled: a share of 1.2 was found, allowed are shares up to 100 %");
+  EXPECT_EQ(with(pressed, "within = \"1 mm\""),
+            "stage.end.within: a distance was found, allowed only together with \"filled\"");
+  EXPECT_EQ(with(pressed, "force = \"1 mm\""),
+            "stage.end.force: \"1 mm\" is a length, allowed is a force such as \"8 kN\"");
+  EXPECT_EQ(with(pressed, ""),
+            "stage.end: no condition was found, allowed are force, filled, surface_below, surface_above, lowest");
+  EXPECT_EQ(with(pressed, "surface_under = \"1 K\"").rfind("stage.end.surface_under: unknown key", 0), 0u);
+}
+
+}  // namespace
+}  // namespace parison::forming

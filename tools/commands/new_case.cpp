@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/commands/new_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/scene.hpp"
+#include "tools/program/bundled_cases.hpp"
+
+namespace parison::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_name(const std::string& folder, const std::string& name) {
+  const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_' || c == '-'); };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), allowed))
+    throw core::CaseError(
+        fmt::format("{}: the name \"{}\" was found, allowed are names of letters, digits, _ and -", folder, name));
+  if (fs::exists(folder)) throw core::CaseError(fmt::format("{}: exists already, allowed is a new folder", folder));
+}
+
+/// The capsule as a `gob`, empty where the glass is drawn in another way.
+std::string gob_line(const forming::Scene& scene) {
+  const auto& segments = scene.glass.profile.segments;
+  const auto& boundaries = scene.glass.boundaries;
+  const bool is_capsule = boundaries.size() == 2 && boundaries[0].name == "surface" && boundaries[1].name == "axis" &&
+                          segments.size() == 4 && segments[0].is_arc && segments[2].is_arc && !segments[1].is_arc;
+  if (!is_capsule || scene.geometry != core::Geometry::axisymmetric) return "";
+  return fmt::format(
+      "gob = {{ mass = \"{:.7g} g\", diameter = \"{:g} mm\", at = \"(0, {:g}) mm\" }} # at: its lower pole\n",
+      1e3 * forming::dimensionless_numbers(scene).mass, 2e3 * segments[0].radius, 1e3 * segments[0].start[1]);
+}
+
+/// The text from a place to the start of the line after the next line that is `end`.
+std::size_t after_line(const std::string& text, std::size_t from, const std::string& end) {
+  const auto at = text.find("\n" + end + "\n", from);
+  return at == text.npos ? text.npos : at + end.size() + 2;
+}
+
+void give_gob_by_mass(const forming::Scene& scene, std::string& text) {
+  const std::string gob = gob_line(scene);
+  const auto glass = text.find("\n[glass]");
+  if (gob.empty() || glass == text.npos) return;
+  const auto boundary = text.find("\nboundary = [", glass), end = after_line(text, boundary, "]");
+  if (boundary == text.npos || end == text.npos) return;
+  text.replace(boundary + 1, end - boundary - 1, gob);
+  text.replace(glass + 1, text.find('\n', glass + 1) - glass - 1, "[glass]");
+}
+
+}  // namespace
+
+int new_case(const NewRequest& request) {
+  const fs::path folder = fs::path(request.folder).lexically_normal();
+  const std::string name = folder.filename().string();
+  check_name(request.folder, name);
+  const std::string like = find_case(request.like);
+  const forming::Scene scene = forming::read_scene(like, "draft");
+  std::string text = core::read_text(scene.file);
+  while (!text.empty() && text.front() == '#') text.erase(0, text.find('\n') + 1);
+  const std::string old = fmt::format("case = \"{}\"", scene.name);
+  if (const auto at = text.find(old); at != text.npos) text.replace(at, old.size(), fmt::format("case = \"{}\"", name));
+  give_gob_by_mass(scene, text);
+  const std::string head = fmt::format(
+      "# {0}: begun like the bundled case {1}. Change the paths of the tools, the mass of the gob and the times.\n"
+      "#   parison check {2} --picture {0}.svg    draws it and says weight, capacity and where the plunger stops\n"
+      "#   parison run {2} --accuracy draft       runs it; results/{0} has the results\n"
+      "# Every key: cases/README.md. Dimensions that several paths share may have names: [dimension] r_body = \"37 "
+      "mm\".\n",
+      name, scene.name, request.folder);
+  fs::create_directories(folder);
+  for (const auto& entry : fs::directory_iterator(scene.directory))
+    if (text.find("\"" + entry.path().filename().string() + "\"") != text.npos)
+      fs::copy_file(entry.path(), folder / entry.path().filename());
+  core::replace_file((folder / "case.toml").string(), head + text);
+  forming::read_scene(folder.string(), "draft");
+  fmt::print("{}\n", (folder / "case.toml").string());
+  return 0;
+}
+
+}  // namespace parison::tools
