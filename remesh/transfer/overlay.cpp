@@ -171,8 +171,15 @@ std::vector<std::vector<Region>> outer_regions(const Mesh& mesh) {
 /// Adds up the load of one new cell part by part.
 class Overlay {
  public:
-  Overlay(const Mesh& from, const Mesh& to, core::Geometry geometry, const Eigen::VectorXd& nodal)
-      : from_(from), to_(to), geometry_(geometry), nodal_(nodal), grid_(from), outer_(outer_regions(from)) {
+  Overlay(const Mesh& from, const Mesh& to, core::Geometry geometry, const Eigen::VectorXd& nodal,
+          const Eigen::VectorXd& subtracted)
+      : from_(from),
+        to_(to),
+        geometry_(geometry),
+        nodal_(nodal),
+        subtracted_(subtracted),
+        grid_(from),
+        outer_(outer_regions(from)) {
     for (Index cell = 0; cell < from.cell_count(); ++cell) old_maps_.push_back(core::cell_map(from, cell));
   }
 
@@ -234,10 +241,10 @@ class Overlay {
         }
       }
     }
-    add_points(old, sum);
+    add_points(cell, old, sum);
   }
 
-  void add_points(Index old, std::array<double, 6>& sum) const {
+  void add_points(Index cell, Index old, std::array<double, 6>& sum) const {
     constexpr int width = core::point_batches * core::batch_size;
     const int count = static_cast<int>(points_.size());
     for (int first = 0; first < count; first += width) {
@@ -250,7 +257,9 @@ class Overlay {
         const IntegrationPoint& at = points_[first + i];
         const auto& [a, b] = reference[i / core::batch_size];
         const int lane = i % core::batch_size;
-        const double value = at.volume * old_value(old, {a[lane], b[lane]}, at.position);
+        double difference = old_value(old, {a[lane], b[lane]}, at.position);
+        for (int k = 0; k < 6; ++k) difference -= at.shape[k] * subtracted_[to_.cells()[cell][k]];
+        const double value = at.volume * difference;
         for (int k = 0; k < 6; ++k) sum[k] += at.shape[k] * value;
       }
     }
@@ -264,7 +273,7 @@ class Overlay {
 
   const Mesh &from_, &to_;
   core::Geometry geometry_;
-  const Eigen::VectorXd& nodal_;
+  const Eigen::VectorXd &nodal_, &subtracted_;
   CellGrid grid_;
   std::vector<std::vector<Region>> outer_;
   std::vector<core::CellMap> old_maps_;
@@ -276,8 +285,9 @@ class Overlay {
 
 }  // namespace
 
-Eigen::VectorXd overlay_load(const Mesh& from, const Mesh& to, core::Geometry geometry, const Eigen::VectorXd& nodal) {
-  Overlay overlay(from, to, geometry, nodal);
+Eigen::VectorXd overlay_load(const Mesh& from, const Mesh& to, core::Geometry geometry, const Eigen::VectorXd& nodal,
+                             const Eigen::VectorXd& near) {
+  Overlay overlay(from, to, geometry, nodal, near);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(to.node_count());
   for (Index cell = 0; cell < to.cell_count(); ++cell) {
     const std::array<double, 6> own = overlay.load(cell);

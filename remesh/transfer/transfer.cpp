@@ -99,10 +99,13 @@ double mean(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& no
 Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
                 const Eigen::VectorXd& nodal, int order) {
   const MassMatrix mass(to, geometry, order);
-  const Eigen::VectorXd load = overlay_load(from, to, geometry, nodal), near = interpolate(from, transfer, nodal);
+  const Eigen::VectorXd interpolated = interpolate(from, transfer, nodal);
+  const bool quadratic = order == 2;
+  const Eigen::VectorXd start = quadratic ? interpolated : Eigen::VectorXd(interpolated.head(to.vertex_count()));
+  const Eigen::VectorXd load =
+      overlay_load(from, to, geometry, nodal, quadratic ? interpolated : core::from_vertices(to, start));
   Carried carried;
-  carried.value =
-      order == 2 ? mass.solve(load, near) : mass.solve(core::to_vertices(to, load), near.head(to.vertex_count()));
+  carried.value = mass.solve(mass.multiply(start) + (quadratic ? load : core::to_vertices(to, load)), start);
   set_ranges(from, transfer, nodal, carried);
   carried.value = carried.value.cwiseMax(carried.low).cwiseMin(carried.high);
   return carried;

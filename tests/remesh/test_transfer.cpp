@@ -191,5 +191,34 @@ TEST(Transfer, a_thermal_skin_survives_a_hundred_remeshes) {
   carry_hundred_times(skin, "thermal skin");
 }
 
+TEST(Transfer, glass_that_lies_on_itself_twice_keeps_its_temperatures) {
+  // A slotted plate whose slot has closed: its sides overlap by 0.3 mm, over which two old cells lie on each other.
+  const auto slotted = [](double lower, double upper) {
+    return Pen(0, 0)
+        .line(30, 0, "below")
+        .line(30, lower, "right")
+        .line(10, 5, "side")
+        .line(30, upper, "side")
+        .line(30, 10, "right")
+        .line(0, 10, "above")
+        .line(0, 0, "left")
+        .closed();
+  };
+  Mesh from = mesh_profile(slotted(4, 6), {1e-3, 1e-3, 0.3, std::vector<bool>(6, false)});
+  for (Point& x : from.nodes)
+    if (x[0] > 10e-3) {
+      const double share = (x[0] - 10e-3) / 20e-3, middle = 5e-3;
+      x[1] += 1.3e-3 * share * std::max(0.0, 1 - std::abs(x[1] - middle) / 5e-3) * (x[1] < middle ? 1 : -1);
+    }
+  const core::Profile whole =
+      Pen(0, 0).line(30, 0, "below").line(30, 10, "right").line(0, 10, "above").line(0, 0, "left").closed();
+  const Mesh to = mesh_profile(whole, {0.9e-3, 0.9e-3, 0.3, std::vector<bool>(4, false)});
+  const auto linear = [](const Point& x) { return 1200 + 2000 * x[1]; };
+  const Eigen::VectorXd old = sample(from, linear);
+  const Carried carried = project(from, to, Geometry::planar, make_transfer(from, to), old, 2);
+  const Eigen::VectorXd exact = sample(to, linear);
+  EXPECT_LT((carried.value - exact).cwiseAbs().maxCoeff(), 1.0) << "of 20 K";
+}
+
 }  // namespace
 }  // namespace parison::remesh
