@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/mesh/element.hpp"
+#include "remesh/surface/outline.hpp"
 #include "remesh/transfer/mass_matrix.hpp"
 #include "remesh/transfer/overlay.hpp"
 
@@ -102,10 +103,12 @@ Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const
   const Eigen::VectorXd interpolated = interpolate(from, transfer, nodal);
   const bool quadratic = order == 2;
   const Eigen::VectorXd start = quadratic ? interpolated : Eigen::VectorXd(interpolated.head(to.vertex_count()));
+  // Where the old mesh lies on itself both of its cells count; elsewhere there is nothing to subtract.
+  const Eigen::VectorXd near = crosses_itself(from) ? start : Eigen::VectorXd::Zero(start.size());
   const Eigen::VectorXd load =
-      overlay_load(from, to, geometry, nodal, quadratic ? interpolated : core::from_vertices(to, start));
+      overlay_load(from, to, geometry, nodal, quadratic ? near : core::from_vertices(to, near));
   Carried carried;
-  carried.value = mass.solve(mass.multiply(start) + (quadratic ? load : core::to_vertices(to, load)), start);
+  carried.value = mass.solve(mass.multiply(near) + (quadratic ? load : core::to_vertices(to, load)), start);
   set_ranges(from, transfer, nodal, carried);
   carried.value = carried.value.cwiseMax(carried.low).cwiseMin(carried.high);
   return carried;
