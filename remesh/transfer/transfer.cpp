@@ -103,7 +103,7 @@ Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const
   const Eigen::VectorXd interpolated = interpolate(from, transfer, nodal);
   const bool quadratic = order == 2;
   const Eigen::VectorXd start = quadratic ? interpolated : Eigen::VectorXd(interpolated.head(to.vertex_count()));
-  // Where the old mesh lies on itself both of its cells count; elsewhere there is nothing to subtract.
+  // Where the old mesh lies on itself both of its cells count; elsewhere the plain projection is kept.
   const Eigen::VectorXd near = crosses_itself(from) ? start : Eigen::VectorXd::Zero(start.size());
   const Eigen::VectorXd load =
       overlay_load(from, to, geometry, nodal, quadratic ? near : core::from_vertices(to, near));
