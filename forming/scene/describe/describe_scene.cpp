@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "forming/scene/container/container_plan.hpp"
+#include "forming/scene/describe/describe_timing.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "thermal/properties.hpp"
@@ -81,10 +82,17 @@ std::string number_lines(const DimensionlessNumbers& numbers, core::Geometry geo
   return text + fmt::format("  {:<20}{:<12}dissipated over conducted heat\n", "Brinkman", shown(numbers.brinkman));
 }
 
+/// "8000", or "0 to 8000" of what changes with time, in units of 1/scale.
+std::string range_text(const core::TimeFunction& value, double scale = 1) {
+  if (value.min() == value.max()) return fmt::format("{:.4g}", scale * value.max());
+  return fmt::format("{:.4g} to {:.4g}", scale * value.min(), scale * value.max());
+}
+
 std::string stage_tool_text(const Scene& scene, const StageTool& tool) {
   const std::string& name = scene.tools[tool.tool].name;
   if (const auto* force = std::get_if<ForceMotion>(&tool.motion))
-    return fmt::format("{} ({:.4g} N, at most {:.4g} mm/s)", name, force->force, 1e3 * force->speed_limit);
+    return fmt::format("{} ({} N, at most {} mm/s)", name, range_text(force->force),
+                       range_text(force->speed_limit, 1e3));
   return std::holds_alternative<PositionMotion>(tool.motion) ? name + " (moved)" : name;
 }
 
@@ -152,7 +160,7 @@ std::string describe_scene(const Scene& scene) {
     head += fmt::format("  {:<20}{} = {}\n", "dimension", dimension.name, dimension.given);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
          number_lines(dimensionless_numbers(scene), scene.geometry) + describe_container(scene) + stage_lines(scene) +
-         accuracy_lines(scene);
+         describe_timing(scene) + accuracy_lines(scene);
 }
 
 }  // namespace parison::forming
