@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/case/given_file.hpp"
+#include "forming/scene/read/curves/curve_arcs.hpp"
 #include "forming/scene/read/drawing/path_text.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/scene_reading.hpp"
@@ -136,6 +137,21 @@ std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory
   return parts;
 }
 
+/// The arcs of a smooth curve through points, behind the point where it starts.
+std::vector<Segment> smoothed(const CaseNode& node, const std::vector<Segment>& points) {
+  std::vector<Point> places;
+  for (const Segment& point : points)
+    if (places.empty() || point.end != places.back()) places.push_back(point.end);
+  if (places.size() < 3)
+    core::refuse(node, fmt::format("{} different points were found, allowed are at least 3", places.size()));
+  double size = 0;
+  for (const Point& x : places) size = std::max(size, (x - places.front()).norm());
+  std::vector<Segment> parts = smooth_through(places, tolerance::curve * size);
+  parts.insert(parts.begin(), Segment{});
+  parts.front().end = places.front();
+  return parts;
+}
+
 /// Points, an arc, or a part of a drawing preceded by the point where it starts.
 std::vector<Segment> read_path_part(const CaseNode& node, const std::string& directory) {
   if (node.kind != CaseNode::Kind::table) return parse_path(node);
@@ -150,6 +166,9 @@ std::vector<Segment> read_path_part(const CaseNode& node, const std::string& dir
 std::vector<Segment> read_path(const CaseTable& boundary, const std::string& directory) {
   const auto *path = boundary.find("path"), *csv = boundary.find("csv");
   if (path && csv) core::refuse(*csv, "path and csv were found, allowed is one of them");
+  const auto* smooth = boundary.find("smooth");
+  if (smooth && !csv) core::refuse(*smooth, "found without csv, allowed is to smooth the points of a CSV file");
+  if (csv && smooth && core::flag(*smooth)) return smoothed(*smooth, read_csv(*csv, directory));
   if (csv) return read_csv(*csv, directory);
   const auto& node = boundary.get("path");
   if (node.kind != CaseNode::Kind::list) return read_path_part(node, directory);
@@ -208,7 +227,7 @@ Profile draw(const std::vector<std::vector<Segment>>& paths, double joined) {
 }  // namespace
 
 CaseTable boundary_table(const CaseNode& node) {
-  return CaseTable(node, {"name", "path", "csv", "condition"});
+  return CaseTable(node, {"name", "path", "csv", "smooth", "condition"});
 }
 
 Point read_point(const CaseNode& node) {
