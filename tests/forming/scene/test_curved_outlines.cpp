@@ -283,6 +283,33 @@ TEST(CurvedOutlines, step_splines_and_ellipses_are_read_within_a_micrometre) {
   }
 }
 
+TEST(CurvedOutlines, a_mirror_image_goes_on_where_the_path_ends_on_its_line) {
+  const std::string half =
+      "\"(60, -20) (40, -20) mm\", \"arc centre (40, -10) mm radius 10 mm from -90 deg to -180 deg\"";
+  const auto ring = [](const std::string& path) {
+    return scene_of(
+               replaced(
+                   "[[interface]]\n",
+                   "[[tool]]\nname = \"ring\"\nmaterial = \"iron\"\ntemperature = \"400 degC\"\nfriction = "
+                   "\"slip\"\nboundary = [\n"
+                   "{ name = \"inner\", condition = \"contact\", path = [" +
+                       path +
+                       "] },\n"
+                       "{ name = \"outer\", condition = \"insulated\", path = \"(60, -20) mm\" } ]\n[[interface]]\n"))
+        .tools.back()
+        .profile;
+  };
+  const core::Profile mirror = ring(half + ", { mirror = [" + half + "], about = \"(0, -10) (5, -10) mm\" }");
+  const core::Profile drawn_whole =
+      ring(half + ", \"arc centre (40, -10) mm radius 10 mm from 180 deg to 90 deg\", \"(60, 0) mm\"");
+  EXPECT_NEAR(core::signed_area(mirror), 20e-3 * 20e-3 + M_PI / 2 * 1e-4, 1e-12);
+  EXPECT_NEAR(core::signed_area(mirror), core::signed_area(drawn_whole), 1e-15);
+  ASSERT_EQ(mirror.segments.size(), drawn_whole.segments.size());
+  for (std::size_t i = 0; i < mirror.segments.size(); ++i)
+    for (const double t : {0.0, 0.3, 1.0})
+      EXPECT_LT((core::point_at(mirror.segments[i], t) - core::point_at(drawn_whole.segments[i], t)).norm(), 1e-12);
+}
+
 TEST(CurvedOutlines, mistakes_have_their_sentences) {
   const auto said = [](const std::string& keys, const std::string& file, const std::string& text) -> std::string {
     try {
@@ -318,6 +345,11 @@ TEST(CurvedOutlines, mistakes_have_their_sentences) {
       spline({{11, "30"}, {21, "14"}}),
       key +
           "a SPLINE without control points and without three points to go through was found, allowed is one with them");
+  EXPECT_EQ(
+      said("path = [\"(30, 14) mm\", { mirror = \"(30, 14) (30, 50) mm\", about = \"(0, 50) mm\" }]", "no.csv", ""),
+      "tool.boundary.path.about: \"(0, 50) mm\" was found, allowed are two points of the line such as \"(0, 40) (10, "
+      "40) "
+      "mm\"");
   const auto inserted = [&](std::vector<std::pair<int, std::string>> groups) {
     groups.insert(groups.begin(), {{0, "INSERT"}, {10, "0"}, {20, "0"}});
     auto blocks = nested_blocks;

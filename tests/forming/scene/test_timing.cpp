@@ -76,8 +76,8 @@ TEST(Timing, an_event_ends_its_stage_at_its_time_also_where_the_stage_before_end
 
 TEST(Timing, mistakes_have_their_sentences) {
   EXPECT_EQ(said(timed(timing, "until = \"plunger_dow\"")),
-            "stage.until: \"plunger_dow\" was found (did you mean \"plunger_down\"?), allowed are gob, plunger_up, "
-            "plunger_down")
+            "stage.until: \"plunger_dow\" was found (did you mean \"plunger_down\"?), allowed are plunger_down, gob, "
+            "plunger_up")
       << "by angle";
   EXPECT_EQ(said(timed(timing, "duration = \"1 s\"\nuntil = \"gob\"")),
             "stage.until: a duration and an event were found, allowed is one of them");
@@ -129,7 +129,7 @@ TEST(OverTheStage, mistakes_have_their_sentences) {
       said(replaced("speed_limit = \"10 mm/s\"", "speed_limit = [[\"0 s\", \"0 mm/s\"]]")),
       "stage.motion.plunger.speed_limit: \"0 mm/s\" was found, allowed is a speed such as \"150 mm/s\", above zero");
   EXPECT_EQ(said(replaced("pressure.surface = \"0.1 bar\"", "pressure.surface = [\"0 s\", \"0.1 bar\"]")),
-            "stage.pressure.surface: a text was found, allowed is a list in brackets");
+            "stage.pressure.surface: the text \"0 s\" was found, allowed is a list in brackets");
 }
 
 }  // namespace
