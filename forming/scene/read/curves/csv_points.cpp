@@ -74,9 +74,9 @@ std::vector<Segment> smoothed(const CaseNode& node, const std::vector<Segment>& 
     core::refuse(node, fmt::format("{} different points were found, allowed are at least 3", places.size()));
   double size = 0;
   for (const Point& x : places) size = std::max(size, (x - places.front()).norm());
-  std::vector<Segment> parts = smooth_through(places, tolerance::curve * size);
-  parts.insert(parts.begin(), Segment{});
-  parts.front().end = places.front();
+  std::vector<Segment> parts(1);
+  parts.front().start = parts.front().end = places.front();
+  for (const Segment& arc : smooth_through(places, tolerance::curve * size)) parts.push_back(arc);
   return parts;
 }
 

@@ -134,7 +134,7 @@ void read_loads(const CaseTable& table, Scene& scene, Stage& stage) {
 }  // namespace
 
 Stage read_stage(const CaseNode& node, const CommonAir& common, Scene& scene) {
-  const CaseTable table(node, {"name", "from", "until", "duration", "end_speed", "gravity", "tools", "motion",
+  const CaseTable table(node, {"name", "duration", "from", "until", "end_speed", "gravity", "tools", "motion",
                                "pressure", "end", "air", "inner_air", "trapped_air", "cooling", "name_boundary"});
   Stage stage;
   stage.name = core::identifier(table.get("name"));
