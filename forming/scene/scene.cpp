@@ -72,6 +72,26 @@ std::vector<bool> contact_boundaries(const Body& body) {
   return flags;
 }
 
+std::vector<const Air*> airs_of(const Stage& stage) {
+  if (stage.inner_air) return {&stage.air, &*stage.inner_air};
+  return {&stage.air};
+}
+
+namespace {
+
+/// Calls include(temperature) for what surrounds the bodies in a stage.
+template <typename Include>
+void include_surroundings(const Stage& stage, bool emits, const Include& include) {
+  for (const Air* air : airs_of(stage)) {
+    if (air->h.max() > 0) include(air->air_temperature);
+    if (emits) include(air->ambient_temperature);
+  }
+  for (const StageCooling& cooling : stage.cooling)
+    if (cooling.h.max() > 0) include(cooling.air_temperature);
+}
+
+}  // namespace
+
 TemperatureRange temperature_range(const Scene& scene) {
   TemperatureRange range{scene.glass.initial_temperature, scene.glass.initial_temperature};
   const auto include = [&](const core::TimeFunction& temperature) {
@@ -92,14 +112,7 @@ TemperatureRange temperature_range(const Scene& scene) {
   include_body(scene.glass);
   if (scene.glass.skin) include(scene.glass.skin->temperature);
   for (const Tool& tool : scene.tools) include_body(tool);
-  for (const Stage& stage : scene.stages) {
-    for (const Air* air : {&stage.air, stage.inner_air ? &*stage.inner_air : nullptr}) {
-      if (air && air->h.max() > 0) include(air->air_temperature);
-      if (air && scene.glass.emissivity > 0) include(air->ambient_temperature);
-    }
-    for (const StageCooling& cooling : stage.cooling)
-      if (cooling.h.max() > 0) include(cooling.air_temperature);
-  }
+  for (const Stage& stage : scene.stages) include_surroundings(stage, scene.glass.emissivity > 0, include);
   return range;
 }
 

@@ -243,6 +243,9 @@ const Body& body_of(const Scene& scene, Index body);
 /// Flags of the boundaries of a body's outline that may touch other bodies.
 std::vector<bool> contact_boundaries(const Body& body);
 
+/// The air of a stage outside and, where it is other air, inside.
+std::vector<const Air*> airs_of(const Stage& stage);
+
 /// The coldest and the hottest of the bodies at the start, their cooling and the air, K.
 struct TemperatureRange {
   double min_temperature, max_temperature;

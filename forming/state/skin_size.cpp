@@ -84,6 +84,16 @@ double stage_cooling(const Scene& scene, Index body, std::size_t boundary, Index
   return h;
 }
 
+/// Of air and radiation at the start, where they differ from the body, W/m2/K.
+double air_conductance(const Scene& scene, const Body& body, const Air& air) {
+  const double start = body.initial_temperature;
+  double h = differ(scene, start, air.air_temperature) ? air.h.max() : 0;
+  if (body.emissivity > 0 && differ(scene, start, air.ambient_temperature))
+    h = std::max(h, 4 * body.emissivity * thermal::stefan_boltzmann *
+                        std::pow(std::max(start, air.ambient_temperature.max()), 3));
+  return h;
+}
+
 }  // namespace
 
 double surroundings_conductance(const Scene& scene, Index body, std::size_t boundary, Index last_stage) {
@@ -96,15 +106,9 @@ double surroundings_conductance(const Scene& scene, Index body, std::size_t boun
   if (given.kind == BoundaryKind::cooled)
     return differ(scene, start, given.cooling.air_temperature) ? std::max(h, given.cooling.h.max()) : h;
   if (given.kind != BoundaryKind::contact && given.kind != BoundaryKind::air) return h;
-  for (Index s = 0; s <= last_stage; ++s) {
-    const Stage& stage = scene.stages[s];
-    for (const Air* air : {&stage.air, body == glass_body && stage.inner_air ? &*stage.inner_air : nullptr}) {
-      if (air && differ(scene, start, air->air_temperature)) h = std::max(h, air->h.max());
-      if (air && data.emissivity > 0 && differ(scene, start, air->ambient_temperature))
-        h = std::max(h, 4 * data.emissivity * thermal::stefan_boltzmann *
-                            std::pow(std::max(start, air->ambient_temperature.max()), 3));
-    }
-  }
+  for (Index s = 0; s <= last_stage; ++s)
+    for (const Air* air : airs_of(scene.stages[s]))
+      if (body == glass_body || air == &scene.stages[s].air) h = std::max(h, air_conductance(scene, data, *air));
   return h;
 }
 

@@ -75,8 +75,7 @@ void for_each_curve(const Scene& scene, const Stage& stage, const Visit& visit) 
     for (const auto* curve : {&exchange.h, &exchange.air_temperature, &exchange.ambient_temperature})
       visit(*curve, of_stage);
   };
-  visit_exchange(stage.air, stage.air.of_stage);
-  if (stage.inner_air) visit_exchange(*stage.inner_air, stage.inner_air->of_stage);
+  for (const Air* air : airs_of(stage)) visit_exchange(*air, air->of_stage);
   for (Index body = 0; body <= static_cast<Index>(scene.tools.size()); ++body)
     for (const Boundary& boundary : body_of(scene, body).boundaries) {
       visit_exchange(boundary.cooling, false);
