@@ -24,15 +24,19 @@ std::string stages_with(const Scene& scene, const Test& test) {
   return names;
 }
 
+const char* law_name(const flow::Viscosity& viscosity) {
+  return viscosity.constant ? "constant" : viscosity.table ? "tabulated" : "VFT";
+}
+
 std::string flow_parts(const Scene& scene) {
   const bool on = scene.has_flow();
   const auto or_no_flow = [on](const char* reason) { return on ? reason : "the glass does not flow"; };
   const auto gravity = stages_with(scene, [](const Stage& s) { return s.gravity != 0; });
   const auto pressure = stages_with(scene, [](const Stage& s) { return !s.pressure.empty(); });
   const double tension = on ? scene.glass.flow->surface_tension : 0;
-  const bool constant = on && scene.glass.flow->viscosity.constant.has_value();
-  std::string text = part("flow", on, fmt::format("Taylor-Hood P2-P1, {} viscosity", constant ? "constant" : "VFT"),
-                          "the glass's material has no viscosity");
+  std::string text =
+      part("flow", on, fmt::format("Taylor-Hood P2-P1, {} viscosity", on ? law_name(scene.glass.flow->viscosity) : ""),
+           "the glass's material has no viscosity");
   text += part("shear thinning", on && scene.glass.flow->shear_thinning, "Carreau factor",
                or_no_flow("the material names none"));
   text += part("gravity", on && !gravity.empty(), "in " + gravity, or_no_flow("no stage names it"));
@@ -79,6 +83,27 @@ std::string number_lines(const DimensionlessNumbers& numbers, core::Geometry geo
   text += fmt::format("  {:<20}{:<12}convected over conducted heat\n", "Peclet", shown(numbers.peclet));
   text += fmt::format("  {:<20}{:<12}surface exchange over conduction, largest h\n", "Biot", shown(numbers.biot));
   return text + fmt::format("  {:<20}{:<12}dissipated over conducted heat\n", "Brinkman", shown(numbers.brinkman));
+}
+
+/// What the friction of each tool with Navier's law means for hot glass in the fastest motion: the layer of glass over
+/// the tool, half its own length thick, shears in series with the friction, which takes this share of the speed.
+std::string friction_lines(const Scene& scene, const DimensionlessNumbers& numbers) {
+  constexpr double stick_below = 0.1, slip_above = 0.9, bar = 1e5;
+  if (!numbers.speed || !numbers.viscosity) return "";
+  std::string text;
+  for (const Tool& tool : scene.tools) {
+    const double coefficient = tool.friction.coefficient;
+    if (tool.friction.law != flow::Friction::Law::navier || *numbers.speed <= 0) continue;
+    const double share = 1 / (1 + coefficient * 0.5 * numbers.length / *numbers.viscosity);
+    const char* meaning = share < stick_below  ? "acts as stick"
+                          : share > slip_above ? "acts as slip"
+                                               : "slides and drags";
+    text += fmt::format(
+        "  {:<20}{:g} Pa.s/m: {:.2g} bar at {:.3g} m/s; hot glass slides at {:.2g} % of a tool's speed: {}\n",
+        tool.name, coefficient, coefficient * *numbers.speed / bar, *numbers.speed, 100 * share, meaning);
+  }
+  return text.empty() ? ""
+                      : "\nfriction (no measured value for hot glass is known; 1e4 to 1e7 Pa.s/m are in use)\n" + text;
 }
 
 std::string stage_tool_text(const Scene& scene, const StageTool& tool) {
@@ -150,9 +175,10 @@ std::string describe_scene(const Scene& scene) {
   for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
   for (const auto& dimension : scene.dimensions)
     head += fmt::format("  {:<20}{} = {}\n", "dimension", dimension.name, dimension.given);
+  const DimensionlessNumbers numbers = dimensionless_numbers(scene);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
-         number_lines(dimensionless_numbers(scene), scene.geometry) + describe_container(scene) + stage_lines(scene) +
-         accuracy_lines(scene);
+         number_lines(numbers, scene.geometry) + friction_lines(scene, numbers) + describe_container(scene) +
+         stage_lines(scene) + accuracy_lines(scene);
 }
 
 }  // namespace parison::forming
