@@ -102,8 +102,9 @@ std::string friction_lines(const Scene& scene, const DimensionlessNumbers& numbe
         "  {:<20}{:g} Pa.s/m: {:.2g} bar at {:.3g} m/s; hot glass slides at {:.2g} % of a tool's speed: {}\n",
         tool.name, coefficient, coefficient * *numbers.speed / bar, *numbers.speed, 100 * share, meaning);
   }
-  return text.empty() ? ""
-                      : "\nfriction (no measured value for hot glass is known; 1e4 to 1e7 Pa.s/m are in use)\n" + text;
+  return text.empty()
+             ? ""
+             : "\nfriction (no measured value for hot glass is known; 1e4 to 1e7 Pa.s/m is the range to try)\n" + text;
 }
 
 std::string stage_tool_text(const Scene& scene, const StageTool& tool) {

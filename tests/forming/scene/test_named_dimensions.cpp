@@ -26,6 +26,13 @@ TEST(NamedDimensions, paths_arcs_and_quantities_use_them) {
   EXPECT_DOUBLE_EQ(moved.tools[1].position, 0.011);
 }
 
+TEST(NamedDimensions, zeros_alone_need_no_unit) {
+  EXPECT_EQ(complaint_about(replaced("path = \"(0, 0) mm\", condition = \"symmetry\" },\n]\n[[tool]]\nname = \"plate\"",
+                                     "path = \"(0, 0)\", condition = \"symmetry\" },\n]\n[[tool]]\nname = \"plate\"")),
+            "");
+  EXPECT_NE(complaint_about(replaced("(20, 0) (20, 10) (0, 10) mm", "(20, 0) (20, 10) (0, 10)")), "");
+}
+
 TEST(NamedDimensions, one_that_is_set_changes_all_that_uses_it) {
   const auto folder =
       write_scene(replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm", "(0, 0) (r, 0) (r, h) (0, h)", with_names));
