@@ -15,7 +15,11 @@ heat_capacity = "1300 J/kg/K"
 conductivity = "1.3 W/m/K"
 viscosity = { law = "constant", value = "1e4 Pa.s" }
 )";
-const std::string bundled = replaced("material = \"soft\"", "material = \"flint\"", replaced(soft, ""));
+/// The small scene with air, which a glass that radiates asks for.
+const std::string airy = replaced("geometry = \"axisymmetric\"\n",
+                                  "geometry = \"axisymmetric\"\nair = { temperature = \"50 degC\", h = \"20 W/m2/K\", "
+                                  "ambient = \"50 degC\" }\n");
+const std::string bundled = replaced("material = \"soft\"", "material = \"flint\"", replaced(soft, "", airy));
 
 std::string with_viscosity(const std::string& viscosity) {
   return replaced("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }", "viscosity = " + viscosity);
@@ -80,7 +84,8 @@ TEST(Materials, one_of_the_case_goes_before_a_bundled_one_of_its_name) {
 TEST(Materials, one_like_a_bundled_one_has_its_own_values_and_the_rest_of_that) {
   const Scene scene = scene_of(replaced(soft,
                                         "[material.soft]\nlike = \"flint\"\nemissivity = 0.5\nviscosity = { law = "
-                                        "\"constant\", value = \"1e4 Pa.s\" }\n"));
+                                        "\"constant\", value = \"1e4 Pa.s\" }\n",
+                                        airy));
   EXPECT_EQ(scene.glass.emissivity, 0.5);
   EXPECT_EQ(scene.glass.flow->viscosity.constant, 1e4);
   EXPECT_EQ(scene.glass.flow->surface_tension, 0.315);
