@@ -85,22 +85,31 @@ std::string number_lines(const DimensionlessNumbers& numbers, core::Geometry geo
   return text + fmt::format("  {:<20}{:<12}dissipated over conducted heat\n", "Brinkman", shown(numbers.brinkman));
 }
 
-/// What the friction of each tool with Navier's law means for hot glass in the fastest motion: the layer of glass over
-/// the tool, half its own length thick, shears in series with the friction, which takes this share of the speed.
+/// Whether a tool of the scene moves in any stage.
+bool has_moving_tool(const Scene& scene) {
+  for (const Stage& stage : scene.stages)
+    for (const StageTool& tool : stage.tools)
+      if (fastest(tool) > 0) return true;
+  return false;
+}
+
+/// What the friction of each tool with Navier's law means for hot glass: a layer half as thick as the glass's own
+/// length shears in series with the friction, which takes this share of a tool's speed.
 std::string friction_lines(const Scene& scene, const DimensionlessNumbers& numbers) {
   constexpr double stick_below = 0.1, slip_above = 0.9, bar = 1e5;
-  if (!numbers.speed || !numbers.viscosity) return "";
+  if (!numbers.viscosity) return "";
+  const bool moves = numbers.speed && has_moving_tool(scene);
   std::string text;
   for (const Tool& tool : scene.tools) {
     const double coefficient = tool.friction.coefficient;
-    if (tool.friction.law != flow::Friction::Law::navier || *numbers.speed <= 0) continue;
+    if (tool.friction.law != flow::Friction::Law::navier) continue;
     const double share = 1 / (1 + coefficient * 0.5 * numbers.length / *numbers.viscosity);
-    const char* meaning = share < stick_below  ? "acts as stick"
-                          : share > slip_above ? "acts as slip"
-                                               : "slides and drags";
-    text += fmt::format(
-        "  {:<20}{:g} Pa.s/m: {:.2g} bar at {:.3g} m/s; hot glass slides at {:.2g} % of a tool's speed: {}\n",
-        tool.name, coefficient, coefficient * *numbers.speed / bar, *numbers.speed, 100 * share, meaning);
+    text += fmt::format("  {:<20}{:g} Pa.s/m: ", tool.name, coefficient);
+    if (moves) text += fmt::format("{:.2g} bar at {:.3g} m/s; ", coefficient * *numbers.speed / bar, *numbers.speed);
+    text += fmt::format("hot glass slides at {:.1f} % of the speed of free slip: {}\n", 100 * share,
+                        share < stick_below  ? "acts as stick"
+                        : share > slip_above ? "acts as slip"
+                                             : "slides and drags");
   }
   return text.empty()
              ? ""
