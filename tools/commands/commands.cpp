@@ -11,6 +11,7 @@
 #include "tools/commands/fit_law.hpp"
 #include "tools/commands/new_case.hpp"
 #include "tools/commands/run_command.hpp"
+#include "tools/materials/materials.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/tradeoff/tradeoff.hpp"
 
@@ -119,6 +120,13 @@ void add_fit_law(CLI::App& app, Command& chosen) {
                     "weigh residuals as shares: for scatter that grows with the value");
 }
 
+void add_materials(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<MaterialsRequest>();
+  auto* command = add_command(app, "materials", "list the bundled materials, or show some", chosen, request, materials);
+  command->add_option("name", request->names, "bundled materials to show with values and sources");
+  command->add_option("--picture", request->picture, "SVG file for a plot of the viscosities");
+}
+
 void add_cases(CLI::App& app, Command& chosen) {
   app.add_subcommand("cases", "list the bundled cases")->callback([&chosen] {
     chosen = [] {
@@ -140,6 +148,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_tradeoff(app, chosen);
   add_fit_law(app, chosen);
   add_cases(app, chosen);
+  add_materials(app, chosen);
 }
 
 }  // namespace parison::tools

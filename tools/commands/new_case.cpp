@@ -48,8 +48,9 @@ void give_gob_by_mass(const forming::Scene& scene, std::string& text) {
   const std::string gob = gob_line(scene);
   const auto glass = text.find("\n[glass]");
   if (gob.empty() || glass == text.npos) return;
-  const auto boundary = text.find("\nboundary = [", glass), end = after_line(text, boundary, "]");
-  if (boundary == text.npos || end == text.npos) return;
+  const auto next = text.find("\n[", glass + 1), boundary = text.find("\nboundary = [", glass);
+  const auto end = after_line(text, boundary, "]");
+  if (boundary == text.npos || end == text.npos || next < boundary) return;  // the case has a gob itself
   text.replace(boundary + 1, end - boundary - 1, gob);
   text.replace(glass + 1, text.find('\n', glass + 1) - glass - 1, "[glass]");
 }

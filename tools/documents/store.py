@@ -30,6 +30,10 @@ RUNS = {
     },
     "bottle": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
     "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
+    "nnpb": {"draft": ("draft", []), "standard": ("standard", [])},
+    "flute": {"draft": ("draft", []), "standard": ("standard", [])},
+    "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.2 s", "dimension.reheat=1.8 s", "dimension.run=0.5 s"])},
+    "sag": {"draft": ("draft", []), "standard": ("standard", [])},
     "contact_cylinders": {"draft": ("draft", [])},
     "shell_inflation": {"draft": ("draft", []), "standard": ("standard", [])},
 }

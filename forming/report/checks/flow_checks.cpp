@@ -35,7 +35,7 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
                       "numerics.strain_per_step or numerics.surface_size helps"});
     checks.push_back({"edge_penetration", totals.max_edge_penetration / wall, 5e-2, 0.25, "%",
                       "an edge of the glass cut into a tool by so much of the mean wall; a smaller "
-                      "numerics.surface_size helps"});
+                      "numerics.surface_size, or a finer --accuracy, helps"});
   }
   if (scene.geometry == core::Geometry::axisymmetric)
     checks.push_back({"axis", totals.off_axis / wall, 1e-2, 0.1, "%",

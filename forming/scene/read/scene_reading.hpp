@@ -6,18 +6,10 @@
 #include <vector>
 
 #include "core/case/case_file.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/scene/scene.hpp"
 
 namespace parison::forming {
-
-/// A material as the case file gives it; properties that are missing are not computed.
-struct NamedMaterial {
-  std::string name;
-  std::optional<thermal::Material> thermal;
-  std::optional<flow::Material> flow;
-  double emissivity = 0;
-};
-std::vector<NamedMaterial> read_materials(const core::CaseNode& node);
 
 /// What is needed to read a body.
 struct BodyContext {
