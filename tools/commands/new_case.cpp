@@ -23,7 +23,10 @@ void check_name(const std::string& folder, const std::string& name) {
   if (name.empty() || !std::all_of(name.begin(), name.end(), allowed))
     throw core::CaseError(
         fmt::format("{}: the name \"{}\" was found, allowed are names of letters, digits, _ and -", folder, name));
-  if (fs::exists(folder)) throw core::CaseError(fmt::format("{}: exists already, allowed is a new folder", folder));
+  std::error_code error;
+  if (fs::exists(folder, error))
+    throw core::CaseError(fmt::format("{}: exists already, allowed is a new folder", folder));
+  if (error) throw core::CaseError(fmt::format("{}: the folder cannot be made: {}", folder, error.message()));
 }
 
 /// The capsule as a `gob`, empty where the glass is drawn in another way.
