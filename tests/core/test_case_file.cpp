@@ -106,6 +106,14 @@ TEST(CaseFile, an_identifier_has_only_letters_digits_underscore_and_hyphen) {
   EXPECT_EQ(complaint(path, [&] { identifier(root.get("b")); }),
             "2: b: \"blow mould\" was found, allowed are names of letters, digits, _ and -");
   for (const char* key : {"c", "d", "e"}) EXPECT_THROW(identifier(root.get(key)), CaseError) << key;
+  const auto long_one = write_case("f = '" + std::string(101, 'x') + "'\ng = '" + std::string(100, 'x') + "'\n");
+  const auto names = read_case_file(long_one);
+  EXPECT_EQ(complaint(long_one,
+                      [&] {
+                        identifier(CaseTable(names.root, {"f", "g"}).get("f"));
+                      }),
+            "1: f: a name of 101 characters was found, allowed are up to 100");
+  EXPECT_EQ(identifier(CaseTable(names.root, {"f", "g"}).get("g")).size(), 100u);
 }
 
 TEST(CaseFile, a_wrong_kind_of_value_is_named) {
