@@ -2,13 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <set>
 
 #include "../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/run/folder_run.hpp"
+#include "forming/run/run.hpp"
 
 namespace parison::forming {
 namespace {
@@ -71,6 +74,59 @@ TEST(Checks, heat_through_cells_that_do_not_resolve_the_skin_is_told_with_the_si
   const std::string summary = core::read_text(folder + "/summary.json");
   EXPECT_NE(summary.find("\"trustworthy\": false"), std::string::npos);
   EXPECT_NE(summary.find("\"name\": \"thermal_skin\""), std::string::npos);
+}
+
+/// A number that a check watches in the results of a run, and a way to spoil it.
+struct Spoilt {
+  const char* check;
+  std::function<void(State&, RunFacts&, double)> spoil;  ///< by a factor of some size
+};
+
+const std::vector<Spoilt> spoilt_numbers = {
+    {"energy_imbalance", [](State& state, RunFacts&, double x) { state.totals.to_air += x * state.totals.to_tools; }},
+    {"interface_flux", [](State& state, RunFacts&, double x) { state.totals.max_flux_mismatch = x; }},
+    {"thermal_skin",
+     [](State& state, RunFacts&, double x) { state.tools[0].skin.wrong = x * state.tools[0].skin.exchanged; }},
+    {"overshoot", [](State& state, RunFacts&, double x) { state.glass.bounds.overshoot = x * 1e3; }},
+    {"overshoot", [](State& state, RunFacts&, double x) { state.tools[1].bounds.overshoot = x * 1e3; }},
+    {"undershoot", [](State& state, RunFacts&, double x) { state.glass.bounds.undershoot = x * 1e3; }},
+    {"undershoot", [](State& state, RunFacts&, double x) { state.tools[0].bounds.undershoot = x * 1e3; }},
+    {"conductance_table", [](State& state, RunFacts&, double) { state.totals.clamped_lookups = 1; }},
+    {"work_balance", [](State&, RunFacts& facts,
+                        double x) { facts.stages.back().work.tools += x * facts.stages.back().work.dissipation; }},
+    {"volume_drift", [](State& state, RunFacts&, double x) { state.totals.max_drift = x; }},
+    {"penetration", [](State& state, RunFacts&, double x) { state.totals.max_penetration = x * 0.01; }},
+    {"edge_penetration", [](State& state, RunFacts&, double x) { state.totals.max_edge_penetration = x * 0.01; }},
+    {"axis", [](State& state, RunFacts&, double x) { state.totals.off_axis = x * 0.01; }},
+    {"flow_resolution",
+     [](State& state, RunFacts&, double x) { state.totals.unresolved_work = x * state.totals.sampled_work; }},
+    {"failed_meshes", [](State& state, RunFacts&, double) { state.totals.remeshing.failed = 2; }},
+    {"mesh_coarsening", [](State& state, RunFacts&, double x) { state.totals.remeshing.coarsening_factor = 1 + x; }},
+    {"locked_contacts", [](State&, RunFacts& facts,
+                           double) { facts.solver_statistics.locked_contacts = facts.solver_statistics.contacts; }},
+    {"step_collapse", [](State& state, RunFacts&, double) { state.totals.short_steps = state.totals.steps; }},
+    {"inertia", [](State& state, RunFacts&, double x) { state.totals.max_reynolds = 10 * x; }},
+    {"viscosity_cap",
+     [](State& state, RunFacts&, double x) { state.totals.capped_work = x * state.totals.work.dissipation; }},
+};
+
+TEST(Checks, each_tells_of_its_own_number_and_of_no_other_also_where_it_is_no_number) {
+  const Scene scene = scene_of(small_scene);
+  const RunOutcome whole = run(scene, {}, {});
+  ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
+  const Checks untouched = checks(scene, whole.state, whole.facts);
+  ASSERT_EQ(complaints(untouched), std::vector<std::string>{});
+  std::set<std::string> told;
+  for (const auto& [name, spoil] : spoilt_numbers)
+    for (const double size : {0.5, std::numeric_limits<double>::quiet_NaN()}) {
+      RunOutcome outcome = whole;
+      spoil(outcome.state, outcome.facts, size);
+      const auto sentences = complaints(checks(scene, outcome.state, outcome.facts));
+      ASSERT_EQ(sentences.size(), 1u) << name << " by " << size;
+      EXPECT_EQ(sentences[0].rfind(std::string(name) + " is ", 0), 0u) << sentences[0];
+      told.insert(name);
+    }
+  for (const Check& check : untouched) EXPECT_TRUE(told.count(check.name)) << check.name << " was not spoilt";
 }
 
 TEST(Checks, glass_that_a_cup_holds_at_rest_raises_none) {

@@ -70,6 +70,8 @@ TEST(HostileInput, entities_that_contradict_themselves_are_refused) {
   const auto said = [&](const std::string& from, const std::string& to, const std::string& sentence) {
     expect_refused(with_drawing("disc.dxf", replaced(from, to, polyline("0") + end)), sentence);
   };
+  for (const char* flags : {"111111111111111", "-1", "1.5", "8"})
+    said("70\n0", std::string("70\n") + flags, "a curve-fitted or three-dimensional LWPOLYLINE was found");
   said("90\n4", "90\n5", "4 vertices were found, the entity says 5");
   said("\n20\n10\n10\n0\n", "\n10\n0\n", "a vertex without group 20 was found");
   said("42\n0", "42\n1e7", "a bulge of 1e+07 was found, allowed are bulges of up to 1e+06 in size");

@@ -54,6 +54,14 @@ TEST(SceneErrors, self_crossing_profile) {
                    "allowed is an outline that does not touch itself");
 }
 
+TEST(SceneErrors, an_outline_that_goes_back_on_its_own_line) {
+  const std::string said = "glass.boundary: the outline encloses no area, allowed is one that leads around a body";
+  const auto flat = replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm", "(0, 0) (20, 0) mm");
+  EXPECT_NE(complaint_about(flat).find(said), std::string::npos) << complaint_about(flat);
+  const auto gob = replaced("[glass]\n", "[glass]\ngob.mass = \"20 g\"\n", flat);
+  EXPECT_NE(complaint_about(gob).find(said), std::string::npos) << complaint_about(gob);
+}
+
 TEST(SceneErrors, profile_beyond_the_axis) {
   expect_complaint("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"",
                    "{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (-1, 10) mm\"",
