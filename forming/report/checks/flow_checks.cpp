@@ -47,7 +47,7 @@ void add_mesh_checks(const Scene& scene, const State& state, Checks& checks) {
   const Totals& totals = state.totals;
   const RemeshStatistics& remeshing = totals.remeshing;
   const double unresolved =
-      totals.sampled_work > 0 ? totals.unresolved_work / std::max(totals.sampled_work, least_loss(scene, state)) : 0;
+      totals.sampled_work != 0 ? totals.unresolved_work / std::max(totals.sampled_work, least_loss(scene, state)) : 0;
   checks.push_back({"flow_resolution", unresolved, 0.05, 0.5, "%",
                     "about so much of the work is dissipated by motion that the glass mesh does not resolve, and "
                     "shapes, forces and times are wrong by up to as much; a "
@@ -65,7 +65,7 @@ void add_step_checks(const Scene& scene, const State& state, const RunFacts& fac
   const Totals& totals = state.totals;
   const double steps = std::max(1.0, static_cast<double>(totals.steps));
   const double share_of_capped =
-      totals.capped_work > 0 ? totals.capped_work / std::max(totals.work.dissipation, least_loss(scene, state)) : 0;
+      totals.capped_work != 0 ? totals.capped_work / std::max(totals.work.dissipation, least_loss(scene, state)) : 0;
   const double contacts = std::max(1.0, static_cast<double>(facts.solver_statistics.contacts));
   if (!scene.tools.empty())
     checks.push_back({"locked_contacts", static_cast<double>(facts.solver_statistics.locked_contacts) / contacts, 1e-2,
