@@ -82,11 +82,12 @@ void add_step_checks(const Scene& scene, const State& state, const RunFacts& fac
                                 "not balanced; look at the last pictures",
                                 scene.accuracy.min_step)});
   if (scene.has_heat())
-    checks.push_back({"coupling", totals.unforeseen_work / std::max(totals.work.dissipation, least_loss(scene, state)),
-                      0.01, 0.1, "%",
-                      "the heat of the steps changed the viscosity otherwise than they had foreseen, and forces are "
-                      "wrong by about so "
-                      "much, temperatures too where work warms the glass; a smaller numerics.max_step helps"});
+    checks.push_back(
+        {"coupling", totals.unforeseen_work / std::max(totals.work.dissipation, least_loss(scene, state)), 0.01, 0.1,
+         "%",
+         "the heat of the steps changed the viscosity otherwise than they had foreseen, and forces are "
+         "wrong by about so much, temperatures too where work warms the glass; a smaller numerics.max_step "
+         "helps"});
   checks.push_back({"inertia", totals.max_reynolds, 1, 20, "",
                     "inertia is neglected, but the Reynolds number reached this: speeds and times are too short; a "
                     "stiffer glass or slower tools are what this program can do"});
