@@ -86,6 +86,7 @@ def pressed_glass(start=1300.0, tool=800.0, h=1000.0, k=1e5, height=0.01, radius
         gained = summary["dissipation_J"]
         hottest = start + gained / content * 10
         least = 3 * viscosity(hottest) * volume * speed * (1 / ((1 - share) * height) - 1 / height)
-        return max(abs(lost + gained - received) / max(received, gained, 1e-9), least / summary["work"]["tools_J"] - 1,
+        # Of a millikelvin of a kelvin nothing can be told from the mean temperature.
+        return max(abs(lost + gained - received) / max(received, gained, 1e-3 * content * (start - tool)), least / summary["work"]["tools_J"] - 1,
                    (tool - 273.15 - summary["glass"]["temperature_min_C"]) / (start - tool))
     return s.Scene(text, error=balance_error)
