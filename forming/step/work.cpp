@@ -142,9 +142,10 @@ double work_error(const Scene& scene, const State& start, const Work& before, co
                 weight * core::size(scene.glass.profile), negligible * pressure * start.glass.initial_volume,
                 work_of_no_motion(scene, start)});
   const double truncation = excess_work(after) - excess_work(before) - recovery;
+  const double created = std::max(0.0, before.impact_loss - after.impact_loss);
   const double own = usual_steps * (lost(after) - lost(before));
   const double counted = std::min(measure, std::max(own, least_share * measure));
-  return counted > 0 ? std::abs(truncation) / counted : 0;
+  return counted > 0 ? (std::abs(truncation) + created) / counted : 0;
 }
 
 double least_loss(const Scene& scene, const State& state) {

@@ -25,7 +25,7 @@ double unforeseen_work(const flow::Viscosity& viscosity, const core::Mesh& mesh,
 /// out of tools, over the greatest of all that was lost until `after` or done by tools, air and gravity: the truncation
 /// error of the step. Where nearly nothing was lost yet, the glass sinking by its own size is the measure. A step that
 /// loses less than a 400th of the measure is compared with 400 times its own loss, but with a tenth of the measure at
-/// least.
+/// least. What an impact would create instead of losing is an error too: glass that lands is held in tension there.
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery);
 
 /// Least loss, J, that an imbalance is taken relative to: a share of what the loads of the present stage and those
