@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "forming/report/cavity_report.hpp"
+#include "forming/report/checks/check.hpp"
 #include "forming/step/work.hpp"
 
 namespace parison::forming {
@@ -60,10 +61,11 @@ void add_cavities(core::JsonWriter& json, const Scene& scene, const State& state
 }
 
 double max_work_imbalance(const Scene& scene, const State& state, const RunFacts& run) {
-  double largest = std::numeric_limits<double>::quiet_NaN();
-  if (!scene.has_flow()) return largest;
+  if (!scene.has_flow() || run.stages.empty()) return std::numeric_limits<double>::quiet_NaN();
   const double least = least_loss(scene, state);
-  for (const StageRecord& stage : run.stages) largest = std::fmax(largest, std::abs(work_imbalance(stage.work, least)));
+  double largest = 0;
+  for (const StageRecord& stage : run.stages)
+    if (const double found = std::abs(work_imbalance(stage.work, least)); is_worse(found, largest)) largest = found;
   return largest;
 }
 

@@ -111,6 +111,7 @@ struct Totals {
   double overshoot = 0;        ///< of any temperature above the hottest of the scene at any step, K
   double viscous_heating = 0;  ///< by which dissipation can at most have heated a point of the glass, K
   double capped_work = 0;      ///< dissipated where the glass should be stiffer than its viscosity is let be, J
+  double unforeseen_work = 0;  ///< by which work of the steps would differ at the viscosity that their own heat gave, J
   double sampled_work = 0;     ///< dissipated in the steps whose rate of deformation was compared with the recovered, J
   double unresolved_work = 0;  ///< the part of it in the difference, J
   double off_axis = 0;         ///< largest correction of nodes beyond the axis in a step, m

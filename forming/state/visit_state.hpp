@@ -102,6 +102,7 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("overshoot", totals.overshoot);
   visit("viscous_heating", totals.viscous_heating);
   visit("capped_work", totals.capped_work);
+  visit("unforeseen_work", totals.unforeseen_work);
   visit("sampled_work", totals.sampled_work);
   visit("unresolved_work", totals.unresolved_work);
   visit("off_axis", totals.off_axis);

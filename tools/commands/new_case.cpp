@@ -20,10 +20,15 @@ namespace fs = std::filesystem;
 
 void check_name(const std::string& folder, const std::string& name) {
   const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_' || c == '-'); };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), allowed))
+  constexpr std::size_t longest = 100;  // of a case's name
+  if (name.empty() || name.size() > longest || !std::all_of(name.begin(), name.end(), allowed))
     throw core::CaseError(
-        fmt::format("{}: the name \"{}\" was found, allowed are names of letters, digits, _ and -", folder, name));
-  if (fs::exists(folder)) throw core::CaseError(fmt::format("{}: exists already, allowed is a new folder", folder));
+        fmt::format("{}: the name \"{}\" was found, allowed are names of up to {} letters, digits, _ and -", folder,
+                    name, longest));
+  std::error_code error;
+  if (fs::exists(folder, error))
+    throw core::CaseError(fmt::format("{}: exists already, allowed is a new folder", folder));
+  if (error) throw core::CaseError(fmt::format("{}: the folder cannot be made: {}", folder, error.message()));
 }
 
 /// The capsule as a `gob`, empty where the glass is drawn in another way.

@@ -27,12 +27,13 @@ std::string body_file(const Scene& scene, std::size_t body) {
 }
 
 void make_folder(const std::string& directory) {
-  if (fs::exists(directory) && (!fs::is_directory(directory) || !fs::is_empty(directory)))
+  std::error_code error;
+  const bool is_there = fs::exists(directory, error);
+  if (!error && is_there && (!fs::is_directory(directory) || !fs::is_empty(directory, error)) && !error)
     throw core::CaseError(fmt::format(
         "{}: a file or a folder that holds something was found, allowed is a new or an empty folder for the results",
         directory));
-  std::error_code error;
-  fs::create_directories(fs::path(directory) / "vtu", error);
+  if (!error) fs::create_directories(fs::path(directory) / "vtu", error);
   if (error)
     throw core::CaseError(fmt::format("{}: the folder for the results cannot be made: {}", directory, error.message()));
 }

@@ -16,6 +16,9 @@ namespace dimension = core::dimension;
 
 /// A property over temperature, above zero everywhere.
 core::Table property(const CaseNode& node, const core::Dimension& x, const core::Dimension& y) {
+  constexpr std::size_t most = 1000;  // heat content is asked at every point of every step
+  if (node.items.size() > most)
+    core::refuse(node, fmt::format("{} pairs were found, allowed are up to {}", node.items.size(), most));
   const auto table = core::quantity_table(node, x, y);
   for (const double value : table.y)
     if (!(value > 0)) core::refuse(node, fmt::format("{:g} was found, allowed are values above zero", value));

@@ -58,7 +58,7 @@ void coarsen(Scene& scene, double factor);
 
 /// Names of the scene's tools, in their order.
 std::vector<std::string> tool_names(const Scene& scene);
-/// Refuses a list of tables two of which have the same name.
+/// Refuses a list of tables two of which have the same name, and one of more than a thousand.
 void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables);
 
 /// Refuses edge lengths that would give a body more cells than a run can handle.
