@@ -13,6 +13,7 @@
 #include "core/mesh/element.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
+#include "forming/report/contour/contour.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/summary_parts.hpp"
 #include "forming/state/fingerprint.hpp"
@@ -141,15 +142,18 @@ void add_bodies(JsonWriter& json, const Summary& summary) {
   json.open_object("glass");
   json.add("mass_kg", summary.glass.mass);
   json.add("volume_m3", summary.glass.volume);
-  json.add("temperature_mean_C", celsius(summary.glass.mean));
-  json.add("temperature_min_C", celsius(summary.glass.lowest));
-  json.add("temperature_max_C", celsius(summary.glass.highest));
+  json.add("temperature_mean_degC", celsius(summary.glass.mean));
+  json.add("temperature_min_degC", celsius(summary.glass.lowest));
+  json.add("temperature_max_degC", celsius(summary.glass.highest));
   json.close();
   json.open_object("tools");
   for (const ToolSummary& tool : summary.tools) {
     json.open_object(tool.name);
     json.add("heat_received_J", tool.heat_received);
-    json.add("surface_temperature_max_C", celsius(tool.max_surface_temperature));
+    json.add("surface_temperature_max_degC", celsius(tool.max_surface_temperature));
+    json.add("hottest_time_s", tool.hottest.time);
+    json.add("hottest_r_mm", 1e3 * tool.hottest.at[0]);
+    json.add("hottest_z_mm", 1e3 * tool.hottest.at[1]);
     json.close();
   }
   json.close();
@@ -233,6 +237,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_stages(json, summary.run);
   add_cavities(json, scene, state);
   add_thickness(json, summary);
+  add_flags(json, summary.flags);
   add_checks(json, summary.run.checks);
   add_container(json, scene, state);
   if (bars) add_errors(json, *bars);
@@ -267,8 +272,11 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
     const ToolState& body = state.tools[i];
     const double max_temperature =
         body.temperature.size() > 0 ? body.max_surface_temperature : std::numeric_limits<double>::quiet_NaN();
-    summary.tools.push_back({scene.tools[i].name, body.heat_received, max_temperature, body.offset, body.force});
+    summary.tools.push_back({scene.tools[i].name, body.heat_received, max_temperature,
+                             i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{}, body.offset,
+                             body.force});
   }
+  summary.flags = raised_flags(scene, run.extremes, state.time, summary.thickness);
   summary.quantities = quantities(scene, state, summary, profile.rows);
   return summary;
 }
@@ -278,6 +286,9 @@ Summary write_summary(const std::string& directory, const Scene& scene, const St
   const Summary summary = summarise(scene, state, run, profile);
   core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));
   write_thickness(directory + "/thickness.csv", profile.rows);
+  const std::vector<ContourPoint> points = contour(scene, state, profile);
+  core::replace_file(directory + "/contour.csv", contour_text(scene, state, points));
+  core::replace_file(directory + "/heights.csv", heights_text(height_rows(scene, state, points)));
   mark(directory, run.checks);
   return summary;
 }

@@ -16,7 +16,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 7;
+constexpr std::int64_t format_version = 8;
 
 void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
   std::vector<double> values;
@@ -119,12 +119,25 @@ std::int64_t state_layout() {
   return static_cast<std::int64_t>(core::fingerprint(names));
 }
 
+template <typename Visitor, typename Record>
+void visit_extreme(Visitor visit, Record& extreme) {
+  visit("temperature", extreme.temperature);
+  visit("time", extreme.time);
+  visit("r", extreme.at[0]);
+  visit("z", extreme.at[1]);
+  visit("first_beyond", extreme.first_beyond);
+  visit("seconds_beyond", extreme.seconds_beyond);
+}
+
 template <typename Visitor, typename Facts>
 void visit_facts(Visitor visit, Facts& facts) {
   visit("wall_seconds", facts.wall_seconds);
   visit("cpu_seconds", facts.cpu_seconds);
   for (const char* part : timed_parts) visit(part, facts.timing[part]);
   visit_statistics(visit.part("solver_statistics"), facts.solver_statistics);
+  visit_extreme(visit.part("coldest_glass"), facts.extremes.glass);
+  for (std::size_t i = 0; i < facts.extremes.tools.size(); ++i)
+    visit_extreme(visit.part(fmt::format("hottest_tool_{}", i)), facts.extremes.tools[i]);
   for (std::size_t i = 0; i < facts.warnings.size(); ++i)
     visit(fmt::format("warning_{}", i).c_str(), facts.warnings[i]);
   for (std::size_t i = 0; i < facts.stages.size(); ++i) {
@@ -141,7 +154,9 @@ void visit_facts(Visitor visit, Facts& facts) {
 template <typename Visitor, typename Files>
 void visit_files(Visitor visit, Files& files) {
   visit("history_size", files.history_size);
+  visit("tools_size", files.tools_size);
   visit("interface_size", files.interface_size);
+  visit("stage_lowest", files.stage_lowest);
   visit("output_times", files.output_times);
 }
 
@@ -216,6 +231,7 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     file.write("stages_done", static_cast<std::int64_t>(checkpoint.outcome.facts.stages.size()));
     file.write("warnings", static_cast<std::int64_t>(checkpoint.outcome.facts.warnings.size()));
     RunFacts facts = checkpoint.outcome.facts;
+    facts.extremes.tools.resize(scene.tools.size());
     visit_facts(Writer{file.create("facts")}, facts);
     visit_files(Writer{file.create("files")}, checkpoint.files);
     visit_state(Writer{file.create("state")}, checkpoint.outcome.state);
@@ -255,6 +271,7 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
   auto& [state, facts] = checkpoint.outcome;
   facts.stages.resize(static_cast<std::size_t>(file.read_integer("stages_done")));
   facts.warnings.resize(static_cast<std::size_t>(file.read_integer("warnings")));
+  facts.extremes.tools.resize(scene.tools.size());
   visit_facts(Reader{file.open("facts")}, facts);
   visit_files(Reader{file.open("files")}, checkpoint.files);
   state.tools.resize(scene.tools.size());

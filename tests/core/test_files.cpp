@@ -41,7 +41,7 @@ TEST(Vtu, a_file_read_back_has_the_quadratic_cells_and_the_points_and_fields_in_
   VtuFields fields;
   fields.time = 0.375;
   fields.displacement = Point(0, 0.125);
-  fields.nodal.push_back({"temperature_C", Eigen::VectorXd::LinSpaced(mesh.node_count(), 400, 1100 / 3.0)});
+  fields.nodal.push_back({"temperature_degC", Eigen::VectorXd::LinSpaced(mesh.node_count(), 400, 1100 / 3.0)});
   fields.nodal.push_back({"velocity", Eigen::VectorXd::LinSpaced(dim * mesh.node_count(), -1 / 3.0, 1)});
   fields.cell.push_back({"active", 1});
   const std::string path = new_folder() + "/glass_0000.vtu";
@@ -57,7 +57,7 @@ TEST(Vtu, a_file_read_back_has_the_quadratic_cells_and_the_points_and_fields_in_
     EXPECT_EQ(grid.GetPoint(i)[0], static_cast<float>(mesh.nodes[i][0]));
     EXPECT_EQ(grid.GetPoint(i)[1], static_cast<float>(mesh.nodes[i][1] + 0.125));
     EXPECT_EQ(grid.GetPoint(i)[2], 0);
-    EXPECT_EQ(grid.GetPointData()->GetArray("temperature_C")->GetTuple1(i),
+    EXPECT_EQ(grid.GetPointData()->GetArray("temperature_degC")->GetTuple1(i),
               static_cast<float>(fields.nodal[0].values[i]));
     const double* v = grid.GetPointData()->GetArray("velocity")->GetTuple3(i);
     EXPECT_EQ(v[0], static_cast<float>(fields.nodal[1].values[2 * i]));

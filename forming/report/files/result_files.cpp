@@ -14,6 +14,7 @@
 #include "core/process/run_error.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/interface_rows.hpp"
+#include "forming/report/files/tool_rows.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -47,7 +48,7 @@ bool remove_file(const std::string& path) {
 
 void add_temperature(const Body& body, const Eigen::VectorXd& temperature, core::VtuFields& fields) {
   if (body.thermal)
-    fields.nodal.push_back({"temperature_C", (temperature.array() - thermal::content_reference).matrix()});
+    fields.nodal.push_back({"temperature_degC", (temperature.array() - thermal::content_reference).matrix()});
 }
 
 Eigen::VectorXd viscosity_field(const Scene& scene, const GlassState& glass) {
@@ -63,9 +64,10 @@ core::VtuFields glass_output(const Scene& scene, const State& state) {
     const bool written = field.output == FieldOutput::celsius ? scene.has_heat() : scene.has_flow();
     if (field.output == FieldOutput::none || !written) return;
     const double offset = field.output == FieldOutput::celsius ? thermal::content_reference : 0;
+    const double scale = field.output == FieldOutput::millimetre ? 1e3 : 1;
     using Stored = typename std::decay_t<decltype(values)>::value_type;
     const Eigen::Map<const Eigen::Array<Stored, Eigen::Dynamic, 1>> stored(values.data(), Index(values.size()));
-    fields.nodal.push_back({field.output_name, (stored.template cast<double>() - offset).matrix()});
+    fields.nodal.push_back({field.output_name, (scale * (stored.template cast<double>() - offset)).matrix()});
   });
   if (scene.has_flow()) fields.nodal.push_back({"viscosity_Pa_s", viscosity_field(scene, glass)});
   return fields;
@@ -88,6 +90,7 @@ core::VtuFields tool_fields(const Scene& scene, const State& state, Index tool) 
 ResultFiles::ResultFiles(const Scene& scene, const std::string& directory)
     : ResultFiles(scene, (make_folder(directory), directory), WrittenFiles{}) {
   history_.append(history_header(scene));
+  tools_.append(tool_header(scene));
   interface_.append(interface_header());
 }
 
@@ -95,6 +98,7 @@ ResultFiles::ResultFiles(const Scene& scene, const std::string& directory, const
     : scene_(scene),
       directory_(directory),
       history_(directory + "/history.csv", written.history_size),
+      tools_(directory + "/tools.csv", written.tools_size),
       interface_(directory + "/interface.csv", written.interface_size),
       output_times_(written.output_times),
       synced_(written.output_times.size()) {
@@ -119,8 +123,9 @@ void ResultFiles::remove_vtu_files_from(std::size_t output) const {
   }
 }
 
-void ResultFiles::row(const HistoryRow& row) {
+void ResultFiles::row(const HistoryRow& row, const std::string& tools) {
   history_.append(history_line(row));
+  tools_.append(tools);
 }
 
 void ResultFiles::fields(const State& state, const std::vector<core::InterfacePoint>& interface) {
@@ -153,8 +158,8 @@ WrittenFiles ResultFiles::sync() {
   if (syncing_.valid()) syncing_.get();
   start_sync();
   syncing_.get();
-  for (const auto* file : {&history_, &interface_}) core::sync_to_disk(file->path());
-  return {history_.size(), interface_.size(), output_times_};
+  for (const auto* file : {&history_, &tools_, &interface_}) core::sync_to_disk(file->path());
+  return {history_.size(), tools_.size(), interface_.size(), output_times_};
 }
 
 }  // namespace parison::forming

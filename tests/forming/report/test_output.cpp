@@ -42,8 +42,8 @@ std::vector<std::string> fields_of(const std::string& line) {
 
 TEST(History, the_columns_are_those_of_the_readme) {
   EXPECT_EQ(history_header(scene_of(small_scene)),
-            "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
-            "contact_area_m2,plate_force_N,plunger_force_N,plate_position_m,plunger_position_m,centre_C,coupling_"
+            "time_s,stage,dt_s,volume_m3,glass_mean_degC,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
+            "contact_area_mm2,plate_force_N,plunger_force_N,plate_position_mm,plunger_position_mm,centre_C,coupling_"
             "iterations,flow_solves,"
             "contact_changes,heat_substeps,limited_by\n");
 }
@@ -288,12 +288,12 @@ TEST(Summary, the_file_is_valid_json_with_the_names_of_the_readme) {
                           "energy_imbalance",
                           "glass",
                           "mass_kg",
-                          "temperature_mean_C",
-                          "temperature_min_C",
-                          "temperature_max_C",
+                          "temperature_mean_degC",
+                          "temperature_min_degC",
+                          "temperature_max_degC",
                           "tools",
                           "heat_received_J",
-                          "surface_temperature_max_C",
+                          "surface_temperature_max_degC",
                           "stages",
                           "thickness",
                           "min_mm",
@@ -308,10 +308,10 @@ TEST(Summary, the_file_is_valid_json_with_the_names_of_the_readme) {
   const std::string check = "python3 -c \"import json; s = json.load(open('" + folder +
                             "/summary.json')); assert abs(s['glass']['mass_kg'] - 0.0628319) < 1e-6; "
                             "assert s['warnings'][0].count(chr(34)) == 2; assert s['stages'][0]['end_s'] == 10; "
-                            "assert s['tools']['steel']['surface_temperature_max_C'] is not None\"";
+                            "assert s['tools']['steel']['surface_temperature_max_degC'] is not None\"";
   EXPECT_EQ(std::system(check.c_str()), 0);
   EXPECT_EQ(lines_of(core::read_text(folder + "/thickness.csv"))[0],
-            "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_C,T_outer_C,mark,r_inner_mm,z_inner_mm");
+            "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_degC,T_outer_degC,mark,r_inner_mm,z_inner_mm");
 }
 
 TEST(Summary, the_share_of_the_surface_near_tools_is_that_of_the_face_in_contact) {
