@@ -54,8 +54,8 @@ TEST(Vtu, a_file_read_back_has_the_quadratic_cells_and_the_points_and_fields_in_
   ASSERT_EQ(grid.GetNumberOfPoints(), mesh.node_count());
   ASSERT_EQ(grid.GetNumberOfCells(), mesh.cell_count());
   for (Index i = 0; i < mesh.node_count(); ++i) {
-    EXPECT_EQ(grid.GetPoint(i)[0], static_cast<float>(mesh.nodes[i][0]));
-    EXPECT_EQ(grid.GetPoint(i)[1], static_cast<float>(mesh.nodes[i][1] + 0.125));
+    EXPECT_EQ(grid.GetPoint(i)[0], static_cast<float>(1e3 * mesh.nodes[i][0]));
+    EXPECT_EQ(grid.GetPoint(i)[1], static_cast<float>(1e3 * (mesh.nodes[i][1] + 0.125)));
     EXPECT_EQ(grid.GetPoint(i)[2], 0);
     EXPECT_EQ(grid.GetPointData()->GetArray("temperature_degC")->GetTuple1(i),
               static_cast<float>(fields.nodal[0].values[i]));
@@ -70,6 +70,7 @@ TEST(Vtu, a_file_read_back_has_the_quadratic_cells_and_the_points_and_fields_in_
     EXPECT_EQ(grid.GetCellData()->GetArray("active")->GetTuple1(c), 1);
   }
   EXPECT_EQ(grid.GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.375);
+  EXPECT_EQ(grid.GetFieldData()->GetAbstractArray("LengthUnit")->GetVariantValue(0).ToString(), "mm");
 }
 
 TEST(Vtu, the_middle_of_an_edge_in_the_file_is_where_the_quadratic_edge_runs) {

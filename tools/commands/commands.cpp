@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tools/commands/audit.hpp"
+#include "tools/commands/export_container.hpp"
 #include "tools/commands/fit_law.hpp"
 #include "tools/commands/new_case.hpp"
 #include "tools/commands/run_command.hpp"
@@ -119,6 +120,17 @@ void add_fit_law(CLI::App& app, Command& chosen) {
                     "weigh residuals as shares: for scatter that grows with the value");
 }
 
+void add_export(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<ExportRequest>();
+  auto* command = add_command(app, "export", "write the container of a result folder for CAD and structural programs",
+                              chosen, request, export_container);
+  command->add_option("results", request->results, "folder with the results of a run")->required();
+  command->add_option("--step", request->step, "STEP file (.step): one solid of revolution, mm");
+  command->add_option("--stl", request->stl, "STL file (.stl): its surface as triangles, mm");
+  command->add_option("--shell", request->shell,
+                      "input file for CalculiX or Abaqus (.inp): the middle of the wall as shells with its thickness");
+}
+
 void add_cases(CLI::App& app, Command& chosen) {
   app.add_subcommand("cases", "list the bundled cases")->callback([&chosen] {
     chosen = [] {
@@ -139,6 +151,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_audit(app, chosen);
   add_tradeoff(app, chosen);
   add_fit_law(app, chosen);
+  add_export(app, chosen);
   add_cases(app, chosen);
 }
 

@@ -96,11 +96,15 @@ std::vector<ContourPoint> contour(const Scene& scene, const State& state, const 
   const auto add = [&](Index node, double arc) {
     if (seen[node]) return;
     seen[node] = true;
-    points.push_back(
-        {side[node], arc, mesh.nodes[node], thickness[node], scene.has_heat() ? state.glass.temperature[node] : none});
+    points.push_back({loop, side[node], arc, mesh.nodes[node], thickness[node],
+                      scene.has_heat() ? state.glass.temperature[node] : none});
   };
+  int loop = 0;
+  Index end = -1;
   for (const ChainEdge& edge : walk_edges(mesh, without_symmetry(mesh))) {
     const auto& [first, last, mid] = mesh.boundary_edges()[edge.edge].nodes;
+    if (end >= 0 && first != end) ++loop;
+    end = last;
     add(first, edge.start);
     add(mid, edge.start + 0.5 * edge.length);
     add(last, edge.start + edge.length);
@@ -134,11 +138,12 @@ std::string contour_text(const Scene& scene, const State& state, const std::vect
   const GlassShape shape = glass_shape(scene, state);
   const int up = upwards(scene, state);
   const double foot = up > 0 ? shape.low : shape.high;
-  std::string text = "side,arc_mm,r_mm,z_mm,height_mm,thickness_mm,T_degC\n";
+  std::string text = "loop,side,arc_mm,r_mm,z_mm,height_mm,thickness_mm,T_degC\n";
   for (const ContourPoint& point : points)
-    text += fmt::format("{},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", name_of(point.side), 1e3 * point.arc,
-                        1e3 * point.position[0], 1e3 * point.position[1], 1e3 * up * (point.position[1] - foot),
-                        1e3 * point.thickness, point.temperature - thermal::content_reference);
+    text += fmt::format("{},{},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", point.loop, name_of(point.side),
+                        1e3 * point.arc, 1e3 * point.position[0], 1e3 * point.position[1],
+                        1e3 * up * (point.position[1] - foot), 1e3 * point.thickness,
+                        point.temperature - thermal::content_reference);
   return text;
 }
 

@@ -12,6 +12,7 @@ namespace parison::forming {
 
 /// A node of the glass surface.
 struct ContourPoint {
+  int loop;            ///< number of the connected part of the surface
   SurfacePart side;    ///< none on glass that is no wall
   double arc;          ///< along the surface from where it begins, m
   Point position;      ///< m

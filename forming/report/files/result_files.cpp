@@ -3,19 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <type_traits>
 #include <utility>
 
 #include "core/case/case_error.hpp"
-#include "core/io/vtu.hpp"
 #include "core/process/run_error.hpp"
+#include "forming/report/files/body_fields.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/interface_rows.hpp"
 #include "forming/report/files/tool_rows.hpp"
-#include "thermal/properties.hpp"
 
 namespace parison::forming {
 namespace {
@@ -44,45 +41,6 @@ bool remove_file(const std::string& path) {
   const bool found = fs::remove(path, error);
   if (error) throw core::RunError(fmt::format("{}: cannot be removed: {}", path, error.message()));
   return found;
-}
-
-void add_temperature(const Body& body, const Eigen::VectorXd& temperature, core::VtuFields& fields) {
-  if (body.thermal)
-    fields.nodal.push_back({"temperature_degC", (temperature.array() - thermal::content_reference).matrix()});
-}
-
-Eigen::VectorXd viscosity_field(const Scene& scene, const GlassState& glass) {
-  return glass.temperature.unaryExpr([&](double temperature) { return scene.glass.flow->viscosity(temperature); });
-}
-
-core::VtuFields glass_output(const Scene& scene, const State& state) {
-  const GlassState& glass = state.glass;
-  core::VtuFields fields;
-  fields.time = state.time;
-  for_each_glass_field([&](const auto& field) {
-    const auto& values = glass.*field.values;
-    const bool written = field.output == FieldOutput::celsius ? scene.has_heat() : scene.has_flow();
-    if (field.output == FieldOutput::none || !written) return;
-    const double offset = field.output == FieldOutput::celsius ? thermal::content_reference : 0;
-    const double scale = field.output == FieldOutput::millimetre ? 1e3 : 1;
-    using Stored = typename std::decay_t<decltype(values)>::value_type;
-    const Eigen::Map<const Eigen::Array<Stored, Eigen::Dynamic, 1>> stored(values.data(), Index(values.size()));
-    fields.nodal.push_back({field.output_name, (scale * (stored.template cast<double>() - offset)).matrix()});
-  });
-  if (scene.has_flow()) fields.nodal.push_back({"viscosity_Pa_s", viscosity_field(scene, glass)});
-  return fields;
-}
-
-core::VtuFields tool_fields(const Scene& scene, const State& state, Index tool) {
-  const ToolState& body = state.tools[tool];
-  const auto& present = scene.stages.at(state.stage).tools;
-  const bool active = std::any_of(present.begin(), present.end(), [&](const StageTool& t) { return t.tool == tool; });
-  core::VtuFields fields;
-  fields.time = state.time;
-  fields.displacement = body.offset * core::axis_direction();
-  add_temperature(scene.tools[tool], body.temperature, fields);
-  fields.cell.push_back({"active", active ? 1.0 : 0.0});
-  return fields;
 }
 
 }  // namespace
@@ -133,7 +91,7 @@ void ResultFiles::fields(const State& state, const std::vector<core::InterfacePo
   const auto bodies = static_cast<std::size_t>(body_count(state));
   for (std::size_t body = 0; body < bodies; ++body)
     core::write_vtu(directory_ + '/' + vtu_file(body, output_times_.size()), mesh_of(state, static_cast<Index>(body)),
-                    body == 0 ? glass_output(scene_, state) : tool_fields(scene_, state, static_cast<Index>(body) - 1));
+                    body == 0 ? glass_output(scene_, state) : tool_output(scene_, state, static_cast<Index>(body) - 1));
   for (std::size_t body = 0; body < bodies; ++body)
     collections_[body].add(state.time, vtu_file(body, output_times_.size()));
   interface_.append(interface_lines(scene_, state, interface));

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+
+#include "core/process/child_work.hpp"
+#include "core/process/gmsh_session.hpp"
+#include "core/process/run_error.hpp"
+#include "forming/report/solid/solid_files.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::Point;
+namespace occ = gmsh::model::occ;
+
+constexpr double millimetre = 1e-3;
+constexpr double cubic_millimetre = 1e-9;
+
+/// Whether the outline bends so sharply at a point that it is an edge of the solid: by more than 25 degrees.
+bool is_corner(const Point& before, const Point& at, const Point& after) {
+  const Point in = (at - before).normalized(), out = (after - at).normalized();
+  return in.dot(out) < std::cos(25 * M_PI / 180);
+}
+
+/// Points [begin, end] of the outline as a straight line where they lie on one, else as a spline.
+int add_curve(const std::vector<Point>& points, const std::vector<int>& tags, std::size_t begin, std::size_t end) {
+  const Point along = points[end] - points[begin];
+  constexpr double straight = 1e-7;  // m
+  bool is_line = true;
+  for (std::size_t i = begin + 1; i < end && is_line; ++i) {
+    const Point to = points[i] - points[begin];
+    is_line = std::abs(along[0] * to[1] - along[1] * to[0]) <= straight * along.norm();
+  }
+  if (is_line) return occ::addLine(tags[begin], tags[end]);
+  return occ::addSpline({tags.begin() + static_cast<long>(begin), tags.begin() + static_cast<long>(end) + 1});
+}
+
+/// A loop is begun at a corner, and closed by its first point.
+std::vector<Point> opened(const ContainerShape& shape) {
+  std::vector<Point> points = shape.outline;
+  if (!shape.is_loop) return points;
+  const std::size_t count = points.size();
+  std::size_t first = 0;
+  while (first + 1 < count &&
+         !is_corner(points[(first + count - 1) % count], points[first], points[(first + 1) % count]))
+    ++first;
+  std::rotate(points.begin(), points.begin() + static_cast<long>(first), points.end());
+  points.push_back(points.front());
+  return points;
+}
+
+/// Writes the solid and gives its volume as a text, mm3.
+std::string write_solid(const std::string& path, const ContainerShape& shape) {
+  const std::vector<Point> points = opened(shape);
+  std::vector<int> tags, curves;
+  for (const Point& x : points) tags.push_back(occ::addPoint(x[0] / millimetre, 0, x[1] / millimetre));
+  if (shape.is_loop) tags.back() = tags.front();
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (i + 1 == points.size() || is_corner(points[i - 1], points[i], points[i + 1])) {
+      curves.push_back(add_curve(points, tags, begin, i));
+      begin = i;
+    }
+  if (!shape.is_loop) curves.push_back(occ::addLine(tags.back(), tags.front()));
+  const int face = occ::addPlaneSurface({occ::addCurveLoop(curves)});
+  gmsh::vectorpair made;
+  occ::revolve({{2, face}}, 0, 0, 0, 0, 0, 1, 2 * M_PI, made);
+  double volume = 0;
+  for (const auto& [dimension, tag] : made)
+    if (dimension == 3) occ::getMass(3, tag, volume);
+  occ::remove({{2, face}});
+  occ::synchronize();
+  gmsh::write(path);
+  return fmt::format("{}", volume);
+}
+
+std::string read_volume(const std::string& path) {
+  gmsh::vectorpair found;
+  occ::importShapes(path, found, true, "step");
+  double sum = 0;
+  for (const auto& [dimension, tag] : found) {
+    double volume = 0;
+    if (dimension == 3) occ::getMass(3, tag, volume);
+    sum += volume;
+  }
+  return fmt::format("{}", sum);
+}
+
+/// The CAD kernel works in a process of its own; the number that it gives, m3.
+double volume_from_kernel(const std::string& path, const std::function<std::string()>& work) {
+  const core::GmshSession gmsh;
+  const core::ChildWork done = core::in_child(work, {120, 2'000'000'000});
+  if (!done.death.empty()) throw core::RunError(fmt::format("{}: the CAD kernel failed: {}", path, done.death));
+  return cubic_millimetre * std::strtod(done.text.c_str(), nullptr);
+}
+
+}  // namespace
+
+double write_step(const std::string& path, const ContainerShape& shape) {
+  const double volume = volume_from_kernel(path, [&] { return write_solid(path, shape); });
+  if (!(volume > 0)) throw core::RunError(fmt::format("{}: the CAD kernel made no solid of the outline", path));
+  return volume;
+}
+
+double volume_of_step(const std::string& path) {
+  return volume_from_kernel(path, [&] { return read_volume(path); });
+}
+
+}  // namespace parison::forming
