@@ -9,6 +9,8 @@
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
 #include "core/process/run_error.hpp"
+#include "forming/report/files/case_copy.hpp"
+#include "forming/run/case_change.hpp"
 #include "forming/state/visit_state.hpp"
 
 namespace parison::forming {
@@ -167,6 +169,11 @@ std::string path_before(const std::string& directory) {
   return directory + "/checkpoint_before.h5";
 }
 
+constexpr const char* kept_prefix = "checkpoint_after_";
+std::string path_after(const std::string& directory, const std::string& stage) {
+  return directory + '/' + kept_prefix + stage + ".h5";
+}
+
 void require_version(const std::string& path, const Hdf5Group& file) {
   const std::int64_t version = file.has("version") ? file.read_integer("version") : 0;
   if (version != format_version)
@@ -178,12 +185,37 @@ void require_version(const std::string& path, const Hdf5Group& file) {
         path));
 }
 
-void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
-  require_version(path, file);
-  if (static_cast<std::uint64_t>(file.read_integer("fingerprint")) != scene.fingerprint)
+std::vector<std::string> read_overrides(const Hdf5Group& file) {
+  std::vector<std::string> overrides(static_cast<std::size_t>(file.read_integer("overrides")));
+  for (std::size_t i = 0; i < overrides.size(); ++i) overrides[i] = file.read_string(fmt::format("override_{}", i));
+  return overrides;
+}
+
+/// The case has changed; refused where the run has used what changed, or where the result folder does not have it as it
+/// was.
+void require_unused_change(const std::string& path, const Scene& scene, const Hdf5Group& file) {
+  const std::string before = case_copy_folder(std::filesystem::path(path).parent_path().string());
+  const std::vector<std::string> overrides = read_overrides(file);
+  const auto stage = static_cast<Index>(file.open("state").read_integer("stage"));
+  const bool is_known = std::filesystem::exists(before + "/case.toml") &&
+                        read_scene(before, scene.accuracy_name, overrides).fingerprint ==
+                            static_cast<std::uint64_t>(file.read_integer("fingerprint"));
+  if (!is_known)
     throw core::CaseError(fmt::format(
         "{}: a checkpoint of the case \"{}\" with another case file was found, allowed is one of \"{}\" as it is now",
         path, file.read_string("case"), scene.name));
+  const std::string key = used_change(before, overrides, scene, stage);
+  if (!key.empty())
+    throw core::CaseError(fmt::format(
+        "{}: {} has changed, which the run up to this checkpoint has used; allowed are changes of output and "
+        "of the stages after \"{}\"",
+        path, key, scene.stages.at(stage).name));
+}
+
+void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
+  require_version(path, file);
+  if (static_cast<std::uint64_t>(file.read_integer("fingerprint")) != scene.fingerprint)
+    require_unused_change(path, scene, file);
   const std::string accuracy = file.read_string("accuracy");
   if (accuracy != scene.accuracy_name)
     throw core::CaseError(fmt::format("{}: a checkpoint at {} accuracy was found, allowed is one at {} accuracy", path,
@@ -193,12 +225,6 @@ void require_match(const std::string& path, const Scene& scene, const Hdf5Group&
 void write_overrides(Hdf5Group& file, const std::vector<std::string>& overrides) {
   file.write("overrides", static_cast<std::int64_t>(overrides.size()));
   for (std::size_t i = 0; i < overrides.size(); ++i) file.write(fmt::format("override_{}", i), overrides[i]);
-}
-
-std::vector<std::string> read_overrides(const Hdf5Group& file) {
-  std::vector<std::string> overrides(static_cast<std::size_t>(file.read_integer("overrides")));
-  for (std::size_t i = 0; i < overrides.size(); ++i) overrides[i] = file.read_string(fmt::format("override_{}", i));
-  return overrides;
 }
 
 bool is_there(const std::string& path) {
@@ -239,6 +265,36 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
   if (is_intact(last)) rename_file(last, path_before(directory));  // a damaged one never takes the place of a good one
   rename_file(made, last);
   core::sync_to_disk(directory);
+}
+
+void keep_checkpoint(const std::string& directory, const std::string& stage) {
+  const std::string kept = path_after(directory, stage);
+  std::error_code error;
+  std::filesystem::remove(kept, error);
+  std::filesystem::create_hard_link(last_path(directory), kept, error);
+  if (error) std::filesystem::copy_file(last_path(directory), kept, error);
+  if (error) throw core::RunError(fmt::format("{}: cannot be written: {}", kept, error.message()));
+}
+
+void return_to_stage_end(const std::string& directory, const std::string& stage) {
+  const std::string kept = path_after(directory, stage);
+  if (!is_intact(kept)) {
+    std::string names;
+    for (const auto& entry : std::filesystem::directory_iterator(directory))
+      if (const std::string name = entry.path().stem().string(); name.rfind(kept_prefix, 0) == 0)
+        names += (names.empty() ? "" : ", ") + name.substr(std::string(kept_prefix).size());
+    throw core::CaseError(fmt::format("{}: no checkpoint of the end of a stage \"{}\" was found, allowed are {}",
+                                      directory, stage, names.empty() ? "none: no stage has ended" : names));
+  }
+  const std::int64_t done = core::open_hdf5(kept).read_integer("stages_done");
+  std::vector<std::filesystem::path> later;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().stem().string().rfind(kept_prefix, 0) == 0 && is_intact(entry.path().string()) &&
+        core::open_hdf5(entry.path().string()).read_integer("stages_done") > done)
+      later.push_back(entry.path());
+  core::replace_file(last_path(directory), core::read_text(kept));
+  later.emplace_back(path_before(directory));
+  for (const auto& path : later) std::filesystem::remove(path);
 }
 
 bool has_checkpoint(const std::string& directory) {

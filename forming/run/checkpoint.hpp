@@ -18,6 +18,13 @@ struct Checkpoint {
 /// Each file is complete or does not exist.
 void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint);
 
+/// Keeps the last checkpoint of a folder, which is of the end of a stage, under the name of the stage.
+void keep_checkpoint(const std::string& directory, const std::string& stage);
+
+/// Makes the checkpoint at the end of a stage the last one of its folder; those of later stages are removed. Throws
+/// core::CaseError where there is none, with the stages that have one.
+void return_to_stage_end(const std::string& directory, const std::string& stage);
+
 /// Whether a folder contains a checkpoint whose digest fits.
 bool has_checkpoint(const std::string& directory);
 
@@ -27,8 +34,8 @@ std::string find_checkpoint(const std::string& directory);
 /// Why the last checkpoint of a folder is passed over, as a sentence: some byte has changed; else empty.
 std::string damage_of_last_checkpoint(const std::string& directory);
 
-/// Reads a checkpoint bit for bit; throws core::CaseError where it belongs to another case or version, core::RunError
-/// where it is damaged.
+/// Reads a checkpoint bit for bit; throws core::CaseError where it belongs to another version or to a case that has
+/// changed in what the run has used, core::RunError where it is damaged.
 Checkpoint read_checkpoint(const std::string& path, const Scene& scene);
 
 /// The case that a checkpoint was made of.

@@ -10,6 +10,7 @@
 #include "core/case/case_error.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/report/files/body_fields.hpp"
+#include "forming/report/files/case_copy.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/interface_rows.hpp"
 #include "forming/report/files/tool_rows.hpp"
@@ -60,6 +61,7 @@ ResultFiles::ResultFiles(const Scene& scene, const std::string& directory, const
       interface_(directory + "/interface.csv", written.interface_size),
       output_times_(written.output_times),
       synced_(written.output_times.size()) {
+  copy_case(scene, directory);
   remove_vtu_files_from(synced_);
   for (std::size_t body = 0; body <= scene.tools.size(); ++body) {
     std::vector<core::PvdCollection::Entry> entries;

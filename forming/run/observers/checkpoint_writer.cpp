@@ -3,6 +3,7 @@
 
 #include "core/process/clock.hpp"
 #include "forming/run/checkpoint.hpp"
+#include "forming/step/step_control.hpp"
 
 namespace parison::forming {
 
@@ -16,10 +17,13 @@ bool CheckpointWriter::is_due(const RunView& run) const {
 }
 
 void CheckpointWriter::checkpoint_possible(const RunView& run, bool at_stage_boundary) {
-  if (run.state.totals.steps == steps_ || !(at_stage_boundary || is_due(run))) return;
-  write_checkpoint(results_.directory(), run.scene, {{run.state, run.facts}, results_.sync()});
-  written_at_ = core::wall_seconds();
-  steps_ = run.state.totals.steps;
+  if (run.state.totals.steps != steps_ && (at_stage_boundary || is_due(run))) {
+    write_checkpoint(results_.directory(), run.scene, {{run.state, run.facts}, results_.sync()});
+    written_at_ = core::wall_seconds();
+    steps_ = run.state.totals.steps;
+  }
+  if (at_stage_boundary && run.state.stage_time > 0 && stage_end(run.scene, run.state) != StageEnd::none)
+    keep_checkpoint(results_.directory(), run.scene.stages[run.state.stage].name);
 }
 
 }  // namespace parison::forming
