@@ -276,16 +276,20 @@ void keep_checkpoint(const std::string& directory, const std::string& stage) {
   if (error) throw core::RunError(fmt::format("{}: cannot be written: {}", kept, error.message()));
 }
 
+std::string find_stage_end(const std::string& directory, const std::string& stage) {
+  std::string path = path_after(directory, stage);
+  if (is_intact(path)) return path;
+  std::string names;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, unreadable))
+    if (const std::string name = entry.path().stem().string(); name.rfind(kept_prefix, 0) == 0)
+      names += (names.empty() ? "" : ", ") + name.substr(std::string(kept_prefix).size());
+  throw core::CaseError(fmt::format("{}: no checkpoint of the end of a stage \"{}\" was found, allowed are {}",
+                                    directory, stage, names.empty() ? "none: no stage has ended" : names));
+}
+
 void return_to_stage_end(const std::string& directory, const std::string& stage) {
-  const std::string kept = path_after(directory, stage);
-  if (!is_intact(kept)) {
-    std::string names;
-    for (const auto& entry : std::filesystem::directory_iterator(directory))
-      if (const std::string name = entry.path().stem().string(); name.rfind(kept_prefix, 0) == 0)
-        names += (names.empty() ? "" : ", ") + name.substr(std::string(kept_prefix).size());
-    throw core::CaseError(fmt::format("{}: no checkpoint of the end of a stage \"{}\" was found, allowed are {}",
-                                      directory, stage, names.empty() ? "none: no stage has ended" : names));
-  }
+  const std::string kept = find_stage_end(directory, stage);
   const std::int64_t done = core::open_hdf5(kept).read_integer("stages_done");
   std::vector<std::filesystem::path> later;
   for (const auto& entry : std::filesystem::directory_iterator(directory))

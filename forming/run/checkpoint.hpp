@@ -21,8 +21,10 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
 /// Keeps the last checkpoint of a folder, which is of the end of a stage, under the name of the stage.
 void keep_checkpoint(const std::string& directory, const std::string& stage);
 
-/// Makes the checkpoint at the end of a stage the last one of its folder; those of later stages are removed. Throws
-/// core::CaseError where there is none, with the stages that have one.
+/// The checkpoint of the end of a stage; throws core::CaseError where there is none, with the stages that have one.
+std::string find_stage_end(const std::string& directory, const std::string& stage);
+
+/// Makes that checkpoint the last one of its folder; those of later stages are removed.
 void return_to_stage_end(const std::string& directory, const std::string& stage);
 
 /// Whether a folder contains a checkpoint whose digest fits.

@@ -119,14 +119,17 @@ int run(const RunRequest& request) {
 
 int resume(const RunRequest& request) {
   const std::string& output = request.output;
-  if (!request.after.empty()) forming::return_to_stage_end(output, request.after);
-  forming::CaseOrigin origin = forming::read_origin(forming::find_checkpoint(output));
+  const std::string checkpoint =
+      request.after.empty() ? forming::find_checkpoint(output) : forming::find_stage_end(output, request.after);
+  forming::CaseOrigin origin = forming::read_origin(checkpoint);
   origin.overrides.insert(origin.overrides.end(), request.overrides.begin(), request.overrides.end());
   if (request.case_path.empty() && !std::filesystem::exists(origin.file))
     throw core::CaseError(
         fmt::format("{}: its case \"{}\" no longer exists, give its new location with --case", output, origin.file));
   const Scene scene = forming::read_scene(request.case_path.empty() ? origin.file : request.case_path, origin.accuracy,
                                           origin.overrides);
+  forming::read_checkpoint(checkpoint, scene);  // refuses a changed case before anything is given up
+  if (!request.after.empty()) forming::return_to_stage_end(output, request.after);
   if (const std::string damage = forming::damage_of_last_checkpoint(output); !damage.empty())
     fmt::print("{}; the run is taken up from the checkpoint before it\n", damage);
   fmt::print("{} at {} accuracy, from {} in {}\n", scene.name, scene.accuracy_name,

@@ -29,7 +29,7 @@ std::set<fs::path> named_files(const std::string& text, const fs::path& folder) 
   return found;
 }
 
-void copy(const fs::path& from, const fs::path& to) {
+void copy_to(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to.parent_path(), error);
   if (!error) fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
@@ -59,9 +59,9 @@ void copy_case(const Scene& scene, const std::string& directory) {
     command += " --set " + in_quotes(assignment);
     naming += '\n' + assignment;
   }
-  copy(scene.file, folder / "case.toml");
+  copy_to(scene.file, folder / "case.toml");
   for (const fs::path& named : named_files(naming, scene.directory))
-    copy(fs::path(scene.directory) / named, folder / named);
+    copy_to(fs::path(scene.directory) / named, folder / named);
   core::replace_file((folder / "command.txt").string(), command + '\n');
 }
 
