@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace parison::tools {
 namespace {
@@ -67,12 +68,13 @@ void RemainingTime::stage_begins(const forming::RunView& run) {
 double RemainingTime::fraction_done(const forming::RunView& run) const {
   const auto stage = static_cast<std::size_t>(run.state.stage);
   const double here = run.state.totals.steps - steps_at_stage_, before = steps_at_stage_ - steps_at_start_;
-  // The present stage counts as if all of what was expected of it will come, or a little more than there was.
-  constexpr double least_left = 1.1;
-  double ratio = expected_of_done_ > 0 ? before / expected_of_done_ : 1;
-  const double in_time = run.state.stage_time / run.scene.stages[stage].duration;
-  const double whole_stage = std::max(here * (in_time < 1 ? least_left : 1), ratio * expected_[stage]);
-  ratio = std::max(ratio, (before + here) / (expected_of_done_ + expected_[stage]));
+  // A first short stage says little of the others: what is expected of a fifth of the run counts beside what was seen.
+  const double weight = 0.2 * std::accumulate(expected_.begin(), expected_.end(), 0.0);
+  const auto seen_over_expected = [&](double seen, double expected) { return (seen + weight) / (expected + weight); };
+  double ratio = seen_over_expected(before, expected_of_done_);
+  constexpr double more_than_seen = 1.1;
+  const double whole_stage = std::max(more_than_seen * here, ratio * expected_[stage]);
+  ratio = std::max(ratio, seen_over_expected(before + here, expected_of_done_ + expected_[stage]));
   double to_come = whole_stage - here;
   for (std::size_t i = stage + 1; i < expected_.size(); ++i) to_come += ratio * expected_[i];
   return (before + here) / std::max(before + here + to_come, 1.0);
