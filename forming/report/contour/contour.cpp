@@ -93,13 +93,13 @@ std::vector<ContourPoint> contour(const Scene& scene, const State& state, const 
   const std::vector<double> thickness = thickness_at_nodes(mesh, sides, rays, side, profile);
   std::vector<ContourPoint> points;
   std::vector<bool> seen(mesh.nodes.size(), false);
+  int loop = 0;
   const auto add = [&](Index node, double arc) {
     if (seen[node]) return;
     seen[node] = true;
     points.push_back({loop, side[node], arc, mesh.nodes[node], thickness[node],
                       scene.has_heat() ? state.glass.temperature[node] : none});
   };
-  int loop = 0;
   Index end = -1;
   for (const ChainEdge& edge : walk_edges(mesh, without_symmetry(mesh))) {
     const auto& [first, last, mid] = mesh.boundary_edges()[edge.edge].nodes;
