@@ -15,6 +15,7 @@
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/contour/contour.hpp"
 #include "forming/report/error_bars.hpp"
+#include "forming/report/files/tool_rows.hpp"
 #include "forming/report/summary_parts.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
@@ -154,6 +155,9 @@ void add_bodies(JsonWriter& json, const Summary& summary) {
     json.add("hottest_time_s", tool.hottest.time);
     json.add("hottest_r_mm", 1e3 * tool.hottest.at[0]);
     json.add("hottest_z_mm", 1e3 * tool.hottest.at[1]);
+    json.open_object("heat_through_faces_J");
+    for (const auto& [face, heat] : tool.faces) json.add(face, heat);
+    json.close();
     json.close();
   }
   json.close();
@@ -272,9 +276,16 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
     const ToolState& body = state.tools[i];
     const double max_temperature =
         body.temperature.size() > 0 ? body.max_surface_temperature : std::numeric_limits<double>::quiet_NaN();
-    summary.tools.push_back({scene.tools[i].name, body.heat_received, max_temperature,
-                             i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{}, body.offset,
-                             body.force});
+    summary.tools.push_back({scene.tools[i].name,
+                             body.heat_received,
+                             max_temperature,
+                             i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{},
+                             body.offset,
+                             body.force,
+                             {}});
+    if (scene.tools[i].thermal)
+      for (const std::size_t face : reported_faces(scene.tools[i]))
+        summary.tools.back().faces.emplace_back(scene.tools[i].boundaries[face].name, body.heat_through[face]);
   }
   summary.flags = raised_flags(scene, run.extremes, state.time, summary.thickness);
   summary.quantities = quantities(scene, state, summary, profile.rows);
