@@ -64,7 +64,7 @@ int residual(double ida_time, N_Vector temperature, N_Vector rate, N_Vector resu
   impose_prescribed_rate(run.system, time, full_rate);
   const Response response = evaluate(run.system, time, temperature_at(run, ida_time, temperature), full_rate);
   view(result) = response.content - response.power;
-  for (const auto& [unknown, value] : run.system.prescribed) view(result)[unknown] = 0;
+  for (const auto& [unknown, value, boundary] : run.system.prescribed) view(result)[unknown] = 0;
   return view(result).allFinite() ? 0 : 1;
 }
 
@@ -118,7 +118,7 @@ void make_consistent(Integration& run, Eigen::VectorXd temperature) {
     impose_prescribed_rate(run.system, run.start, prescribed_rate);
     power -= evaluate(run.system, run.start, temperature, prescribed_rate).content;
   }
-  for (const auto& [unknown, value] : run.system.prescribed) power[unknown] = 0;
+  for (const auto& [unknown, value, boundary] : run.system.prescribed) power[unknown] = 0;
   view(run.temperature) = temperature;
   if (factorise(run.matrix, run.system, run.start, temperature, 0)) view(run.rate) = run.matrix.cholesky.solve(power);
 }

@@ -100,7 +100,7 @@ TrialStep try_step(Integration& run, const StageValue& start, const Rate& rate, 
   const Eigen::VectorXd& after = full.response.power;
   Eigen::VectorXd error =
       dt * (error_weight[0] * before + error_weight[1] * half.response.power + error_weight[2] * after);
-  for (const auto& [unknown, value] : run.system.prescribed) error[unknown] = 0;
+  for (const auto& [unknown, value, boundary] : run.system.prescribed) error[unknown] = 0;
   result.error = run.matrix.cholesky.solve(error).lpNorm<Eigen::Infinity>();
   ++run.solves;
   result.solved = std::isfinite(result.error);
