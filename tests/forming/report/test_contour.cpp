@@ -99,7 +99,7 @@ TEST(Contour, the_weight_above_a_height_of_a_tube_falls_linearly_upwards_and_wit
 
 TEST(BodyFields, the_flux_of_a_linear_temperature_is_conductivity_times_gradient) {
   const core::Mesh mesh = bent_wall();
-  thermal::Material material{2400, core::Table(1300.0), core::Table(1.3), std::nullopt};
+  thermal::Material material{2400, core::constant(1300), core::constant(1.3), std::nullopt};
   Eigen::VectorXd temperature(mesh.node_count());
   for (Index n = 0; n < mesh.node_count(); ++n) temperature[n] = 1000 + 2e4 * mesh.nodes[n][0] - 3e3 * mesh.nodes[n][1];
   const Eigen::VectorXd wall = Eigen::VectorXd::Constant(mesh.node_count(), 4e-3);
