@@ -342,7 +342,8 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
 CaseOrigin read_origin(const std::string& path) {
   const Hdf5Group file = core::open_hdf5(path);
   require_version(path, file);
-  return {file.read_string("case_file"), file.read_string("accuracy"), read_overrides(file)};
+  return {file.read_string("case_file"), file.read_string("accuracy"), read_overrides(file),
+          static_cast<std::uint64_t>(file.read_integer("fingerprint"))};
 }
 
 }  // namespace parison::forming

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
 #include <string>
 
 #include "forming/report/files/result_files.hpp"
@@ -44,6 +45,7 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene);
 struct CaseOrigin {
   std::string file, accuracy;
   std::vector<std::string> overrides;
+  std::uint64_t fingerprint;
 };
 CaseOrigin read_origin(const std::string& path);
 
