@@ -27,8 +27,39 @@ bool is_corner(const Point& before, const Point& at, const Point& after) {
   return in.dot(out) < std::cos(25 * M_PI / 180);
 }
 
+/// Derivative at a point of a run by its chord length: that of the parabola through it and its neighbours.
+Point derivative(const std::vector<Point>& x, const std::vector<double>& s, std::size_t i) {
+  const std::size_t middle = std::clamp(i, std::size_t{1}, x.size() - 2);
+  const double before = s[middle] - s[middle - 1], after = s[middle + 1] - s[middle];
+  const Point first = (x[middle] - x[middle - 1]) / before, second = (x[middle + 1] - x[middle]) / after;
+  const Point curvature = (second - first) / (before + after);
+  return first + (2 * (s[i] - s[middle]) + before) * curvature;
+}
+
+int add_point(const Point& x) {
+  return occ::addPoint(x[0] / millimetre, 0, x[1] / millimetre);
+}
+
+/// A cubic with continuous tangent through all points of a run (Catmull and Rom 1974, chord length as parameter), as a
+/// B-spline with double knots: between its ends each stretch has two control points of its own. It follows each point
+/// from its neighbours alone, so that one rough place does not spread.
+int add_spline(const std::vector<Point>& x, int first, int last) {
+  std::vector<double> s{0};
+  for (std::size_t i = 1; i < x.size(); ++i) s.push_back(s.back() + (x[i] - x[i - 1]).norm());
+  std::vector<int> control{first}, multiplicity{4};
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const double third = (s[i + 1] - s[i]) / 3;
+    control.push_back(add_point(x[i] + third * derivative(x, s, i)));
+    control.push_back(add_point(x[i + 1] - third * derivative(x, s, i + 1)));
+    multiplicity.push_back(i + 2 == x.size() ? 4 : 2);
+  }
+  control.push_back(last);
+  for (double& knot : s) knot /= millimetre;
+  return occ::addBSpline(control, -1, 3, {}, s, multiplicity);
+}
+
 /// Points [begin, end] of the outline as a straight line where they lie on one, else as a spline.
-int add_curve(const std::vector<Point>& points, const std::vector<int>& tags, std::size_t begin, std::size_t end) {
+int add_curve(const std::vector<Point>& points, std::size_t begin, std::size_t end, int first, int last) {
   const Point along = points[end] - points[begin];
   constexpr double straight = 1e-7;  // m
   bool is_line = true;
@@ -36,8 +67,9 @@ int add_curve(const std::vector<Point>& points, const std::vector<int>& tags, st
     const Point to = points[i] - points[begin];
     is_line = std::abs(along[0] * to[1] - along[1] * to[0]) <= straight * along.norm();
   }
-  if (is_line) return occ::addLine(tags[begin], tags[end]);
-  return occ::addSpline({tags.begin() + static_cast<long>(begin), tags.begin() + static_cast<long>(end) + 1});
+  if (is_line) return occ::addLine(first, last);
+  return add_spline({points.begin() + static_cast<long>(begin), points.begin() + static_cast<long>(end) + 1}, first,
+                    last);
 }
 
 /// A loop is begun at a corner, and closed by its first point.
@@ -57,16 +89,19 @@ std::vector<Point> opened(const ContainerShape& shape) {
 /// Writes the solid and gives its volume as a text, mm3.
 std::string write_solid(const std::string& path, const ContainerShape& shape) {
   const std::vector<Point> points = opened(shape);
-  std::vector<int> tags, curves;
-  for (const Point& x : points) tags.push_back(occ::addPoint(x[0] / millimetre, 0, x[1] / millimetre));
-  if (shape.is_loop) tags.back() = tags.front();
+  std::vector<int> curves;
+  const int start = add_point(points.front());
   std::size_t begin = 0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (i + 1 == points.size() || is_corner(points[i - 1], points[i], points[i + 1])) {
-      curves.push_back(add_curve(points, tags, begin, i));
-      begin = i;
-    }
-  if (!shape.is_loop) curves.push_back(occ::addLine(tags.back(), tags.front()));
+  int first = start;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const bool is_end = i + 1 == points.size();
+    if (!is_end && !is_corner(points[i - 1], points[i], points[i + 1])) continue;
+    const int last = is_end && shape.is_loop ? start : add_point(points[i]);
+    curves.push_back(add_curve(points, begin, i, first, last));
+    begin = i;
+    first = last;
+  }
+  if (!shape.is_loop) curves.push_back(occ::addLine(first, start));
   const int face = occ::addPlaneSurface({occ::addCurveLoop(curves)});
   gmsh::vectorpair made;
   occ::revolve({{2, face}}, 0, 0, 0, 0, 0, 1, 2 * M_PI, made);
