@@ -3,7 +3,7 @@
 """Loads a result folder into ParaView: all bodies, mirrored, active tools only, one colour scale over all times.
 
 As a macro (Macros > Import new macro, or Tools > Python Shell > Run Script): open glass.pvd of the folder first.
-From a shell: pvpython tools/paraview.py results/jar [--field NAME] [--revolve] [--time T] [--picture FILE.png]
+From a shell: pvpython tools/show_in_paraview.py results/jar [--field NAME] [--revolve] [--time T] [--picture FILE.png]
 [--state FILE.pvsm]; the state is opened in ParaView by File > Load State."""
 import argparse
 import math
