@@ -3,7 +3,7 @@
 """Loads a result folder into ParaView: all bodies, mirrored, active tools only, one colour scale over all times.
 
 As a macro (Macros > Import new macro, or Tools > Python Shell > Run Script): open glass.pvd of the folder first.
-From a shell: pvpython tools/show_in_paraview.py results/jar [--field NAME] [--revolve] [--time T] [--picture FILE.png]
+From a shell: pvpython tools/show_in_paraview.py results/jar [--field NAME] [--range LOW HIGH] [--revolve] [--time T] [--picture FILE.png]
 [--state FILE.pvsm]; the state is opened in ParaView by File > Load State."""
 import argparse
 import math
@@ -49,11 +49,11 @@ def range_over_time(sources, field):
     return low, high
 
 
-def active_part(name, source):
+def active_part(name, source, kind="section"):
     """The cells of a tool while its stage names it; the glass is always there."""
     if name == "glass":
         return source
-    return pv.Threshold(registrationName=f"{name}_active", Input=source, Scalars=["CELLS", "active"], LowerThreshold=0.5,
+    return pv.Threshold(registrationName=f"{name}_{kind}", Input=source, Scalars=["CELLS", "active"], LowerThreshold=0.5,
                         UpperThreshold=1.5, ThresholdMethod="Between")
 
 
@@ -66,7 +66,7 @@ def mirrored(name, source):
 
 def revolved(name, source):
     """The outline of the section turned about the axis, open at a quarter."""
-    surface = pv.ExtractSurface(registrationName=f"{name}_section", Input=source, NonlinearSubdivisionLevel=2)
+    surface = pv.ExtractSurface(registrationName=f"{name}_surface", Input=source, NonlinearSubdivisionLevel=2)
     outline = pv.FeatureEdges(registrationName=f"{name}_outline", Input=surface, BoundaryEdges=1, FeatureEdges=0,
                               NonManifoldEdges=0, ManifoldEdges=0, Coloring=0)
     return pv.RotationalExtrusion(registrationName=f"{name}_revolved", Input=outline, Resolution=96, Capping=0,
@@ -95,13 +95,14 @@ def look_at(view, revolve):
         pv.ResetCamera(view)
 
 
-def load(folder, field, revolve):
-    """Shows all bodies of a result folder; returns the view."""
+def load(folder, field, revolve, span=None):
+    """Shows all bodies of a result folder, with colours over a span or over all values; returns the view."""
     bodies = readers(Path(folder))
     low, high = range_over_time(bodies.values(), field)
     if low > high:
         names = list(bodies["glass"].PointData.keys())
         sys.exit(f"--field: \"{field}\" was found, allowed is a field of the glass: {', '.join(names)}")
+    low, high = span or (low, high)
     view = pv.GetActiveViewOrCreate("RenderView")
     colours = pv.GetColorTransferFunction(field)
     colours.ApplyPreset(COLOURS, True)
@@ -110,13 +111,16 @@ def load(folder, field, revolve):
     for name, reader in bodies.items():
         part = active_part(name, reader)
         pv.Hide(reader, view)
-        shown = [part, revolved(name, part)] if revolve else [part, mirrored(name, part)]
+        other = active_part(name, revolved(name, reader), "body") if revolve else mirrored(name, part)
+        shown = [part, other]
         for source in shown:
             display = show(source, view, field if reader.PointData.GetArray(field) else None, colours)
             if revolve and name != "glass":
-                display.Opacity = 0.35
+                display.Opacity = 0.15
     bar = pv.GetScalarBar(colours, view)
     bar.Title, bar.ComponentTitle, bar.Visibility = field, "", 1
+    bar.TitleFontSize = bar.LabelFontSize = 12
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%-#.4g", "%-#.4g"
     pv.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     look_at(view, revolve)
     return view
@@ -133,12 +137,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("results", nargs="?", help="result folder; without it that of the file open in ParaView")
     parser.add_argument("--field", default="temperature_degC", help="what the colours show")
+    parser.add_argument("--range", type=float, nargs=2, metavar=("LOW", "HIGH"), help="of the colours [all values at all times]")
     parser.add_argument("--revolve", action="store_true", help="turned about the axis, with a quarter open")
     parser.add_argument("--time", type=float, help="s; the output nearest to it [the last]")
     parser.add_argument("--picture", help="PNG file")
     parser.add_argument("--state", help="ParaView state file (.pvsm)")
     options, _ = parser.parse_known_args()  # ParaView has arguments of its own
-    view = load(options.results or folder_of_active_source(), options.field, options.revolve)
+    view = load(options.results or folder_of_active_source(), options.field, options.revolve, options.range)
     go_to(view, options.time)
     pv.ResetCamera(view)
     pv.Render(view)
