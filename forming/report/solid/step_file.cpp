@@ -40,36 +40,55 @@ int add_point(const Point& x) {
   return occ::addPoint(x[0] / millimetre, 0, x[1] / millimetre);
 }
 
-/// A cubic with continuous tangent through all points of a run (Catmull and Rom 1974, chord length as parameter), as a
-/// B-spline with double knots: between its ends each stretch has two control points of its own. It follows each point
-/// from its neighbours alone, so that one rough place does not spread.
-int add_spline(const std::vector<Point>& x, int first, int last) {
-  std::vector<double> s{0};
-  for (std::size_t i = 1; i < x.size(); ++i) s.push_back(s.back() + (x[i] - x[i - 1]).norm());
+/// A run of the outline between two corners.
+struct Run {
+  std::vector<Point> points;
+  std::vector<double> arc;  ///< by chords, m
+};
+
+/// A cubic with continuous tangent through points [begin, end] of a run (Catmull and Rom 1974, chord length as
+/// parameter), as a B-spline with double knots: between its ends each stretch has two control points of its own. It
+/// follows each point from its neighbours alone, so that one rough place does not spread.
+int add_spline(const Run& run, std::size_t begin, std::size_t end, int first, int last) {
   std::vector<int> control{first}, multiplicity{4};
-  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-    const double third = (s[i + 1] - s[i]) / 3;
-    control.push_back(add_point(x[i] + third * derivative(x, s, i)));
-    control.push_back(add_point(x[i + 1] - third * derivative(x, s, i + 1)));
-    multiplicity.push_back(i + 2 == x.size() ? 4 : 2);
+  std::vector<double> knots{run.arc[begin] / millimetre};
+  for (std::size_t i = begin; i < end; ++i) {
+    const double third = (run.arc[i + 1] - run.arc[i]) / 3;
+    control.push_back(add_point(run.points[i] + third * derivative(run.points, run.arc, i)));
+    control.push_back(add_point(run.points[i + 1] - third * derivative(run.points, run.arc, i + 1)));
+    multiplicity.push_back(i + 1 == end ? 4 : 2);
+    knots.push_back(run.arc[i + 1] / millimetre);
   }
   control.push_back(last);
-  for (double& knot : s) knot /= millimetre;
-  return occ::addBSpline(control, -1, 3, {}, s, multiplicity);
+  return occ::addBSpline(control, -1, 3, {}, knots, multiplicity);
 }
 
-/// Points [begin, end] of the outline as a straight line where they lie on one, else as a spline.
-int add_curve(const std::vector<Point>& points, std::size_t begin, std::size_t end, int first, int last) {
-  const Point along = points[end] - points[begin];
+bool is_straight(const std::vector<Point>& points) {
+  const Point along = points.back() - points.front();
   constexpr double straight = 1e-7;  // m
-  bool is_line = true;
-  for (std::size_t i = begin + 1; i < end && is_line; ++i) {
-    const Point to = points[i] - points[begin];
-    is_line = std::abs(along[0] * to[1] - along[1] * to[0]) <= straight * along.norm();
+  return std::all_of(points.begin(), points.end(), [&](const Point& x) {
+    const Point to = x - points.front();
+    return std::abs(along[0] * to[1] - along[1] * to[0]) <= straight * along.norm();
+  });
+}
+
+/// A run as a straight line where its points lie on one, else as splines of a few stretches each, which follow each
+/// other smoothly: CAD kernels integrate over a face with a fixed number of points.
+void add_run(const std::vector<Point>& points, int first, int last, std::vector<int>& curves) {
+  if (is_straight(points)) {
+    curves.push_back(occ::addLine(first, last));
+    return;
   }
-  if (is_line) return occ::addLine(first, last);
-  return add_spline({points.begin() + static_cast<long>(begin), points.begin() + static_cast<long>(end) + 1}, first,
-                    last);
+  Run run{points, {0}};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    run.arc.push_back(run.arc.back() + (points[i] - points[i - 1]).norm());
+  constexpr std::size_t stretches = 6;
+  for (std::size_t begin = 0; begin + 1 < points.size(); begin += stretches) {
+    const std::size_t end = std::min(begin + stretches, points.size() - 1);
+    const int next = end + 1 == points.size() ? last : add_point(points[end]);
+    curves.push_back(add_spline(run, begin, end, first, next));
+    first = next;
+  }
 }
 
 /// A loop is begun at a corner, and closed by its first point.
@@ -97,7 +116,8 @@ std::string write_solid(const std::string& path, const ContainerShape& shape) {
     const bool is_end = i + 1 == points.size();
     if (!is_end && !is_corner(points[i - 1], points[i], points[i + 1])) continue;
     const int last = is_end && shape.is_loop ? start : add_point(points[i]);
-    curves.push_back(add_curve(points, begin, i, first, last));
+    add_run({points.begin() + static_cast<long>(begin), points.begin() + static_cast<long>(i) + 1}, first, last,
+            curves);
     begin = i;
     first = last;
   }
