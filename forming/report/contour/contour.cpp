@@ -119,15 +119,17 @@ std::vector<HeightRow> height_rows(const Scene& scene, const State& state, const
   const double height = shape.high - shape.low, foot = up > 0 ? shape.low : shape.high;
   const double distance = slice_distance(height),
                density = glass_facts(scene, state).mass / core::volume(mesh, scene.geometry);
+  const double edge = 1e-6 * height;  // the slices at the ends are taken so far inside
   std::vector<HeightRow> rows;
   for (int i = 0; i * distance < height * (1 + 1e-12); ++i) {
     HeightRow row{i * distance, foot + up * i * distance, none, none, none, 0};
-    const std::vector<double> crossings = outline_crossings(mesh, row.axial);
+    const double inside = std::clamp(row.axial, shape.low + edge, shape.high - edge);
+    const std::vector<double> crossings = outline_crossings(mesh, inside);
     if (crossings.size() >= 2) {
       row.outer_radius = crossings.back();
       row.inner_radius = crossings[crossings.size() - 2];
     }
-    row.thickness = outer_thickness(points, row.axial);
+    row.thickness = outer_thickness(points, inside);
     row.weight_above = density * volume_beyond(mesh, scene.geometry, row.axial, up);
     rows.push_back(row);
   }

@@ -30,25 +30,31 @@ Curve curve_of(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
   return {{mesh.nodes[edge.nodes[0]], mesh.nodes[edge.nodes[1]], mesh.nodes[edge.nodes[2]]}};
 }
 
-/// Where within the edge its axial coordinate is `level`, rising; the start counts as within, the end does not.
-std::vector<double> roots(const Curve& curve, double level) {
+/// Real places where the axial coordinate of the curve is `level`, also beyond its ends.
+std::vector<double> all_roots(const Curve& curve, double level) {
   const double first = curve.nodes[0][1], last = curve.nodes[1][1], mid = curve.nodes[2][1];
   const double a = 2 * (first + last - 2 * mid), b = 4 * mid - 3 * first - last, c = first - level;
-  std::vector<double> found;
-  const auto keep = [&](double s) {
-    if (s >= 0 && s < 1) found.push_back(s);
-  };
-  if (std::abs(a) <= 1e-12 * std::abs(b)) {
-    if (b != 0) keep(-c / b);
-    return found;
-  }
+  if (std::abs(a) <= 1e-12 * std::abs(b)) return {-c / b};
   const double discriminant = b * b - 4 * a * c;
-  if (discriminant <= 0) return found;
+  if (discriminant <= 0) return {};
   const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-  keep(q / a);
-  if (q != 0) keep(c / q);
-  std::sort(found.begin(), found.end());
-  return found;
+  if (q == 0) return {q / a};
+  return {std::min(q / a, c / q), std::max(q / a, c / q)};
+}
+
+/// Where within the edge its axial coordinate is `level`, rising. Which side its ends are on says how often, so that
+/// edges that share a vertex agree: an end on the level counts as above it.
+std::vector<double> roots(const Curve& curve, double level) {
+  const double first = curve.nodes[0][1], last = curve.nodes[1][1];
+  const std::vector<double> found = all_roots(curve, level);
+  if ((first >= level) == (last >= level)) {
+    const bool inside = found.size() == 2 && found[0] > 0 && found[1] < 1;
+    return inside ? found : std::vector<double>{};
+  }
+  double nearest = (level - first) / (last - first), distance = 1;
+  for (const double s : found)
+    if (const double off = std::abs(s - std::clamp(s, 0.0, 1.0)); off < distance) nearest = s, distance = off;
+  return {std::clamp(nearest, 0.0, 1.0)};
 }
 
 /// Integral of pi r^2, or x times 1 m, over the axial coordinate between two places of the edge, m3.

