@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/run/case_change.hpp"
+#include "forming/run/resume/case_change.hpp"
 
 #include <fmt/core.h>
 
