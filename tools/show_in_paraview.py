@@ -120,7 +120,7 @@ def load(folder, field, revolve, span=None):
     bar = pv.GetScalarBar(colours, view)
     bar.Title, bar.ComponentTitle, bar.Visibility = field, "", 1
     bar.TitleFontSize = bar.LabelFontSize = 12
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%-#.4g", "%-#.4g"
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%-.4g", "%-.4g"
     pv.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     look_at(view, revolve)
     return view
