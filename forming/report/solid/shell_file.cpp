@@ -122,7 +122,9 @@ ShellMesh write_shell(const std::string& path, const ContainerShape& shape, int 
   const std::string coordinates = node_lines(points, around, thickness);
   long count = 0;
   add_elements(nodes, points.size(), around, eight, six, count);
-  std::string text = "** Container by Parison: the middle of the wall. Units: mm, t, s, N, MPa.\n";
+  std::string text =
+      "** Container by Parison: the middle of the wall. Units: mm, t, s, N, MPa. A positive pressure on WALL acts from "
+      "inside.\n";
   text +=
       fmt::format("** {:.1f} % of its length joins stretches of wall across feet and beads.\n", 100 * shape.bridged);
   text += "*NODE, NSET=CONTAINER\n" + coordinates;
