@@ -25,7 +25,7 @@ void check_name(const char* option, const std::string& path, std::initializer_li
 }
 
 void tell(const std::string& path, const std::string& what, double volume, double glass) {
-  fmt::print("  {:<28}{:<34}{:>10.3f} cm3  {:+.4f} %\n", path, what, volume / cubic_centimetre,
+  fmt::print("  {:<28} {:<34}{:>10.3f} cm3  {:+.4f} %\n", path, what, volume / cubic_centimetre,
              100 * (volume / glass - 1));
 }
 
