@@ -61,6 +61,7 @@ struct ToolState {
   double force = 0;                    ///< on the glass along the axis, N
   double peak_force = 0;               ///< largest so far without sign while a force drove it or it moved, N
   double heat_received = 0;            ///< through interfaces since the start, J
+  std::vector<double> heat_through;    ///< out through each boundary by cooling, air or given temperature, J
   double max_surface_temperature = 0;  ///< highest temperature so far on its contact boundaries, K
   ContactSkin skin;
   TemperatureBounds bounds;

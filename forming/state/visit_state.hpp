@@ -38,6 +38,7 @@ void visit_tool(Visitor visit, Tool& tool) {
   visit("force", tool.force);
   visit("peak_force", tool.peak_force);
   visit("heat_received", tool.heat_received);
+  visit("heat_through", tool.heat_through);
   visit("max_surface_temperature", tool.max_surface_temperature);
   visit_skin(visit.part("skin"), tool.skin);
   visit_bounds(visit.part("bounds"), tool.bounds);

@@ -77,16 +77,16 @@ def pressed_glass(start=1300.0, tool=800.0, h=1000.0, k=1e5, height=0.01, radius
             tools = summary["tools"]
             found = tools["base"]["heat_received_J"] + tools["ram"]["heat_received_J"]
             return max(abs(summary["work"]["tools_J"] / work - 1), abs(found - heat) / max(heat, work),
-                       abs(summary["glass"]["temperature_mean_C"] + 273.15 - end) / (start - tool))
+                       abs(summary["glass"]["temperature_mean_degC"] + 273.15 - end) / (start - tool))
         return s.Scene(text, error=exact_error)
 
     def balance_error(summary):
-        tools, lost = summary["tools"], content * (start - 273.15 - summary["glass"]["temperature_mean_C"])
+        tools, lost = summary["tools"], content * (start - 273.15 - summary["glass"]["temperature_mean_degC"])
         received = tools["base"]["heat_received_J"] + tools["ram"]["heat_received_J"]
         gained = summary["dissipation_J"]
         hottest = start + gained / content * 10
         least = 3 * viscosity(hottest) * volume * speed * (1 / ((1 - share) * height) - 1 / height)
         # Of a millikelvin of a kelvin nothing can be told from the mean temperature.
         return max(abs(lost + gained - received) / max(received, gained, 1e-3 * content * (start - tool)), least / summary["work"]["tools_J"] - 1,
-                   (tool - 273.15 - summary["glass"]["temperature_min_C"]) / (start - tool))
+                   (tool - 273.15 - summary["glass"]["temperature_min_degC"]) / (start - tool))
     return s.Scene(text, error=balance_error)

@@ -40,7 +40,7 @@ RUNS = {
 KEPT = ("accuracy", "overrides", "time_s", "cpu_seconds", "steps", "remeshes", "timing", "volume_drift", "max_volume_drift",
         "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "max_reynolds", "outer_within_0.2mm_of_tools",
         "temperature_overshoot_K", "remeshing", "glass", "tools", "thickness", "quantities")
-OF_STAGE_END = ("glass_mean_C", "heat_to_tools_J", "heat_to_air_J")
+OF_STAGE_END = ("glass_mean_degC", "heat_to_tools_J", "heat_to_air_J")
 
 
 class Missing(Exception):
@@ -96,7 +96,7 @@ def stage_ends(summary, rows):
     ends = []
     for stage in summary["stages"]:
         row = min(rows, key=lambda r: abs(float(r["time_s"]) - stage["end_s"]))
-        positions = {key[:-len("_position_m")]: 1e3 * float(value) for key, value in row.items() if key.endswith("_position_m")}
+        positions = {key[:-len("_position_mm")]: float(value) for key, value in row.items() if key.endswith("_position_mm")}
         ends.append({"name": stage["name"], "end_s": stage["end_s"], "positions_mm": positions,
                      **{key: float(row[key]) for key in OF_STAGE_END if row.get(key, "nan") != "nan"}})
     return ends

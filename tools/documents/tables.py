@@ -142,13 +142,13 @@ def expectations():
 # --- cases/*/README.md --------------------------------------------------------------------------------------------------
 
 def stages(case, name):
-    rows = [[end["name"], f"{end['end_s']:.3f}", f"{end['glass_mean_C']:.0f}", f"{1e-3 * end['heat_to_tools_J']:.1f}",
+    rows = [[end["name"], f"{end['end_s']:.3f}", f"{end['glass_mean_degC']:.0f}", f"{1e-3 * end['heat_to_tools_J']:.1f}",
              f"{1e-3 * end['heat_to_air_J']:.1f}"] for end in store.run(case, name)["stages"]]
     return table(["end of", "time, s", "mean of the glass, degC", "heat to tools, kJ", "heat to air, kJ"], rows)
 
 
 def tools(case, name):
-    rows = [[tool.replace("_", " "), f"{1e-3 * of['heat_received_J']:.1f}", f"{of['surface_temperature_max_C']:.0f}"]
+    rows = [[tool.replace("_", " "), f"{1e-3 * of['heat_received_J']:.1f}", f"{of['surface_temperature_max_degC']:.0f}"]
             for tool, of in store.run(case, name)["tools"].items()]
     return table(["tool", "heat received, kJ", "hottest contact surface, degC"], rows)
 
@@ -170,7 +170,7 @@ def wall(case, *names):
     rows = [["wall: thinnest, mean, thickest, mm"] + [", ".join(f"{r['thickness'][k]:.2f}" for k in ("min_mm", "mean_mm", "max_mm"))
                                                       for r in runs],
             ["glass at the end: mean, coldest, hottest, degC"] +
-            [", ".join(f"{r['glass'][f'temperature_{k}_C']:.0f}" for k in ("mean", "min", "max")) for r in runs],
+            [", ".join(f"{r['glass'][f'temperature_{k}_degC']:.0f}" for k in ("mean", "min", "max")) for r in runs],
             *(against_fine_rows(case, names) if "fine" in store.RUNS[case] else []),
             ["work balance, largest imbalance"] + [f"{digits(100 * r['max_work_imbalance'])} %" for r in runs]]
     return table([""] + list(names), rows)

@@ -191,4 +191,19 @@ std::string describe_scene(const Scene& scene) {
          stage_lines(scene) + accuracy_lines(scene);
 }
 
+std::string describe_scene_briefly(const Scene& scene) {
+  const DimensionlessNumbers numbers = dimensionless_numbers(scene);
+  double longest = 0;
+  for (const Stage& stage : scene.stages) longest += stage.duration;
+  std::string text =
+      fmt::format("{} at {} accuracy: {:.4g} g of glass, tools: {}, stages: {}, at most {:.4g} s\n", scene.name,
+                  scene.accuracy_name, 1e3 * numbers.mass, scene.tools.size(), scene.stages.size(), longest);
+  for (const auto& assignment : scene.overrides) text += fmt::format("  {:<20}{}\n", "override", assignment);
+  for (const Setting& setting : settings())
+    if (const auto own = scene.accuracy_origin.find(setting.key); own != scene.accuracy_origin.end())
+      text += fmt::format("  {:<20}{} {:.4g} {}, from {}\n", "numerics", setting.key,
+                          scene.accuracy.*setting.value / setting.unit_size, setting.unit, own->second);
+  return text;
+}
+
 }  // namespace parison::forming

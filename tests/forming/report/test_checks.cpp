@@ -270,7 +270,7 @@ TEST(History, the_force_is_that_of_the_height_beside_it) {
   while (std::getline(rows, line)) {
     std::vector<std::string> fields;
     for (std::istringstream in(line); std::getline(in, field, ',');) fields.push_back(field);
-    const double height = std::stod(fields[column("plunger_position_m")]);
+    const double height = 1e-3 * std::stod(fields[column("plunger_position_mm")]);
     const double exact = -3 * 1e4 * M_PI * 0.02 * 0.02 * 0.01 * 0.01 / (height * height);
     worst = std::max(worst, std::abs(std::stod(fields[column("plunger_force_N")]) / exact - 1));
     ++count;

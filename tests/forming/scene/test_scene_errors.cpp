@@ -185,6 +185,20 @@ TEST(SceneErrors, an_output_interval_is_at_least_a_microsecond) {
   EXPECT_EQ(interval("1 us"), "");
 }
 
+TEST(SceneErrors, a_flag_is_one_that_there_is_with_a_quantity_of_its_kind) {
+  const auto flags = [](const std::string& value) {
+    const auto message = complaint_about(small_scene + "[output]\nflags = { " + value + " }\n");
+    return message.substr(std::min(message.size(), message.find(' ') + 1));
+  };
+  EXPECT_EQ(flags("wall_below = \"1 mm\""), "");
+  EXPECT_NE(flags("wall_bellow = \"1 mm\"").find("wall_below"), std::string::npos);
+  EXPECT_NE(flags("wall_below = \"1 degC\"").find("output.flags.wall_below: \"1 degC\" is a temperature"),
+            std::string::npos);
+  EXPECT_NE(flags("glass_below = \"1 mm\"").find("output.flags.glass_below: \"1 mm\" is a length"), std::string::npos);
+  EXPECT_NE(flags("tool_surface_above = \"0 K\""), "");
+  EXPECT_NE(flags("wall_below = \"0 mm\""), "");
+}
+
 TEST(SceneErrors, sizes_that_would_give_too_many_cells) {
   const auto glass = [](const std::string& mesh) {
     return complaint_about(replaced("temperature = \"1000 degC\"", "temperature = \"1000 degC\"\nmesh = " + mesh));
