@@ -100,6 +100,7 @@ ToolState initial_tool(const Scene& scene, Index index) {
   state.mesh = mesh_of(scene, body_of_tool(index), core::tolerance::tool_edge * core::size(scene.glass.profile),
                        factor * accuracy.tool_contact_size, accuracy.tool_growth);
   if (tool.thermal) state.temperature = start_temperature(scene, body_of_tool(index), state.mesh);
+  state.heat_through.assign(state.mesh.boundaries().size(), 0);
   state.offset = tool.position;
   state.max_surface_temperature =
       tool.start_field ? hottest_contact(state.mesh, state.temperature) : tool.initial_temperature;

@@ -6,18 +6,10 @@
 #include <vector>
 
 #include "core/case/case_file.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/scene/scene.hpp"
 
 namespace parison::forming {
-
-/// A material as the case file gives it; properties that are missing are not computed.
-struct NamedMaterial {
-  std::string name;
-  std::optional<thermal::Material> thermal;
-  std::optional<flow::Material> flow;
-  double emissivity = 0;
-};
-std::vector<NamedMaterial> read_materials(const core::CaseNode& node);
 
 /// What is needed to read a body.
 struct BodyContext {
@@ -79,7 +71,7 @@ void coarsen(Scene& scene, double factor);
 
 /// Names of the scene's tools, in their order.
 std::vector<std::string> tool_names(const Scene& scene);
-/// Refuses a list of tables two of which have the same name.
+/// Refuses a list of tables two of which have the same name, and one of more than a thousand.
 void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables);
 
 /// Refuses edge lengths that would give a body more cells than a run can handle.
