@@ -15,7 +15,7 @@ namespace {
 using forming::Scene;
 using forming::Stage;
 
-constexpr double left = 150, width = 900, row_height = 24, top = 130;                          // pixels
+constexpr double left = 150, width = 900, row_height = 24, top = 160;                          // pixels
 constexpr std::array stage_colours{"#f4a259", "#8cb369"}, tool_colours{"#9db4c0", "#c9b8d8"};  // by cycle
 
 /// The horizontal axis: degrees of a cycle, or seconds of the process.
