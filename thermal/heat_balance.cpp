@@ -48,6 +48,7 @@ void add(HeatBalance& balance, const HeatBalance& step) {
     } else {
       same->heat += pair.heat;
       same->received += pair.received;
+      same->radiated += pair.radiated;
     }
   }
 }

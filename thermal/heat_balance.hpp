@@ -21,6 +21,7 @@ struct PairBalance {
   Index slave_body, master_body;
   double heat = 0;      ///< out of the slave
   double received = 0;  ///< into the master
+  double radiated = 0;  ///< the part of `heat` that went as light through the glass surface, of models with bands
 };
 
 /// Heat balance of all bodies over a time.

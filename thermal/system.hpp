@@ -12,6 +12,7 @@
 #include "thermal/heat_balance.hpp"
 #include "thermal/problem.hpp"
 #include "thermal/properties.hpp"
+#include "thermal/radiation/p1.hpp"
 
 namespace parison::thermal {
 
@@ -49,18 +50,21 @@ struct HeatSystem {
   std::vector<HeatEdge> edges;
   HeatInterface interface;
   std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body of each pair of bodies in contact
+  std::vector<P1> light;                       ///< of the bodies with Radiation::Model::p1
   std::vector<PrescribedUnknown> prescribed;
   std::vector<char> is_prescribed;  ///< by unknown
 
   Index size() const { return first_unknown.back(); }
 };
-/// Geometry factors of a body's cells and the data they were computed from, for reuse while the mesh does not move.
+/// Geometry factors of a body's cells and the data they were computed from, for reuse while the mesh does not move, and
+/// what its light keeps from mesh to mesh.
 struct KeptCells {
   std::vector<core::Point> nodes, mass_nodes;
   std::vector<std::array<Index, 6>> cells;
   double density = 0;
   core::Geometry geometry;
   std::shared_ptr<const std::vector<CellBatch>> batches;
+  std::shared_ptr<KeptLight> light;
 };
 /// Prepares the equations of a problem, which must outlive them. `kept`, by body, reuses what has not changed since the
 /// last call; null computes all anew.
@@ -70,6 +74,7 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
 struct Flows {
   Eigen::VectorXd to_air, from_source;  ///< by body
   Eigen::VectorXd across, received;     ///< by pair: out of the slave's nodes, into the master's nodes
+  Eigen::VectorXd radiated;             ///< by pair: the part of `across` that is light
 };
 /// Terms of the heat equations at a time and temperatures.
 struct Response {
