@@ -12,6 +12,7 @@ using core::Index;
 struct BodyBalance {
   double content_change = 0;
   double to_air = 0;           ///< out by convection and radiation to the surroundings, cooling included
+  double light_to_air = 0;     ///< the part of `to_air` that is light of a model with bands
   double from_source = 0;      ///< in from the volume source
   double from_prescribed = 0;  ///< in through boundaries of prescribed temperature
 };

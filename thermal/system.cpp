@@ -163,6 +163,7 @@ HeatBalance zero_balance(const HeatSystem& system) {
 void accumulate(HeatBalance& balance, const Flows& flows, double duration) {
   for (std::size_t b = 0; b < balance.bodies.size(); ++b) {
     balance.bodies[b].to_air += duration * flows.to_air[b];
+    balance.bodies[b].light_to_air += duration * flows.light_to_air[b];
     balance.bodies[b].from_source += duration * flows.from_source[b];
   }
   for (std::size_t p = 0; p < balance.pairs.size(); ++p) {
@@ -193,7 +194,8 @@ Flows source_flows(const HeatSystem& system, double time) {
   Eigen::VectorXd source = system.body_source;
   for (Eigen::Index b = 0; b < source.size(); ++b) source[b] *= system.problem->bodies[b].source_factor(time);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(pairs);
-  return {Eigen::VectorXd::Zero(source.size()), source, none, none, none};
+  const Eigen::VectorXd no_air = Eigen::VectorXd::Zero(source.size());
+  return {no_air, source, no_air, none, none, none};
 }
 
 /// Power of the volume source into each unknown, W.

@@ -73,6 +73,7 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
 /// Heat flows that the balance accumulates, W.
 struct Flows {
   Eigen::VectorXd to_air, from_source;  ///< by body
+  Eigen::VectorXd light_to_air;         ///< by body: the part of `to_air` that is light of a model with bands
   Eigen::VectorXd across, received;     ///< by pair: out of the slave's nodes, into the master's nodes
   Eigen::VectorXd radiated;             ///< by pair: the part of `across` that is light
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ struct RunOutcome {
 struct ToolSummary {
   std::string name;
   double heat_received;            ///< J
+  std::optional<double> radiated;  ///< the part of it that came as light, J; none without light in bands
   double max_surface_temperature;  ///< so far, K; NaN where the tool carries no heat
   double position, force;          ///< m, N
 };

@@ -4,8 +4,8 @@
 namespace parison::thermal {
 
 /// Reflectivity of a smooth surface for unpolarised light that meets it from inside, from the side of refractive index
-/// n against 1, at the cosine mu of the angle to the normal (Fresnel's equations, M. F. Modest, *Radiative Heat
-/// Transfer*, 3rd ed. 2013, eqs. 2.96 to 2.98): 1 beyond the critical angle.
+/// n against 1, at the cosine mu of the angle to the normal (Fresnel's equations with Snell's law; M. F. Modest,
+/// *Radiative Heat Transfer*, 3rd ed. 2013, chapter 2): 1 beyond the critical angle.
 double fresnel_reflectivity(double n, double mu);
 
 /// Cosine of the critical angle, below which all light is reflected: sqrt(1 - 1/n^2).

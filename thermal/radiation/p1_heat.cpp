@@ -165,6 +165,7 @@ void add_light(const P1& light, const HeatSystem& system, double time, const Eig
                Eigen::VectorXd* power) {
   const std::vector<double> surroundings = surroundings_at(light, system, time);
   const SideTemperatures sides = side_temperatures(system.interface, temperature);
+  const double to_air_before = flows.to_air[light.body];
   const Field at_cells = at_cell_points(light, system, temperature);
   std::vector<Eigen::VectorXd> G;
   std::vector<Field> emitted(light.laws().band_count());
@@ -177,6 +178,7 @@ void add_light(const P1& light, const HeatSystem& system, double time, const Eig
   if (power) add_absorbed(light, system, G, emitted, 1, *power);
   if (light.laws().has_opaque()) add_opaque(light, system, surroundings, sides, temperature, flows, to_tool, power);
   add_to_tools(system, to_tool, flows, power);
+  flows.light_to_air[light.body] += flows.to_air[light.body] - to_air_before;
 }
 
 Eigen::MatrixXd irradiation(const P1& light, const HeatSystem& system, double time,

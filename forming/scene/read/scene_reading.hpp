@@ -15,9 +15,12 @@ struct NamedMaterial {
   std::string name;
   std::optional<thermal::Material> thermal;
   std::optional<flow::Material> flow;
-  double emissivity = 0;
+  double emissivity = 0;        ///< of glass with light in bands that of an opaque surface of its refractive index
+  bool has_emissivity = false;  ///< whether the case gives it
 };
 std::vector<NamedMaterial> read_materials(const core::CaseNode& node);
+/// Internal radiation of a material; nothing for the model "none".
+std::optional<thermal::Radiation> read_radiation(const core::CaseNode& node);
 
 /// What is needed to read a body.
 struct BodyContext {
@@ -25,6 +28,7 @@ struct BodyContext {
   core::Geometry geometry;
   std::vector<NamedMaterial> materials;
   bool with_heat = true, with_flow = true;  ///< whether the glass carries heat and flows, once known
+  bool with_light = false;                  ///< whether light of the glass reaches the tools, once known
 };
 Glass read_glass(const core::CaseNode& node, const BodyContext& context);
 Tool read_tool(const core::CaseNode& node, const BodyContext& context);

@@ -29,7 +29,7 @@ std::optional<thermal::SurfaceExchange> exchange_of(const Body& body, const core
   if (kind == BoundaryKind::cooled) return body.boundaries[boundary].cooling;
   if (kind != BoundaryKind::contact && kind != BoundaryKind::air) return std::nullopt;
   thermal::SurfaceExchange exchange = stage.air;
-  exchange.emissivity = body.emissivity;
+  exchange.emissivity = thermal::has_light(*body.thermal) ? 0 : body.emissivity;
   if (exchange.h.max() == 0 && exchange.emissivity == 0) return std::nullopt;
   return exchange;
 }
@@ -52,6 +52,18 @@ thermal::BodyView view_of(const Scene& scene, Index body, const core::Mesh& mesh
   return view;
 }
 
+/// What the light of the glass meets at its surface. Surfaces that the air reaches see the surroundings of the stage.
+thermal::SurfaceLight light_of(const Body& body, const core::Mesh& mesh, const Stage& stage) {
+  thermal::SurfaceLight light{{}, body.emissivity};
+  if (!thermal::has_light(*body.thermal)) return light;
+  for (const core::MeshBoundary& boundary : mesh.boundaries())
+    if (boundary.kind == BoundaryKind::contact || boundary.kind == BoundaryKind::air)
+      light.surroundings.emplace_back(stage.air.ambient_temperature);
+    else
+      light.surroundings.emplace_back();
+  return light;
+}
+
 /// Local error of a step of IDA, as a fraction of that: where nothing moves it takes many small changes, whose errors
 /// add up, and costs little.
 constexpr double integrator_fraction = 0.2;
@@ -68,6 +80,9 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
   thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
     problem.bodies.push_back(view_of(scene, b, *meshes[b], stage));
+  if (scene.has_light())
+    for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
+      problem.bodies[b].light = light_of(body_of(scene, b), *meshes[b], stage);
   problem.bodies[glass_body].density = state.glass.density;
   problem.law = interface_law(scene, problem.interface, clamped_lookups);
   return problem;
@@ -77,11 +92,14 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
 void accumulate(const thermal::HeatBalance& balance, State& state) {
   const thermal::BodyBalance& glass = balance.bodies[glass_body];
   state.totals.to_air += glass.to_air - glass.from_prescribed;
+  state.totals.light_to_air += glass.light_to_air;
   state.totals.dissipation += glass.from_source;
   state.totals.to_tools += thermal::lost_through_interfaces(balance, glass_body);
   state.totals.max_flux_mismatch = std::max(state.totals.max_flux_mismatch, thermal::flux_mismatch(balance));
   for (std::size_t t = 0; t < state.tools.size(); ++t)
     state.tools[t].heat_received -= thermal::lost_through_interfaces(balance, body_of_tool(Index(t)));
+  for (const thermal::PairBalance& pair : balance.pairs)
+    state.tools[pair.master_body - 1].heat_radiated += pair.radiated;
 }
 
 void update_max_surface_temperatures(State& state) {
@@ -131,8 +149,7 @@ Meshes meshes_of(const State& state) {
 
 /// Wall thickness of the glass by node, m; empty where it does not limit the radiation.
 Eigen::VectorXd limiting_wall_thickness(const Scene& scene, const core::Mesh& glass) {
-  const auto& radiation = scene.glass.thermal->radiation;
-  if (!radiation || !radiation->thin_wall) return {};
+  if (!thermal::is_rosseland(*scene.glass.thermal) || !scene.glass.thermal->radiation->thin_wall) return {};
   return remesh::wall_thickness(glass);
 }
 
