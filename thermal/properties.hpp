@@ -18,14 +18,15 @@ struct Band {
 
 /// Internal radiation. Rosseland (1924): it adds to the conductivity k_r = 16/3 n^2 sigma T^3 / kappa, T in K, which
 /// holds where the wall is optically thick, kappa w >> 1. P1: an equation for the light of each band (see
-/// radiation/README.md); beyond the last band the glass is opaque.
+/// radiation/README.md); beyond the last band the glass is opaque. P1 in cones: two equations, for the directions that
+/// total reflection keeps inside and for those that leave.
 struct Radiation {
-  enum class Model { rosseland, p1 };
+  enum class Model { rosseland, p1, p1_cones };
   double refractive_index;
   double absorption;      ///< rosseland: mean absorption coefficient kappa, 1/m
   bool thin_wall = true;  ///< rosseland: multiply k_r by thin_wall_factor of the local wall thickness
   Model model = Model::rosseland;
-  std::vector<Band> bands = {};  ///< p1: wavelengths rise
+  std::vector<Band> bands = {};  ///< p1, p1_cones: wavelengths rise
 };
 
 /// Thermal properties of a body; tables over temperature in K.
@@ -51,7 +52,7 @@ inline bool is_rosseland(const Material& material) {
 }
 /// Whether the light inside is computed band by band.
 inline bool has_light(const Material& material) {
-  return material.radiation && material.radiation->model == Radiation::Model::p1;
+  return material.radiation && material.radiation->model != Radiation::Model::rosseland;
 }
 
 /// A SurfaceExchange at one time.

@@ -20,15 +20,15 @@ double fresnel_reflectivity(double n, double mu) {
   return 0.5 * (across * across + along * along);
 }
 
-ReflectivityMoments reflectivity_moments(double n) {
-  // All is reflected below the critical cosine; above it the reflectivity falls like a root, which mu = critical +
-  // (1 - critical) s^2 makes smooth.
-  const double critical = critical_cosine(n), rest = 1 - critical;
-  ReflectivityMoments sum{critical * critical / 2, critical * critical * critical / 3};
+ReflectivityMoments reflectivity_moments(double n, double from, double to) {
+  // All is reflected below the critical cosine; above it the reflectivity falls like a root, which mu = start +
+  // (to - start) s^2 makes smooth.
+  const double total = std::clamp(critical_cosine(n), from, to), rest = to - total;
+  ReflectivityMoments sum{(total * total - from * from) / 2, (total * total * total - from * from * from) / 3};
   constexpr int panels = 32;
   for (int panel = 0; panel < panels; ++panel)
     for (const auto& at : core::edge_rule(5)) {
-      const double s = (panel + at.s) / panels, mu = critical + rest * s * s;
+      const double s = (panel + at.s) / panels, mu = total + rest * s * s;
       const double part = fresnel_reflectivity(n, mu) * 2 * rest * s * at.weight / panels;
       sum.first += part * mu;
       sum.second += part * mu * mu;

@@ -11,12 +11,12 @@ double fresnel_reflectivity(double n, double mu);
 /// Cosine of the critical angle, below which all light is reflected: sqrt(1 - 1/n^2).
 double critical_cosine(double n);
 
-/// Moments of that reflectivity over the hemisphere inside.
+/// Moments of that reflectivity over the cosines from one to another, by default over the whole hemisphere inside.
 struct ReflectivityMoments {
-  double first;   ///< int_0^1 mu R dmu; twice that is the share of diffuse light that is reflected
-  double second;  ///< int_0^1 mu^2 R dmu
+  double first;   ///< int mu R dmu; of the hemisphere twice that is the share of diffuse light that is reflected
+  double second;  ///< int mu^2 R dmu
 };
-ReflectivityMoments reflectivity_moments(double n);
+ReflectivityMoments reflectivity_moments(double n, double from = 0, double to = 1);
 
 /// Hemispherical emissivity of an opaque body of index n in air: 1 less what the surface reflects of diffuse light from
 /// outside, n^2 (1 - 2 first) by reciprocity.

@@ -105,9 +105,9 @@ template <int N>
     integrate_all<3>(batches, values, unknowns);
 }
 
-[[gnu::target_clones("avx2", "default")]] void assemble_band(const std::vector<CellBatch>& cells, const Field& volumes,
-                                                             core::Index cell_count, int order, double diffusion,
-                                                             double absorption, core::Assembly& assembly) {
+[[gnu::target_clones("avx2", "default")]] void assemble_group(const std::vector<CellBatch>& cells, const Field& volumes,
+                                                              core::Index cell_count, int order, double diffusion,
+                                                              double absorption, core::Assembly& assembly) {
   if (order == 2)
     assemble_of_order<6>(cells, volumes, cell_count, diffusion, absorption, assembly);
   else

@@ -24,7 +24,7 @@ void add_from_points(const BatchIndices<6>* batches, const Field& values, int or
 
 /// Adds diffusion int grad N_i . grad N_j + absorption int N_i N_j of a body's cells to the matrix, whose cliques
 /// begin with the cells.
-void assemble_band(const std::vector<CellBatch>& cells, const Field& volumes, core::Index cell_count, int order,
-                   double diffusion, double absorption, core::Assembly& assembly);
+void assemble_group(const std::vector<CellBatch>& cells, const Field& volumes, core::Index cell_count, int order,
+                    double diffusion, double absorption, core::Assembly& assembly);
 
 }  // namespace parison::thermal

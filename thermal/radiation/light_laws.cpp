@@ -6,21 +6,48 @@
 
 namespace parison::thermal {
 
-LightLaws::LightLaws(const Radiation& radiation)
-    : bands_(radiation.bands), square_(radiation.refractive_index * radiation.refractive_index) {
+namespace {
+
+/// Within a cone the intensity is a + b mu. What comes back from the surface has the flux of what is reflected and of
+/// what enters, int mu (a - b mu) = int R mu (a + b mu) + entering, which gives c.
+LightGroup make_group(const Cone& cone, double index, int band, double absorption) {
+  const ReflectivityMoments r = reflectivity_moments(index, cone.from, cone.to);
+  const double first = cone.first(), second = cone.second(), share = cone.share();
+  const double leaving = std::max(0.0, first - r.first);  // zero to round-off where all is reflected
+  return {band,
+          absorption,
+          share,
+          second / share / absorption,
+          leaving < 1e-14 ? 0 : second * leaving / ((second + r.second) * share),
+          first / share};
+}
+
+std::vector<Cone> cones_of(const Radiation& radiation) {
+  const double critical = critical_cosine(radiation.refractive_index);
+  if (radiation.model == Radiation::Model::p1_cones && critical > 0) return {{0, critical}, {critical, 1}};
+  return {{0, 1}};
+}
+
+}  // namespace
+
+LightLaws::LightLaws(const Radiation& radiation) : square_(radiation.refractive_index * radiation.refractive_index) {
   double from = 0;
-  for (const Band& band : bands_) {
+  for (const Band& band : radiation.bands) {
+    for (const Cone& cone : cones_of(radiation))
+      groups_.push_back(
+          make_group(cone, radiation.refractive_index, static_cast<int>(emission_.size()), band.absorption));
     emission_.emplace_back(from, band.up_to);
     from = band.up_to;
   }
   if (std::isfinite(from)) opaque_.emplace(from, std::numeric_limits<double>::infinity());
-  const ReflectivityMoments r = reflectivity_moments(radiation.refractive_index);
-  open_ = (1 - 2 * r.first) / (2 * (1 + 3 * r.second));
 }
 
-double LightLaws::to_tool(double emissivity) const {
-  // The tool's radiosity J = E + q (1 - e)/e is what the glass sees: q = c (G - 4 n^2 J).
-  return emissivity > 0 ? 1 / (1 / open_ + 4 * square_ * (1 / emissivity - 1)) : 0;
+double LightLaws::to_tool(int g, double emissivity) const {
+  // The tool's radiosity J = E + q (1 - e)/e is what the glass sees: q = c (G - share 4 n^2 J). Of two cones the light
+  // leaves through one.
+  const LightGroup& group = groups_[g];
+  if (group.open == 0 || emissivity == 0) return 0;
+  return 1 / (1 / group.open + 4 * square_ * group.share * (1 / emissivity - 1));
 }
 
 double grey_exchange(double a, double b) {

@@ -21,7 +21,7 @@ std::array<Index, 3> light_unknowns(const std::array<Index, 3>& nodes, int order
 }
 
 bool same_laws(const Radiation& a, const Radiation& b) {
-  if (a.refractive_index != b.refractive_index || a.bands.size() != b.bands.size()) return false;
+  if (a.model != b.model || a.refractive_index != b.refractive_index || a.bands.size() != b.bands.size()) return false;
   for (std::size_t k = 0; k < a.bands.size(); ++k)
     if (a.bands[k].up_to != b.bands[k].up_to || a.bands[k].absorption != b.bands[k].absorption) return false;
   return true;
@@ -36,7 +36,7 @@ void analyse(KeptLight& kept, const core::Mesh& mesh, Index size) {
   kept.assembly = core::make_assembly(size, cliques);
   kept.cells = mesh.cells();
   kept.factor.clear();
-  for (int k = 0; k < kept.laws.band_count(); ++k) {
+  for (int k = 0; k < kept.laws.group_count(); ++k) {
     kept.factor.emplace_back();
     kept.factor.back().analyse(kept.assembly.matrix);
   }
@@ -87,21 +87,16 @@ void add_contacts(P1& light, const HeatSystem& system) {
     light.contacts.push_back({light_unknowns(point.slave_nodes, light.order),
                               {shape[0], shape[1], shape[2]},
                               boundary,
-                              open ? light.laws().to_surroundings() : 0,
-                              light.laws().to_tool(emissivity),
+                              open,
+                              emissivity,
                               open ? own.emissivity : 0,
                               grey_exchange(own.emissivity, emissivity)});
   }
 }
 
-/// Coefficient of a band's flux out of an edge.
-double coefficient(const P1& light, const LightEdge& edge) {
-  return edge.black ? LightLaws::to_black_wall() : light.laws().to_surroundings();
-}
-
-/// Adds coefficients times shape functions of the surface to a band's matrix. The points of the interface lie on edges
+/// Adds coefficients times shape functions of the surface to a group's matrix. The points of the interface lie on edges
 /// of the glass, whose cliques follow the cells'.
-void assemble_surface(const P1& light, const HeatSystem& system, Index first_boundary_edge,
+void assemble_surface(const P1& light, int group, const HeatSystem& system, Index first_boundary_edge,
                       core::SymmetricMatrix& matrix) {
   const core::Scatter& scatter = light.kept->assembly.scatter;
   const core::Mesh& mesh = mesh_of(light, system);
@@ -111,7 +106,7 @@ void assemble_surface(const P1& light, const HeatSystem& system, Index first_bou
     for (int q = 0; q < 3; ++q) {
       const Eigen::Map<const Eigen::Vector3d> shape(edge.light_shape[q].data());
       local[edge.boundary_edge - first_boundary_edge] +=
-          coefficient(light, edge) * edge.area[q] * shape * shape.transpose();
+          light.coefficient(group, edge) * edge.area[q] * shape * shape.transpose();
     }
   if (!light.contacts.empty()) {
     std::vector<Index> edge_of(mesh.nodes.size(), -1);  // by mid-side node
@@ -119,9 +114,9 @@ void assemble_surface(const P1& light, const HeatSystem& system, Index first_bou
       edge_of[mesh.boundary_edges()[e].nodes[2]] = static_cast<Index>(e);
     for (std::size_t i = 0; i < light.contacts.size(); ++i) {
       const LightContact& contact = light.contacts[i];
-      local[edge_of[system.problem->interface[i].slave_nodes[2]]] += (contact.to_tool - contact.open) *
-                                                                     system.interface.area[static_cast<Index>(i)] *
-                                                                     contact.shape * contact.shape.transpose();
+      local[edge_of[system.problem->interface[i].slave_nodes[2]]] +=
+          (light.to_tool(group, contact) - light.open(group, contact)) * system.interface.area[static_cast<Index>(i)] *
+          contact.shape * contact.shape.transpose();
     }
   }
   for (std::size_t e = 0; e < local.size(); ++e) {
@@ -135,13 +130,13 @@ void assemble_surface(const P1& light, const HeatSystem& system, Index first_bou
 void factorise(P1& light, const HeatSystem& system, Index first_boundary_edge) {
   KeptLight& kept = *light.kept;
   const auto& cells = *system.bodies[light.body].cells;
-  for (int k = 0; k < kept.laws.band_count(); ++k) {
+  for (int k = 0; k < kept.laws.group_count(); ++k) {
     core::SymmetricMatrix& matrix = kept.assembly.matrix;
     std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
-    const double absorption = kept.laws.absorption(k);
-    assemble_band(cells, light.volumes, mesh_of(light, system).cell_count(), light.order, 1 / (3 * absorption),
-                  absorption, kept.assembly);
-    assemble_surface(light, system, first_boundary_edge, matrix);
+    const LightGroup& group = kept.laws.group(k);
+    assemble_group(cells, light.volumes, mesh_of(light, system).cell_count(), light.order, group.diffusion,
+                   group.absorption, kept.assembly);
+    assemble_surface(light, k, system, first_boundary_edge, matrix);
     light.solvable = kept.factor[k].factorise(matrix) && light.solvable;
   }
 }

@@ -31,8 +31,8 @@ struct LightContact {
   std::array<Index, 3> light;  ///< unknowns of the slave's edge
   Eigen::Vector3d shape;       ///< their weights
   Index boundary;              ///< of the glass
-  double open;                 ///< coefficient of the flux that would go to the surroundings; 0 where none would
-  double to_tool;              ///< of the flux to the tool
+  bool open;                   ///< whether light would go to the surroundings there
+  double emissivity;           ///< of the tool
   double opaque_open, opaque;  ///< emissivity to the surroundings, exchange factor with the tool
 };
 
@@ -43,13 +43,14 @@ struct KeptLight {
   int order;
   std::vector<std::array<Index, 6>> cells;
   core::Assembly assembly;             ///< cliques: the cells, then the boundary edges
-  std::vector<core::Cholesky> factor;  ///< by band
+  std::vector<core::Cholesky> factor;  ///< by group
 
   KeptLight(const Radiation& given, int its_order) : radiation(given), laws(given), order(its_order) {}
 };
 
-/// The light in a glass in the P1 approximation on the present meshes: for each band the irradiation G with
-///   - div(grad G/(3 kappa)) + kappa G = 4 kappa n^2 E(T),
+/// The light in a glass in the P1 approximation on the present meshes: for each group of band and directions the
+/// irradiation G with
+///   - div(diffusion grad G) + kappa G = kappa share 4 n^2 E(T),
 /// its flux to the surroundings and to the tools, and what the opaque bands exchange at the surface.
 struct P1 {
   Index body;
@@ -63,21 +64,28 @@ struct P1 {
   bool solvable;  ///< false where a factorisation failed, on a mesh with cells inverted: all heat by light is NaN
 
   const LightLaws& laws() const { return kept->laws; }
+  /// Coefficients of a group's flux through an edge, and through a point of the interface to the surroundings, where
+  /// it would be open, and to the tool.
+  double coefficient(int group, const LightEdge& edge) const {
+    return edge.black ? laws().group(group).black : laws().group(group).open;
+  }
+  double open(int group, const LightContact& contact) const { return contact.open ? laws().group(group).open : 0; }
+  double to_tool(int group, const LightContact& contact) const { return laws().to_tool(group, contact.emissivity); }
 };
 
-/// Prepares the light of a body with Radiation::Model::p1, factors included; reuses what `kept` has.
+/// Prepares the light of a body with P1, in cones or not, factors included; reuses what `kept` has.
 P1 make_p1(const HeatSystem& system, Index body, Index first_boundary_edge, std::shared_ptr<KeptLight>& kept);
 
 /// Adds the heat that light brings at a time, s, and temperatures of the unknowns, K, to the flows and, unless null, to
-/// the power into each unknown, W. In each band the sources in the glass are what enters through its surface, to
+/// the power into each unknown, W. In each group the sources in the glass are what enters through its surface, to
 /// round-off.
 void add_light(const P1& light, const HeatSystem& system, double time, const Eigen::VectorXd& temperature, Flows& flows,
                Eigen::VectorXd* power);
 
 /// Derivatives of that heat with respect to temperature.
 struct LightDerivatives {
-  std::vector<Field> emission;                     ///< by band, of what the quadrature points emit, W/K
-  std::vector<Eigen::ArrayXd> from_tool;           ///< by band, of what the tool sends through a point, W/K
+  std::vector<Field> emission;                     ///< by group, of what the quadrature points emit, W/K
+  std::vector<Eigen::ArrayXd> from_tool;           ///< by group, of what the tool sends through a point, W/K
   std::vector<std::array<double, 3>> opaque_edge;  ///< of the flux of opaque bands to the surroundings, W/K
   Eigen::ArrayXd opaque_slave, opaque_master;      ///< of what glass and tool send each other through a point, W/K
   Eigen::ArrayXd opaque_open;                      ///< of what the glass would send the surroundings there, W/K
@@ -94,7 +102,7 @@ void apply_light(const P1& light, const HeatSystem& system, const LightDerivativ
 void assemble_light(StepMatrix& matrix, const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
                     double step);
 
-/// Irradiation of each band, W/m2, a column for each: what `add_light` finds.
+/// Irradiation of each group, W/m2, a column for each: what `add_light` finds.
 Eigen::MatrixXd irradiation(const P1& light, const HeatSystem& system, double time, const Eigen::VectorXd& temperature);
 
 }  // namespace parison::thermal

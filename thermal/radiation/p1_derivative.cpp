@@ -11,14 +11,14 @@ namespace {
 /// absorbed again, so the matrix is never off by more than half.
 constexpr double not_absorbed_again = 0.5;
 
-Field emission_slope(const P1& light, int band, const Field& temperature) {
+Field emission_slope(const P1& light, int group, const Field& temperature) {
   Field slope(temperature.size());
   const LightLaws& laws = light.laws();
   for (std::size_t g = 0; g < slope.size(); ++g)
     for (int q = 0; q < core::cell_points; ++q) {
       for (int lane = 0; lane < core::batch_size; ++lane)
-        slope[g][q][lane] = laws.irradiation(band, temperature[g][q][lane]).derivative;
-      slope[g][q] *= laws.absorption(band) * light.volumes[g][q];
+        slope[g][q][lane] = laws.irradiation(group, temperature[g][q][lane]).derivative;
+      slope[g][q] *= laws.group(group).absorption * light.volumes[g][q];
     }
   return slope;
 }
@@ -52,8 +52,8 @@ void linearise_surface(const P1& light, const HeatSystem& system, const Eigen::V
     result.opaque_slave[at] = contact.opaque * own;
     result.opaque_open[at] = contact.opaque_open * own;
     result.opaque_master[at] = contact.opaque * area * laws.opaque_emission(master).derivative;
-    for (int k = 0; k < laws.band_count(); ++k)
-      result.from_tool[k][at] = contact.to_tool * area * laws.irradiation(k, master).derivative;
+    for (int k = 0; k < laws.group_count(); ++k)
+      result.from_tool[k][at] = light.to_tool(k, contact) * area * laws.irradiation(k, master).derivative;
   }
 }
 
@@ -63,9 +63,9 @@ LightDerivatives linearise_light(const P1& light, const HeatSystem& system, cons
   const auto points = static_cast<Eigen::Index>(light.contacts.size());
   LightDerivatives result;
   result.opaque_slave = result.opaque_master = result.opaque_open = Eigen::ArrayXd::Zero(points);
-  result.from_tool.assign(light.laws().band_count(), Eigen::ArrayXd::Zero(points));
+  result.from_tool.assign(light.laws().group_count(), Eigen::ArrayXd::Zero(points));
   const Field at_cells = at_cell_points(light, system, temperature);
-  for (int k = 0; k < light.laws().band_count(); ++k) result.emission.push_back(emission_slope(light, k, at_cells));
+  for (int k = 0; k < light.laws().group_count(); ++k) result.emission.push_back(emission_slope(light, k, at_cells));
   linearise_surface(light, system, temperature, result);
   return result;
 }
@@ -78,19 +78,19 @@ void apply_light(const P1& light, const HeatSystem& system, const LightDerivativ
   std::vector<Field> emitted;
   Eigen::ArrayXd to_tool = derivatives.opaque_slave * sides.slave - derivatives.opaque_master * sides.master;
   const Eigen::ArrayXd opaque = to_tool - derivatives.opaque_open * sides.slave;
-  for (int k = 0; k < light.laws().band_count(); ++k) {
+  for (int k = 0; k < light.laws().group_count(); ++k) {
     emitted.push_back(changed_emission(derivatives.emission[k], at_cells));
     const Eigen::ArrayXd from_tool = derivatives.from_tool[k] * sides.master;
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(light.size);
     for (std::size_t i = 0; i < light.contacts.size(); ++i)
       add_at_point(from_tool[static_cast<Index>(i)], light.contacts[i].light, light.contacts[i].shape.data(), rhs);
-    G.push_back(solve_band(light, k, emitted.back(), std::move(rhs)));
+    G.push_back(solve_group(light, k, emitted.back(), std::move(rhs)));
     for (std::size_t i = 0; i < light.contacts.size(); ++i) {
       const LightContact& contact = light.contacts[i];
       const auto at = static_cast<Index>(i);
-      to_tool[at] +=
-          contact.to_tool * system.interface.area[at] * at_point(G.back(), contact.light, contact.shape.data()) -
-          from_tool[at];
+      to_tool[at] += light.to_tool(k, contact) * system.interface.area[at] *
+                         at_point(G.back(), contact.light, contact.shape.data()) -
+                     from_tool[at];
     }
   }
   add_absorbed(light, system, G, emitted, -step, result);
@@ -121,7 +121,7 @@ void add_cells(StepMatrix& matrix, const P1& light, const HeatSystem& system, co
     std::array<double, N * N> local{};
     for (int q = 0; q < core::cell_points; ++q) {
       double slope = 0;
-      for (const Field& band : derivatives.emission) slope += band[batch][q][static_cast<int>(lane)];
+      for (const Field& group : derivatives.emission) slope += group[batch][q][static_cast<int>(lane)];
       slope *= step * not_absorbed_again;
       for (int i = 0; i < N; ++i)
         for (int j = 0; j <= i; ++j) local[i * N + j] += slope * shapes(q, i) * shapes(q, j);
@@ -148,7 +148,7 @@ void assemble_light(StepMatrix& matrix, const P1& light, const HeatSystem& syste
                local.data());
   }
   Eigen::ArrayXd master = derivatives.opaque_master;
-  for (const Eigen::ArrayXd& band : derivatives.from_tool) master += band;
+  for (const Eigen::ArrayXd& group : derivatives.from_tool) master += group;
   const Eigen::ArrayXd slave = derivatives.opaque_slave - derivatives.opaque_open;
   for (std::size_t k = 0; k < system.interface.segments.size(); ++k) {
     const HeatSegment& segment = system.interface.segments[k];

@@ -9,8 +9,8 @@ namespace parison::thermal {
 
 namespace {
 
-/// Flux between the surface and what is outside of it in one band.
-struct BandFlux {
+/// Flux between the surface and what is outside of it of one group.
+struct GroupFlux {
   Eigen::VectorXd irradiation;       ///< W/m2, by unknown
   std::vector<double> surroundings;  ///< irradiation in equilibrium with them, W/m2, by boundary
   Eigen::ArrayXd tool;               ///< in equilibrium with the tool, W/m2, by point of the interface
@@ -26,69 +26,67 @@ std::vector<double> surroundings_at(const P1& light, const HeatSystem& system, d
 
 /// Irradiation in equilibrium with what lies outside of a point of an edge: the surroundings, or a black wall of the
 /// glass's temperature.
-double outside_of(const P1& light, const LightEdge& edge, int q, int band, const BandFlux& flux,
+double outside_of(const P1& light, const LightEdge& edge, int q, int group, const GroupFlux& flux,
                   const Eigen::VectorXd& temperature) {
   if (!edge.black) return flux.surroundings[edge.boundary];
   return light.laws()
-      .irradiation(band, at_point(temperature, edge.temperature, edge.temperature_shape[q].data()))
+      .irradiation(group, at_point(temperature, edge.temperature, edge.temperature_shape[q].data()))
       .value;
 }
 
-double coefficient(const P1& light, const LightEdge& edge) {
-  return edge.black ? LightLaws::to_black_wall() : light.laws().to_surroundings();
-}
-
-Field emission_at(const P1& light, int band, const Field& temperature) {
+Field emission_at(const P1& light, int group, const Field& temperature) {
   Field emitted(temperature.size());
   const LightLaws& laws = light.laws();
   for (std::size_t g = 0; g < emitted.size(); ++g)
     for (int q = 0; q < core::cell_points; ++q) {
       for (int lane = 0; lane < core::batch_size; ++lane)
-        emitted[g][q][lane] = laws.irradiation(band, temperature[g][q][lane]).value;
-      emitted[g][q] *= laws.absorption(band) * light.volumes[g][q];
+        emitted[g][q][lane] = laws.irradiation(group, temperature[g][q][lane]).value;
+      emitted[g][q] *= laws.group(group).absorption * light.volumes[g][q];
     }
   return emitted;
 }
 
-/// Solves a band; `emitted` gets what its cells emit, W at the quadrature points.
-BandFlux solve(const P1& light, const HeatSystem& system, int band, const std::vector<double>& surroundings,
-               const Eigen::ArrayXd& tool_temperature, const Eigen::VectorXd& temperature, const Field& at_cells,
-               Field& emitted) {
+/// Solves a group; `emitted` gets what its cells emit, W at the quadrature points.
+GroupFlux solve(const P1& light, const HeatSystem& system, int group, const std::vector<double>& surroundings,
+                const Eigen::ArrayXd& tool_temperature, const Eigen::VectorXd& temperature, const Field& at_cells,
+                Field& emitted) {
   const LightLaws& laws = light.laws();
-  BandFlux flux{{}, {}, Eigen::ArrayXd(tool_temperature.size())};
-  for (const double T : surroundings) flux.surroundings.push_back(laws.irradiation(band, T).value);
+  GroupFlux flux{{}, {}, Eigen::ArrayXd(tool_temperature.size())};
+  for (const double T : surroundings) flux.surroundings.push_back(laws.irradiation(group, T).value);
   for (Index i = 0; i < static_cast<Index>(tool_temperature.size()); ++i)
-    flux.tool[i] = laws.irradiation(band, tool_temperature[i]).value;
-  emitted = emission_at(light, band, at_cells);
+    flux.tool[i] = laws.irradiation(group, tool_temperature[i]).value;
+  emitted = emission_at(light, group, at_cells);
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(light.size);
   for (const LightEdge& edge : light.edges)
     for (int q = 0; q < 3; ++q)
-      add_at_point(coefficient(light, edge) * edge.area[q] * outside_of(light, edge, q, band, flux, temperature),
+      add_at_point(light.coefficient(group, edge) * edge.area[q] * outside_of(light, edge, q, group, flux, temperature),
                    edge.light, edge.light_shape[q].data(), rhs);
   for (std::size_t i = 0; i < light.contacts.size(); ++i) {
     const LightContact& contact = light.contacts[i];
     const auto at = static_cast<Index>(i);
-    const double given = contact.to_tool * flux.tool[at] - contact.open * flux.surroundings[contact.boundary];
+    const double given = light.to_tool(group, contact) * flux.tool[at] -
+                         light.open(group, contact) * flux.surroundings[contact.boundary];
     add_at_point(system.interface.area[at] * given, contact.light, contact.shape.data(), rhs);
   }
-  flux.irradiation = solve_band(light, band, emitted, std::move(rhs));
+  flux.irradiation = solve_group(light, group, emitted, std::move(rhs));
   return flux;
 }
 
-/// Adds a band's flux out of the surface to the flows, and to the power into the tools.
-void add_band_flux(const P1& light, const HeatSystem& system, int band, const BandFlux& flux,
-                   const Eigen::VectorXd& temperature, Flows& flows, Eigen::ArrayXd& to_tool) {
+/// Adds a group's flux out of the surface to the flows, and to the power into the tools.
+void add_group_flux(const P1& light, const HeatSystem& system, int group, const GroupFlux& flux,
+                    const Eigen::VectorXd& temperature, Flows& flows, Eigen::ArrayXd& to_tool) {
   for (const LightEdge& edge : light.edges)
     for (int q = 0; q < 3; ++q)
-      flows.to_air[light.body] += coefficient(light, edge) * edge.area[q] *
+      flows.to_air[light.body] += light.coefficient(group, edge) * edge.area[q] *
                                   (at_point(flux.irradiation, edge.light, edge.light_shape[q].data()) -
-                                   outside_of(light, edge, q, band, flux, temperature));
+                                   outside_of(light, edge, q, group, flux, temperature));
   for (std::size_t i = 0; i < light.contacts.size(); ++i) {
     const LightContact& contact = light.contacts[i];
     const auto at = static_cast<Index>(i);
     const double G = at_point(flux.irradiation, contact.light, contact.shape.data());
-    flows.to_air[light.body] -= contact.open * system.interface.area[at] * (G - flux.surroundings[contact.boundary]);
-    to_tool[at] += contact.to_tool * system.interface.area[at] * (G - flux.tool[at]);
+    flows.to_air[light.body] -=
+        light.open(group, contact) * system.interface.area[at] * (G - flux.surroundings[contact.boundary]);
+    to_tool[at] += light.to_tool(group, contact) * system.interface.area[at] * (G - flux.tool[at]);
   }
 }
 
@@ -141,10 +139,10 @@ Field at_cell_points(const P1& light, const HeatSystem& system, const Eigen::Vec
                    system.problem->order, temperature.data());
 }
 
-Eigen::VectorXd solve_band(const P1& light, int band, const Field& emitted, Eigen::VectorXd rhs) {
+Eigen::VectorXd solve_group(const P1& light, int group, const Field& emitted, Eigen::VectorXd rhs) {
   if (!light.solvable) return Eigen::VectorXd::Constant(light.size, std::numeric_limits<double>::quiet_NaN());
   add_from_points(light.batches.data(), emitted, light.order, rhs.data());
-  return light.kept->factor[band].solve(rhs);
+  return light.kept->factor[group].solve(rhs);
 }
 
 void add_absorbed(const P1& light, const HeatSystem& system, const std::vector<Eigen::VectorXd>& irradiation,
@@ -152,7 +150,7 @@ void add_absorbed(const P1& light, const HeatSystem& system, const std::vector<E
   Field absorbed(light.batches.size());
   for (std::size_t k = 0; k < irradiation.size(); ++k) {
     const Field G = at_points(light.batches.data(), light.batches.size(), light.order, irradiation[k].data());
-    const double scale = factor * light.laws().absorption(static_cast<int>(k));
+    const double scale = factor * light.laws().group(static_cast<int>(k)).absorption;
     for (std::size_t g = 0; g < absorbed.size(); ++g)
       for (int q = 0; q < core::cell_points; ++q)
         absorbed[g][q] += scale * light.volumes[g][q] * G[g][q] - factor * emitted[k][g][q];
@@ -168,11 +166,11 @@ void add_light(const P1& light, const HeatSystem& system, double time, const Eig
   const double to_air_before = flows.to_air[light.body];
   const Field at_cells = at_cell_points(light, system, temperature);
   std::vector<Eigen::VectorXd> G;
-  std::vector<Field> emitted(light.laws().band_count());
+  std::vector<Field> emitted(light.laws().group_count());
   Eigen::ArrayXd to_tool = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(light.contacts.size()));
-  for (int k = 0; k < light.laws().band_count(); ++k) {
-    BandFlux flux = solve(light, system, k, surroundings, sides.master, temperature, at_cells, emitted[k]);
-    add_band_flux(light, system, k, flux, temperature, flows, to_tool);
+  for (int k = 0; k < light.laws().group_count(); ++k) {
+    GroupFlux flux = solve(light, system, k, surroundings, sides.master, temperature, at_cells, emitted[k]);
+    add_group_flux(light, system, k, flux, temperature, flows, to_tool);
     G.push_back(std::move(flux.irradiation));
   }
   if (power) add_absorbed(light, system, G, emitted, 1, *power);
@@ -183,10 +181,10 @@ void add_light(const P1& light, const HeatSystem& system, double time, const Eig
 
 Eigen::MatrixXd irradiation(const P1& light, const HeatSystem& system, double time,
                             const Eigen::VectorXd& temperature) {
-  Eigen::MatrixXd G(light.size, light.laws().band_count());
+  Eigen::MatrixXd G(light.size, light.laws().group_count());
   const SideTemperatures sides = side_temperatures(system.interface, temperature);
   Field emitted;
-  for (int k = 0; k < light.laws().band_count(); ++k)
+  for (int k = 0; k < light.laws().group_count(); ++k)
     G.col(k) = solve(light, system, k, surroundings_at(light, system, time), sides.master, temperature,
                      at_cell_points(light, system, temperature), emitted)
                    .irradiation;

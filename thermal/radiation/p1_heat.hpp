@@ -9,14 +9,14 @@ namespace parison::thermal {
 /// Temperatures at the quadrature points of the glass, K, or changes of them.
 Field at_cell_points(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature);
 
-/// Adds to the unknowns of the temperature, times `factor`, what the cells absorb of the irradiation of each band less
+/// Adds to the unknowns of the temperature, times `factor`, what the cells absorb of the irradiation of each group less
 /// what they emit, W at the quadrature points.
 void add_absorbed(const P1& light, const HeatSystem& system, const std::vector<Eigen::VectorXd>& irradiation,
                   const std::vector<Field>& emitted, double factor, Eigen::VectorXd& power);
 
-/// Irradiation of a band for the emission of its cells, W at the quadrature points, and a right-hand side that has that
-/// of the surface, W.
-Eigen::VectorXd solve_band(const P1& light, int band, const Field& emitted, Eigen::VectorXd rhs);
+/// Irradiation of a group for the emission of its cells, W at the quadrature points, and a right-hand side that has
+/// that of the surface, W.
+Eigen::VectorXd solve_group(const P1& light, int group, const Field& emitted, Eigen::VectorXd rhs);
 
 inline double at_point(const Eigen::VectorXd& values, const std::array<Index, 3>& unknowns, const double* shape) {
   return shape[0] * values[unknowns[0]] + shape[1] * values[unknowns[1]] + shape[2] * values[unknowns[2]];

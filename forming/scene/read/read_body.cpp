@@ -197,7 +197,10 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
                                material.name));
     if (thermal::has_light(*material.thermal))
       core::refuse(
-          item, fmt::format("\"{}\" has radiation with model = \"p1\", which only the glass can have", material.name));
+          item,
+          fmt::format("\"{}\" has radiation in bands, which only the glass can have; allowed are the models none and "
+                      "rosseland",
+                      material.name));
     if (context.with_light && !material.has_emissivity)
       core::refuse(item,
                    fmt::format("\"{}\" has no emissivity, allowed is a material with one, because light of the glass "

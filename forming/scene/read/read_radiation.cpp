@@ -51,23 +51,24 @@ std::vector<thermal::Band> read_bands(const CaseNode& node) {
 
 std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
   const CaseTable table(node, {"model", "refractive_index", "absorption", "thin_wall", "bands"});
-  enum { none, rosseland, p1 };
+  enum { none, rosseland, p1, p1_cones };
   const auto* named = table.find("model");
-  const int model = named ? core::choice(*named, {"none", "rosseland", "p1"}) : rosseland;
+  const int model = named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones"}) : rosseland;
   // What another model needs may stand beside it, so that a case can be run with each; it is read all the same.
-  const auto wanted = [&](const char* key, int by) { return model == by ? &table.get(key) : table.find(key); };
+  const auto wanted = [&](const char* key, bool needed) { return needed ? &table.get(key) : table.find(key); };
   thermal::Radiation radiation{1, 0, false};
   if (const auto* index = model == none ? table.find("refractive_index") : &table.get("refractive_index")) {
     radiation.refractive_index = core::positive(*index, dimension::none);
     if (radiation.refractive_index < 1)
       core::refuse(*index, fmt::format("{} was found, allowed are refractive indices from 1", index->text));
   }
-  if (const auto* absorption = wanted("absorption", rosseland))
+  if (const auto* absorption = wanted("absorption", model == rosseland))
     radiation.absorption = core::positive(*absorption, dimension::inverse_length);
-  if (const auto* thin_wall = wanted("thin_wall", rosseland)) radiation.thin_wall = core::flag(*thin_wall);
-  if (const auto* bands = wanted("bands", p1)) radiation.bands = read_bands(*bands);
+  if (const auto* thin_wall = wanted("thin_wall", model == rosseland)) radiation.thin_wall = core::flag(*thin_wall);
+  if (const auto* bands = wanted("bands", model >= p1)) radiation.bands = read_bands(*bands);
   if (model == none) return {};
   if (model == p1) radiation.model = thermal::Radiation::Model::p1;
+  if (model == p1_cones) radiation.model = thermal::Radiation::Model::p1_cones;
   return radiation;
 }
 
