@@ -68,6 +68,8 @@ void add_heat_parts(Parts& parts) {
                                       parts.of_glass(fmt::format("emissivity={}", scene.glass.emissivity))};
     };
     parts.add("no_radiation", "radiation inside the glass (P1 in bands): opaque glass", without("none"));
+    if (radiation->model == thermal::Radiation::Model::p1_cones)
+      parts.add("no_cones", "cones of directions: P1 without them", without("p1"));
     if (radiation->absorption > 0)
       parts.add("rosseland", "radiation inside the glass as conduction (Rosseland) in place of P1",
                 without("rosseland"));

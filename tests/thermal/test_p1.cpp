@@ -76,7 +76,8 @@ TEST(P1, the_sources_of_each_band_are_what_crosses_the_surface_in_it) {
         const Eigen::VectorXd T = scattered(system, pair.start);
         Response light{{}, Eigen::VectorXd::Zero(system.size()), evaluate_flows(system, 0, T)};
         Flows flows = light.flows;
-        for (auto* flow : {&flows.to_air, &flows.across, &flows.received, &flows.radiated}) flow->setZero();
+        for (auto* flow : {&flows.to_air, &flows.light_to_air, &flows.across, &flows.received, &flows.radiated})
+          flow->setZero();
         add_light(system.light[0], system, 0, T, flows, &light.power);
         const double in_glass = light.power.head(system.first_unknown[1]).sum();
         const double emitted =
@@ -198,7 +199,7 @@ double emissivity_of_slab(double thickness, double index, int cells) {
 /// The same of the equations of P1 without a mesh.
 double exact_in_p1(double thickness, double index) {
   const LightLaws laws({index, 0, false, Radiation::Model::p1, {{everything, 1}}});
-  const double c = laws.to_surroundings(), half = std::sqrt(3) * thickness / 2, slope = std::sinh(half) / std::sqrt(3);
+  const double c = laws.group(0).open, half = std::sqrt(3) * thickness / 2, slope = std::sinh(half) / std::sqrt(3);
   return 4 * index * index * c * slope / (c * std::cosh(half) + slope);
 }
 

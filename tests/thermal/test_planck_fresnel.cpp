@@ -100,19 +100,41 @@ TEST(Fresnel, the_moments_converge_to_no_and_to_all_reflection) {
   EXPECT_NEAR(reflectivity_moments(1e4).second, 1.0 / 3, 1e-3);
 }
 
-TEST(Fresnel, light_goes_to_a_black_tool_as_to_the_surroundings_and_not_at_all_to_a_mirror) {
-  const LightLaws laws({1.518, 0, false, Radiation::Model::p1, {{2.75e-6, 30}}});
-  EXPECT_DOUBLE_EQ(laws.to_tool(1), laws.to_surroundings());
-  EXPECT_EQ(laws.to_tool(0), 0);
-  EXPECT_LT(laws.to_tool(0.3), laws.to_tool(0.8));
-  EXPECT_LT(laws.to_tool(0.8), laws.to_surroundings());
-  EXPECT_LT(laws.to_surroundings(), LightLaws::to_black_wall());
-  // Of a thick body the flux is less than a black body's in vacuum, 4 n^2 c E over E.
-  EXPECT_LT(4 * 1.518 * 1.518 * laws.to_surroundings() / (1 + std::sqrt(3) * laws.to_surroundings()), 1);
-  const LightLaws clear({1, 0, false, Radiation::Model::p1, {{2.75e-6, 30}}});
-  EXPECT_DOUBLE_EQ(clear.to_surroundings(), LightLaws::to_black_wall());
+using Model = Radiation::Model;
+
+TEST(LightLaws, light_goes_to_a_black_tool_as_to_the_surroundings_and_not_at_all_to_a_mirror) {
+  for (const Model model : {Model::p1, Model::p1_cones}) {
+    const LightLaws laws({1.518, 0, false, model, {{2.75e-6, 30}}});
+    const int leaving = laws.group_count() - 1;
+    EXPECT_DOUBLE_EQ(laws.to_tool(leaving, 1), laws.group(leaving).open);
+    EXPECT_EQ(laws.to_tool(leaving, 0), 0);
+    EXPECT_LT(laws.to_tool(leaving, 0.3), laws.to_tool(leaving, 0.8));
+    EXPECT_LT(laws.to_tool(leaving, 0.8), laws.group(leaving).open);
+    EXPECT_LT(laws.group(leaving).open, laws.group(leaving).black);
+  }
+  const LightLaws clear({1, 0, false, Model::p1, {{2.75e-6, 30}}});
+  EXPECT_DOUBLE_EQ(clear.group(0).open, 0.5);
+  EXPECT_DOUBLE_EQ(clear.group(0).black, 0.5);
   EXPECT_DOUBLE_EQ(grey_exchange(0.8, 0.5), 1 / (1.25 + 2 - 1));
   EXPECT_EQ(grey_exchange(0.8, 0), 0);
+}
+
+TEST(LightLaws, the_cones_share_all_directions_and_only_light_that_is_not_totally_reflected_leaves) {
+  const LightLaws laws({1.518, 0, false, Model::p1_cones, {{2.75e-6, 30}, {4.3e-6, 450}}});
+  ASSERT_EQ(laws.group_count(), 4);
+  for (const int band : {0, 1}) {
+    const LightGroup &kept = laws.group(2 * band), &leaving = laws.group(2 * band + 1);
+    EXPECT_EQ(kept.band, band);
+    EXPECT_DOUBLE_EQ(kept.share + leaving.share, 1);
+    EXPECT_DOUBLE_EQ(kept.share * kept.diffusion + leaving.share * leaving.diffusion, 1 / (3 * kept.absorption));
+    EXPECT_EQ(kept.open, 0);
+    EXPECT_EQ(laws.to_tool(2 * band, 0.8), 0);
+    EXPECT_GT(leaving.open, 0);
+    // Thick glass of one temperature emits as an opaque surface does; the layer's own resistance is sqrt(d/kappa).
+    const double inside = std::sqrt(leaving.diffusion * leaving.absorption);
+    EXPECT_NEAR(4 * 1.518 * 1.518 * leaving.share / (1 / leaving.open + 1 / inside), surface_emissivity(1.518), 0.01);
+  }
+  EXPECT_EQ(LightLaws({1, 0, false, Model::p1_cones, {{2.75e-6, 30}}}).group_count(), 1);
 }
 
 }  // namespace

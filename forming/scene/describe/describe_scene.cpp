@@ -49,10 +49,12 @@ std::string flow_parts(const Scene& scene) {
 
 std::string radiation_text(const Scene& scene) {
   if (!scene.has_light()) return "Rosseland conductivity";
-  const auto& bands = scene.glass.thermal->radiation->bands;
-  return fmt::format(
-      "P1, {} band{}{}", bands.size(), bands.size() == 1 ? "" : "s",
-      std::isfinite(bands.back().up_to) ? fmt::format(", opaque beyond {:g} um", 1e6 * bands.back().up_to) : "");
+  const thermal::Radiation& radiation = *scene.glass.thermal->radiation;
+  const bool cones = radiation.model == thermal::Radiation::Model::p1_cones;
+  const double last = radiation.bands.back().up_to;
+  return fmt::format("P1{}, {} band{}{}", cones ? " in cones" : "", radiation.bands.size(),
+                     radiation.bands.size() == 1 ? "" : "s",
+                     std::isfinite(last) ? fmt::format(", opaque beyond {:g} um", 1e6 * last) : "");
 }
 
 std::string heat_parts(const Scene& scene) {
