@@ -184,61 +184,6 @@ TEST(P1, ida_and_tr_bdf2_agree_with_light) {
   EXPECT_NEAR(by_ida.balance.pairs[0].radiated / outcome.balance.pairs[0].radiated, 1, 1e-4);
 }
 
-/// Light out of both faces of an isothermal slab in cold surroundings over that of a black body.
-double emissivity_of_slab(double thickness, double index, int cells) {
-  const Material material = glass_with({{everything, thickness / 0.01}}, index);
-  const core::Mesh mesh = rectangle(divide(0, 0.01, cells), {0, 0.01 / cells});
-  Problem problem{Geometry::planar, {open_body(mesh, material, 0)}, {}, {}};
-  problem.bodies[0].light.surroundings[bottom].reset();
-  problem.bodies[0].light.surroundings[top].reset();
-  const HeatSystem system = make_heat_system(problem);
-  const Flows flows = evaluate_flows(system, 0, Eigen::VectorXd::Constant(system.size(), 1300));
-  return flows.to_air[0] / (2 * 0.01 / cells * stefan_boltzmann * std::pow(1300, 4));
-}
-
-/// The same of the equations of P1 without a mesh.
-double exact_in_p1(double thickness, double index) {
-  const LightLaws laws({index, 0, false, Radiation::Model::p1, {{everything, 1}}});
-  const double c = laws.group(0).open, half = std::sqrt(3) * thickness / 2, slope = std::sinh(half) / std::sqrt(3);
-  return 4 * index * index * c * slope / (c * std::cosh(half) + slope);
-}
-
-/// Of the radiative transfer equation: 2 n^2 int (1 - R)(1 - exp(-t/mu))/(1 - R exp(-t/mu)) mu dmu.
-double exact_in_transfer(double thickness, double index) {
-  double sum = 0;
-  constexpr int panels = 2000;
-  const double critical = critical_cosine(index);
-  for (int i = 0; i < panels; ++i)
-    for (const auto& at : core::edge_rule(3)) {
-      const double s = (i + at.s) / panels, mu = critical + (1 - critical) * s * s;
-      const double R = fresnel_reflectivity(index, mu), passed = std::exp(-thickness / mu);
-      sum += at.weight / panels * 2 * (1 - critical) * s * mu * (1 - R) * (1 - passed) / (1 - R * passed);
-    }
-  return 2 * index * index * sum;
-}
-
-TEST(P1, an_isothermal_slab_emits_as_the_equations_say_and_the_error_of_the_approximation_is_printed) {
-  tests::Figure off("P1: emission of isothermal slabs against the exact solution of P1, off by (%)");
-  for (const double index : {1.0, 1.518}) {
-    tests::Figure model("P1: emission of slabs of optical thickness 0.1 to 5, n = " + fmt::format("{}", index) +
-                            ", against radiative transfer: off by",
-                        "%");
-    for (const double thickness : {0.1, 0.45, 1.2, 5.0}) {
-      const double found = emissivity_of_slab(thickness, index, 40), exact = exact_in_transfer(thickness, index);
-      off.add(100 * std::abs(found / exact_in_p1(thickness, index) - 1));
-      model.add(100 * std::abs(found / exact - 1));
-      std::printf("n = %g, optical thickness %g: P1 %.5f, exact %.5f\n", index, thickness, found, exact);
-    }
-    model.for_comparison();
-  }
-  off.at_most(0.01);
-  EXPECT_NEAR(exact_in_transfer(0.45, 1.518), 0.38154, 1e-5);
-  EXPECT_NEAR(exact_in_transfer(5, 1.518), 0.90236, 1e-5);
-  const double coarse = std::abs(emissivity_of_slab(5, 1.518, 4) / exact_in_p1(5, 1.518) - 1);
-  const double fine = std::abs(emissivity_of_slab(5, 1.518, 8) / exact_in_p1(5, 1.518) - 1);
-  tests::expect_at_least("the same: order in space", std::log2(coarse / fine), 3.5);
-}
-
 TEST(P1, a_grey_slab_in_radiative_equilibrium_carries_the_flux_of_diffusion_with_jumps) {
   tests::Figure off("P1: grey slab in radiative equilibrium between black walls against 1/(1 + 3 t/4): off by", "%");
   tests::Figure model("the same against the exact flux, optical thickness 0.1, 1 and 10: off by", "%");
