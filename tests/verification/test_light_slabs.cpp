@@ -38,8 +38,8 @@ std::string tool_of(const char* name, double temperature, double low, double hig
 name = "{0}"
 material = "plate"
 temperature = "{1} degC"
-boundary = [{{ name = "low", path = "(0, {2}) mm", {5} }}, {{ name = "right", path = "(1, {2}) mm", condition = "symmetry" }},
-  {{ name = "high", path = "(1, {3}) mm", {6} }}, {{ name = "left", path = "(0, {3}) mm", condition = "symmetry" }}]
+boundary = [{{ name = "low", path = "(0, {2}) (1, {2}) mm", {5} }}, {{ name = "right", path = "(1, {3}) mm", condition = "symmetry" }},
+  {{ name = "high", path = "(0, {3}) mm", {6} }}, {{ name = "left", path = "(0, {2}) mm", condition = "symmetry" }}]
 [[interface]]
 tools = ["{0}"]
 law = "constant"
@@ -69,8 +69,9 @@ emissivity = 0.8
 [glass]
 material = "glass"
 temperature = "{2} degC"
-boundary = [{{ name = "low", path = "(0, 0) mm", condition = "contact" }}, {{ name = "right", path = "(1, 0) mm", condition = "symmetry" }},
-  {{ name = "high", path = "(1, {3}) mm", condition = "contact" }}, {{ name = "left", path = "(0, {3}) mm", condition = "symmetry" }}]
+boundary = [{{ name = "low", path = "(0, 0) (1, 0) mm", condition = "contact" }},
+  {{ name = "right", path = "(1, {3}) mm", condition = "symmetry" }}, {{ name = "high", path = "(0, {3}) mm", condition = "contact" }},
+  {{ name = "left", path = "(0, 0) mm", condition = "symmetry" }}]
 )",
                                  slab.surroundings, radiation, slab.start, slab.thickness);
   std::string tools;

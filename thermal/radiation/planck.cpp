@@ -32,14 +32,14 @@ double planck_fraction(double wavelength_temperature) {
   if (!(wavelength_temperature > 0)) return 0;
   const double x = second_constant / wavelength_temperature;
   if (x > 700) return 0;
-  if (x < 1) {
+  if (x < 0.5) {
     const double y = x * x;
     const double series =
         1.0 / 3 - x / 8 + y * (1.0 / 60 + y * (-1.0 / 5040 + y * (1.0 / 272160 + y * (-1.0 / 13305600))));
     return 1 - norm * x * y * series;
   }
   double sum = 0;
-  for (int n = 1; n <= 40; ++n) {
+  for (int n = 1; n <= 80; ++n) {
     const double term = std::exp(-n * x) / n * (x * x * x + 3 * x * x / n + 6 * x / (n * n) + 6.0 / (n * n * n));
     sum += term;
     if (term < 1e-17 * sum) break;
