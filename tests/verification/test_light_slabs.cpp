@@ -166,7 +166,7 @@ void print(const Slab& slab, const Glass& glass, const End& found) {
 TEST(LightSlabs, P1_in_the_coupled_run_gives_the_temperatures_and_heats_of_its_equations) {
   for (const Glass& glass : glasses) {
     Difference equations(fmt::format("slabs of {} glass, P1 at standard against P1 in one dimension", glass.name));
-    Difference model(fmt::format("the same against radiative transfer", glass.name));
+    Difference model("the same against radiative transfer");
     for (int i = 0; i < 4; ++i) {
       const End found = run_slab(slabs[i], with_model("p1", glass));
       print(slabs[i], glass, found);
