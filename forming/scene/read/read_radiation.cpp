@@ -60,7 +60,8 @@ std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
   if (const auto* index = model == none ? table.find("refractive_index") : &table.get("refractive_index")) {
     radiation.refractive_index = core::positive(*index, dimension::none);
     if (radiation.refractive_index < 1)
-      core::refuse(*index, fmt::format("{} was found, allowed are refractive indices from 1", index->text));
+      core::refuse(*index,
+                   fmt::format("{:g} was found, allowed are refractive indices from 1", radiation.refractive_index));
   }
   if (const auto* absorption = wanted("absorption", model == rosseland))
     radiation.absorption = core::positive(*absorption, dimension::inverse_length);
