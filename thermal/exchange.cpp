@@ -107,6 +107,8 @@ void add_contact_heat(const HeatSystem& system, double time, const std::vector<E
     flows.received[segment.pair] += to_master.sum();
     flows.to_air[segment.slave_body] -= covered1.sum();
     flows.to_air[segment.master_body] -= covered2.sum();
+    flows.exchanged[segment.slave_boundary] -= covered1.sum();
+    flows.exchanged[segment.master_boundary] -= covered2.sum();
     if (!power) continue;
     for (int i = 0; i < 3; ++i) {
       (*power)[segment.unknowns[i]] -= from_slave[i] - covered1[i];
@@ -179,6 +181,7 @@ void add_exchange(const HeatSystem& system, double time, const Eigen::VectorXd& 
       const double T = interpolate(temperature, edge.unknowns.data(), edge.shape[q]);
       const double heat = edge.area[q] * surface_flux(exchange[edge.boundary], T).q;
       flows.to_air[edge.body] += heat;
+      flows.exchanged[edge.boundary] += heat;
       if (power)
         for (int i = 0; i < 3; ++i) (*power)[edge.unknowns[i]] -= edge.shape[q][i] * heat;
     }

@@ -33,6 +33,13 @@ double flux_mismatch(const HeatBalance& balance) {
 void add(HeatBalance& balance, const HeatBalance& step) {
   if (balance.bodies.empty()) balance.bodies.resize(step.bodies.size());
   assert(balance.bodies.size() == step.bodies.size());
+  if (balance.through_boundary.empty()) {
+    balance.first_boundary = step.first_boundary;
+    balance.through_boundary.resize(step.through_boundary.size());
+  }
+  assert(balance.through_boundary.size() == step.through_boundary.size());
+  for (std::size_t i = 0; i < step.through_boundary.size(); ++i)
+    balance.through_boundary[i] += step.through_boundary[i];
   for (std::size_t b = 0; b < step.bodies.size(); ++b) {
     balance.bodies[b].content_change += step.bodies[b].content_change;
     balance.bodies[b].to_air += step.bodies[b].to_air;

@@ -29,6 +29,8 @@ struct PairBalance {
 struct HeatBalance {
   std::vector<BodyBalance> bodies;
   std::vector<PairBalance> pairs;
+  std::vector<Index> first_boundary;     ///< of each body in the count through all bodies, and their number
+  std::vector<double> through_boundary;  ///< out by exchange and prescribed temperature, J, in that count
 };
 
 /// Heat that a body lost through its interfaces, J; negative for a master that the slave heats.

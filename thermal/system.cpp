@@ -55,7 +55,8 @@ void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) 
     for (const Index unknown : edge_unknowns(system, body_index, edge.nodes)) {
       if (system.is_prescribed[unknown]) continue;
       system.is_prescribed[unknown] = 1;
-      system.prescribed.push_back({unknown, &*body.prescribed[edge.boundary_id]});
+      system.prescribed.push_back(
+          {unknown, &*body.prescribed[edge.boundary_id], system.first_boundary[body_index] + edge.boundary_id});
     }
   }
 }
@@ -82,6 +83,7 @@ void number_unknowns(HeatSystem& system) {
     system.first_boundary.push_back(boundaries);
     boundaries += static_cast<Index>(body.mesh->boundaries().size());
   }
+  system.first_boundary.push_back(boundaries);
 }
 
 }  // namespace
@@ -156,6 +158,8 @@ Index body_of(const HeatSystem& system, Index unknown) {
 HeatBalance zero_balance(const HeatSystem& system) {
   HeatBalance balance;
   balance.bodies.resize(system.bodies.size());
+  balance.first_boundary = system.first_boundary;
+  balance.through_boundary.assign(static_cast<std::size_t>(system.first_boundary.back()), 0);
   for (const auto& [slave, master] : system.pairs) balance.pairs.push_back({slave, master});
   return balance;
 }
@@ -166,10 +170,28 @@ void accumulate(HeatBalance& balance, const Flows& flows, double duration) {
     balance.bodies[b].light_to_air += duration * flows.light_to_air[b];
     balance.bodies[b].from_source += duration * flows.from_source[b];
   }
+  for (std::size_t i = 0; i < balance.through_boundary.size(); ++i)
+    balance.through_boundary[i] += duration * flows.exchanged[static_cast<Index>(i)];
   for (std::size_t p = 0; p < balance.pairs.size(); ++p) {
     balance.pairs[p].heat += duration * flows.across[p];
     balance.pairs[p].received += duration * flows.received[p];
     balance.pairs[p].radiated += duration * flows.radiated[p];
+  }
+}
+
+void accumulate_prescribed(HeatBalance& balance, const HeatSystem& system, const PrescribedUnknown& at, double heat) {
+  balance.bodies[body_of(system, at.unknown)].from_prescribed += heat;
+  balance.through_boundary[static_cast<std::size_t>(at.boundary)] -= heat;
+}
+
+void accumulate_imposed(HeatBalance& balance, const HeatSystem& system) {
+  for (std::size_t b = 0; b < balance.bodies.size(); ++b) {
+    const double imposed = balance.bodies[b].from_prescribed = balance.bodies[b].content_change;
+    const auto first = std::find_if(system.prescribed.begin(), system.prescribed.end(), [&](const auto& at) {
+      return body_of(system, at.unknown) == static_cast<Index>(b);
+    });
+    if (first != system.prescribed.end())
+      balance.through_boundary[static_cast<std::size_t>(first->boundary)] -= imposed;
   }
 }
 
@@ -195,7 +217,7 @@ Flows source_flows(const HeatSystem& system, double time) {
   for (Eigen::Index b = 0; b < source.size(); ++b) source[b] *= system.problem->bodies[b].source_factor(time);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(pairs);
   const Eigen::VectorXd no_air = Eigen::VectorXd::Zero(source.size());
-  return {no_air, source, no_air, none, none, none};
+  return {no_air, source, no_air, none, none, none, Eigen::VectorXd::Zero(system.first_boundary.back())};
 }
 
 /// Power of the volume source into each unknown, W.
@@ -238,7 +260,7 @@ Flows evaluate_flows(const HeatSystem& system, double time, const Eigen::VectorX
 
 bool impose_prescribed(const HeatSystem& system, double time, Eigen::VectorXd& temperature) {
   bool changed = false;
-  for (const auto& [unknown, given] : system.prescribed) {
+  for (const auto& [unknown, given, boundary] : system.prescribed) {
     const double value = (*given)(time);
     changed = changed || temperature[unknown] != value;
     temperature[unknown] = value;
@@ -247,7 +269,7 @@ bool impose_prescribed(const HeatSystem& system, double time, Eigen::VectorXd& t
 }
 
 void impose_prescribed_rate(const HeatSystem& system, double time, Eigen::VectorXd& rate) {
-  for (const auto& [unknown, given] : system.prescribed) rate[unknown] = given->derivative(time);
+  for (const auto& [unknown, given, boundary] : system.prescribed) rate[unknown] = given->derivative(time);
 }
 
 }  // namespace parison::thermal

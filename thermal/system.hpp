@@ -31,6 +31,7 @@ struct BodyLaws {
 struct PrescribedUnknown {
   Index unknown;
   const core::TimeFunction* temperature;  ///< K, of a body of the problem
+  Index boundary;                         ///< counted through all bodies
 };
 
 /// Semi-discrete heat equations of a problem on its meshes, in enthalpy form (Eyres et al. 1946):
@@ -41,7 +42,7 @@ struct PrescribedUnknown {
 struct HeatSystem {
   const Problem* problem;
   std::vector<Index> first_unknown;   ///< of each body; the last entry is the number of unknowns
-  std::vector<Index> first_boundary;  ///< of each body, in the count through all bodies
+  std::vector<Index> first_boundary;  ///< of each body, in the count through all bodies; the last entry is their number
   std::vector<BodyLaws> bodies;
   std::vector<std::array<Index, 6>> cells;  ///< unknowns of each cell; in a problem of order 1 only the first three
   std::vector<BatchIndices<6>> batches;     ///< the same for all bodies' batches of cells
@@ -76,6 +77,7 @@ struct Flows {
   Eigen::VectorXd light_to_air;         ///< by body: the part of `to_air` that is light of a model with bands
   Eigen::VectorXd across, received;     ///< by pair: out of the slave's nodes, into the master's nodes
   Eigen::VectorXd radiated;             ///< by pair: the part of `across` that is light
+  Eigen::VectorXd exchanged;            ///< to_air by boundary, counted through all bodies
 };
 /// Terms of the heat equations at a time and temperatures.
 struct Response {
@@ -101,6 +103,11 @@ void impose_prescribed_rate(const HeatSystem& system, double time, Eigen::Vector
 HeatBalance zero_balance(const HeatSystem& system);
 /// Accumulates flows that lasted `duration` seconds.
 void accumulate(HeatBalance& balance, const Flows& flows, double duration);
+/// Accumulates heat, J, that entered through a prescribed unknown.
+void accumulate_prescribed(HeatBalance& balance, const HeatSystem& system, const PrescribedUnknown& at, double heat);
+/// Takes the content change of a balance that has nothing else as heat through the prescribed boundaries: that of each
+/// body as through its first one.
+void accumulate_imposed(HeatBalance& balance, const HeatSystem& system);
 /// Accumulates the change between two contents of the unknowns, J.
 void accumulate_content(HeatBalance& balance, const HeatSystem& system, const Eigen::VectorXd& before,
                         const Eigen::VectorXd& after);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # `cmake --install build` and the Debian package that `ninja -C build package` makes. The program looks for share/parison
 # beside the folder it is in; in a build that leads back to the sources.
-set(scripts render expect compare_heat plot_tradeoff)
+set(scripts render expect compare_heat plot_tradeoff show_in_paraview)
 
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/parison ${CMAKE_BINARY_DIR}/bin)
 foreach(folder cases tools)

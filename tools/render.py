@@ -30,9 +30,9 @@ class Body:
         reader.SetFileName(str(path))
         reader.Update()
         grid = reader.GetOutput()
-        self.points = 1e3 * vtk_to_numpy(grid.GetPoints().GetData())[:, :2]
+        self.points = vtk_to_numpy(grid.GetPoints().GetData())[:, :2]
         self.cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 6)
-        temperature = grid.GetPointData().GetArray("temperature_C")
+        temperature = grid.GetPointData().GetArray("temperature_degC")
         self.temperature = None if temperature is None else vtk_to_numpy(temperature)
         place = grid.GetCellData().GetArray("active")
         self.active = place is None or place.GetTuple1(0) > 0

@@ -185,6 +185,9 @@ const std::string& identifier(const CaseNode& node) {
   const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_' || c == '-'); };
   if (!std::all_of(text(node).begin(), text(node).end(), allowed))
     refuse(node, fmt::format("\"{}\" was found, allowed are names of letters, digits, _ and -", node.text));
+  constexpr std::size_t longest = 100;  // it becomes a part of file names
+  if (node.text.size() > longest)
+    refuse(node, fmt::format("a name of {} characters was found, allowed are up to {}", node.text.size(), longest));
   return node.text;
 }
 

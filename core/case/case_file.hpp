@@ -36,6 +36,8 @@ struct CaseFile {
   std::vector<std::string> overrides;  ///< assignments that were applied, as given
 };
 
+/// Parses the text of a case file; `file` is what sentences about it call it.
+CaseNode parse_case_text(const std::string& text, const std::string& file);
 /// Parses a case file, or the case.toml of a folder.
 CaseFile read_case_file(const std::string& path);
 

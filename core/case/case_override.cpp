@@ -97,9 +97,11 @@ void override_value(CaseFile& file, const std::string& assignment) {
   CaseNode* at = &file.root;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool last = i + 1 == words.size();
-    // A new name in the middle of a path would make a table that nothing uses; the case's own tables are known.
-    // So are the named dimensions, which the case's texts use.
-    at = &step_down(*at, words[i], place, words[0] != "dimension" && (i == 0 || last));
+    // A new table in the middle of a path is read with the case, which refuses what it does not know with the keys that
+    // are allowed. Materials may have any name: a new one would be a table that nothing uses, and so would a new
+    // dimension, since it is the case's texts that use them.
+    const bool has_free_names = i == 1 && words[0] == "material" && !last;
+    at = &step_down(*at, words[i], place, words[0] != "dimension" && !has_free_names);
   }
   const std::string name = at->name;
   *at = value;

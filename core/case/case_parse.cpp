@@ -88,26 +88,33 @@ CaseNode parse_value(const std::string& text, const CaseNode& place) {
   return value;
 }
 
-CaseFile read_case_file(const std::string& path) {
-  namespace fs = std::filesystem;
-  const fs::path file = fs::is_directory(path) ? fs::path(path) / "case.toml" : fs::path(path);
+CaseNode parse_case_text(const std::string& text, const std::string& file) {
   CaseNode place;
-  place.file = file.string();
+  place.file = file;
   place.line = 1;
-  if (!fs::is_regular_file(file))
-    refuse(place, "no such file, allowed is a case file or a folder that holds a case.toml");
-  constexpr std::size_t max_bytes = 4'000'000;  // its tree takes some hundred times as much memory
-  const InputFile content = read_input_file(place.file, max_bytes);
-  if (!content.problem.empty()) refuse(place, content.problem);
-  const std::string& text = content.content;
   require_parsable(text, place);
-  const auto parsed = toml::parse(std::string_view(text), std::string_view(place.file));
+  const auto parsed = toml::parse(std::string_view(text), std::string_view(file));
   if (!parsed) {
     place.line = static_cast<int>(parsed.error().source().begin.line);
     refuse(place, fmt::format("{}, allowed is TOML", parsed.error().description()));
   }
+  return convert(parsed.table(), place);
+}
+
+CaseFile read_case_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;  // as of a loop of links: the reading says what it is
+  const fs::path file = fs::is_directory(path, unknown) ? fs::path(path) / "case.toml" : fs::path(path);
+  CaseNode place;
+  place.file = file.string();
+  place.line = 1;
+  if (!fs::exists(file, unknown) && !unknown)
+    refuse(place, "no such file, allowed is a case file or a folder that holds a case.toml");
+  constexpr std::size_t max_bytes = 4'000'000;  // its tree takes some hundred times as much memory
+  const InputFile content = read_input_file(place.file, max_bytes);
+  if (!content.problem.empty()) refuse(place, content.problem);
   const auto directory = file.parent_path();
-  return {place.file, directory.empty() ? "." : directory.string(), convert(parsed.table(), place), {}};
+  return {place.file, directory.empty() ? "." : directory.string(), parse_case_text(content.content, place.file), {}};
 }
 
 }  // namespace parison::core

@@ -34,10 +34,9 @@ double Table::integral(double at) const {
   if (x.size() == 1) return y.front() * at;
   if (at <= x.front()) return y.front() * (at - x.front());
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < x.size() && x[i] < at; ++i) {
-    const double end = std::min(at, x[i + 1]);
-    sum += 0.5 * (y[i] + (*this)(end)) * (end - x[i]);
-  }
+  std::size_t i = 0;
+  for (; i + 1 < x.size() && x[i + 1] <= at; ++i) sum += 0.5 * (y[i] + y[i + 1]) * (x[i + 1] - x[i]);
+  if (i + 1 < x.size() && x[i] < at) sum += 0.5 * (y[i] + (*this)(at)) * (at - x[i]);
   return sum + y.back() * std::max(0.0, at - x.back());
 }
 

@@ -12,6 +12,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkSMPTools.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -48,7 +49,7 @@ vtkNew<vtkFloatArray> array(const std::string& name, int components, vtkIdType t
 void set_points(const Mesh& mesh, const Point& displacement, vtkUnstructuredGrid& grid) {
   const auto values = array("Points", vtk_dim, mesh.node_count());
   for (Index i = 0; i < mesh.node_count(); ++i)
-    for (int k = 0; k < dim; ++k) values->SetTypedComponent(i, k, single(mesh.nodes[i][k] + displacement[k]));
+    for (int k = 0; k < dim; ++k) values->SetTypedComponent(i, k, single(1e3 * (mesh.nodes[i][k] + displacement[k])));
   vtkNew<vtkPoints> points;
   points->SetData(values);
   grid.SetPoints(points);
@@ -90,6 +91,10 @@ void add_fields(const Mesh& mesh, const VtuFields& fields, vtkUnstructuredGrid& 
   time->SetName("TimeValue");
   time->InsertNextValue(fields.time);
   grid.GetFieldData()->AddArray(time);
+  vtkNew<vtkStringArray> unit;
+  unit->SetName("LengthUnit");
+  unit->InsertNextValue("mm");
+  grid.GetFieldData()->AddArray(unit);
 }
 
 }  // namespace

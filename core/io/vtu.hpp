@@ -25,7 +25,8 @@ struct VtuFields {
   std::vector<CellConstant> cell;
 };
 
-/// Writes quadratic triangles to a .vtu file: binary, values in single precision.
+/// Writes quadratic triangles to a .vtu file: binary, values in single precision, points in mm, which the file says in
+/// its field data LengthUnit.
 void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields);
 
 /// A ParaView collection (.pvd): the files of a time series. It is written whole at each addition, so that it can be

@@ -13,6 +13,13 @@ namespace {
 /// temperatures, also near and below T0 where it has no value.
 constexpr double max_log10 = 12;
 
+/// A viscosity by measured points: ln eta, at most that of frozen glass, and its derivative.
+ViscosityTable::Value capped(const ViscosityTable& table, double temperature) {
+  const ViscosityTable::Value value = table(temperature);
+  const double highest = std::log(10) * max_log10;
+  return value.logarithm < highest ? value : ViscosityTable::Value{highest, 0};
+}
+
 /// ln eta at one or more temperatures, which are numbers, arrays or core::Dual.
 template <typename Number>
 Number log_viscosity(const Viscosity& law, const Number& temperature) {
@@ -31,14 +38,17 @@ Number log_factor(const Carreau& law, const Number& squared_rate) {
 }  // namespace
 
 bool Viscosity::is_capped(double temperature) const {
+  if (table) return (*table)(temperature).logarithm >= std::log(10) * max_log10;
   return !constant && !(temperature > T0 && A + B / (temperature - T0) < max_log10);
 }
 
 double Viscosity::operator()(double temperature) const {
+  if (table) return std::exp(capped(*table, temperature).logarithm);
   return constant ? *constant : std::exp(log_viscosity(*this, temperature));
 }
 
 Eigen::ArrayXd Viscosity::logarithm(const Eigen::ArrayXd& temperature) const {
+  if (table) return temperature.unaryExpr([&](double T) { return capped(*table, T).logarithm; });
   return log_viscosity(*this, temperature);
 }
 
@@ -51,6 +61,7 @@ double Viscosity::derivative(double temperature) const {
 }
 
 double Viscosity::log_derivative(double temperature) const {
+  if (table) return capped(*table, temperature).derivative;
   return log_viscosity(*this, core::Dual<double>{temperature, 1}).derivative;
 }
 

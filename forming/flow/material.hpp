@@ -3,13 +3,16 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "forming/flow/viscosity/viscosity_table.hpp"
+
 namespace parison::flow {
 
 /// The law of Vogel (1921), Fulcher (1925) and Tammann (1926): log10 eta = A + B/(T - T0) with eta in Pa.s, at most 12.
 struct Viscosity {
   double A = 0;
-  double B = 0, T0 = 0;            ///< K
-  std::optional<double> constant;  ///< Pa.s, at every temperature, instead of the law
+  double B = 0, T0 = 0;                      ///< K
+  std::optional<double> constant;            ///< Pa.s, at every temperature, instead of the law
+  std::optional<ViscosityTable> table = {};  ///< measured points instead of the law
 
   /// eta, Pa.s, at a temperature in K.
   double operator()(double temperature) const;

@@ -13,7 +13,9 @@
 #include "core/mesh/element.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
+#include "forming/report/contour/contour.hpp"
 #include "forming/report/error_bars.hpp"
+#include "forming/report/files/tool_rows.hpp"
 #include "forming/report/summary_parts.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
@@ -142,16 +144,22 @@ void add_bodies(JsonWriter& json, const Summary& summary) {
   json.open_object("glass");
   json.add("mass_kg", summary.glass.mass);
   json.add("volume_m3", summary.glass.volume);
-  json.add("temperature_mean_C", celsius(summary.glass.mean));
-  json.add("temperature_min_C", celsius(summary.glass.lowest));
-  json.add("temperature_max_C", celsius(summary.glass.highest));
+  json.add("temperature_mean_degC", celsius(summary.glass.mean));
+  json.add("temperature_min_degC", celsius(summary.glass.lowest));
+  json.add("temperature_max_degC", celsius(summary.glass.highest));
   json.close();
   json.open_object("tools");
   for (const ToolSummary& tool : summary.tools) {
     json.open_object(tool.name);
     json.add("heat_received_J", tool.heat_received);
     if (tool.radiated) json.add("heat_radiated_J", *tool.radiated);
-    json.add("surface_temperature_max_C", celsius(tool.max_surface_temperature));
+    json.add("surface_temperature_max_degC", celsius(tool.max_surface_temperature));
+    json.add("hottest_time_s", tool.hottest.time);
+    json.add("hottest_r_mm", 1e3 * tool.hottest.at[0]);
+    json.add("hottest_z_mm", 1e3 * tool.hottest.at[1]);
+    json.open_object("heat_through_faces_J");
+    for (const auto& [face, heat] : tool.faces) json.add(face, heat);
+    json.close();
     json.close();
   }
   json.close();
@@ -168,39 +176,6 @@ void add_stages(JsonWriter& json, const RunFacts& run) {
     add_work(json, stage.work);
     json.close();
   }
-  json.close();
-}
-
-void add_errors(JsonWriter& json, const ErrorBars& bars) {
-  json.open_object("error_bars");
-  json.open_list("coarser_runs");
-  for (const CoarserRun& run : bars.coarser) {
-    json.open_object("");
-    json.add("coarser", run.factor);
-    json.add("cpu_seconds", run.cpu_seconds);
-    json.close();
-  }
-  json.close();
-  json.add("thickness_profile_mean", bars.profile_mean);
-  json.add("thickness_profile_max", bars.profile_max);
-  json.add("heat_into_tools", bars.heat);
-  json.close();
-}
-
-void add_control(JsonWriter& json, const AccuracyRecord& control) {
-  json.open_object("accuracy_control");
-  json.add("target", control.target);
-  json.add("reached", control.reached());
-  json.open_list("runs");
-  for (const ControlledRun& run : control.runs) {
-    json.open_object("");
-    json.add("coarser_than_draft", run.factor);
-    json.add("completed", run.completed);
-    json.add("cpu_seconds", run.cpu_seconds);
-    if (std::isfinite(run.estimate)) json.add("estimated_error", run.estimate);
-    json.close();
-  }
-  json.close();
   json.close();
 }
 
@@ -235,6 +210,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_stages(json, summary.run);
   add_cavities(json, scene, state);
   add_thickness(json, summary);
+  add_flags(json, summary.flags);
   add_checks(json, summary.run.checks);
   add_container(json, scene, state);
   if (bars) add_errors(json, *bars);
@@ -270,9 +246,19 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
     const double max_temperature =
         body.temperature.size() > 0 ? body.max_surface_temperature : std::numeric_limits<double>::quiet_NaN();
     const auto radiated = scene.has_light() ? std::optional(body.heat_radiated) : std::nullopt;
-    summary.tools.push_back(
-        {scene.tools[i].name, body.heat_received, radiated, max_temperature, body.offset, body.force});
+    summary.tools.push_back({scene.tools[i].name,
+                             body.heat_received,
+                              radiated,
+                             max_temperature,
+                             i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{},
+                             body.offset,
+                             body.force,
+                             {}});
+    if (scene.tools[i].thermal)
+      for (const std::size_t face : reported_faces(scene.tools[i]))
+        summary.tools.back().faces.emplace_back(scene.tools[i].boundaries[face].name, body.heat_through[face]);
   }
+  summary.flags = raised_flags(scene, run.extremes, state.time, summary.thickness);
   summary.quantities = quantities(scene, state, summary, profile.rows);
   return summary;
 }
@@ -282,6 +268,9 @@ Summary write_summary(const std::string& directory, const Scene& scene, const St
   const Summary summary = summarise(scene, state, run, profile);
   core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));
   write_thickness(directory + "/thickness.csv", profile.rows);
+  const std::vector<ContourPoint> points = contour(scene, state, profile);
+  core::replace_file(directory + "/contour.csv", contour_text(scene, state, points));
+  core::replace_file(directory + "/heights.csv", heights_text(height_rows(scene, state, points)));
   mark(directory, run.checks);
   return summary;
 }

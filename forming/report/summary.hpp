@@ -8,6 +8,7 @@
 
 #include "forming/report/checks/check.hpp"
 #include "forming/report/files/history.hpp"
+#include "forming/report/process/flags.hpp"
 #include "forming/report/quantities.hpp"
 #include "forming/report/solver_statistics.hpp"
 #include "forming/report/thickness_profile.hpp"
@@ -36,7 +37,8 @@ struct RunFacts {
   double cpu_seconds = 0;                ///< of the whole process
   std::map<std::string, double> timing;  ///< s by part
   std::vector<std::string> warnings;
-  Checks checks;  ///< of the run's end
+  Checks checks;      ///< of the run's end
+  Extremes extremes;  ///< of temperatures
   std::vector<StageRecord> stages;
   SolverStatistics solver_statistics;
 };
@@ -48,10 +50,12 @@ struct RunOutcome {
 
 struct ToolSummary {
   std::string name;
-  double heat_received;            ///< J
-  std::optional<double> radiated;  ///< the part of it that came as light, J; none without light in bands
-  double max_surface_temperature;  ///< so far, K; NaN where the tool carries no heat
-  double position, force;          ///< m, N
+  double heat_received;                               ///< J
+  std::optional<double> radiated;                     ///< the part of it that came as light, J; none without light in bands
+  double max_surface_temperature;                     ///< so far, K; NaN where the tool carries no heat
+  Extreme hottest;                                    ///< the same at the end of a step, with time and place
+  double position, force;                             ///< m, N
+  std::vector<std::pair<std::string, double>> faces;  ///< boundaries with cooling or a given temperature, heat out, J
 };
 
 /// The results of a run in numbers.
@@ -62,11 +66,12 @@ struct Summary {
   ThicknessRange thickness;  ///< m
   std::string no_wall;       ///< why there is no thickness, a sentence; empty with one
   double outer_within_02mm;  ///< share of the outer surface within 0.2 mm of an active tool
+  FlagsRaised flags;
   Quantities quantities;
 };
 Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const ThicknessProfile& profile);
 
-/// Writes thickness.csv and summary.json into the result folder.
+/// Writes thickness.csv, contour.csv, heights.csv and summary.json into the result folder.
 Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run);
 /// Writes summary.json again, now with error bars.
 struct ErrorBars;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "forming/report/cavity_report.hpp"
+#include "forming/report/checks/check.hpp"
 #include "forming/step/work.hpp"
 
 namespace parison::forming {
@@ -59,11 +60,45 @@ void add_cavities(core::JsonWriter& json, const Scene& scene, const State& state
   json.close();
 }
 
+void add_errors(core::JsonWriter& json, const ErrorBars& bars) {
+  json.open_object("error_bars");
+  json.open_list("coarser_runs");
+  for (const CoarserRun& run : bars.coarser) {
+    json.open_object("");
+    json.add("coarser", run.factor);
+    json.add("cpu_seconds", run.cpu_seconds);
+    json.close();
+  }
+  json.close();
+  json.add("thickness_profile_mean", bars.profile_mean);
+  json.add("thickness_profile_max", bars.profile_max);
+  json.add("heat_into_tools", bars.heat);
+  json.close();
+}
+
+void add_control(core::JsonWriter& json, const AccuracyRecord& control) {
+  json.open_object("accuracy_control");
+  json.add("target", control.target);
+  json.add("reached", control.reached());
+  json.open_list("runs");
+  for (const ControlledRun& run : control.runs) {
+    json.open_object("");
+    json.add("coarser_than_draft", run.factor);
+    json.add("completed", run.completed);
+    json.add("cpu_seconds", run.cpu_seconds);
+    if (std::isfinite(run.estimate)) json.add("estimated_error", run.estimate);
+    json.close();
+  }
+  json.close();
+  json.close();
+}
+
 double max_work_imbalance(const Scene& scene, const State& state, const RunFacts& run) {
-  double largest = std::numeric_limits<double>::quiet_NaN();
-  if (!scene.has_flow()) return largest;
+  if (!scene.has_flow() || run.stages.empty()) return std::numeric_limits<double>::quiet_NaN();
   const double least = least_loss(scene, state);
-  for (const StageRecord& stage : run.stages) largest = std::fmax(largest, std::abs(work_imbalance(stage.work, least)));
+  double largest = 0;
+  for (const StageRecord& stage : run.stages)
+    if (const double found = std::abs(work_imbalance(stage.work, least)); is_worse(found, largest)) largest = found;
   return largest;
 }
 

@@ -100,6 +100,7 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
     text += line("max penetration", fmt::format("{:.4f} mm", 1e3 * totals.max_penetration));
   text += cavity_line(scene, state);
   text += line("wall time", fmt::format("{:.1f} s", summary.run.wall_seconds));
+  for (const Flag& flag : summary.flags) text += line("flag", flag.sentence);
   for (const std::string& warning : summary.run.warnings) text += line("warning", warning);
   for (const std::string& complaint : complaints(summary.run.checks)) text += line("check", complaint);
   return text;

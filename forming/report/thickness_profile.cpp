@@ -279,7 +279,7 @@ ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows) {
 }
 
 void write_thickness(const std::string& path, const std::vector<ThicknessRow>& rows) {
-  std::string text = "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_C,T_outer_C,mark,r_inner_mm,z_inner_mm\n";
+  std::string text = "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_degC,T_outer_degC,mark,r_inner_mm,z_inner_mm\n";
   for (const ThicknessRow& row : rows)
     text += fmt::format(
         "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{},{:.8g},{:.8g}\n", 1e3 * row.arc, 1e3 * row.position[0],

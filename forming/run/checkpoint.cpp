@@ -9,6 +9,8 @@
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
 #include "core/process/run_error.hpp"
+#include "forming/report/files/case_copy.hpp"
+#include "forming/run/resume/case_change.hpp"
 #include "forming/state/visit_state.hpp"
 
 namespace parison::forming {
@@ -16,7 +18,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 7;
+constexpr std::int64_t format_version = 8;
 
 void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
   std::vector<double> values;
@@ -119,12 +121,25 @@ std::int64_t state_layout() {
   return static_cast<std::int64_t>(core::fingerprint(names));
 }
 
+template <typename Visitor, typename Record>
+void visit_extreme(Visitor visit, Record& extreme) {
+  visit("temperature", extreme.temperature);
+  visit("time", extreme.time);
+  visit("r", extreme.at[0]);
+  visit("z", extreme.at[1]);
+  visit("first_beyond", extreme.first_beyond);
+  visit("seconds_beyond", extreme.seconds_beyond);
+}
+
 template <typename Visitor, typename Facts>
 void visit_facts(Visitor visit, Facts& facts) {
   visit("wall_seconds", facts.wall_seconds);
   visit("cpu_seconds", facts.cpu_seconds);
   for (const char* part : timed_parts) visit(part, facts.timing[part]);
   visit_statistics(visit.part("solver_statistics"), facts.solver_statistics);
+  visit_extreme(visit.part("coldest_glass"), facts.extremes.glass);
+  for (std::size_t i = 0; i < facts.extremes.tools.size(); ++i)
+    visit_extreme(visit.part(fmt::format("hottest_tool_{}", i)), facts.extremes.tools[i]);
   for (std::size_t i = 0; i < facts.warnings.size(); ++i)
     visit(fmt::format("warning_{}", i).c_str(), facts.warnings[i]);
   for (std::size_t i = 0; i < facts.stages.size(); ++i) {
@@ -141,15 +156,10 @@ void visit_facts(Visitor visit, Facts& facts) {
 template <typename Visitor, typename Files>
 void visit_files(Visitor visit, Files& files) {
   visit("history_size", files.history_size);
+  visit("tools_size", files.tools_size);
   visit("interface_size", files.interface_size);
+  visit("stage_lowest", files.stage_lowest);
   visit("output_times", files.output_times);
-}
-
-std::string last_path(const std::string& directory) {
-  return directory + "/checkpoint.h5";
-}
-std::string path_before(const std::string& directory) {
-  return directory + "/checkpoint_before.h5";
 }
 
 void require_version(const std::string& path, const Hdf5Group& file) {
@@ -163,12 +173,37 @@ void require_version(const std::string& path, const Hdf5Group& file) {
         path));
 }
 
-void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
-  require_version(path, file);
-  if (static_cast<std::uint64_t>(file.read_integer("fingerprint")) != scene.fingerprint)
+std::vector<std::string> read_overrides(const Hdf5Group& file) {
+  std::vector<std::string> overrides(static_cast<std::size_t>(file.read_integer("overrides")));
+  for (std::size_t i = 0; i < overrides.size(); ++i) overrides[i] = file.read_string(fmt::format("override_{}", i));
+  return overrides;
+}
+
+/// The case has changed; refused where the run has used what changed, or where the result folder does not have it as it
+/// was.
+void require_unused_change(const std::string& path, const Scene& scene, const Hdf5Group& file) {
+  const std::string before = case_copy_folder(std::filesystem::path(path).parent_path().string());
+  const std::vector<std::string> overrides = read_overrides(file);
+  const auto stage = static_cast<Index>(file.open("state").read_integer("stage"));
+  const bool is_known = std::filesystem::exists(before + "/case.toml") &&
+                        read_scene(before, scene.accuracy_name, overrides).fingerprint ==
+                            static_cast<std::uint64_t>(file.read_integer("fingerprint"));
+  if (!is_known)
     throw core::CaseError(fmt::format(
         "{}: a checkpoint of the case \"{}\" with another case file was found, allowed is one of \"{}\" as it is now",
         path, file.read_string("case"), scene.name));
+  const std::string key = used_change(before, overrides, scene, stage);
+  if (!key.empty())
+    throw core::CaseError(fmt::format(
+        "{}: {} has changed, which the run up to this checkpoint has used; allowed are changes of output and "
+        "of the stages after \"{}\"",
+        path, key, scene.stages.at(stage).name));
+}
+
+void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
+  require_version(path, file);
+  if (static_cast<std::uint64_t>(file.read_integer("fingerprint")) != scene.fingerprint)
+    require_unused_change(path, scene, file);
   const std::string accuracy = file.read_string("accuracy");
   if (accuracy != scene.accuracy_name)
     throw core::CaseError(fmt::format("{}: a checkpoint at {} accuracy was found, allowed is one at {} accuracy", path,
@@ -180,31 +215,10 @@ void write_overrides(Hdf5Group& file, const std::vector<std::string>& overrides)
   for (std::size_t i = 0; i < overrides.size(); ++i) file.write(fmt::format("override_{}", i), overrides[i]);
 }
 
-std::vector<std::string> read_overrides(const Hdf5Group& file) {
-  std::vector<std::string> overrides(static_cast<std::size_t>(file.read_integer("overrides")));
-  for (std::size_t i = 0; i < overrides.size(); ++i) overrides[i] = file.read_string(fmt::format("override_{}", i));
-  return overrides;
-}
-
-bool is_there(const std::string& path) {
-  std::error_code unreadable;
-  return std::filesystem::exists(path, unreadable);
-}
-
-bool is_intact(const std::string& path) {
-  return is_there(path) && core::read_hdf5(path).problem.empty();
-}
-
-void rename_file(const std::string& from, const std::string& to) {
-  std::error_code error;
-  std::filesystem::rename(from, to, error);
-  if (error) throw core::RunError(fmt::format("{}: cannot be renamed: {}", from, error.message()));
-}
-
 }  // namespace
 
 void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint) {
-  const std::string made = directory + "/checkpoint_new.h5", last = last_path(directory);
+  const std::string made = directory + "/checkpoint_new.h5";
   core::write_hdf5(made, [&](core::Hdf5Group& file) {
     file.write("version", format_version);
     file.write("layout", state_layout());
@@ -216,36 +230,12 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     file.write("stages_done", static_cast<std::int64_t>(checkpoint.outcome.facts.stages.size()));
     file.write("warnings", static_cast<std::int64_t>(checkpoint.outcome.facts.warnings.size()));
     RunFacts facts = checkpoint.outcome.facts;
+    facts.extremes.tools.resize(scene.tools.size());
     visit_facts(Writer{file.create("facts")}, facts);
     visit_files(Writer{file.create("files")}, checkpoint.files);
     visit_state(Writer{file.create("state")}, checkpoint.outcome.state);
   });
-  if (is_intact(last)) rename_file(last, path_before(directory));  // a damaged one never takes the place of a good one
-  rename_file(made, last);
-  core::sync_to_disk(directory);
-}
-
-bool has_checkpoint(const std::string& directory) {
-  return is_intact(last_path(directory)) || is_intact(path_before(directory));
-}
-
-std::string find_checkpoint(const std::string& directory) {
-  std::string problems;
-  for (const std::string& path : {last_path(directory), path_before(directory)}) {
-    if (!is_there(path)) continue;
-    const std::string problem = core::read_hdf5(path).problem;
-    if (problem.empty()) return path;
-    problems += fmt::format("{} {}; ", path, problem);
-  }
-  if (!problems.empty()) throw core::CaseError(problems + "no other checkpoint is left, the run must begin anew");
-  throw core::CaseError(
-      fmt::format("{}: no checkpoint was found, allowed is the result folder of a run that has begun", directory));
-}
-
-std::string damage_of_last_checkpoint(const std::string& directory) {
-  const std::string path = last_path(directory);
-  const std::string problem = is_there(path) ? core::read_hdf5(path).problem : "";
-  return problem.empty() ? "" : fmt::format("{} {}", path, problem);
+  put_in_place(directory, made);
 }
 
 Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
@@ -255,6 +245,7 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
   auto& [state, facts] = checkpoint.outcome;
   facts.stages.resize(static_cast<std::size_t>(file.read_integer("stages_done")));
   facts.warnings.resize(static_cast<std::size_t>(file.read_integer("warnings")));
+  facts.extremes.tools.resize(scene.tools.size());
   visit_facts(Reader{file.open("facts")}, facts);
   visit_files(Reader{file.open("files")}, checkpoint.files);
   state.tools.resize(scene.tools.size());
@@ -265,7 +256,8 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
 CaseOrigin read_origin(const std::string& path) {
   const Hdf5Group file = core::open_hdf5(path);
   require_version(path, file);
-  return {file.read_string("case_file"), file.read_string("accuracy"), read_overrides(file)};
+  return {file.read_string("case_file"), file.read_string("accuracy"), read_overrides(file),
+          static_cast<std::uint64_t>(file.read_integer("fingerprint"))};
 }
 
 }  // namespace parison::forming

@@ -1,9 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
 #include <string>
 
 #include "forming/report/files/result_files.hpp"
 #include "forming/report/summary.hpp"
+#include "forming/run/resume/checkpoint_files.hpp"
 #include "forming/scene/scene.hpp"
 
 namespace parison::forming {
@@ -18,23 +20,15 @@ struct Checkpoint {
 /// Each file is complete or does not exist.
 void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint);
 
-/// Whether a folder contains a checkpoint whose digest fits.
-bool has_checkpoint(const std::string& directory);
-
-/// The last checkpoint of a result folder whose digest fits; throws core::CaseError where there is none.
-std::string find_checkpoint(const std::string& directory);
-
-/// Why the last checkpoint of a folder is passed over, as a sentence: some byte has changed; else empty.
-std::string damage_of_last_checkpoint(const std::string& directory);
-
-/// Reads a checkpoint bit for bit; throws core::CaseError where it belongs to another case or version, core::RunError
-/// where it is damaged.
+/// Reads a checkpoint bit for bit; throws core::CaseError where it belongs to another version or to a case that has
+/// changed in what the run has used, core::RunError where it is damaged.
 Checkpoint read_checkpoint(const std::string& path, const Scene& scene);
 
 /// The case that a checkpoint was made of.
 struct CaseOrigin {
   std::string file, accuracy;
   std::vector<std::string> overrides;
+  std::uint64_t fingerprint;
 };
 CaseOrigin read_origin(const std::string& path);
 

@@ -28,9 +28,11 @@ RunOutcome run_in_folder(const Scene& scene, const std::string& directory, const
 
 RunOutcome resume_in_folder(const Scene& scene, const std::string& directory, const Observers& others,
                             const StopRequest& stop, const remesh::Mesher& mesher) {
-  Checkpoint from = read_checkpoint(find_checkpoint(directory), scene);
+  const std::string path = find_checkpoint(directory);
+  Checkpoint from = read_checkpoint(path, scene);
+  const bool case_changed = read_origin(path).fingerprint != scene.fingerprint;
   ResultWriter results(directory, std::move(from.files));
-  CheckpointWriter checkpoints(results, from.outcome.state.totals.steps);
+  CheckpointWriter checkpoints(results, from.outcome.state.totals.steps, case_changed);
   return resume(scene, std::move(from.outcome), with_others(results, checkpoints, others), stop, mesher);
 }
 

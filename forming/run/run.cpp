@@ -7,6 +7,7 @@
 
 #include "core/process/run_error.hpp"
 #include "forming/report/checks/checks.hpp"
+#include "forming/report/process/extremes.hpp"
 #include "forming/run/run_in_progress.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/run/step_loop.hpp"
@@ -23,6 +24,7 @@ namespace {
 /// Tells the observers of a step, and of the output times within it and at the stage's end.
 void report_step(RunInProgress& run, const AcceptedStep& step) {
   const State& state = run.outcome.state;
+  update_extremes(run.scene, step.before, state, run.outcome.facts.extremes);
   notify(run, &RunObserver::step_taken, step.before, step.report);
   for (const double time : outputs_due(run.scene, step.before.time, state.time))
     notify(run, &RunObserver::fields_due, time < state.time ? interpolate(step.before, state, time) : state);

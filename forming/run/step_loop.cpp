@@ -18,6 +18,7 @@ namespace {
 /// Shortest step after a rejected one, of the rejected one.
 constexpr double shorten = 0.4, longest_retry = 0.9;
 
+constexpr const char* remesh_sentence = "Where the results look rough there, a smaller numerics.surface_size helps";
 constexpr const char* remesh_advice = "a smaller numerics.surface_size or a larger numerics.quality_floor may help";
 
 /// Tries one step of length dt, s, which `limit` kept from being longer.
@@ -109,7 +110,8 @@ bool remesh_glass(RunInProgress& run, RemeshReason why) {
   const std::string sentence = fmt::format("no new glass mesh: {}", remeshed.reason);
   State& state = run.outcome.state;
   if (++state.totals.remeshing.failed == 1)
-    run.outcome.facts.warnings.push_back(fmt::format("at {:.5f} s {}", state.time, sentence));
+    run.outcome.facts.warnings.push_back(
+        fmt::format("at {:.5f} s {}; the run goes on with the old one. {}", state.time, sentence, remesh_sentence));
   auto& reason = run.outcome.facts.reason;
   if (must) reason += fmt::format("{}{}; {}", reason.empty() ? "" : "; ", sentence, remesh_advice);
   return !must;

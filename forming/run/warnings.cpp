@@ -15,7 +15,7 @@ Warnings moving_tool_warnings(const Scene& scene, const State& state) {
     if (stage.end_speed && std::holds_alternative<ForceMotion>(tool.motion) && speed >= *stage.end_speed)
       warnings.push_back(fmt::format(
           "stage {} ended by its duration of {:g} s while {} still moved at {:.3g} mm/s, above its end_speed of {:g} "
-          "mm/s",
+          "mm/s: a longer duration lets it come to rest, less force or a higher end_speed ends the stage before",
           stage.name, stage.duration, scene.tools[tool.tool].name, 1e3 * speed, 1e3 * *stage.end_speed));
   }
   return warnings;
@@ -27,7 +27,9 @@ Warnings remeshing_warnings(const State& state) {
   if (remeshing.laps > 0)
     warnings.push_back(fmt::format(
         "the glass folded onto itself at {} points. The folds were closed and enclose {:.2g} mm3 of air; the container "
-        "would show fold marks (laps) there",
+        "would show fold marks (laps) there. A hotter gob, a slower plunger or less friction keeps the surface apart; "
+        "the "
+        "VTU files show where",
         remeshing.laps, 1e9 * remeshing.lap_volume));
   if (remeshing.torn > 0)
     warnings.push_back(fmt::format(
@@ -44,7 +46,8 @@ Warnings unused_interface_warnings(const Scene& scene, const State& state) {
     if (state.tools[interface.tool].heat_received == 0 && tool.initial_temperature != scene.glass.initial_temperature)
       warnings.push_back(fmt::format(
           "the interface of the glass with {} was never used: during the whole run they stayed farther apart than "
-          "{:.4g} mm",
+          "{:.4g} mm. Leave it out of the case, or look whether the tool is where it should be: `parison check "
+          "--picture`",
           tool.name, 1e3 * interface.transition_gap));
   }
   return warnings;

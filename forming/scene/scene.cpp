@@ -18,7 +18,7 @@ using core::CaseTable;
 BodyContext read_context(const CaseTable& root, const std::string& directory) {
   constexpr core::Geometry geometries[] = {core::Geometry::axisymmetric, core::Geometry::planar};
   return {directory, geometries[core::choice(root.get("geometry"), {"axisymmetric", "planar"})],
-          read_materials(root.get("material"))};
+          root.find("material") ? read_materials(*root.find("material")) : std::vector<NamedMaterial>{}};
 }
 
 void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
@@ -43,7 +43,14 @@ void read_stages(const CaseTable& root, Scene& scene) {
   if (scene.stages.empty()) core::refuse(stages, "no stage was found, allowed is at least one");
 }
 
-/// Of the case file and of all outlines, which may be in other files.
+/// The case file, what was set, and the bundled materials that it uses.
+std::string text_of(const Scene& scene, const std::vector<std::string>& library) {
+  std::string text = fmt::format("{}{}", core::read_text(scene.file), fmt::join(scene.overrides, "\n"));
+  for (const auto& name : library) text += library_entry(name);
+  return text;
+}
+
+/// Of the text of the case and of all outlines, which may be in other files.
 std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
   const auto add = [&](const Body& body) {
     for (const core::Segment& s : body.profile.segments)
@@ -97,7 +104,9 @@ std::vector<std::string> tool_names(const Scene& scene) {
 
 Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides) {
   auto file = core::read_case_file(path);
+  auto library = add_library_materials(file);  // before the overrides, which may change their values
   for (const auto& assignment : overrides) core::override_value(file, assignment);
+  for (auto& name : add_library_materials(file)) library.push_back(std::move(name));
   const auto dimensions = core::read_dimensions(file);
   const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "trapped_air",
                                    "stage", "probe", "output", "numerics", "dimension"});
@@ -123,8 +132,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   check_interfaces(scene, root.tables("stage"));
   check_support(scene, root);
   check_motions(scene, root.tables("stage"));
-  scene.fingerprint =
-      fingerprint_of(fmt::format("{}{}", core::read_text(file.path), fmt::join(scene.overrides, "\n")), scene);
+  scene.fingerprint = fingerprint_of(text_of(scene, library), scene);
   return scene;
 }
 

@@ -152,12 +152,20 @@ struct Probe {
   core::Point point;  ///< in the body's frame at the start, m; a glass probe moves with the glass
 };
 
+/// Limits of the process that a run tells of when it goes beyond them.
+struct Flags {
+  double tool_surface_above = 645 + 273.15;  ///< K: glass sticks to a hotter tool
+  std::optional<double> glass_below;         ///< K
+  std::optional<double> wall_below;          ///< m, of the finished wall
+};
+
 struct Output {
   std::optional<double> fill_level;       ///< of the finished container below its rim, m
   double interval = 0.1;                  ///< between field outputs, s
   std::vector<double> times;              ///< further output times, s
   double checkpoint_interval = 300;       ///< between checkpoints, s of wall time
   std::optional<Index> checkpoint_steps;  ///< between checkpoints as well, steps
+  Flags flags;
 };
 
 /// A whole case in SI units, validated; nothing changes it during a run.

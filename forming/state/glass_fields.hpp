@@ -37,8 +37,8 @@ enum class TransferRule { conserve_heat, interpolate, interpolate_in_contact, ne
 enum class StageStart { keep, reset, reset_without_tool };
 /// Its value at a time within a step: between those of both ends, or that of the step.
 enum class WithinStep { linear, of_step };
-/// How it is written to the result files.
-enum class FieldOutput { none, value, celsius };
+/// How it is written to the result files: as it is, in mm where it is in m, in degC where it is in K.
+enum class FieldOutput { none, value, millimetre, celsius };
 
 /// One declaration. The constructor wants every rule: a field without one does not compile.
 template <typename FieldValues>
@@ -79,10 +79,11 @@ struct FieldDeclaration {
 
 inline constexpr auto glass_fields = std::make_tuple(
     FieldDeclaration("temperature", "K", Location::node, 1, Needs::heat_or_flow, TransferRule::conserve_heat,
-                     StageStart::keep, WithinStep::linear, FieldOutput::celsius, "temperature_C",
+                     StageStart::keep, WithinStep::linear, FieldOutput::celsius, "temperature_degC",
                      &GlassFields::temperature),
     FieldDeclaration("velocity", "m/s", Location::node, core::dim, Needs::flow, TransferRule::interpolate,
-                     StageStart::reset, WithinStep::of_step, FieldOutput::value, "velocity", &GlassFields::velocity),
+                     StageStart::reset, WithinStep::of_step, FieldOutput::millimetre, "velocity_mm_s",
+                     &GlassFields::velocity),
     FieldDeclaration("acceleration", "m/s2", Location::node, core::dim, Needs::flow, TransferRule::interpolate,
                      StageStart::reset, WithinStep::of_step, FieldOutput::none, "", &GlassFields::acceleration),
     FieldDeclaration("dilatation_mode", "m/s", Location::node, core::dim, Needs::flow, TransferRule::interpolate,

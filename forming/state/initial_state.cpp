@@ -104,6 +104,7 @@ ToolState initial_tool(const Scene& scene, Index index) {
   state.mesh = mesh_of(scene, body_of_tool(index), core::tolerance::tool_edge * core::size(scene.glass.profile),
                        factor * accuracy.tool_contact_size, accuracy.tool_growth);
   if (tool.thermal) state.temperature.setConstant(state.mesh.node_count(), tool.initial_temperature);
+  state.heat_through.assign(state.mesh.boundaries().size(), 0);
   state.offset = tool.position;
   state.max_surface_temperature = tool.initial_temperature;
   return state;

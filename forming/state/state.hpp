@@ -62,6 +62,7 @@ struct ToolState {
   double peak_force = 0;               ///< largest so far without sign while a force drove it or it moved, N
   double heat_received = 0;            ///< through interfaces since the start, J
   double heat_radiated = 0;            ///< the part of it that came as light, with light in bands, J
+  std::vector<double> heat_through;    ///< out through each boundary by cooling, air or given temperature, J
   double max_surface_temperature = 0;  ///< highest temperature so far on its contact boundaries, K
   ContactSkin skin;
   TemperatureBounds bounds;
@@ -113,6 +114,7 @@ struct Totals {
   double overshoot = 0;        ///< of any temperature above the hottest of the scene at any step, K
   double viscous_heating = 0;  ///< by which dissipation can at most have heated a point of the glass, K
   double capped_work = 0;      ///< dissipated where the glass should be stiffer than its viscosity is let be, J
+  double unforeseen_work = 0;  ///< by which work of the steps would differ at the viscosity that their own heat gave, J
   double sampled_work = 0;     ///< dissipated in the steps whose rate of deformation was compared with the recovered, J
   double unresolved_work = 0;  ///< the part of it in the difference, J
   double off_axis = 0;         ///< largest correction of nodes beyond the axis in a step, m

@@ -39,6 +39,7 @@ void visit_tool(Visitor visit, Tool& tool) {
   visit("peak_force", tool.peak_force);
   visit("heat_received", tool.heat_received);
   visit("heat_radiated", tool.heat_radiated);
+  visit("heat_through", tool.heat_through);
   visit("max_surface_temperature", tool.max_surface_temperature);
   visit_skin(visit.part("skin"), tool.skin);
   visit_bounds(visit.part("bounds"), tool.bounds);
@@ -104,6 +105,7 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("overshoot", totals.overshoot);
   visit("viscous_heating", totals.viscous_heating);
   visit("capped_work", totals.capped_work);
+  visit("unforeseen_work", totals.unforeseen_work);
   visit("sampled_work", totals.sampled_work);
   visit("unresolved_work", totals.unresolved_work);
   visit("off_axis", totals.off_axis);

@@ -13,6 +13,7 @@
 #include "forming/step/predictor.hpp"
 #include "forming/step/step_start.hpp"
 #include "forming/step/volume_conservation.hpp"
+#include "forming/step/work.hpp"
 #include "remesh/mesher/quality.hpp"
 
 namespace parison::forming {
@@ -112,6 +113,10 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
     if (!pass_once(start, predictor, workspace, result)) return result;
   }
   State& after = result.state;
+  if (scene.has_flow() && scene.has_heat())
+    after.totals.unforeseen_work +=
+        unforeseen_work(scene.glass.flow->viscosity, state.glass.mesh, result.dissipation, predictor.temperature,
+                        state.glass.temperature, after.glass.temperature, dt);
   if (scene.has_flow()) update_rates(state, dt, after);
   after.time += dt;
   after.stage_time += dt;

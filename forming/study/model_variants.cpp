@@ -8,6 +8,7 @@
 
 #include "core/case/case_file.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
+#include "forming/scene/materials/material_library.hpp"
 
 namespace parison::forming {
 namespace {
@@ -31,6 +32,7 @@ struct Parts {
 /// Names of the materials, which the scene itself does not keep.
 void find_materials(Parts& parts) {
   auto file = core::read_case_file(parts.scene.file);
+  add_library_materials(file);
   for (const auto& assignment : parts.scene.overrides) core::override_value(file, assignment);
   const auto member = [](const core::CaseNode& node, const std::string& name) -> const core::CaseNode* {
     for (const auto& item : node.items)

@@ -43,11 +43,11 @@ def shortfall(folder, full):
     """How far the plunger stood from its place in the full cavity at the end of the press, mm; nan where it is not known."""
     rows = (folder / "history.csv").read_text(encoding="utf-8").splitlines()
     head = rows[0].split(",")
-    if "plunger_position_m" not in head:
+    if "plunger_position_mm" not in head:
         return float("nan")
-    stage, position = head.index("stage"), head.index("plunger_position_m")
+    stage, position = head.index("stage"), head.index("plunger_position_mm")
     pressed = [row.split(",") for row in rows[1:] if row.split(",")[stage] in ("press", "fill")]
-    return abs(1e3 * float(pressed[-1][position]) - full) if pressed else float("nan")
+    return abs(float(pressed[-1][position]) - full) if pressed else float("nan")
 
 
 def run_container(parison, folder, facts, accuracy, cpu_limit):

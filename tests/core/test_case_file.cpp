@@ -38,6 +38,17 @@ TEST(CaseFile, a_folder_stands_for_its_case_toml) {
   EXPECT_EQ(read_case_file(path).directory, folder);
 }
 
+TEST(CaseFile, what_cannot_be_opened_is_a_case_error_that_says_why) {
+  const std::string folder = tests::new_folder();
+  std::filesystem::create_symlink("loop_back", folder + "/loop");
+  std::filesystem::create_symlink("loop", folder + "/loop_back");
+  const auto said = [](const std::string& path) { return complaint(path, [&] { read_case_file(path); }); };
+  EXPECT_EQ(said(folder + "/loop"), "1: cannot be read: Too many levels of symbolic links");
+  EXPECT_EQ(said(folder + '/' + std::string(300, 'x')), "1: cannot be read: File name too long");
+  EXPECT_EQ(said("/dev/null"), "1: is not a file with a content, allowed is a regular file");
+  EXPECT_EQ(said(folder + "/none"), "1: no such file, allowed is a case file or a folder that holds a case.toml");
+}
+
 TEST(CaseFile, every_value_knows_its_line_and_its_keys) {
   const auto file =
       read_case_file(write_case("a = 1\n\n[b]\nlength = '2 mm'\nlist = [\n  'x',\n  'y']\n[[c]]\nd.e = true\n"));
@@ -95,6 +106,14 @@ TEST(CaseFile, an_identifier_has_only_letters_digits_underscore_and_hyphen) {
   EXPECT_EQ(complaint(path, [&] { identifier(root.get("b")); }),
             "2: b: \"blow mould\" was found, allowed are names of letters, digits, _ and -");
   for (const char* key : {"c", "d", "e"}) EXPECT_THROW(identifier(root.get(key)), CaseError) << key;
+  const auto long_one = write_case("f = '" + std::string(101, 'x') + "'\ng = '" + std::string(100, 'x') + "'\n");
+  const auto names = read_case_file(long_one);
+  EXPECT_EQ(complaint(long_one,
+                      [&] {
+                        identifier(CaseTable(names.root, {"f", "g"}).get("f"));
+                      }),
+            "1: f: a name of 101 characters was found, allowed are up to 100");
+  EXPECT_EQ(identifier(CaseTable(names.root, {"f", "g"}).get("g")).size(), 100u);
 }
 
 TEST(CaseFile, a_wrong_kind_of_value_is_named) {

@@ -102,9 +102,6 @@ TEST(CaseOverride, what_leads_nowhere_is_refused_with_the_nearest_name) {
   EXPECT_EQ(
       complaint("interface.2.h=1"),
       "--set: interface.2.h: no entry \"2\" was found, allowed are numbers from 0 to 0, and the names ring, blank");
-  EXPECT_EQ(complaint("tool.blank.mseh.mapped=1"),
-            "--set: tool.blank.mseh.mapped: no \"mseh\" was found (did you mean \"mesh\"?), allowed are mesh, name, "
-            "temperature");
   EXPECT_EQ(complaint("air.h.x=1"),
             "--set: air.h.x: nothing below \"air.h\" was found, allowed is to set the value itself");
   for (const char* broken : {"air.h", "=1", "air..h=1", ""})

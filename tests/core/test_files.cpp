@@ -41,7 +41,7 @@ TEST(Vtu, a_file_read_back_has_the_quadratic_cells_and_the_points_and_fields_in_
   VtuFields fields;
   fields.time = 0.375;
   fields.displacement = Point(0, 0.125);
-  fields.nodal.push_back({"temperature_C", Eigen::VectorXd::LinSpaced(mesh.node_count(), 400, 1100 / 3.0)});
+  fields.nodal.push_back({"temperature_degC", Eigen::VectorXd::LinSpaced(mesh.node_count(), 400, 1100 / 3.0)});
   fields.nodal.push_back({"velocity", Eigen::VectorXd::LinSpaced(dim * mesh.node_count(), -1 / 3.0, 1)});
   fields.cell.push_back({"active", 1});
   const std::string path = new_folder() + "/glass_0000.vtu";
@@ -54,10 +54,10 @@ TEST(Vtu, a_file_read_back_has_the_quadratic_cells_and_the_points_and_fields_in_
   ASSERT_EQ(grid.GetNumberOfPoints(), mesh.node_count());
   ASSERT_EQ(grid.GetNumberOfCells(), mesh.cell_count());
   for (Index i = 0; i < mesh.node_count(); ++i) {
-    EXPECT_EQ(grid.GetPoint(i)[0], static_cast<float>(mesh.nodes[i][0]));
-    EXPECT_EQ(grid.GetPoint(i)[1], static_cast<float>(mesh.nodes[i][1] + 0.125));
+    EXPECT_EQ(grid.GetPoint(i)[0], static_cast<float>(1e3 * mesh.nodes[i][0]));
+    EXPECT_EQ(grid.GetPoint(i)[1], static_cast<float>(1e3 * (mesh.nodes[i][1] + 0.125)));
     EXPECT_EQ(grid.GetPoint(i)[2], 0);
-    EXPECT_EQ(grid.GetPointData()->GetArray("temperature_C")->GetTuple1(i),
+    EXPECT_EQ(grid.GetPointData()->GetArray("temperature_degC")->GetTuple1(i),
               static_cast<float>(fields.nodal[0].values[i]));
     const double* v = grid.GetPointData()->GetArray("velocity")->GetTuple3(i);
     EXPECT_EQ(v[0], static_cast<float>(fields.nodal[1].values[2 * i]));
@@ -70,6 +70,7 @@ TEST(Vtu, a_file_read_back_has_the_quadratic_cells_and_the_points_and_fields_in_
     EXPECT_EQ(grid.GetCellData()->GetArray("active")->GetTuple1(c), 1);
   }
   EXPECT_EQ(grid.GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.375);
+  EXPECT_EQ(grid.GetFieldData()->GetAbstractArray("LengthUnit")->GetVariantValue(0).ToString(), "mm");
 }
 
 TEST(Vtu, the_middle_of_an_edge_in_the_file_is_where_the_quadratic_edge_runs) {
@@ -86,8 +87,8 @@ TEST(Vtu, the_middle_of_an_edge_in_the_file_is_where_the_quadratic_edge_runs) {
     const auto shape = triangle_shape(0.25, 0.25);
     Point expected = Point::Zero();
     for (int k = 0; k < 6; ++k) expected += shape[k] * mesh.nodes[mesh.cells()[c][k]];
-    EXPECT_NEAR(x[0], expected[0], 1e-8);
-    EXPECT_NEAR(x[1], expected[1], 1e-8);
+    EXPECT_NEAR(x[0], 1e3 * expected[0], 1e-5);
+    EXPECT_NEAR(x[1], 1e3 * expected[1], 1e-5);
   }
 }
 

@@ -142,7 +142,9 @@ TEST(NamedDimensions, mistakes_have_file_and_line) {
   EXPECT_EQ(complaint("[dimension]\n2a = \"1 mm\"\n"),
             "2: dimension.2a: the name \"2a\" was found, allowed are names of letters, digits and _ that begin with a "
             "letter, other than pi");
-  EXPECT_EQ(complaint("[dimension]\na = [1]\n"), "2: dimension.a: a list was found, allowed is a text in quotes");
+  EXPECT_EQ(complaint("[dimension]\na = [1]\n"),
+            "2: dimension.a: a list was found, allowed are quantities such as \"24 mm\"; keys that follow [dimension] "
+            "belong to it up to the next heading");
   EXPECT_EQ(complaint("dimension = 3\n"), "1: dimension: the number 3 was found, allowed is a table");
 }
 

@@ -23,5 +23,18 @@ TEST(Table, a_smooth_curve_has_no_kinks_however_many_entries_it_is_given_by) {
   EXPECT_TRUE(kinks(constant(3), 0.05).empty());
 }
 
+TEST(Table, its_integral_is_exact_between_and_beyond_the_entries) {
+  const Table table{{1, 2, 4}, {10, 20, 0}};
+  EXPECT_DOUBLE_EQ(table.integral(0), -10);
+  EXPECT_DOUBLE_EQ(table.integral(1), 0);
+  EXPECT_DOUBLE_EQ(table.integral(1.5), 0.5 * (10 + 15) / 2);
+  EXPECT_DOUBLE_EQ(table.integral(2), 15);
+  EXPECT_DOUBLE_EQ(table.integral(3), 15 + (20 + 10) / 2.);
+  EXPECT_DOUBLE_EQ(table.integral(4), 35);
+  EXPECT_DOUBLE_EQ(table.integral(9), 35);
+  EXPECT_DOUBLE_EQ((Table{{1, 2}, {10, 20}}).integral(5), 15 + 3 * 20);
+  EXPECT_DOUBLE_EQ(constant(3).integral(2), 6);
+}
+
 }  // namespace
 }  // namespace parison::core

@@ -2,6 +2,7 @@
 """The axes of the table of extremes: a name, the claim that decides, and scenes in the order of the axis."""
 from dataclasses import dataclass
 
+from . import coupled
 from . import scenes as s
 
 VFT = '{ law = "vft", A = -2.309, B = "3922 K", T0 = "564.15 K" }'
@@ -96,6 +97,13 @@ HEAT = [
         for f in (1e-3, 1e-2, 1, 100, 1e3)]),
     Axis("contact that opens and closes, times", "not more heat than of one long contact", over(lambda n: open_and_close(n), "n", (2, 20, 100))),
 ]
+LUMPED = "heat of two bodies of one temperature each, by the area and time of contact"
+COUPLED = [
+    Axis("share of a single edge that a tool covers", LUMPED, over(coupled.part_covered, "share", (0.001, 0.01, 0.1, 0.37, 0.5, 0.9, 0.999))),
+    Axis("single partly covered edge, opened and closed in each step, times", LUMPED, over(coupled.part_covered, "cycles", (1, 10, 100, 1000))),
+    Axis("glass pressed and cooled, conductance of the plates, W/m2/K", "work and heat of a disc of one temperature, integrated",
+         over(coupled.pressed_glass, "h", (1, 100, 1e3, 1e4, 1e5), k=1e8)),
+]
 FLOW = [
     Axis("viscosity, Pa.s", SLIP, over(s.squeeze, "viscosity", (1e-3, 1, 1e4, 1e8, 1e12, 1e16))),
     Axis("VFT glass, degC", SLIP, [(f"{T:g}", lambda T=T: vft(T + 273.15)) for T in (1400, 1100, 800, 600, 577, 560, 400)]),
@@ -128,4 +136,4 @@ FLOW = [
     Axis("glass warmed by its own work, m/s", "heat equals work", over(s.warmed, "speed", (1e-3, 0.1, 2, 10))),
     Axis("units", SLIP, [("mm, P, g/cm3", units)]),
 ]
-AXES = HEAT + FLOW
+AXES = HEAT + COUPLED + FLOW

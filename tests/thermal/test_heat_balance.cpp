@@ -70,6 +70,38 @@ TEST(HeatBalance, every_step_closes_to_1e_10_with_all_kinds_of_exchange) {
   EXPECT_LT(temperature[0].minCoeff(), 1150);  // through the peak of the heat capacity
 }
 
+TEST(HeatBalance, the_heat_through_the_boundaries_of_a_body_is_all_that_leaves_it_without_contact) {
+  Everything e;
+  StepMatrix matrix;
+  const StepOutcome outcome = advance(e.problem, 0, e.start, 0.1, {}, matrix);
+  IdaIntegrator ida(e.problem, 0, e.start, {1e-4});
+  for (const HeatBalance& balance : {outcome.balance, ida.advance_to(0.1).balance})
+    for (const std::size_t b : {0u, 1u}) {
+      double sum = 0;
+      for (Index i = balance.first_boundary[b]; i < balance.first_boundary[b + 1]; ++i)
+        sum += balance.through_boundary[static_cast<std::size_t>(i)];
+      const BodyBalance& body = balance.bodies[b];
+      EXPECT_NEAR(sum / (body.to_air - body.from_prescribed), 1, 1e-9);
+    }
+}
+
+TEST(HeatBalance, each_face_of_a_slab_has_the_heat_that_flows_through_it) {
+  const core::Mesh mesh = rectangle(divide(0, 0.02, 4), divide(0, 0.01, 6));
+  const Material iron{7200, core::constant(490), core::constant(46), {}};
+  Problem problem{Geometry::planar, {body(mesh, iron)}, {}, {}};
+  problem.bodies[0].prescribed[bottom] = 500;
+  // 46 W/m/K over 10 mm let 50 K drive 230 kW/m2, which 2300 W/m2/K take off at 100 K above the air.
+  problem.bodies[0].exchange[top] = SurfaceExchange{2300, 350, 0, 300};
+  const std::vector<Eigen::VectorXd> start{sample(mesh, [](const Point& x) { return 500 - 5000 * x[1]; })};
+  StepMatrix matrix;
+  const HeatBalance balance = advance(problem, 0, start, 2, {}, matrix).balance;
+  const double through = 46 * 5000 * 0.02 * 2;
+  EXPECT_NEAR(balance.through_boundary[bottom] / through, -1, 1e-9);
+  EXPECT_NEAR(balance.through_boundary[top] / through, 1, 1e-9);
+  EXPECT_EQ(balance.through_boundary[left], 0);
+  EXPECT_EQ(balance.through_boundary[right], 0);
+}
+
 TEST(HeatBalance, flux_out_of_one_body_equals_flux_into_the_other) {
   Everything e;
   for (BodyView& body : e.problem.bodies) {

@@ -64,7 +64,7 @@ int residual(double ida_time, N_Vector temperature, N_Vector rate, N_Vector resu
   impose_prescribed_rate(run.system, time, full_rate);
   const Response response = evaluate(run.system, time, temperature_at(run, ida_time, temperature), full_rate);
   view(result) = response.content - response.power;
-  for (const auto& [unknown, value] : run.system.prescribed) view(result)[unknown] = 0;
+  for (const auto& [unknown, value, boundary] : run.system.prescribed) view(result)[unknown] = 0;
   return view(result).allFinite() ? 0 : 1;
 }
 
@@ -110,7 +110,7 @@ void make_consistent(Integration& run, Eigen::VectorXd temperature) {
   impose_prescribed(run.system, run.start, temperature);
   const Response response = evaluate(run.system, run.start, temperature);
   accumulate_content(run.balance, run.system, before, response.content);
-  for (BodyBalance& body : run.balance.bodies) body.from_prescribed = body.content_change;
+  accumulate_imposed(run.balance, run.system);
   run.content = response.content;
   Eigen::VectorXd power = response.power;
   if (!run.system.prescribed.empty()) {
@@ -118,7 +118,7 @@ void make_consistent(Integration& run, Eigen::VectorXd temperature) {
     impose_prescribed_rate(run.system, run.start, prescribed_rate);
     power -= evaluate(run.system, run.start, temperature, prescribed_rate).content;
   }
-  for (const auto& [unknown, value] : run.system.prescribed) power[unknown] = 0;
+  for (const auto& [unknown, value, boundary] : run.system.prescribed) power[unknown] = 0;
   view(run.temperature) = temperature;
   if (factorise(run.matrix, run.system, run.start, temperature, 0)) view(run.rate) = run.matrix.cholesky.solve(power);
 }
@@ -165,8 +165,8 @@ void accumulate_until(Integration& run, double end) {
     }
     const Response response = evaluate(run.system, run.start + ida_time, temperature);
     accumulate(run.balance, response.flows, part);
-    for (const auto& [unknown, value] : run.system.prescribed)
-      run.balance.bodies[body_of(run.system, unknown)].from_prescribed -= part * response.power[unknown];
+    for (const PrescribedUnknown& given : run.system.prescribed)
+      accumulate_prescribed(run.balance, run.system, given, -part * response.power[given.unknown]);
   }
   run.accumulated_until = end;
 }
@@ -174,8 +174,8 @@ void accumulate_until(Integration& run, double end) {
 /// Accumulates the content change since the last call and returns the balance, leaving a zero one.
 HeatBalance finish_balance(Integration& run, const Eigen::VectorXd& content) {
   accumulate_content(run.balance, run.system, run.content, content);
-  for (const auto& [unknown, value] : run.system.prescribed)
-    run.balance.bodies[body_of(run.system, unknown)].from_prescribed += content[unknown] - run.content[unknown];
+  for (const PrescribedUnknown& at : run.system.prescribed)
+    accumulate_prescribed(run.balance, run.system, at, content[at.unknown] - run.content[at.unknown]);
   run.content = content;
   return std::exchange(run.balance, zero_balance(run.system));
 }

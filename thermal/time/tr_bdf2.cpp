@@ -100,7 +100,7 @@ TrialStep try_step(Integration& run, const StageValue& start, const Rate& rate, 
   const Eigen::VectorXd& after = full.response.power;
   Eigen::VectorXd error =
       dt * (error_weight[0] * before + error_weight[1] * half.response.power + error_weight[2] * after);
-  for (const auto& [unknown, value] : run.system.prescribed) error[unknown] = 0;
+  for (const auto& [unknown, value, boundary] : run.system.prescribed) error[unknown] = 0;
   result.error = run.matrix.cholesky.solve(error).lpNorm<Eigen::Infinity>();
   ++run.solves;
   result.solved = std::isfinite(result.error);
@@ -119,11 +119,12 @@ void accumulate_substep(HeatBalance& balance, const HeatSystem& system, const St
   accumulate(balance, start.response.flows, dt * weight[0]);
   accumulate(balance, accepted.middle.flows, dt * weight[1]);
   accumulate(balance, accepted.end.response.flows, dt * weight[2]);
-  for (const auto& [unknown, value] : system.prescribed) {
+  for (const PrescribedUnknown& at : system.prescribed) {
+    const Index unknown = at.unknown;
     const double power = weight[0] * start.response.power[unknown] + weight[1] * accepted.middle.power[unknown] +
                          weight[2] * accepted.end.response.power[unknown];
-    balance.bodies[body_of(system, unknown)].from_prescribed +=
-        accepted.end.response.content[unknown] - start.response.content[unknown] - dt * power;
+    accumulate_prescribed(balance, system, at,
+                          accepted.end.response.content[unknown] - start.response.content[unknown] - dt * power);
   }
 }
 
@@ -139,7 +140,7 @@ StageValue begin(const HeatSystem& system, double time, const std::vector<Eigen:
   if (impose_prescribed(system, time, start.temperature)) {
     start.response = evaluate(system, time, start.temperature);
     accumulate_content(balance, system, before, start.response.content);
-    for (BodyBalance& body : balance.bodies) body.from_prescribed = body.content_change;
+    accumulate_imposed(balance, system);
   }
   start.content = start.response.content;
   return start;

@@ -78,7 +78,7 @@ def parison_contact(case):
     contact = {}
     with open(folder / "history.csv") as table:
         for row in csv.DictReader(table):
-            contact[round(float(row["time_s"]), 6)] = [[float(row[f"{body}_{place}_C"]) for place in ("axis", "rim")]
+            contact[round(float(row["time_s"]), 6)] = [[float(row[f"{body}_{place}_degC"]) for place in ("axis", "rim")]
                                                        for body in ("glass", "steel")]
     if any(t not in contact for t in EXACT):
         raise RuntimeError("the run of contact_cylinders wrote no row at one of 1, 2, 5, 10 s")

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/commands/commands.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 
+#include "core/case/case_error.hpp"
+#include "core/case/case_file.hpp"
 #include "tools/commands/audit.hpp"
+#include "tools/commands/export_container.hpp"
 #include "tools/commands/fit_law.hpp"
 #include "tools/commands/new_case.hpp"
 #include "tools/commands/run_command.hpp"
+#include "tools/materials/materials.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/tradeoff/tradeoff.hpp"
 
@@ -43,6 +48,7 @@ void add_run(CLI::App& app, Command& chosen) {
   add_case_options(*command, *request);
   command->add_option("--output", request->output, "new folder for the results [results/NAME]");
   command->add_flag("--keep-going", request->keep_going, "exit code 0 also where the results are not trustworthy");
+  command->add_flag("-v,--verbose", request->verbose, "first say all that `parison check` says");
   command->add_flag("--error-bars", request->error_bars, "estimate the error of each result by two coarser runs");
 }
 
@@ -50,7 +56,13 @@ void add_resume(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<RunRequest>();
   auto* command = add_command(app, "resume", "continue a run from its last checkpoint", chosen, request, resume);
   command->add_option("results", request->output, "folder with the results of the run")->required();
-  command->add_option("--case", request->case_path, "the case, where it has moved")->transform(find_case);
+  command->add_option("--case", request->case_path, "the case, where it has moved or a corrected one is wanted")
+      ->transform(find_case);
+  command->add_option("--after", request->after, "name of a stage: from its end instead of the last checkpoint");
+  command
+      ->add_option("--set", request->overrides, "KEY=VALUE as for run, in stages that are still to come or in output")
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_flag("--keep-going", request->keep_going, "exit code 0 also where the results are not trustworthy");
   command->add_flag("--error-bars", request->error_bars, "as for run; also for a run that has completed");
 }
@@ -119,6 +131,24 @@ void add_fit_law(CLI::App& app, Command& chosen) {
                     "weigh residuals as shares: for scatter that grows with the value");
 }
 
+void add_materials(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<MaterialsRequest>();
+  auto* command = add_command(app, "materials", "list the bundled materials, or show some", chosen, request, materials);
+  command->add_option("name", request->names, "bundled materials to show with values and sources");
+  command->add_option("--picture", request->picture, "SVG file for a plot of the viscosities");
+}
+
+void add_export(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<ExportRequest>();
+  auto* command = add_command(app, "export", "write the container of a result folder for CAD and structural programs",
+                              chosen, request, export_container);
+  command->add_option("results", request->results, "folder with the results of a run")->required();
+  command->add_option("--step", request->step, "STEP file (.step): one solid of revolution, mm");
+  command->add_option("--stl", request->stl, "STL file (.stl): its surface as triangles, mm");
+  command->add_option("--shell", request->shell,
+                      "input file for CalculiX or Abaqus (.inp): the middle of the wall as shells with its thickness");
+}
+
 void add_cases(CLI::App& app, Command& chosen) {
   app.add_subcommand("cases", "list the bundled cases")->callback([&chosen] {
     chosen = [] {
@@ -139,7 +169,20 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_audit(app, chosen);
   add_tradeoff(app, chosen);
   add_fit_law(app, chosen);
+  add_export(app, chosen);
   add_cases(app, chosen);
+  add_materials(app, chosen);
+}
+
+void check_command(const CLI::App& app, int argc, const char* const* argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  if (word.empty() || word[0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw core::CaseError(fmt::format("parison: no command \"{}\" was found{}, allowed are {}", word,
+                                    core::did_you_mean(word, names), fmt::join(names, ", ")));
 }
 
 }  // namespace parison::tools

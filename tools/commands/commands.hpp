@@ -12,4 +12,7 @@ using Command = std::function<int()>;
 /// `chosen`.
 void add_commands(CLI::App& app, Command& chosen);
 
+/// Refuses a first word that is neither an option nor a command, with the commands there are.
+void check_command(const CLI::App& app, int argc, const char* const* argv);
+
 }  // namespace parison::tools

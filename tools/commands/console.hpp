@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/run/run_observer.hpp"
+#include "tools/commands/remaining_time.hpp"
 
 namespace parison::tools {
 
@@ -8,12 +9,13 @@ namespace parison::tools {
 class Console : public forming::RunObserver {
  public:
   void run_begins(const forming::RunView& run) override;
+  void stage_begins(const forming::RunView& run) override;
   void step_taken(const forming::RunView& run, const forming::State& before,
                   const forming::StepReport& report) override;
 
  private:
   double start_ = 0, last_line_ = 0;  ///< wall clock, s
-  double fraction_before_ = 0;        ///< of the simulated time that was done when the run was taken up again
+  RemainingTime remaining_;
 };
 
 }  // namespace parison::tools

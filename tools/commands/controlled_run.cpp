@@ -66,7 +66,7 @@ int report(const Attempt& last, const AccuracyControl& control, const RunRequest
 int run_to_accuracy(const RunRequest& request, double target) {
   const Scene first = forming::read_scene(request.case_path, request.accuracy, request.overrides);
   const std::string output = request.output.empty() ? "results/" + first.name : request.output;
-  fmt::print("{}", forming::describe_scene(first));
+  fmt::print("{}", opening(request, first));
   catch_signals();
   AccuracyControl control(target);
   for (;;) {

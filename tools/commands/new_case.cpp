@@ -20,10 +20,15 @@ namespace fs = std::filesystem;
 
 void check_name(const std::string& folder, const std::string& name) {
   const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_' || c == '-'); };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), allowed))
+  constexpr std::size_t longest = 100;  // of a case's name
+  if (name.empty() || name.size() > longest || !std::all_of(name.begin(), name.end(), allowed))
     throw core::CaseError(
-        fmt::format("{}: the name \"{}\" was found, allowed are names of letters, digits, _ and -", folder, name));
-  if (fs::exists(folder)) throw core::CaseError(fmt::format("{}: exists already, allowed is a new folder", folder));
+        fmt::format("{}: the name \"{}\" was found, allowed are names of up to {} letters, digits, _ and -", folder,
+                    name, longest));
+  std::error_code error;
+  if (fs::exists(folder, error))
+    throw core::CaseError(fmt::format("{}: exists already, allowed is a new folder", folder));
+  if (error) throw core::CaseError(fmt::format("{}: the folder cannot be made: {}", folder, error.message()));
 }
 
 /// The capsule as a `gob`, empty where the glass is drawn in another way.
@@ -48,8 +53,9 @@ void give_gob_by_mass(const forming::Scene& scene, std::string& text) {
   const std::string gob = gob_line(scene);
   const auto glass = text.find("\n[glass]");
   if (gob.empty() || glass == text.npos) return;
-  const auto boundary = text.find("\nboundary = [", glass), end = after_line(text, boundary, "]");
-  if (boundary == text.npos || end == text.npos) return;
+  const auto next = text.find("\n[", glass + 1), boundary = text.find("\nboundary = [", glass);
+  const auto end = after_line(text, boundary, "]");
+  if (boundary == text.npos || end == text.npos || next < boundary) return;  // the case has a gob itself
   text.replace(boundary + 1, end - boundary - 1, gob);
   text.replace(glass + 1, text.find('\n', glass + 1) - glass - 1, "[glass]");
 }

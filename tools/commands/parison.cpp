@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   tools::use_one_blas_thread();
   tools::keep_freed_memory();
   try {
+    tools::check_command(app, argc, argv);
     app.parse(argc, argv);
     return run(command);
   } catch (const CLI::ParseError& error) {

@@ -79,6 +79,10 @@ int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& requ
 
 }  // namespace
 
+std::string opening(const RunRequest& request, const Scene& scene) {
+  return request.verbose ? forming::describe_scene(scene) : forming::describe_scene_briefly(scene);
+}
+
 int code_of(const forming::RunFacts& facts, bool keep_going) {
   return forming::trustworthy(facts.checks) || keep_going ? 0 : not_trustworthy;
 }
@@ -102,7 +106,7 @@ int run(const RunRequest& request) {
   if (const auto target = forming::read_accuracy(request.accuracy).target) return run_to_accuracy(request, *target);
   const Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
   const std::string output = request.output.empty() ? "results/" + scene.name : request.output;
-  fmt::print("{}\n", forming::describe_scene(scene));
+  fmt::print("{}\n", opening(request, scene));
   std::fflush(stdout);
   catch_signals();
   Console console;
@@ -115,15 +119,21 @@ int run(const RunRequest& request) {
 
 int resume(const RunRequest& request) {
   const std::string& output = request.output;
-  const forming::CaseOrigin origin = forming::read_origin(forming::find_checkpoint(output));
+  const std::string checkpoint =
+      request.after.empty() ? forming::find_checkpoint(output) : forming::find_stage_end(output, request.after);
+  forming::CaseOrigin origin = forming::read_origin(checkpoint);
+  origin.overrides.insert(origin.overrides.end(), request.overrides.begin(), request.overrides.end());
   if (request.case_path.empty() && !std::filesystem::exists(origin.file))
     throw core::CaseError(
         fmt::format("{}: its case \"{}\" no longer exists, give its new location with --case", output, origin.file));
   const Scene scene = forming::read_scene(request.case_path.empty() ? origin.file : request.case_path, origin.accuracy,
                                           origin.overrides);
+  forming::read_checkpoint(checkpoint, scene);  // refuses a changed case before anything is given up
+  if (!request.after.empty()) forming::return_to_stage_end(output, request.after);
   if (const std::string damage = forming::damage_of_last_checkpoint(output); !damage.empty())
     fmt::print("{}; the run is taken up from the checkpoint before it\n", damage);
-  fmt::print("{} at {} accuracy, from the last checkpoint in {}\n", scene.name, scene.accuracy_name, output);
+  fmt::print("{} at {} accuracy, from {} in {}\n", scene.name, scene.accuracy_name,
+             request.after.empty() ? "the last checkpoint" : "the end of stage " + request.after, output);
   std::fflush(stdout);
   catch_signals();
   Console console;

@@ -12,14 +12,19 @@ struct RunRequest {
   std::string case_path;  ///< resume: empty for the case as it was
   std::string accuracy = "standard";
   std::vector<std::string> overrides;
-  std::string output;   ///< result folder; run: empty for results/NAME
-  std::string picture;  ///< check: SVG file, empty for none
+  std::string output;    ///< result folder; run: empty for results/NAME
+  std::string picture;   ///< check: SVG file, empty for none
+  std::string after;     ///< resume: the stage from whose end, empty for the last checkpoint
+  bool verbose = false;  ///< first all that `parison check` says
   bool error_bars = false;
   bool keep_going = false;  ///< exit code 0 also where the results are not trustworthy
 };
 
 /// Prints what a case needs. Like the others here it returns the exit code of the program.
 int check(const RunRequest& request);
+
+/// What a run says of its scene before it begins.
+std::string opening(const RunRequest& request, const forming::Scene& scene);
 
 /// Exit code of a run that completed, by its checks.
 int code_of(const forming::RunFacts& facts, bool keep_going);

@@ -30,13 +30,17 @@ RUNS = {
     },
     "bottle": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
     "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
+    "nnpb": {"draft": ("draft", []), "standard": ("standard", [])},
+    "flute": {"draft": ("draft", []), "standard": ("standard", [])},
+    "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.2 s", "dimension.reheat=1.8 s", "dimension.run=0.5 s"])},
+    "sag": {"draft": ("draft", []), "standard": ("standard", [])},
     "contact_cylinders": {"draft": ("draft", [])},
     "shell_inflation": {"draft": ("draft", []), "standard": ("standard", [])},
 }
 KEPT = ("accuracy", "overrides", "time_s", "cpu_seconds", "steps", "remeshes", "timing", "volume_drift", "max_volume_drift",
         "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "max_reynolds", "outer_within_0.2mm_of_tools",
         "temperature_overshoot_K", "remeshing", "glass", "tools", "thickness", "quantities")
-OF_STAGE_END = ("glass_mean_C", "heat_to_tools_J", "heat_to_air_J")
+OF_STAGE_END = ("glass_mean_degC", "heat_to_tools_J", "heat_to_air_J")
 
 
 class Missing(Exception):
@@ -92,7 +96,7 @@ def stage_ends(summary, rows):
     ends = []
     for stage in summary["stages"]:
         row = min(rows, key=lambda r: abs(float(r["time_s"]) - stage["end_s"]))
-        positions = {key[:-len("_position_m")]: 1e3 * float(value) for key, value in row.items() if key.endswith("_position_m")}
+        positions = {key[:-len("_position_mm")]: float(value) for key, value in row.items() if key.endswith("_position_mm")}
         ends.append({"name": stage["name"], "end_s": stage["end_s"], "positions_mm": positions,
                      **{key: float(row[key]) for key in OF_STAGE_END if row.get(key, "nan") != "nan"}})
     return ends

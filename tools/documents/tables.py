@@ -142,13 +142,13 @@ def expectations():
 # --- cases/*/README.md --------------------------------------------------------------------------------------------------
 
 def stages(case, name):
-    rows = [[end["name"], f"{end['end_s']:.3f}", f"{end['glass_mean_C']:.0f}", f"{1e-3 * end['heat_to_tools_J']:.1f}",
+    rows = [[end["name"], f"{end['end_s']:.3f}", f"{end['glass_mean_degC']:.0f}", f"{1e-3 * end['heat_to_tools_J']:.1f}",
              f"{1e-3 * end['heat_to_air_J']:.1f}"] for end in store.run(case, name)["stages"]]
     return table(["end of", "time, s", "mean of the glass, degC", "heat to tools, kJ", "heat to air, kJ"], rows)
 
 
 def tools(case, name):
-    rows = [[tool.replace("_", " "), f"{1e-3 * of['heat_received_J']:.1f}", f"{of['surface_temperature_max_C']:.0f}"]
+    rows = [[tool.replace("_", " "), f"{1e-3 * of['heat_received_J']:.1f}", f"{of['surface_temperature_max_degC']:.0f}"]
             for tool, of in store.run(case, name)["tools"].items()]
     return table(["tool", "heat received, kJ", "hottest contact surface, degC"], rows)
 
@@ -170,11 +170,28 @@ def wall(case, *names):
     rows = [["wall: thinnest, mean, thickest, mm"] + [", ".join(f"{r['thickness'][k]:.2f}" for k in ("min_mm", "mean_mm", "max_mm"))
                                                       for r in runs],
             ["glass at the end: mean, coldest, hottest, degC"] +
-            [", ".join(f"{r['glass'][f'temperature_{k}_C']:.0f}" for k in ("mean", "min", "max")) for r in runs],
-            ["wall against fine: mean, largest difference"] + [against_fine(case, name, bars_module().profile_errors) for name in names],
-            ["heat into tools against fine"] + [against_fine(case, name, bars_module().heat_error) for name in names],
+            [", ".join(f"{r['glass'][f'temperature_{k}_degC']:.0f}" for k in ("mean", "min", "max")) for r in runs],
+            *(against_fine_rows(case, names) if "fine" in store.RUNS[case] else []),
             ["work balance, largest imbalance"] + [f"{digits(100 * r['max_work_imbalance'])} %" for r in runs]]
     return table([""] + list(names), rows)
+
+
+def against_fine_rows(case, names):
+    return [["wall against fine: mean, largest difference"] + [against_fine(case, name, bars_module().profile_errors) for name in names],
+            ["heat into tools against fine"] + [against_fine(case, name, bars_module().heat_error) for name in names]]
+
+
+def bands(case, *names):
+    """Mean wall in six parts of the outer side, from the rim to the middle of the bottom."""
+    parts, rows = 6, []
+    for name in names:
+        profile = store.run(case, name)["thickness_profile_mm"]
+        row = []
+        for i in range(parts):
+            values = [t for t in profile[i * len(profile) // parts:(i + 1) * len(profile) // parts] if t is not None]
+            row.append(f"{sum(values) / len(values):.2f}" if values else "")
+        rows.append([name, *row])
+    return table(["wall, mm, in sixths of the outer side from the rim on"] + [str(i + 1) for i in range(parts)], rows)
 
 
 def bars_module():
@@ -227,6 +244,11 @@ def laps(case, *names):
                                       [digits(1e9 * store.run(case, name)["remeshing"]["lap_volume_m3"]) for name in names]])
 
 
+def sagging(case, *names):
+    return table([""] + list(names), [["lowest point after a minute, z in mm"] +
+                                      [f"{store.run(case, name)['quantities']['extent_z_min']['value']:.2f}" for name in names]])
+
+
 def shell(case, *names):
     runs = [store.run(case, name) for name in names]
     rows = [["wall: thinnest, thickest, mm"] + [f"{r['thickness']['min_mm']:.4f}, {r['thickness']['max_mm']:.4f}" for r in runs],
@@ -236,4 +258,4 @@ def shell(case, *names):
 
 
 BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, preset_orders, parts, model, bench, calculix, verification, expectations)}
-CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, shell)}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, sagging, shell, bands)}

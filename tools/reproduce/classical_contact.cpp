@@ -8,6 +8,7 @@
 #include "core/process/run_error.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/result_files.hpp"
+#include "forming/report/files/tool_rows.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/step_control.hpp"
@@ -31,6 +32,7 @@ std::vector<core::InterfacePoint> couple(const Scene& scene, const State& state)
 bool run_stage(const Scene& scene, const std::string& directory) {
   ResultFiles files(scene, directory);
   State state = initial_state(scene);
+  const std::vector<ToolSurface> surfaces = tool_surfaces(scene, state);
   Workspace workspace;
   StepReport report;
   report.interface = couple(scene, state);
@@ -44,7 +46,7 @@ bool run_stage(const Scene& scene, const std::string& directory) {
     state.time += report.dt;
     state.stage_time += report.dt;
     state.next_step = propose_step(scene, report, state.next_step).dt;
-    files.row(history_row(scene, state, state, report));
+    files.row(history_row(scene, state, state, report), tool_line(scene, state, surfaces));
     if (!outputs_due(scene, before, state.time).empty()) files.fields(state, report.interface);
   }
   return true;

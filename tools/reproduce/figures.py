@@ -113,7 +113,7 @@ def histories(runs, folder):
         run = pick(runs, MAPPED, "glass", method)
         for side in ("glass", "steel"):
             for place, line in (("axis", "-"), ("rim", "--")):
-                t, T = run.history["time_s"], run.history[f"{side}_{place}_C"]
+                t, T = run.history["time_s"], run.history[f"{side}_{place}_degC"]
                 off = T - np.array([measure.side_exact(side, x) for x in t])
                 axes[0].plot(t, T, style + line, linewidth=0.9, label=f"{method}, {place}" if side == "glass" else None)
                 axes[1].plot(t, np.abs(off) + 1e-6, style + line, linewidth=0.9)
@@ -130,7 +130,7 @@ def histories(runs, folder):
 
 def self_weight(weight, folder):
     """Figure 13: with self-weight, along the contact at 0.2, 0.5 and 1 s: both temperatures and the contact pressure."""
-    names = (("T_glass_C", "glass side, °C"), ("T_tool_C", "steel side, °C"), ("pressure_Pa", "contact pressure, Pa"))
+    names = (("T_glass_degC", "glass side, °C"), ("T_tool_degC", "steel side, °C"), ("pressure_Pa", "contact pressure, Pa"))
     figure, axes = plt.subplots(1, 3, figsize=(11, 4), dpi=90, layout="constrained")
     rows = []
     for time in (0.2, 0.5, 1.0):
@@ -145,12 +145,12 @@ def self_weight(weight, folder):
                 axis.set(xlabel="r, mm", title=title)
                 axis.grid(alpha=0.3)
             rows += [(mesh, time, *map(float, row)) for row in zip(*(data[n][at] for n in (
-                "r_mm", "T_glass_C", "T_tool_C", "pressure_Pa", "h_W_m2K", "flux_W_m2")))]
+                "r_mm", "T_glass_degC", "T_tool_degC", "pressure_Pa", "h_W_m2K", "flux_W_m2")))]
     axes[0].legend(fontsize=8, title="glass/steel", ncol=3, loc="center", bbox_to_anchor=(0.5, 0.72))
     figure.suptitle("self-weight: along the contact at 0.2, 0.5 and 1 s")
     save(figure, folder / "fig13_self_weight.png", 256)
     write_csv(folder / "fig13_self_weight.csv",
-              ("divisions", "time_s", "r_mm", "T_glass_C", "T_tool_C", "pressure_Pa", "h_W_m2K", "flux_W_m2"), rows)
+              ("divisions", "time_s", "r_mm", "T_glass_degC", "T_tool_degC", "pressure_Pa", "h_W_m2K", "flux_W_m2"), rows)
 
 
 def draw(runs, weight, folder):

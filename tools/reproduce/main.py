@@ -46,7 +46,7 @@ def print_weight(weight):
     for label, group in (("all six", weight), ("20/20, 20/7, 20/13", same)):
         for share in (0.75, 0.9, 1.0):
             off = measure.weight_differences(group, share)
-            print(f"{label:<24}{100 * share:4.0f} %{off['T_glass_C']:10.4f}{off['T_tool_C']:10.4f}{off['pressure_Pa']:14.3f}"
+            print(f"{label:<24}{100 * share:4.0f} %{off['T_glass_degC']:10.4f}{off['T_tool_degC']:10.4f}{off['pressure_Pa']:14.3f}"
                   f"{100 * off['heat']:10.4f} %{off['rim_mm']:21.4f}")
     print(f"force on the steel against the weight of the glass: {measure.weight_differences(weight, 1.0)['weight']:.1e}")
 

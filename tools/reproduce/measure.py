@@ -73,7 +73,7 @@ def weight_differences(weight, share):
     some = next(iter(weight.values()))[0]
     times = [t for t in np.unique(np.round(some["time_s"], 9)) if t > 0]
     result = {}
-    for name in ("T_glass_C", "T_tool_C", "pressure_Pa"):
+    for name in ("T_glass_degC", "T_tool_degC", "pressure_Pa"):
         worst = 0.0
         for time in times:
             radius = np.linspace(0.2, share * min(rim(rows, time) for rows, _ in weight.values()), 200)

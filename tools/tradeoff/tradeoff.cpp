@@ -249,10 +249,14 @@ int tradeoff(const TradeoffRequest& given) {
                  fmt::join(variant.overrides, ", "));
   }
   if (request.list) return 0;
-  if (fs::exists(request.output + "/summary.json"))
+  std::error_code error;
+  if (fs::exists(request.output + "/summary.json", error))
     throw core::CaseError(
         fmt::format("{}: the results of a run were found, allowed is a folder of its own for a study", request.output));
-  fs::create_directories(request.output);
+  fs::create_directories(request.output, error);
+  if (error)
+    throw core::CaseError(
+        fmt::format("{}: the folder for the study cannot be made: {}", request.output, error.message()));
   if (!run_study(study)) {
     fmt::print(stderr, "parison: the study was stopped on request; the same command goes on with it\n");
     return 1;

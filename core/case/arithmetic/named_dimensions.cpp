@@ -55,6 +55,11 @@ class Entries {
 
  private:
   Measure value_of(const CaseNode& entry) {
+    if (entry.kind == CaseNode::Kind::table || entry.kind == CaseNode::Kind::list)
+      refuse(entry,
+             fmt::format("a {} was found, allowed are quantities such as \"24 mm\"; keys that follow [dimension] "
+                         "belong to it up to the next heading",
+                         entry.kind == CaseNode::Kind::table ? "table" : "list"));
     if (entry.kind == CaseNode::Kind::number) return {quantity(entry, dimension::none), {}};
     const auto parsed = parse_formula(text(entry), known_);
     if (!parsed.problem.empty()) refuse(entry, parsed.problem);

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -22,6 +23,11 @@ struct Check {
 };
 using Checks = std::vector<Check>;
 inline constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// Whether a number is further from what can be trusted than another: greater, or no number.
+inline bool is_worse(double number, double other) {
+  return number > other || (std::isnan(number) && !std::isnan(other));
+}
 
 /// Whether none is beyond its severe limit.
 bool trustworthy(const Checks& checks);

@@ -35,7 +35,7 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
                       "numerics.strain_per_step or numerics.surface_size helps"});
     checks.push_back({"edge_penetration", totals.max_edge_penetration / wall, 5e-2, 0.25, "%",
                       "an edge of the glass cut into a tool by so much of the mean wall; a smaller "
-                      "numerics.surface_size helps"});
+                      "numerics.surface_size, or a finer --accuracy, helps"});
   }
   if (scene.geometry == core::Geometry::axisymmetric)
     checks.push_back({"axis", totals.off_axis / wall, 1e-2, 0.1, "%",
@@ -46,9 +46,12 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
 void add_mesh_checks(const Scene& scene, const State& state, Checks& checks) {
   const Totals& totals = state.totals;
   const RemeshStatistics& remeshing = totals.remeshing;
-  const double unresolved =
-      totals.sampled_work > 0 ? totals.unresolved_work / std::max(totals.sampled_work, least_loss(scene, state)) : 0;
-  checks.push_back({"flow_resolution", unresolved, 0.05, 0.5, "%",
+  constexpr double unresolved_limit = 0.05;
+  // Motion that loses less than counts as motion at all, as of a drop that becomes as round as its mesh can be, is
+  // none to resolve: it stays below the limit.
+  const double measure = std::max(totals.sampled_work, least_loss(scene, state) / unresolved_limit);
+  const double unresolved = totals.sampled_work != 0 ? totals.unresolved_work / measure : 0;
+  checks.push_back({"flow_resolution", unresolved, unresolved_limit, 0.5, "%",
                     "about so much of the work is dissipated by motion that the glass mesh does not resolve, and "
                     "shapes, forces and times are wrong by up to as much; a "
                     "smaller numerics.surface_size or mesh.size of the glass, or more numerics.elements_across helps"});
@@ -65,7 +68,7 @@ void add_step_checks(const Scene& scene, const State& state, const RunFacts& fac
   const Totals& totals = state.totals;
   const double steps = std::max(1.0, static_cast<double>(totals.steps));
   const double share_of_capped =
-      totals.capped_work > 0 ? totals.capped_work / std::max(totals.work.dissipation, least_loss(scene, state)) : 0;
+      totals.capped_work != 0 ? totals.capped_work / std::max(totals.work.dissipation, least_loss(scene, state)) : 0;
   const double contacts = std::max(1.0, static_cast<double>(facts.solver_statistics.contacts));
   if (!scene.tools.empty())
     checks.push_back({"locked_contacts", static_cast<double>(facts.solver_statistics.locked_contacts) / contacts, 1e-2,
@@ -78,6 +81,13 @@ void add_step_checks(const Scene& scene, const State& state, const RunFacts& fac
                                 "motion is faster there than any forming, as of a bursting film or of a tool that is "
                                 "not balanced; look at the last pictures",
                                 scene.accuracy.min_step)});
+  if (scene.has_heat())
+    checks.push_back(
+        {"coupling", totals.unforeseen_work / std::max(totals.work.dissipation, least_loss(scene, state)), 0.01, 0.1,
+         "%",
+         "the heat of the steps changed the viscosity otherwise than they had foreseen, and forces are "
+         "wrong by about so much, temperatures too where work warms the glass; a smaller numerics.max_step "
+         "helps"});
   checks.push_back({"inertia", totals.max_reynolds, 1, 20, "",
                     "inertia is neglected, but the Reynolds number reached this: speeds and times are too short; a "
                     "stiffer glass or slower tools are what this program can do"});

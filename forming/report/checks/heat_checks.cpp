@@ -33,7 +33,7 @@ Skin skin_at_tools(const Scene& scene, const State& state) {
     if (!(exchanged > 0)) continue;
     const double error = contact_skin_error(scene, state, static_cast<Index>(i)) *
                          std::min(1.0, exchanged / (small_exchange * greatest));
-    if (!(error <= worst.error)) worst = {error, "at the contact with " + scene.tools[i].name};
+    if (is_worse(error, worst.error)) worst = {error, "at the contact with " + scene.tools[i].name};
   }
   return worst;
 }
@@ -61,7 +61,7 @@ Skin skin_at_surroundings(const Scene& scene, const State& state) {
       const double cell = first_cell(mesh_of(state, body), static_cast<Index>(b));
       if (h == 0 || cell == 0) continue;
       const double error = std::abs(thermal::skin_error(skin_side(scene, body, cell), h, state.time));
-      if (!(error <= worst.error))
+      if (is_worse(error, worst.error))
         worst = {error, fmt::format("at boundary {} of {}", data.boundaries[b].name, data.name)};
     }
   }
@@ -70,7 +70,7 @@ Skin skin_at_surroundings(const Scene& scene, const State& state) {
 
 Check thermal_skin(const Scene& scene, const State& state) {
   const Skin tools = skin_at_tools(scene, state), surroundings = skin_at_surroundings(scene, state);
-  const Skin& worst = tools.error > surroundings.error ? tools : surroundings;
+  const Skin& worst = is_worse(tools.error, surroundings.error) ? tools : surroundings;
   return {"thermal_skin",
           worst.error,
           0.01,
@@ -95,7 +95,7 @@ Check overshoot(const Scene& scene, const State& state, double TemperatureBounds
   std::string of = "the glass";
   for (std::size_t i = 0; i < state.tools.size(); ++i)
     if (const double found = share(state.tools[i].bounds.*excess, state.tools[i].bounds, span, state.time);
-        !(found <= worst)) {
+        is_worse(found, worst)) {
       worst = found;
       of = scene.tools[i].name;
     }

@@ -61,6 +61,11 @@ double probe_temperature(const Scene& scene, const State& state, std::size_t pro
   return sample(mesh_of(state, body), temperature_of(state, body), state.probes.at(probe));
 }
 
+std::vector<double> in_cubic_millimetres(std::vector<double> volumes) {
+  for (double& volume : volumes) volume *= 1e9;
+  return volumes;
+}
+
 }  // namespace
 
 GlassFacts glass_facts(const Scene& scene, const State& state) {
@@ -94,6 +99,7 @@ HistoryRow history_row(const Scene& scene, const State& before, const State& sta
   row.energy_imbalance = facts.energy_imbalance;
   const bool has_contact_state = scene.has_flow() && !state.glass.contact_tool.empty();
   row.contact_area = has_contact_state ? active_contact_area(scene, state) : weighted_contact_area(report.interface);
+  row.shape = glass_shape(scene, state);
   row.coupling_iterations = report.coupling_iterations;
   row.flow_solves = report.flow_solves;
   row.contact_changes = report.contact_changes;
@@ -102,6 +108,7 @@ HistoryRow history_row(const Scene& scene, const State& before, const State& sta
   for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
     row.tool_force.push_back(force_at_end(before, state, tool, report.dt));
     row.tool_position.push_back(state.tools[tool].offset);
+    row.tool_speed.push_back(state.tools[tool].velocity);
   }
   for (std::size_t probe = 0; probe < scene.probes.size(); ++probe)
     row.probe.push_back(probe_temperature(scene, state, probe));
@@ -111,26 +118,31 @@ HistoryRow history_row(const Scene& scene, const State& before, const State& sta
 
 std::string history_header(const Scene& scene) {
   std::string line =
-      "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
-      "contact_area_m2";
+      "time_s,stage,dt_s,volume_mm3,glass_mean_degC,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
+      "contact_area_mm2,lowest_mm,highest_mm,length_mm,sag_mm,skin_mean_degC,skin_min_degC,skin_viscosity_Pa_s";
   for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_force_N");
-  for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_position_m");
-  for (const Probe& probe : scene.probes) line += ',' + core::csv_text(probe.name + "_C");
-  if (seals_cavities(scene)) line += ",cavities,cavity_volumes_m3,cavity_pressures_Pa,cavity_masses_kg";
+  for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_position_mm");
+  for (const Tool& tool : scene.tools) line += ',' + core::csv_text(tool.name + "_speed_mm_s");
+  for (const Probe& probe : scene.probes) line += ',' + core::csv_text(probe.name + "_degC");
+  if (seals_cavities(scene)) line += ",cavities,cavity_volumes_mm3,cavity_pressures_Pa,cavity_masses_kg";
   return line + ",coupling_iterations,flow_solves,contact_changes,heat_substeps,limited_by\n";
 }
 
 std::string history_line(const HistoryRow& row) {
   const auto celsius = [](double kelvin) { return kelvin - thermal::content_reference; };
   std::string line = fmt::format("{:.12g},{}", row.time, core::csv_text(row.stage));
-  for (const double value : {row.dt, row.volume, celsius(row.glass_mean), row.heat_to_tools, row.heat_to_air,
-                             row.dissipation, row.energy_imbalance, row.contact_area})
+  for (const double value : {row.dt, 1e9 * row.volume, celsius(row.glass_mean), row.heat_to_tools, row.heat_to_air,
+                             row.dissipation, row.energy_imbalance, 1e6 * row.contact_area, 1e3 * row.shape.low,
+                             1e3 * row.shape.high, 1e3 * (row.shape.high - row.shape.low), 1e3 * row.sag,
+                             celsius(row.shape.skin_mean), celsius(row.shape.skin_min), row.shape.skin_viscosity})
     line += fmt::format(",{:.10g}", value);
   for (const double value : row.tool_force) line += fmt::format(",{:.10g}", value);
-  for (const double value : row.tool_position) line += fmt::format(",{:.10g}", value);
+  for (const double value : row.tool_position) line += fmt::format(",{:.10g}", 1e3 * value);
+  for (const double value : row.tool_speed) line += fmt::format(",{:.10g}", 1e3 * value);
   for (const double value : row.probe) line += fmt::format(",{:.10g}", celsius(value));
   if (row.cavities)
-    line += fmt::format(",{},{:.10g},{:.10g},{:.10g}", row.cavities->size(), fmt::join(row.cavities->volume, " "),
+    line += fmt::format(",{},{:.10g},{:.10g},{:.10g}", row.cavities->size(),
+                        fmt::join(in_cubic_millimetres(row.cavities->volume), " "),
                         fmt::join(row.cavities->pressure, " "), fmt::join(row.cavities->mass, " "));
   for (const Index count : {row.coupling_iterations, row.flow_solves, row.contact_changes, row.heat_substeps})
     line += fmt::format(",{}", count);

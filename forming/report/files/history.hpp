@@ -1,10 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "forming/report/cavity_report.hpp"
+#include "forming/report/process/glass_shape.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 #include "forming/step/step_result.hpp"
@@ -25,8 +27,10 @@ GlassFacts glass_facts(const Scene& scene, const State& state);
 /// The numbers of one row of history.csv.
 struct HistoryRow {
   double time, dt, volume, glass_mean, heat_to_tools, heat_to_air, dissipation, energy_imbalance, contact_area;
+  GlassShape shape;                                       ///< of the glass at the end of the step
+  double sag = std::numeric_limits<double>::quiet_NaN();  ///< of its lowest point since the stage's start, m
   std::string stage;
-  std::vector<double> tool_force, tool_position, probe;  ///< N, m, K
+  std::vector<double> tool_force, tool_position, tool_speed, probe;  ///< N, m, m/s, K
   Index coupling_iterations, flow_solves, contact_changes, heat_substeps;
   std::string limited_by;
   std::optional<CavityReport> cavities;  ///< where a stage of the scene seals cavities

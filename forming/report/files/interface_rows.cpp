@@ -66,7 +66,7 @@ void add_line(const Scene& scene, const State& state, const core::InterfacePoint
   const double celsius = thermal::content_reference;
   for (const double value : {1e3 * arc, 1e3 * point.position[0], 1e3 * point.position[1], glass - celsius,
                              tool - celsius, point.pressure, viscosity_at(scene, glass), h,
-                             point.contact_weight * h * (glass - tool), 1e6 * point.gap, point.contact_weight})
+                             point.contact_weight * h * (glass - tool), 1e3 * point.gap, point.contact_weight})
     fmt::format_to(fmt::appender(lines), FMT_COMPILE(",{}"), static_cast<float>(value));
   lines.push_back('\n');
 }
@@ -74,7 +74,7 @@ void add_line(const Scene& scene, const State& state, const core::InterfacePoint
 }  // namespace
 
 std::string interface_header() {
-  return "time_s,tool,arc_mm,r_mm,z_mm,T_glass_C,T_tool_C,pressure_Pa,viscosity_Pa_s,h_W_m2K,flux_W_m2,gap_um,"
+  return "time_s,tool,arc_mm,r_mm,z_mm,T_glass_degC,T_tool_degC,pressure_Pa,viscosity_Pa_s,h_W_m2K,flux_W_m2,gap_mm,"
          "contact_weight\n";
 }
 

@@ -3,18 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <type_traits>
 #include <utility>
 
 #include "core/case/case_error.hpp"
-#include "core/io/vtu.hpp"
 #include "core/process/run_error.hpp"
+#include "forming/report/files/body_fields.hpp"
+#include "forming/report/files/case_copy.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/interface_rows.hpp"
-#include "thermal/properties.hpp"
+#include "forming/report/files/tool_rows.hpp"
 
 namespace parison::forming {
 namespace {
@@ -27,12 +26,13 @@ std::string body_file(const Scene& scene, std::size_t body) {
 }
 
 void make_folder(const std::string& directory) {
-  if (fs::exists(directory) && (!fs::is_directory(directory) || !fs::is_empty(directory)))
+  std::error_code error;
+  const bool is_there = fs::exists(directory, error);
+  if (!error && is_there && (!fs::is_directory(directory) || !fs::is_empty(directory, error)) && !error)
     throw core::CaseError(fmt::format(
         "{}: a file or a folder that holds something was found, allowed is a new or an empty folder for the results",
         directory));
-  std::error_code error;
-  fs::create_directories(fs::path(directory) / "vtu", error);
+  if (!error) fs::create_directories(fs::path(directory) / "vtu", error);
   if (error)
     throw core::CaseError(fmt::format("{}: the folder for the results cannot be made: {}", directory, error.message()));
 }
@@ -45,49 +45,12 @@ bool remove_file(const std::string& path) {
   return found;
 }
 
-void add_temperature(const Body& body, const Eigen::VectorXd& temperature, core::VtuFields& fields) {
-  if (body.thermal)
-    fields.nodal.push_back({"temperature_C", (temperature.array() - thermal::content_reference).matrix()});
-}
-
-Eigen::VectorXd viscosity_field(const Scene& scene, const GlassState& glass) {
-  return glass.temperature.unaryExpr([&](double temperature) { return scene.glass.flow->viscosity(temperature); });
-}
-
-core::VtuFields glass_output(const Scene& scene, const State& state) {
-  const GlassState& glass = state.glass;
-  core::VtuFields fields;
-  fields.time = state.time;
-  for_each_glass_field([&](const auto& field) {
-    const auto& values = glass.*field.values;
-    const bool written = field.output == FieldOutput::celsius ? scene.has_heat() : scene.has_flow();
-    if (field.output == FieldOutput::none || !written) return;
-    const double offset = field.output == FieldOutput::celsius ? thermal::content_reference : 0;
-    using Stored = typename std::decay_t<decltype(values)>::value_type;
-    const Eigen::Map<const Eigen::Array<Stored, Eigen::Dynamic, 1>> stored(values.data(), Index(values.size()));
-    fields.nodal.push_back({field.output_name, (stored.template cast<double>() - offset).matrix()});
-  });
-  if (scene.has_flow()) fields.nodal.push_back({"viscosity_Pa_s", viscosity_field(scene, glass)});
-  return fields;
-}
-
-core::VtuFields tool_fields(const Scene& scene, const State& state, Index tool) {
-  const ToolState& body = state.tools[tool];
-  const auto& present = scene.stages.at(state.stage).tools;
-  const bool active = std::any_of(present.begin(), present.end(), [&](const StageTool& t) { return t.tool == tool; });
-  core::VtuFields fields;
-  fields.time = state.time;
-  fields.displacement = body.offset * core::axis_direction();
-  add_temperature(scene.tools[tool], body.temperature, fields);
-  fields.cell.push_back({"active", active ? 1.0 : 0.0});
-  return fields;
-}
-
 }  // namespace
 
 ResultFiles::ResultFiles(const Scene& scene, const std::string& directory)
     : ResultFiles(scene, (make_folder(directory), directory), WrittenFiles{}) {
   history_.append(history_header(scene));
+  tools_.append(tool_header(scene));
   interface_.append(interface_header());
 }
 
@@ -95,9 +58,11 @@ ResultFiles::ResultFiles(const Scene& scene, const std::string& directory, const
     : scene_(scene),
       directory_(directory),
       history_(directory + "/history.csv", written.history_size),
+      tools_(directory + "/tools.csv", written.tools_size),
       interface_(directory + "/interface.csv", written.interface_size),
       output_times_(written.output_times),
       synced_(written.output_times.size()) {
+  copy_case(scene, directory);
   remove_vtu_files_from(synced_);
   for (std::size_t body = 0; body <= scene.tools.size(); ++body) {
     std::vector<core::PvdCollection::Entry> entries;
@@ -119,8 +84,9 @@ void ResultFiles::remove_vtu_files_from(std::size_t output) const {
   }
 }
 
-void ResultFiles::row(const HistoryRow& row) {
+void ResultFiles::row(const HistoryRow& row, const std::string& tools) {
   history_.append(history_line(row));
+  tools_.append(tools);
 }
 
 void ResultFiles::fields(const State& state, const std::vector<core::InterfacePoint>& interface) {
@@ -128,7 +94,7 @@ void ResultFiles::fields(const State& state, const std::vector<core::InterfacePo
   const auto bodies = static_cast<std::size_t>(body_count(state));
   for (std::size_t body = 0; body < bodies; ++body)
     core::write_vtu(directory_ + '/' + vtu_file(body, output_times_.size()), mesh_of(state, static_cast<Index>(body)),
-                    body == 0 ? glass_output(scene_, state) : tool_fields(scene_, state, static_cast<Index>(body) - 1));
+                    body == 0 ? glass_output(scene_, state) : tool_output(scene_, state, static_cast<Index>(body) - 1));
   for (std::size_t body = 0; body < bodies; ++body)
     collections_[body].add(state.time, vtu_file(body, output_times_.size()));
   interface_.append(interface_lines(scene_, state, interface));
@@ -153,8 +119,8 @@ WrittenFiles ResultFiles::sync() {
   if (syncing_.valid()) syncing_.get();
   start_sync();
   syncing_.get();
-  for (const auto* file : {&history_, &interface_}) core::sync_to_disk(file->path());
-  return {history_.size(), interface_.size(), output_times_};
+  for (const auto* file : {&history_, &tools_, &interface_}) core::sync_to_disk(file->path());
+  return {history_.size(), tools_.size(), interface_.size(), output_times_};
 }
 
 }  // namespace parison::forming

@@ -16,8 +16,9 @@ namespace parison::forming {
 
 /// How far the files of a run have come.
 struct WrittenFiles {
-  std::int64_t history_size = 0, interface_size = 0;  ///< bytes
-  std::vector<double> output_times;                   ///< of the VTU files, s
+  std::int64_t history_size = 0, tools_size = 0, interface_size = 0;  ///< bytes
+  std::vector<double> output_times;                                   ///< of the VTU files, s
+  double stage_lowest = 0;  ///< lowest_downwards at the start of the present stage, m
 };
 
 /// The files of a run in its result folder; they observe and never steer.
@@ -28,8 +29,8 @@ class ResultFiles {
   /// Continues in a folder from where its files were; whatever was written since is cut off.
   ResultFiles(const Scene& scene, const std::string& directory, const WrittenFiles& written);
 
-  /// A row of history.csv; with the system when this returns.
-  void row(const HistoryRow& row);
+  /// A row of history.csv and one of tools.csv; with the system when this returns.
+  void row(const HistoryRow& row, const std::string& tools);
   /// VTU files of all bodies and the rows of interface.csv; a second call at the same time does nothing.
   void fields(const State& state, const std::vector<core::InterfacePoint>& interface);
   /// Flushes everything to the disk and returns how much has been written.
@@ -45,7 +46,7 @@ class ResultFiles {
 
   const Scene& scene_;
   std::string directory_;
-  core::GrowingFile history_, interface_;
+  core::GrowingFile history_, tools_, interface_;
   std::vector<core::PvdCollection> collections_;  ///< glass, then the tools
   std::vector<double> output_times_;
   std::size_t synced_ = 0;     ///< outputs on the disk or on their way

@@ -3,11 +3,12 @@
 
 #include "core/process/clock.hpp"
 #include "forming/run/checkpoint.hpp"
+#include "forming/step/step_control.hpp"
 
 namespace parison::forming {
 
-CheckpointWriter::CheckpointWriter(ResultWriter& results, Index last_checkpoint)
-    : results_(results), steps_(last_checkpoint), written_at_(core::wall_seconds()) {}
+CheckpointWriter::CheckpointWriter(ResultWriter& results, Index last_checkpoint, bool case_changed)
+    : results_(results), case_changed_(case_changed), steps_(last_checkpoint), written_at_(core::wall_seconds()) {}
 
 bool CheckpointWriter::is_due(const RunView& run) const {
   const Output& output = run.scene.output;
@@ -15,11 +16,22 @@ bool CheckpointWriter::is_due(const RunView& run) const {
          (output.checkpoint_steps && run.state.totals.steps - steps_ >= *output.checkpoint_steps);
 }
 
-void CheckpointWriter::checkpoint_possible(const RunView& run, bool at_stage_boundary) {
-  if (run.state.totals.steps == steps_ || !(at_stage_boundary || is_due(run))) return;
+void CheckpointWriter::write(const RunView& run) {
   write_checkpoint(results_.directory(), run.scene, {{run.state, run.facts}, results_.sync()});
   written_at_ = core::wall_seconds();
   steps_ = run.state.totals.steps;
+}
+
+void CheckpointWriter::run_begins(const RunView& run) {
+  if (case_changed_) write(run);
+}
+
+void CheckpointWriter::checkpoint_possible(const RunView& run, bool at_stage_boundary) {
+  if (run.state.totals.steps != steps_ && (at_stage_boundary || is_due(run))) {
+    write(run);
+  }
+  if (at_stage_boundary && run.state.stage_time > 0 && stage_end(run.scene, run.state) != StageEnd::none)
+    keep_checkpoint(results_.directory(), run.scene.stages[run.state.stage].name);
 }
 
 }  // namespace parison::forming

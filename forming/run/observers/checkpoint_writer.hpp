@@ -8,15 +8,20 @@ namespace parison::forming {
 /// checkpoints are over.
 class CheckpointWriter : public RunObserver {
  public:
-  /// `last_checkpoint` is the number of steps done at the one that the run is taken up from, -1 for a new run.
-  explicit CheckpointWriter(ResultWriter& results, Index last_checkpoint = -1);
+  /// `last_checkpoint` is the number of steps done at the one that the run is taken up from, -1 for a new run. Where
+  /// the case has changed since, one of the new case is written at once.
+  explicit CheckpointWriter(ResultWriter& results, Index last_checkpoint = -1, bool case_changed = false);
+
+  void run_begins(const RunView& run) override;
 
   void checkpoint_possible(const RunView& run, bool at_stage_boundary) override;
 
  private:
+  void write(const RunView& run);
   bool is_due(const RunView& run) const;
 
   ResultWriter& results_;
+  bool case_changed_;
   Index steps_;        ///< done at the last checkpoint
   double written_at_;  ///< wall clock at the last checkpoint, s
 };

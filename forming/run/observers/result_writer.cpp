@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "forming/report/files/tool_rows.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
 
 namespace parison::forming {
@@ -12,14 +13,22 @@ ResultWriter::ResultWriter(std::string directory, WrittenFiles written)
     : directory_(std::move(directory)), written_(std::move(written)) {}
 
 void ResultWriter::run_begins(const RunView& run) {
+  surfaces_ = tool_surfaces(run.scene, run.state);
+  stage_lowest_ = written_ ? written_->stage_lowest : 0;
   if (written_)
     files_.emplace(run.scene, directory_, *written_);
   else
     files_.emplace(run.scene, directory_);
 }
 
+void ResultWriter::stage_begins(const RunView& run) {
+  stage_lowest_ = lowest_downwards(run.scene, run.state);
+}
+
 void ResultWriter::step_taken(const RunView& run, const State& before, const StepReport& report) {
-  files_->row(history_row(run.scene, before, run.state, report));
+  HistoryRow row = history_row(run.scene, before, run.state, report);
+  row.sag = lowest_downwards(run.scene, run.state) - stage_lowest_;
+  files_->row(row, tool_line(run.scene, run.state, surfaces_));
 }
 
 void ResultWriter::fields_due(const RunView& run, const State& at) {
@@ -27,7 +36,9 @@ void ResultWriter::fields_due(const RunView& run, const State& at) {
 }
 
 WrittenFiles ResultWriter::sync() {
-  return files_->sync();
+  WrittenFiles written = files_->sync();
+  written.stage_lowest = stage_lowest_;
+  return written;
 }
 
 }  // namespace parison::forming

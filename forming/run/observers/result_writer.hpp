@@ -4,6 +4,7 @@
 #include <string>
 
 #include "forming/report/files/result_files.hpp"
+#include "forming/report/process/tool_surface.hpp"
 #include "forming/run/run_observer.hpp"
 
 namespace parison::forming {
@@ -17,6 +18,7 @@ class ResultWriter : public RunObserver {
   ResultWriter(std::string directory, WrittenFiles written);
 
   void run_begins(const RunView& run) override;
+  void stage_begins(const RunView& run) override;
   void step_taken(const RunView& run, const State& before, const StepReport& report) override;
   void fields_due(const RunView& run, const State& at) override;
 
@@ -28,6 +30,8 @@ class ResultWriter : public RunObserver {
   std::string directory_;
   std::optional<WrittenFiles> written_;  ///< before this run
   std::optional<ResultFiles> files_;
+  std::vector<ToolSurface> surfaces_;
+  double stage_lowest_ = 0;  ///< lowest_downwards at the start of the present stage, m
 };
 
 }  // namespace parison::forming

@@ -25,15 +25,19 @@ std::string stages_with(const Scene& scene, const Test& test) {
   return names;
 }
 
+const char* law_name(const flow::Viscosity& viscosity) {
+  return viscosity.constant ? "constant" : viscosity.table ? "tabulated" : "VFT";
+}
+
 std::string flow_parts(const Scene& scene) {
   const bool on = scene.has_flow();
   const auto or_no_flow = [on](const char* reason) { return on ? reason : "the glass does not flow"; };
   const auto gravity = stages_with(scene, [](const Stage& s) { return s.gravity != 0; });
   const auto pressure = stages_with(scene, [](const Stage& s) { return !s.pressure.empty(); });
   const double tension = on ? scene.glass.flow->surface_tension : 0;
-  const bool constant = on && scene.glass.flow->viscosity.constant.has_value();
-  std::string text = part("flow", on, fmt::format("Taylor-Hood P2-P1, {} viscosity", constant ? "constant" : "VFT"),
-                          "the glass's material has no viscosity");
+  std::string text =
+      part("flow", on, fmt::format("Taylor-Hood P2-P1, {} viscosity", on ? law_name(scene.glass.flow->viscosity) : ""),
+           "the glass's material has no viscosity");
   text += part("shear thinning", on && scene.glass.flow->shear_thinning, "Carreau factor",
                or_no_flow("the material names none"));
   text += part("gravity", on && !gravity.empty(), "in " + gravity, or_no_flow("no stage names it"));
@@ -90,6 +94,37 @@ std::string number_lines(const DimensionlessNumbers& numbers, core::Geometry geo
   text += fmt::format("  {:<20}{:<12}convected over conducted heat\n", "Peclet", shown(numbers.peclet));
   text += fmt::format("  {:<20}{:<12}surface exchange over conduction, largest h\n", "Biot", shown(numbers.biot));
   return text + fmt::format("  {:<20}{:<12}dissipated over conducted heat\n", "Brinkman", shown(numbers.brinkman));
+}
+
+/// Whether a tool of the scene moves in any stage.
+bool has_moving_tool(const Scene& scene) {
+  for (const Stage& stage : scene.stages)
+    for (const StageTool& tool : stage.tools)
+      if (fastest(tool) > 0) return true;
+  return false;
+}
+
+/// What the friction of each tool with Navier's law means for hot glass: a layer half as thick as the glass's own
+/// length shears in series with the friction, which takes this share of a tool's speed.
+std::string friction_lines(const Scene& scene, const DimensionlessNumbers& numbers) {
+  constexpr double stick_below = 0.1, slip_above = 0.9, bar = 1e5;
+  if (!numbers.viscosity) return "";
+  const bool moves = numbers.speed && has_moving_tool(scene);
+  std::string text;
+  for (const Tool& tool : scene.tools) {
+    const double coefficient = tool.friction.coefficient;
+    if (tool.friction.law != flow::Friction::Law::navier) continue;
+    const double share = 1 / (1 + coefficient * 0.5 * numbers.length / *numbers.viscosity);
+    text += fmt::format("  {:<20}{:g} Pa.s/m: ", tool.name, coefficient);
+    if (moves) text += fmt::format("{:.2g} bar at {:.3g} m/s; ", coefficient * *numbers.speed / bar, *numbers.speed);
+    text += fmt::format("hot glass slides at {:.1f} % of the speed of free slip: {}\n", 100 * share,
+                        share < stick_below  ? "acts as stick"
+                        : share > slip_above ? "acts as slip"
+                                             : "slides and drags");
+  }
+  return text.empty()
+             ? ""
+             : "\nfriction (no measured value for hot glass is known; 1e4 to 1e7 Pa.s/m is the range to try)\n" + text;
 }
 
 std::string stage_tool_text(const Scene& scene, const StageTool& tool) {
@@ -161,9 +196,25 @@ std::string describe_scene(const Scene& scene) {
   for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
   for (const auto& dimension : scene.dimensions)
     head += fmt::format("  {:<20}{} = {}\n", "dimension", dimension.name, dimension.given);
+  const DimensionlessNumbers numbers = dimensionless_numbers(scene);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
-         number_lines(dimensionless_numbers(scene), scene.geometry) + describe_container(scene) + stage_lines(scene) +
-         accuracy_lines(scene);
+         number_lines(numbers, scene.geometry) + friction_lines(scene, numbers) + describe_container(scene) +
+         stage_lines(scene) + accuracy_lines(scene);
+}
+
+std::string describe_scene_briefly(const Scene& scene) {
+  const DimensionlessNumbers numbers = dimensionless_numbers(scene);
+  double longest = 0;
+  for (const Stage& stage : scene.stages) longest += stage.duration;
+  std::string text =
+      fmt::format("{} at {} accuracy: {:.4g} g of glass, tools: {}, stages: {}, at most {:.4g} s\n", scene.name,
+                  scene.accuracy_name, 1e3 * numbers.mass, scene.tools.size(), scene.stages.size(), longest);
+  for (const auto& assignment : scene.overrides) text += fmt::format("  {:<20}{}\n", "override", assignment);
+  for (const Setting& setting : settings())
+    if (const auto own = scene.accuracy_origin.find(setting.key); own != scene.accuracy_origin.end())
+      text += fmt::format("  {:<20}{} {:.4g} {}, from {}\n", "numerics", setting.key,
+                          scene.accuracy.*setting.value / setting.unit_size, setting.unit, own->second);
+  return text;
 }
 
 }  // namespace parison::forming

@@ -25,5 +25,7 @@ double fastest(const StageTool& tool);
 
 /// What a scene needs, for the terminal: physics on and off and why, numbers, stages and accuracy.
 std::string describe_scene(const Scene& scene);
+/// The same in few lines: what is run, and the settings that the case or --set chose.
+std::string describe_scene_briefly(const Scene& scene);
 
 }  // namespace parison::forming

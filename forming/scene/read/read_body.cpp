@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -119,6 +121,8 @@ void read_shape(const CaseTable& table, const BodyContext& context, Body& body) 
 const NamedMaterial& find_material(const CaseNode& node, const BodyContext& context) {
   std::vector<std::string> names;
   for (const auto& material : context.materials) names.push_back(material.name);
+  for (const auto& name : library_names())
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return context.materials[core::choice(node, names)];
 }
 

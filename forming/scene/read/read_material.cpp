@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "forming/flow/viscosity/composition.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "thermal/radiation/fresnel.hpp"
 
@@ -14,8 +17,11 @@ using core::CaseTable;
 namespace dimension = core::dimension;
 
 /// A property over temperature, above zero everywhere.
-core::Table property(const CaseNode& node, const core::Dimension& dimension) {
-  const auto table = core::quantity_table(node, dimension::temperature, dimension);
+core::Table property(const CaseNode& node, const core::Dimension& x, const core::Dimension& y) {
+  constexpr std::size_t most = 1000;  // heat content is asked at every point of every step
+  if (node.items.size() > most)
+    core::refuse(node, fmt::format("{} pairs were found, allowed are up to {}", node.items.size(), most));
+  const auto table = core::quantity_table(node, x, y);
   for (const double value : table.y)
     if (!(value > 0)) core::refuse(node, fmt::format("{:g} was found, allowed are values above zero", value));
   return table;
@@ -28,22 +34,82 @@ int law_of(const CaseNode& node, const std::vector<std::string>& allowed) {
   return core::choice(CaseTable(node, {"law"}).get("law"), allowed);
 }
 
-flow::Viscosity read_viscosity(const CaseNode& node) {
+flow::Viscosity read_vft(const CaseNode& node) {
+  const CaseTable table(node, {"law", "A", "B", "T0"});
   flow::Viscosity viscosity;
-  if (law_of(node, {"constant", "vft"}) == 0) {
-    viscosity.constant = core::positive(CaseTable(node, {"law", "value"}).get("value"), dimension::viscosity);
-  } else {
-    const CaseTable table(node, {"law", "A", "B", "T0"});
-    viscosity.A = core::quantity(table.get("A"), dimension::none);
-    constexpr double largest = 30;
-    if (std::abs(viscosity.A) > largest)
-      core::refuse(table.get("A"), fmt::format("{} was found, allowed are values from -{} to {}: the logarithm to base "
-                                               "10 of a viscosity in Pa.s",
-                                               viscosity.A, largest, largest));
-    viscosity.B = core::positive(table.get("B"), dimension::temperature_difference);
-    viscosity.T0 = core::quantity(table.get("T0"), dimension::temperature);
-  }
+  viscosity.A = core::quantity(table.get("A"), dimension::none);
+  constexpr double largest = 30;
+  if (std::abs(viscosity.A) > largest)
+    core::refuse(table.get("A"), fmt::format("{} was found, allowed are values from -{} to {}: the logarithm to base "
+                                             "10 of a viscosity in Pa.s",
+                                             viscosity.A, largest, largest));
+  viscosity.B = core::positive(table.get("B"), dimension::temperature_difference);
+  viscosity.T0 = core::quantity(table.get("T0"), dimension::temperature);
   return viscosity;
+}
+
+/// Measured points [["1200 degC", "101 Pa.s"], ...].
+flow::Viscosity read_points(const CaseNode& node) {
+  const auto& points = CaseTable(node, {"law", "points"}).get("points");
+  core::list(points);
+  const core::Table table = property(points, dimension::temperature, dimension::viscosity);
+  if (table.x.size() < 2)
+    core::refuse(points, "one point was found, allowed are two or more pairs of a temperature and a viscosity");
+  for (std::size_t i = 1; i < table.y.size(); ++i)
+    if (!(table.y[i] < table.y[i - 1]))
+      core::refuse(points.items[i], fmt::format("{:g} Pa.s is not below the {:g} Pa.s before it, allowed are "
+                                                "viscosities that fall with the temperature",
+                                                table.y[i], table.y[i - 1]));
+  flow::Viscosity viscosity;
+  viscosity.table.emplace(table.x, table.y);
+  return viscosity;
+}
+
+double share_of(const CaseNode& oxide, const flow::OxideRange& range) {
+  const double share = core::not_negative(oxide, dimension::none);
+  constexpr double round_off = 1e-9;
+  if (share < range.least - round_off || share > range.most + round_off)
+    core::refuse(oxide, fmt::format("{:.4g} % was found, allowed are {:.4g} to {:.4g} %, the range of the glasses that "
+                                    "the model of Lakatos rests on; give the viscosity by vft or table",
+                                    100 * share, 100 * range.least, 100 * range.most));
+  return share;
+}
+
+/// Shares by mass of the oxides.
+flow::Viscosity read_composition(const CaseNode& node) {
+  const auto& oxides = CaseTable(node, {"law", "oxides"}).get("oxides");
+  std::vector<std::string> names;
+  for (const auto& range : flow::oxide_ranges()) names.push_back(range.name);
+  const CaseTable table(oxides, names);
+  flow::Composition composition;
+  double sum = 0;
+  for (const auto& range : flow::oxide_ranges()) {
+    const auto* oxide = range.least > 0 ? &table.get(range.name) : table.find(range.name);
+    if (oxide) sum += composition[range.name] = share_of(*oxide, range);
+  }
+  constexpr double least = 0.98, most = 1.005;
+  if (sum < least || sum > most)
+    core::refuse(oxides,
+                 fmt::format("the oxides add up to {:.4g} %, allowed are {:g} to {:g} %; what is missing counts "
+                             "as without effect",
+                             100 * sum, 100 * least, 100 * most));
+  return flow::viscosity_of(composition);
+}
+
+flow::Viscosity read_viscosity(const CaseNode& node) {
+  switch (law_of(node, {"constant", "vft", "table", "composition"})) {
+    case 0: {
+      flow::Viscosity viscosity;
+      viscosity.constant = core::positive(CaseTable(node, {"law", "value"}).get("value"), dimension::viscosity);
+      return viscosity;
+    }
+    case 1:
+      return read_vft(node);
+    case 2:
+      return read_points(node);
+    default:
+      return read_composition(node);
+  }
 }
 
 flow::Carreau read_shear_thinning(const CaseNode& node) {
@@ -51,28 +117,60 @@ flow::Carreau read_shear_thinning(const CaseNode& node) {
   return {core::positive(table.get("time"), dimension::time), core::positive(table.get("exponent"), dimension::none)};
 }
 
+/// What is told about a material.
+void read_notes(const CaseTable& table, NamedMaterial& material) {
+  if (const auto* about = table.find("about")) material.about = core::text(*about);
+  if (const auto* source = table.find("source")) material.source = core::text(*source);
+  if (const auto* assumed = table.find("assumed"))
+    for (const auto& key : core::list(*assumed)) {
+      std::vector<std::string> given;
+      for (const auto& item : table.node().items) given.push_back(item.name);
+      core::choice(key, given);
+      material.assumed.push_back(key.text);
+    }
+}
+
+void read_thermal(const CaseTable& table, double density, NamedMaterial& material) {
+  if (!table.find("conductivity") && !table.find("heat_capacity")) return;
+  material.thermal.emplace();
+  material.thermal->density = density;
+  material.thermal->conductivity = property(table.get("conductivity"), dimension::temperature, dimension::conductivity);
+  material.thermal->heat_capacity =
+      property(table.get("heat_capacity"), dimension::temperature, dimension::heat_capacity);
+  if (const auto* radiation = table.find("radiation")) material.thermal->radiation = read_radiation(*radiation);
+}
+
+void read_flow(const CaseTable& table, double density, NamedMaterial& material) {
+  const auto* viscosity = table.find("viscosity");
+  if (!viscosity) return;
+  material.flow.emplace();
+  material.flow->density = density;
+  material.flow->viscosity = read_viscosity(*viscosity);
+  if (const auto* carreau = table.find("shear_thinning")) material.flow->shear_thinning = read_shear_thinning(*carreau);
+  if (const auto* tension = table.find("surface_tension"))
+    material.flow->surface_tension = core::not_negative(*tension, dimension::surface_tension);
+}
+
+/// Refuses a material that gives single values only, as if to change a bundled one.
+void check_density(const CaseTable& table, const std::string& name) {
+  if (table.find("density")) return;
+  const auto names = library_names();
+  if (std::count(names.begin(), names.end(), name))
+    core::refuse(table.node(), fmt::format("the density is missing; to change single values of the bundled material, "
+                                           "add like = \"{}\"",
+                                           name));
+}
+
 NamedMaterial read_material(const CaseNode& node) {
   const CaseTable table(node, {"density", "heat_capacity", "conductivity", "radiation", "viscosity", "shear_thinning",
-                               "surface_tension", "emissivity"});
+                               "surface_tension", "emissivity", "like", "about", "source", "assumed"});
   NamedMaterial material;
   material.name = core::identifier(core::key_of(node));
+  read_notes(table, material);
+  check_density(table, material.name);
   const double density = core::positive(table.get("density"), dimension::density);
-  if (table.find("conductivity") || table.find("heat_capacity")) {
-    material.thermal.emplace();
-    material.thermal->density = density;
-    material.thermal->conductivity = property(table.get("conductivity"), dimension::conductivity);
-    material.thermal->heat_capacity = property(table.get("heat_capacity"), dimension::heat_capacity);
-    if (const auto* radiation = table.find("radiation")) material.thermal->radiation = read_radiation(*radiation);
-  }
-  if (const auto* viscosity = table.find("viscosity")) {
-    material.flow.emplace();
-    material.flow->density = density;
-    material.flow->viscosity = read_viscosity(*viscosity);
-    if (const auto* carreau = table.find("shear_thinning"))
-      material.flow->shear_thinning = read_shear_thinning(*carreau);
-    if (const auto* tension = table.find("surface_tension"))
-      material.flow->surface_tension = core::not_negative(*tension, dimension::surface_tension);
-  }
+  read_thermal(table, density, material);
+  read_flow(table, density, material);
   for (const auto* key : {"radiation", "emissivity"})
     if (const auto* item = table.find(key); item && !material.thermal)
       core::refuse(

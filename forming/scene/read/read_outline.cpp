@@ -253,8 +253,10 @@ void check_outline(const Profile& profile, core::Geometry geometry, const CaseNo
                              profile.boundary_names[one.boundary_id], profile.boundary_names[other.boundary_id],
                              1e3 * one.start[0], 1e3 * one.start[1]));
   }
+  const double size = core::size(profile), joined = tolerance::joined * size;
+  if (std::abs(core::signed_area(profile)) <= joined * size)
+    core::refuse(boundaries, "the outline encloses no area, allowed is one that leads around a body");
   if (geometry == core::Geometry::planar) return;
-  const double joined = tolerance::joined * core::size(profile);
   for (const auto& segment : profile.segments)
     for (int i = 0; i <= 16; ++i)
       if (const auto x = core::point_at(segment, i / 16.0); x[0] < -joined)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"
@@ -103,13 +104,15 @@ void check_sizes(const Scene& scene, const core::CaseTable& root) {
 }
 
 void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables) {
-  std::vector<std::string> names;
+  constexpr std::size_t most = 1000;
+  if (tables.size() > most)
+    core::refuse(*tables[most], fmt::format("{} tables were found, allowed are up to {}", tables.size(), most));
+  std::set<std::string> names;
   for (const auto* table : tables)
     for (const auto& item : table->items)
       if (item.name == "name") {
-        if (std::count(names.begin(), names.end(), core::text(item)))
+        if (!names.insert(core::text(item)).second)
           core::refuse(item, fmt::format("\"{}\" was found twice, allowed are different names", item.text));
-        names.push_back(item.text);
       }
 }
 

@@ -6,19 +6,11 @@
 #include <vector>
 
 #include "core/case/case_file.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/scene/scene.hpp"
 
 namespace parison::forming {
 
-/// A material as the case file gives it; properties that are missing are not computed.
-struct NamedMaterial {
-  std::string name;
-  std::optional<thermal::Material> thermal;
-  std::optional<flow::Material> flow;
-  double emissivity = 0;        ///< of glass with light in bands that of an opaque surface of its refractive index
-  bool has_emissivity = false;  ///< whether the case gives it
-};
-std::vector<NamedMaterial> read_materials(const core::CaseNode& node);
 /// Internal radiation of a material; nothing for the model "none".
 std::optional<thermal::Radiation> read_radiation(const core::CaseNode& node);
 
@@ -70,7 +62,7 @@ void coarsen(Scene& scene, double factor);
 
 /// Names of the scene's tools, in their order.
 std::vector<std::string> tool_names(const Scene& scene);
-/// Refuses a list of tables two of which have the same name.
+/// Refuses a list of tables two of which have the same name, and one of more than a thousand.
 void refuse_repeated_names(const std::vector<const core::CaseNode*>& tables);
 
 /// Refuses edge lengths that would give a body more cells than a run can handle.

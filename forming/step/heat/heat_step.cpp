@@ -96,8 +96,13 @@ void accumulate(const thermal::HeatBalance& balance, State& state) {
   state.totals.dissipation += glass.from_source;
   state.totals.to_tools += thermal::lost_through_interfaces(balance, glass_body);
   state.totals.max_flux_mismatch = std::max(state.totals.max_flux_mismatch, thermal::flux_mismatch(balance));
-  for (std::size_t t = 0; t < state.tools.size(); ++t)
-    state.tools[t].heat_received -= thermal::lost_through_interfaces(balance, body_of_tool(Index(t)));
+  for (std::size_t t = 0; t < state.tools.size(); ++t) {
+    const Index body = body_of_tool(Index(t));
+    state.tools[t].heat_received -= thermal::lost_through_interfaces(balance, body);
+    const auto first = static_cast<std::size_t>(balance.first_boundary[static_cast<std::size_t>(body)]);
+    for (std::size_t i = 0; i < state.tools[t].heat_through.size(); ++i)
+      state.tools[t].heat_through[i] += balance.through_boundary[first + i];
+  }
   for (const thermal::PairBalance& pair : balance.pairs)
     state.tools[pair.master_body - 1].heat_radiated += pair.radiated;
 }

@@ -2,13 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <set>
 
 #include "../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/run/folder_run.hpp"
+#include "forming/run/run.hpp"
 
 namespace parison::forming {
 namespace {
@@ -71,6 +74,61 @@ TEST(Checks, heat_through_cells_that_do_not_resolve_the_skin_is_told_with_the_si
   const std::string summary = core::read_text(folder + "/summary.json");
   EXPECT_NE(summary.find("\"trustworthy\": false"), std::string::npos);
   EXPECT_NE(summary.find("\"name\": \"thermal_skin\""), std::string::npos);
+}
+
+/// A number that a check watches in the results of a run, and a way to spoil it.
+struct Spoilt {
+  const char* check;
+  std::function<void(State&, RunFacts&, double)> spoil;  ///< by a factor of some size
+};
+
+const std::vector<Spoilt> spoilt_numbers = {
+    {"energy_imbalance", [](State& state, RunFacts&, double x) { state.totals.to_air += x * state.totals.to_tools; }},
+    {"interface_flux", [](State& state, RunFacts&, double x) { state.totals.max_flux_mismatch = x; }},
+    {"thermal_skin",
+     [](State& state, RunFacts&, double x) { state.tools[0].skin.wrong = x * state.tools[0].skin.exchanged; }},
+    {"overshoot", [](State& state, RunFacts&, double x) { state.glass.bounds.overshoot = x * 1e3; }},
+    {"overshoot", [](State& state, RunFacts&, double x) { state.tools[1].bounds.overshoot = x * 1e3; }},
+    {"undershoot", [](State& state, RunFacts&, double x) { state.glass.bounds.undershoot = x * 1e3; }},
+    {"undershoot", [](State& state, RunFacts&, double x) { state.tools[0].bounds.undershoot = x * 1e3; }},
+    {"conductance_table", [](State& state, RunFacts&, double) { state.totals.clamped_lookups = 1; }},
+    {"work_balance", [](State&, RunFacts& facts,
+                        double x) { facts.stages.back().work.tools += x * facts.stages.back().work.dissipation; }},
+    {"volume_drift", [](State& state, RunFacts&, double x) { state.totals.max_drift = x; }},
+    {"penetration", [](State& state, RunFacts&, double x) { state.totals.max_penetration = x * 0.01; }},
+    {"edge_penetration", [](State& state, RunFacts&, double x) { state.totals.max_edge_penetration = x * 0.01; }},
+    {"axis", [](State& state, RunFacts&, double x) { state.totals.off_axis = x * 0.01; }},
+    {"flow_resolution",
+     [](State& state, RunFacts&, double x) { state.totals.unresolved_work = x * state.totals.sampled_work; }},
+    {"failed_meshes", [](State& state, RunFacts&, double) { state.totals.remeshing.failed = 2; }},
+    {"mesh_coarsening", [](State& state, RunFacts&, double x) { state.totals.remeshing.coarsening_factor = 1 + x; }},
+    {"locked_contacts", [](State&, RunFacts& facts,
+                           double) { facts.solver_statistics.locked_contacts = facts.solver_statistics.contacts; }},
+    {"step_collapse", [](State& state, RunFacts&, double) { state.totals.short_steps = state.totals.steps; }},
+    {"inertia", [](State& state, RunFacts&, double x) { state.totals.max_reynolds = 10 * x; }},
+    {"coupling",
+     [](State& state, RunFacts&, double x) { state.totals.unforeseen_work = x * state.totals.work.dissipation; }},
+    {"viscosity_cap",
+     [](State& state, RunFacts&, double x) { state.totals.capped_work = x * state.totals.work.dissipation; }},
+};
+
+TEST(Checks, each_tells_of_its_own_number_and_of_no_other_also_where_it_is_no_number) {
+  const Scene scene = scene_of(small_scene);
+  const RunOutcome whole = run(scene, {}, {});
+  ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
+  const Checks untouched = checks(scene, whole.state, whole.facts);
+  ASSERT_EQ(complaints(untouched), std::vector<std::string>{});
+  std::set<std::string> told;
+  for (const auto& [name, spoil] : spoilt_numbers)
+    for (const double size : {0.5, std::numeric_limits<double>::quiet_NaN()}) {
+      RunOutcome outcome = whole;
+      spoil(outcome.state, outcome.facts, size);
+      const auto sentences = complaints(checks(scene, outcome.state, outcome.facts));
+      ASSERT_EQ(sentences.size(), 1u) << name << " by " << size;
+      EXPECT_EQ(sentences[0].rfind(std::string(name) + " is ", 0), 0u) << sentences[0];
+      told.insert(name);
+    }
+  for (const Check& check : untouched) EXPECT_TRUE(told.count(check.name)) << check.name << " was not spoilt";
 }
 
 TEST(Checks, glass_that_a_cup_holds_at_rest_raises_none) {
@@ -140,6 +198,63 @@ TEST(Checks, glass_stiffer_than_the_cap_of_the_viscosity_that_is_made_to_flow_is
   EXPECT_EQ(stiff[0].rfind("viscosity_cap is 1e+02 %", 0), 0u) << stiff[0];
 }
 
+/// A disc of container glass that conducts well, pressed between plates that keep it as cold as its own work lets them.
+std::string pressed_and_cooled(const std::string& numerics) {
+  const std::string plates = R"(material = "heavy"
+temperature = "527 degC"
+friction = "slip"
+)";
+  return R"(case = "cooled"
+geometry = "axisymmetric"
+interface = [{ tools = ["base", "ram"], law = "constant", h = "1e5 W/m2/K" }]
+[material.heavy]
+density = "7200 kg/m3"
+heat_capacity = "1e9 J/kg/K"
+conductivity = "1e6 W/m/K"
+)" + container_glass("1e8 W/m/K") +
+         R"([glass]
+material = "glass"
+temperature = "1027 degC"
+boundary = [{ name = "surface", path = "(0, 0) (20, 0) (20, 10) (0, 10) mm", condition = "contact" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" }]
+[[tool]]
+name = "base"
+)" + plates +
+         R"(boundary = [{ name = "face", path = "(60, 0) (0, 0) mm", condition = "contact" },
+  { name = "axis", path = "(0, -20) mm", condition = "symmetry" },
+  { name = "rest", path = "(60, -20) (60, 0) mm", condition = "insulated" }]
+[[tool]]
+name = "ram"
+position = "10 mm"
+)" + plates +
+         R"(boundary = [{ name = "face", path = "(0, 0) (60, 0) mm", condition = "contact" },
+  { name = "rest", path = "(60, 20) (0, 20) mm", condition = "insulated" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" }]
+[[stage]]
+name = "press"
+duration = "0.5 s"
+tools = ["base", "ram"]
+motion.ram = { offset = [["0 s", "10 mm"], ["0.5 s", "5 mm"]] }
+[numerics]
+)" + numerics;
+}
+
+TEST(Checks, glass_that_its_own_work_keeps_warm_is_told_where_the_steps_do_not_follow) {
+  const auto coupling = [](const std::string& numerics) {
+    const auto outcome = run(scene_of(pressed_and_cooled(numerics)), {}, {});
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    const auto& all = outcome.facts.checks;
+    const auto check = std::find_if(all.begin(), all.end(), [](const Check& one) { return one.name == "coupling"; });
+    std::printf("%s: coupling %.4f, work %.0f J\n", numerics.c_str(), check->value, outcome.state.totals.work.tools);
+    return std::pair{*check, outcome.state.totals.work.tools};
+  };
+  const auto [fine, work] = coupling("max_step = \"2 ms\"");
+  const auto [coarse, wrong_work] = coupling("max_step = \"50 ms\"\ntemperature_per_step = \"1000 K\"");
+  EXPECT_EQ(fine.verdict(), Verdict::inside);
+  EXPECT_GT(std::abs(wrong_work / work - 1), 0.02);
+  EXPECT_NE(coarse.verdict(), Verdict::inside);
+}
+
 TEST(History, the_force_is_that_of_the_height_beside_it) {
   const std::string folder = tests::absent_folder();
   const auto outcome = run_in_folder(scene_of(slipping_press), folder);
@@ -155,7 +270,7 @@ TEST(History, the_force_is_that_of_the_height_beside_it) {
   while (std::getline(rows, line)) {
     std::vector<std::string> fields;
     for (std::istringstream in(line); std::getline(in, field, ',');) fields.push_back(field);
-    const double height = std::stod(fields[column("plunger_position_m")]);
+    const double height = 1e-3 * std::stod(fields[column("plunger_position_mm")]);
     const double exact = -3 * 1e4 * M_PI * 0.02 * 0.02 * 0.01 * 0.01 / (height * height);
     worst = std::max(worst, std::abs(std::stod(fields[column("plunger_force_N")]) / exact - 1));
     ++count;

@@ -5,13 +5,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "../scene_text.hpp"
 #include "core/io/files.hpp"
+#include "forming/report/contour/contour.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/interface_rows.hpp"
 #include "forming/report/files/result_files.hpp"
+#include "forming/report/files/tool_rows.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
@@ -42,10 +46,19 @@ std::vector<std::string> fields_of(const std::string& line) {
 
 TEST(History, the_columns_are_those_of_the_readme) {
   EXPECT_EQ(history_header(scene_of(small_scene)),
-            "time_s,stage,dt_s,volume_m3,glass_mean_C,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
-            "contact_area_m2,plate_force_N,plunger_force_N,plate_position_m,plunger_position_m,centre_C,coupling_"
-            "iterations,flow_solves,"
-            "contact_changes,heat_substeps,limited_by\n");
+            "time_s,stage,dt_s,volume_mm3,glass_mean_degC,heat_to_tools_J,heat_to_air_J,dissipation_J,energy_imbalance,"
+            "contact_area_mm2,lowest_mm,highest_mm,length_mm,sag_mm,skin_mean_degC,skin_min_degC,skin_viscosity_Pa_s,"
+            "plate_force_N,plunger_force_N,plate_position_mm,plunger_position_mm,plate_speed_mm_s,plunger_speed_mm_s,"
+            "centre_degC,coupling_iterations,flow_solves,contact_changes,heat_substeps,limited_by\n");
+}
+
+/// Fields of a line by the names of a heading.
+std::map<std::string, std::string> named_fields(const std::string& heading, const std::string& line) {
+  const auto names = fields_of(lines_of(heading)[0]), fields = fields_of(lines_of(line)[0]);
+  EXPECT_EQ(names.size(), fields.size());
+  std::map<std::string, std::string> found;
+  for (std::size_t i = 0; i < std::min(names.size(), fields.size()); ++i) found[names[i]] = fields[i];
+  return found;
 }
 
 TEST(History, a_row_says_what_the_state_holds) {
@@ -53,22 +66,81 @@ TEST(History, a_row_says_what_the_state_holds) {
   State state = initial_state(scene);
   state.time = 0.25;
   state.tools[1].force = -4.5;
+  state.tools[1].velocity = -0.02;
   StepReport report;
   report.dt = 0.125;
   report.flow_solves = 7;
   report.limit = StepLimit::event;
-  const auto fields = fields_of(lines_of(history_line(history_row(scene, state, state, report)))[0]);
-  ASSERT_EQ(fields.size(), fields_of(history_header(scene)).size());
-  EXPECT_EQ(fields[0], "0.25");
-  EXPECT_EQ(fields[1], "rest");
-  EXPECT_EQ(fields[2], "0.125");
-  EXPECT_NEAR(std::stod(fields[3]), M_PI * 0.02 * 0.02 * 0.01, 1e-14);
-  EXPECT_NEAR(std::stod(fields[4]), 1000, 1e-6);
-  EXPECT_EQ(fields[11], "-4.5");
-  EXPECT_EQ(fields[13], "0.01");
-  EXPECT_NEAR(std::stod(fields[14]), 1000, 1e-6);
-  EXPECT_EQ(fields[16], "7");
-  EXPECT_EQ(fields[19], "event");
+  HistoryRow row = history_row(scene, state, state, report);
+  row.sag = 3e-3;
+  auto field = named_fields(history_header(scene), history_line(row));
+  EXPECT_EQ(field["time_s"], "0.25");
+  EXPECT_EQ(field["stage"], "rest");
+  EXPECT_EQ(field["dt_s"], "0.125");
+  EXPECT_NEAR(std::stod(field["volume_mm3"]), M_PI * 20 * 20 * 10, 1e-5);
+  EXPECT_NEAR(std::stod(field["glass_mean_degC"]), 1000, 1e-6);
+  EXPECT_NEAR(std::stod(field["lowest_mm"]), 0, 1e-9);
+  EXPECT_NEAR(std::stod(field["highest_mm"]), 10, 1e-9);
+  EXPECT_NEAR(std::stod(field["length_mm"]), 10, 1e-9);
+  EXPECT_EQ(field["sag_mm"], "3");
+  EXPECT_NEAR(std::stod(field["skin_mean_degC"]), 1000, 1e-6);
+  EXPECT_NEAR(std::stod(field["skin_min_degC"]), 1000, 1e-6);
+  EXPECT_NEAR(std::stod(field["skin_viscosity_Pa_s"]), 1e4, 1e-4);
+  EXPECT_EQ(field["plunger_force_N"], "-4.5");
+  EXPECT_EQ(field["plunger_position_mm"], "10");
+  EXPECT_EQ(field["plunger_speed_mm_s"], "-20");
+  EXPECT_NEAR(std::stod(field["centre_degC"]), 1000, 1e-6);
+  EXPECT_EQ(field["flow_solves"], "7");
+  EXPECT_EQ(field["limited_by"], "event");
+}
+
+TEST(ToolRows, a_row_has_mean_surface_and_hottest_place_in_the_frame_of_the_case) {
+  const Scene scene = scene_of(small_scene);
+  State state = initial_state(scene);
+  ToolState& plunger = state.tools[1];  // a disc of 15 mm radius and 20 mm height, drawn with its face at z = 0
+  for (Index n = 0; n < plunger.mesh.node_count(); ++n)
+    plunger.temperature[n] = 273.15 + 600 + 10e3 * plunger.mesh.nodes[n][0] - 1e3 * plunger.mesh.nodes[n][1];
+  plunger.heat_received = 12;
+  auto field = named_fields(tool_header(scene), tool_line(scene, state, tool_surfaces(scene, state)));
+  EXPECT_NEAR(std::stod(field["plunger_mean_degC"]), 600 + 100 - 10, 1e-4);
+  EXPECT_NEAR(std::stod(field["plunger_surface_mean_degC"]), 600 + 100, 1e-4);
+  EXPECT_NEAR(std::stod(field["plunger_surface_max_degC"]), 750, 1e-4);
+  EXPECT_NEAR(std::stod(field["plunger_surface_max_r_mm"]), 15, 1e-6);
+  EXPECT_NEAR(std::stod(field["plunger_surface_max_z_mm"]), 10, 1e-6);
+  // Hotter than 645 degC beyond a radius of 4.5 mm.
+  EXPECT_NEAR(std::stod(field["plunger_sticking_area_mm2"]), M_PI * (15 * 15 - 4.5 * 4.5), 3);
+  EXPECT_EQ(field["plunger_heat_received_J"], "12");
+  EXPECT_EQ(field["plate_sticking_area_mm2"], "0");
+}
+
+TEST(Csv, every_heading_has_a_unit_but_names_counts_and_shares) {
+  const Scene scene = scene_of(small_scene);
+  const std::set<std::string> units{"s", "mm", "mm2", "mm3", "mm_s", "degC", "N",
+                                    "J", "g",  "kg",  "Pa",  "Pa_s", "W_m2", "W_m2K"};
+  const std::set<std::string> without{"stage",
+                                      "energy_imbalance",
+                                      "coupling_iterations",
+                                      "flow_solves",
+                                      "contact_changes",
+                                      "heat_substeps",
+                                      "limited_by",
+                                      "tool",
+                                      "contact_weight",
+                                      "mark",
+                                      "side",
+                                      "loop"};
+  const State state = initial_state(scene);
+  const std::string folder = tests::new_folder();
+  write_thickness(folder + "/thickness.csv", {});
+  for (const std::string& heading :
+       {history_header(scene), tool_header(scene), interface_header(), core::read_text(folder + "/thickness.csv"),
+        contour_text(scene, state, {}), heights_text({})})
+    for (const std::string& name : fields_of(lines_of(heading)[0])) {
+      bool has_unit = without.count(name) > 0;
+      for (const std::string& unit : units)
+        has_unit = has_unit || (name.size() > unit.size() && name.substr(name.size() - unit.size() - 1) == '_' + unit);
+      EXPECT_TRUE(has_unit) << name;
+    }
 }
 
 TEST(History, the_contact_area_is_that_of_the_edges_pressed_at_all_their_nodes) {
@@ -133,8 +205,9 @@ TEST(ResultFiles, history_rows_are_on_the_disk_at_once) {
   const State state = initial_state(scene);
   const std::string folder = absent_folder();
   ResultFiles files(scene, folder);
-  files.row(history_row(scene, state, state, {}));
-  EXPECT_EQ(lines_of(core::read_text(folder + "/history.csv")).size(), 2u);
+  files.row(history_row(scene, state, state, {}), tool_line(scene, state, tool_surfaces(scene, state)));
+  for (const char* name : {"/history.csv", "/tools.csv"})
+    EXPECT_EQ(lines_of(core::read_text(folder + name)).size(), 2u) << name;
 }
 
 TEST(InterfaceRows, they_run_along_the_contact_with_both_temperatures_and_the_flux) {
@@ -288,12 +361,12 @@ TEST(Summary, the_file_is_valid_json_with_the_names_of_the_readme) {
                           "energy_imbalance",
                           "glass",
                           "mass_kg",
-                          "temperature_mean_C",
-                          "temperature_min_C",
-                          "temperature_max_C",
+                          "temperature_mean_degC",
+                          "temperature_min_degC",
+                          "temperature_max_degC",
                           "tools",
                           "heat_received_J",
-                          "surface_temperature_max_C",
+                          "surface_temperature_max_degC",
                           "stages",
                           "thickness",
                           "min_mm",
@@ -308,10 +381,10 @@ TEST(Summary, the_file_is_valid_json_with_the_names_of_the_readme) {
   const std::string check = "python3 -c \"import json; s = json.load(open('" + folder +
                             "/summary.json')); assert abs(s['glass']['mass_kg'] - 0.0628319) < 1e-6; "
                             "assert s['warnings'][0].count(chr(34)) == 2; assert s['stages'][0]['end_s'] == 10; "
-                            "assert s['tools']['steel']['surface_temperature_max_C'] is not None\"";
+                            "assert s['tools']['steel']['surface_temperature_max_degC'] is not None\"";
   EXPECT_EQ(std::system(check.c_str()), 0);
   EXPECT_EQ(lines_of(core::read_text(folder + "/thickness.csv"))[0],
-            "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_C,T_outer_C,mark,r_inner_mm,z_inner_mm");
+            "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_degC,T_outer_degC,mark,r_inner_mm,z_inner_mm");
 }
 
 TEST(Summary, the_share_of_the_surface_near_tools_is_that_of_the_face_in_contact) {

@@ -101,6 +101,8 @@ RunFacts some_facts() {
   facts.stages = {{"rest", 0, 1 / 3.0, "duration", {1, 2, 3, 4, 5, 6, 1 / 7.0, 8}}};
   facts.warnings = {"at 0.1 s something", "something else"};
   facts.solver_statistics.flow_solves = 1L << 33;
+  facts.extremes.glass = {900, 0.25, {1, 2}, 0.125, 1 / 3.0};
+  facts.extremes.tools = {{}, {800, 0.5, {3, 4}, 0.375, 1 / 7.0}};
   facts.solver_statistics.limited_by.back() = 3;
   return facts;
 }
@@ -109,7 +111,7 @@ TEST(Checkpoint, a_state_comes_back_to_the_bit) {
   const Scene scene = scene_of(small_scene);
   const State state = busy_state(scene);
   const std::string folder = tests::new_folder();
-  write_checkpoint(folder, scene, {{state, some_facts()}, {1L << 33, 7, {0, 1 / 3.0}}});
+  write_checkpoint(folder, scene, {{state, some_facts()}, {1L << 33, 5, 7, {0, 1 / 3.0}, 1 / 9.0}});
   const Checkpoint checkpoint = read_checkpoint(find_checkpoint(folder), scene);
   const State& read = checkpoint.outcome.state;
   const auto written = bits_of(state), found = bits_of(read);
@@ -117,7 +119,9 @@ TEST(Checkpoint, a_state_comes_back_to_the_bit) {
   for (const auto& [name, bits] : written) EXPECT_TRUE(found.count(name) && found.at(name) == bits) << name;
   EXPECT_EQ(fingerprint(read), fingerprint(state));
   EXPECT_EQ(checkpoint.files.history_size, 1L << 33);
+  EXPECT_EQ(checkpoint.files.tools_size, 5);
   EXPECT_EQ(checkpoint.files.interface_size, 7);
+  EXPECT_EQ(checkpoint.files.stage_lowest, 1 / 9.0);
   EXPECT_EQ(checkpoint.files.output_times, (std::vector<double>{0, 1 / 3.0}));
   const RunFacts& facts = checkpoint.outcome.facts;
   EXPECT_EQ(facts.wall_seconds, 1.5);
@@ -131,6 +135,12 @@ TEST(Checkpoint, a_state_comes_back_to_the_bit) {
   EXPECT_EQ(facts.warnings, (std::vector<std::string>{"at 0.1 s something", "something else"}));
   EXPECT_EQ(facts.solver_statistics.flow_solves, 1L << 33);
   EXPECT_EQ(facts.solver_statistics.limited_by.back(), 3);
+  EXPECT_EQ(facts.extremes.glass.at, Point(1, 2));
+  EXPECT_EQ(facts.extremes.glass.seconds_beyond, 1 / 3.0);
+  EXPECT_TRUE(std::isnan(facts.extremes.tools.at(0).temperature));
+  EXPECT_EQ(facts.extremes.tools.at(1).temperature, 800);
+  EXPECT_EQ(facts.extremes.tools.at(1).time, 0.5);
+  EXPECT_EQ(facts.extremes.tools.at(1).first_beyond, 0.375);
 }
 
 TEST(Checkpoint, a_fingerprint_tells_states_apart_that_differ_in_one_bit) {
@@ -186,7 +196,7 @@ TEST(Checkpoint, one_of_another_case_file_accuracy_or_version_is_refused_with_a_
   const std::string kept = path + ".kept";
   std::filesystem::copy_file(path, kept);
   core::write_hdf5(path, [](core::Hdf5Group& file) { file.write("version", std::int64_t{99}); });
-  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 7");
+  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 8");
   const std::int64_t version = core::open_hdf5(kept).read_integer("version");
   core::write_hdf5(path, [&](core::Hdf5Group& file) {
     file.write("version", version);

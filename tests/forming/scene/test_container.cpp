@@ -20,7 +20,7 @@ const std::string drawn_glass = R"(boundary = [
 
 Scene jar_with(const std::string& gob) {
   return read_scene(cases + "jar", "draft",
-                    {"glass={ material = \"container_glass\", temperature = \"1150 degC\", gob = " + gob + " }"});
+                    {"glass={ material = \"flint\", temperature = \"1150 degC\", gob = " + gob + " }"});
 }
 
 std::string complaint_about_jar_with(const std::string& gob) {

@@ -73,5 +73,22 @@ TEST(DimensionlessNumbers, stages_tools_and_accuracy_are_listed) {
   EXPECT_EQ(line_with(overridden, "temperature_tolerance"), "  temperature_tolerance   0.02 K      case");
 }
 
+/// L = 200 mm2/25 mm: 1e4 Pa.s over a layer of 4 mm is as stiff as a friction of 2.5e6 Pa.s/m.
+TEST(FrictionLines, tell_stick_from_slip_by_the_shear_of_hot_glass) {
+  const auto meaning = [](const std::string& coefficient) {
+    const std::string text = describe_scene(scene_of(
+        replaced("friction = \"slip\"", "friction = { law = \"navier\", coefficient = \"" + coefficient + "\" }")));
+    const auto at = text.find("  plunger             ", text.find("\nfriction ("));
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_NE(meaning("1e8 Pa.s/m").find("acts as stick"), std::string::npos) << meaning("1e8 Pa.s/m");
+  EXPECT_NE(meaning("2.5e6 Pa.s/m").find("hot glass slides at 50.0 % of the speed of free slip: slides and drags"),
+            std::string::npos)
+      << meaning("2.5e6 Pa.s/m");
+  EXPECT_NE(meaning("1e3 Pa.s/m").find("acts as slip"), std::string::npos) << meaning("1e3 Pa.s/m");
+  EXPECT_NE(meaning("1e6 Pa.s/m").find("0.1 bar at 0.01 m/s"), std::string::npos) << meaning("1e6 Pa.s/m");
+  EXPECT_EQ(describe_scene(scene_of(small_scene)).find("\nfriction ("), std::string::npos);
+}
+
 }  // namespace
 }  // namespace parison::forming

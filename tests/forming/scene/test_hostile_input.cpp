@@ -3,7 +3,9 @@
 #include <sys/stat.h>
 
 #include <cmath>
+#include <ctime>
 #include <filesystem>
+#include <functional>
 
 #include "../scene_text.hpp"
 #include "core/io/files.hpp"
@@ -68,6 +70,8 @@ TEST(HostileInput, entities_that_contradict_themselves_are_refused) {
   const auto said = [&](const std::string& from, const std::string& to, const std::string& sentence) {
     expect_refused(with_drawing("disc.dxf", replaced(from, to, polyline("0") + end)), sentence);
   };
+  for (const char* flags : {"111111111111111", "-1", "1.5", "8"})
+    said("70\n0", std::string("70\n") + flags, "a curve-fitted or three-dimensional LWPOLYLINE was found");
   said("90\n4", "90\n5", "4 vertices were found, the entity says 5");
   said("\n20\n10\n10\n0\n", "\n10\n0\n", "a vertex without group 20 was found");
   said("42\n0", "42\n1e7", "a bulge of 1e+07 was found, allowed are bulges of up to 1e+06 in size");
@@ -155,6 +159,57 @@ TEST(HostileInput, numbers_of_a_case_have_a_range) {
   for (const char* A : {"-400", "400", "1e308"})
     said("{ law = \"constant\", value = \"1e4 Pa.s\" }",
          std::string("{ law = \"vft\", A = ") + A + ", B = \"3922 K\", T0 = \"291 degC\" }", "viscosity.A: ");
+}
+
+/// CPU time that an action takes, s.
+template <class Action>
+double seconds(const Action& action) {
+  const std::clock_t start = std::clock();
+  action();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+TEST(HostileInput, the_largest_case_files_are_read_or_refused_within_ten_seconds) {
+  const auto repeated = [](int count, const std::function<std::string(std::string)>& part) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += part(std::to_string(i));
+    return text;
+  };
+  const auto stages = [](const std::string& i) {
+    return "[[stage]]\nname = \"" + i + "\"\nduration = \"1 s\"\ntools = [\"plate\"]\n";
+  };
+  const auto probes = [](const std::string& i) {
+    return "[[probe]]\nname = \"" + i + "\"\nbody = \"glass\"\npoint = \"(0, 5) mm\"\n";
+  };
+  const auto capacity = [&](int count) {
+    const auto pair = [](const std::string& i) { return "[\"" + i + " degC\", \"1300 J/kg/K\"],"; };
+    return replaced("\"1300 J/kg/K\"", "[" + repeated(count, pair) + "]");
+  };
+  const std::string unknown = repeated(300'000, [](const std::string& i) { return 'k' + i + " = 1\n"; });
+  EXPECT_LT(seconds([&] { expect_refused(small_scene + unknown, "probe.k0: unknown key"); }), 10);
+  EXPECT_LT(seconds([&] { expect_refused(small_scene + repeated(40'000, stages), "allowed are up to 1000"); }), 10);
+  EXPECT_LT(seconds([&] { expect_refused(small_scene + repeated(50'000, probes), "allowed are up to 1000"); }), 10);
+  EXPECT_LT(seconds([&] { expect_refused(capacity(90'000), "90000 pairs were found, allowed are up to 1000"); }), 10);
+  EXPECT_LT(seconds([&] { EXPECT_EQ(complaint_about(small_scene + repeated(900, stages)), ""); }), 10);
+  EXPECT_LT(seconds([&] { EXPECT_EQ(complaint_about(capacity(1000)), ""); }), 10);
+  EXPECT_LT(seconds([&] { expect_refused(small_scene + std::string(5'000'000, '#'), "files of up to 4 MB"); }), 10);
+}
+
+TEST(HostileInput, the_longest_drawings_and_tables_are_read_within_ten_seconds) {
+  const int count = 19'000;
+  std::string lines, rows = "r_mm,z_mm\n0,0\n20,0\n";
+  const auto height = [&](int i) { return std::to_string(10.0 * i / count); };
+  for (int i = 0; i < count; ++i) {
+    lines += "0\nLINE\n10\n20\n20\n" + height(i) + "\n11\n20\n21\n" + height(i + 1) + "\n";
+    rows += "20," + height(i + 1) + "\n";
+  }
+  const auto line = [](const char* x1, const char* y1, const char* x2, const char* y2) {
+    return std::string("0\nLINE\n10\n") + x1 + "\n20\n" + y1 + "\n11\n" + x2 + "\n21\n" + y2 + "\n";
+  };
+  const std::string drawing =
+      "0\nSECTION\n2\nENTITIES\n" + line("0", "0", "20", "0") + lines + line("20", "10", "0", "10") + end;
+  for (const std::string& scene : {with_drawing("disc.dxf", drawing), with_csv(rows + "0,10\n")})
+    EXPECT_LT(seconds([&] { EXPECT_EQ(complaint_about(scene), ""); }), 10);
 }
 
 }  // namespace

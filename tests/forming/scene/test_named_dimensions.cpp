@@ -26,6 +26,21 @@ TEST(NamedDimensions, paths_arcs_and_quantities_use_them) {
   EXPECT_DOUBLE_EQ(moved.tools[1].position, 0.011);
 }
 
+TEST(NamedDimensions, a_key_of_the_case_behind_their_heading_is_told_as_that) {
+  const auto message = complaint_about("[dimension]\nr = \"20 mm\"\nair = { h = \"20 W/m2/K\" }\n" + small_scene);
+  EXPECT_NE(message.find("dimension.air: a table was found, allowed are quantities such as \"24 mm\"; keys that follow "
+                         "[dimension] belong to it up to the next heading"),
+            message.npos)
+      << message;
+}
+
+TEST(NamedDimensions, zeros_alone_need_no_unit) {
+  EXPECT_EQ(complaint_about(replaced("path = \"(0, 0) mm\", condition = \"symmetry\" },\n]\n[[tool]]\nname = \"plate\"",
+                                     "path = \"(0, 0)\", condition = \"symmetry\" },\n]\n[[tool]]\nname = \"plate\"")),
+            "");
+  EXPECT_NE(complaint_about(replaced("(20, 0) (20, 10) (0, 10) mm", "(20, 0) (20, 10) (0, 10)")), "");
+}
+
 TEST(NamedDimensions, one_that_is_set_changes_all_that_uses_it) {
   const auto folder =
       write_scene(replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm", "(0, 0) (r, 0) (r, h) (0, h)", with_names));

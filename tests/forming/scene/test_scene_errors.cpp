@@ -54,6 +54,14 @@ TEST(SceneErrors, self_crossing_profile) {
                    "allowed is an outline that does not touch itself");
 }
 
+TEST(SceneErrors, an_outline_that_goes_back_on_its_own_line) {
+  const std::string said = "glass.boundary: the outline encloses no area, allowed is one that leads around a body";
+  const auto flat = replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm", "(0, 0) (20, 0) mm");
+  EXPECT_NE(complaint_about(flat).find(said), std::string::npos) << complaint_about(flat);
+  const auto gob = replaced("[glass]\n", "[glass]\ngob.mass = \"20 g\"\n", flat);
+  EXPECT_NE(complaint_about(gob).find(said), std::string::npos) << complaint_about(gob);
+}
+
 TEST(SceneErrors, profile_beyond_the_axis) {
   expect_complaint("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"",
                    "{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (-1, 10) mm\"",
@@ -177,6 +185,20 @@ TEST(SceneErrors, an_output_interval_is_at_least_a_microsecond) {
   EXPECT_EQ(interval("1 us"), "");
 }
 
+TEST(SceneErrors, a_flag_is_one_that_there_is_with_a_quantity_of_its_kind) {
+  const auto flags = [](const std::string& value) {
+    const auto message = complaint_about(small_scene + "[output]\nflags = { " + value + " }\n");
+    return message.substr(std::min(message.size(), message.find(' ') + 1));
+  };
+  EXPECT_EQ(flags("wall_below = \"1 mm\""), "");
+  EXPECT_NE(flags("wall_bellow = \"1 mm\"").find("wall_below"), std::string::npos);
+  EXPECT_NE(flags("wall_below = \"1 degC\"").find("output.flags.wall_below: \"1 degC\" is a temperature"),
+            std::string::npos);
+  EXPECT_NE(flags("glass_below = \"1 mm\"").find("output.flags.glass_below: \"1 mm\" is a length"), std::string::npos);
+  EXPECT_NE(flags("tool_surface_above = \"0 K\""), "");
+  EXPECT_NE(flags("wall_below = \"0 mm\""), "");
+}
+
 TEST(SceneErrors, sizes_that_would_give_too_many_cells) {
   const auto glass = [](const std::string& mesh) {
     return complaint_about(replaced("temperature = \"1000 degC\"", "temperature = \"1000 degC\"\nmesh = " + mesh));
@@ -225,6 +247,10 @@ TEST(SceneErrors, numerics_that_contradict_each_other) {
   EXPECT_EQ(numerics("max_step = \"0.1 ms\"").rfind("numerics.max_step: initial_step = 0.001 and", 0), 0u);
   EXPECT_EQ(numerics("min_step = \"2 ms\"").rfind("numerics.min_step: min_step = 0.002 and", 0), 0u);
   EXPECT_EQ(numerics("surface_size = \"0.3 mm\"").rfind("numerics.surface_size: skin_size = 0.0007 and", 0), 0u);
+  for (const char* passes : {"21", "1000000"})
+    EXPECT_EQ(numerics(std::string("passes = ") + passes),
+              std::string("numerics.passes: ") + passes + " was found, allowed are up to 20");
+  EXPECT_EQ(numerics("passes = 20"), "");
   EXPECT_EQ(numerics("temperature_order = 3"), "numerics.temperature_order: 3 was found, allowed are 1 and 2");
   EXPECT_EQ(numerics("initial_step = \"10 us\"\nmax_step = \"0.1 ms\""), "");
 }

@@ -100,7 +100,7 @@ std::pair<double, double> thin_film_ratio(const Scene& scene, double below) {
   const double volume = M_PI * std::pow(4e-3, 2) * 0.8e-3, speed = 1e-3;
   double time = 0, ratio = 0, slenderness = 0;
   for (const auto& row : steps_of(scene)) {
-    const double dt = row.at("dt_s"), height = row.at("plunger_position_m");
+    const double dt = row.at("dt_s"), height = 1e-3 * row.at("plunger_position_mm");
     if (height > below) continue;
     const double radius = std::sqrt(volume / (M_PI * height));
     const double theory = 1.5 * M_PI * 1e3 * std::pow(radius, 4) * speed / std::pow(height, 3);

@@ -65,6 +65,18 @@ TEST(Work, an_error_counts_more_in_a_step_that_loses_little_down_to_a_tenth_of_t
   EXPECT_NEAR(error(1e-3), 10 / 100.001, 1e-5) << "a tenth of the whole";
 }
 
+TEST(Work, what_an_impact_creates_is_an_error_of_the_step) {
+  const Scene scene = pot_and_air();
+  const State start = initial_state(scene);
+  Work before;
+  before.tools = before.dissipation = 100;
+  Work after = before;
+  after.dissipation += 1, after.impact_loss -= 1;  // in balance, by glass that lands in tension
+  EXPECT_NEAR(work_error(scene, start, before, after, 0), 1 / 10.0, 1e-12) << "over a tenth of the whole";
+  after.dissipation -= 2, after.impact_loss += 2;
+  EXPECT_EQ(work_error(scene, start, before, after, 0), 0) << "what an impact loses is none";
+}
+
 TEST(SolverStatistics, of_the_steps_is_summed_and_every_step_has_its_limit) {
   const std::string results = tests::absent_folder();
   const auto outcome = run_in_folder(pot_and_air(), results);

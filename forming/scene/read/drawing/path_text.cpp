@@ -50,6 +50,12 @@ bool has_letter(std::string_view text) {
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; });
 }
 
+/// Whether coordinates without a unit behind them have one of their own or need none, as zeros do.
+bool need_no_unit(const std::vector<std::string_view>& points) {
+  const auto is_zero = [](std::string_view text) { return text.find_first_of("123456789") == text.npos; };
+  return std::any_of(points.begin(), points.end(), has_letter) || std::all_of(points.begin(), points.end(), is_zero);
+}
+
 /// Takes everything before the next word that is `end`, and that word; nothing where there is none.
 std::optional<std::string_view> take_until(std::string_view& text, std::string_view end) {
   const char* const first = text.data();
@@ -73,7 +79,7 @@ std::optional<PointsText> split_points(std::string_view text) {
   }
   result.unit = take_word(text);
   if (result.points.empty() || !text.empty()) return {};
-  if (result.unit.empty() ? !std::any_of(result.points.begin(), result.points.end(), has_letter) : !apart) return {};
+  if (result.unit.empty() ? !need_no_unit(result.points) : !apart) return {};
   return result;
 }
 

@@ -126,13 +126,14 @@ class DxfCurves {
   }
 
   void begin_polyline(const Entity& entity) {
-    const int flags = static_cast<int>(number(entity, 70, 0));
-    if ((flags & ~(1 | 128)) != 0)
+    const double flags = number(entity, 70, 0);
+    constexpr double closed = 1, line_pattern = 128;
+    closed_ = flags == closed || flags == closed + line_pattern;
+    if (!closed_ && flags != 0 && flags != line_pattern)
       refuse(entity,
              fmt::format("a curve-fitted or three-dimensional {} was found, allowed is a plane one of lines and arcs",
                          entity.kind));
     require_end_of_polyline();
-    closed_ = (flags & 1) != 0;
     open_ = entity;
   }
 

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/contour/contour.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "forming/report/contour/section_slice.hpp"
+#include "forming/report/files/history.hpp"
+#include "forming/report/process/glass_shape.hpp"
+#include "forming/report/wall/surface_rays.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+const char* name_of(SurfacePart side) {
+  switch (side) {
+    case SurfacePart::outer:
+      return "outer";
+    case SurfacePart::inner:
+      return "inner";
+    case SurfacePart::rim:
+      return "rim";
+    case SurfacePart::none:
+      break;
+  }
+  return "surface";
+}
+
+/// The side of each node; a node between a rim and a side is of the side.
+std::vector<SurfacePart> sides_of_nodes(const core::Mesh& mesh, const WallSides& sides) {
+  std::vector<SurfacePart> side(mesh.nodes.size(), SurfacePart::none);
+  for (const SurfacePart wanted : {SurfacePart::rim, SurfacePart::inner, SurfacePart::outer})
+    for (std::size_t edge = 0; edge < sides.part.size(); ++edge)
+      if (sides.part[edge] == wanted)
+        for (const Index node : mesh.boundary_edges()[edge].nodes) side[node] = wanted;
+  return side;
+}
+
+/// Thickness at the nodes: of the outer side as in the profile, of the inner side by rays that meet the outer one.
+std::vector<double> thickness_at_nodes(const core::Mesh& mesh, const WallSides& sides, const std::vector<Ray>& rays,
+                                       const std::vector<SurfacePart>& side, const ThicknessProfile& profile) {
+  std::vector<double> thickness(mesh.nodes.size(), none);
+  for (std::size_t n = 0; n < thickness.size(); ++n)
+    if (const Ray& ray = rays[n]; side[n] == SurfacePart::inner && ray.ends() &&
+                                  sides.part[ray.edge] == SurfacePart::outer && ray.facing >= facing_sides)
+      thickness[n] = ray.length;
+  for (std::size_t i = 0; i < profile.rows.size(); ++i) thickness[profile.nodes[i]] = profile.rows[i].thickness;
+  return thickness;
+}
+
+std::vector<bool> without_symmetry(const core::Mesh& mesh) {
+  std::vector<bool> wanted;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    wanted.push_back(mesh.kind_of(edge) != BoundaryKind::symmetry);
+  return wanted;
+}
+
+/// Thickness on the outer side at a place along the axis, where the outer side is widest; NaN off the wall.
+double outer_thickness(const std::vector<ContourPoint>& points, double axial) {
+  double radius = -1, thickness = none;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const ContourPoint &a = points[i - 1], &b = points[i];
+    const double low = std::min(a.position[1], b.position[1]), high = std::max(a.position[1], b.position[1]);
+    if (a.side != SurfacePart::outer || b.side != SurfacePart::outer || axial < low || axial > high || low == high)
+      continue;
+    const double t = (axial - a.position[1]) / (b.position[1] - a.position[1]);
+    if (const double r = (1 - t) * a.position[0] + t * b.position[0]; r > radius)
+      radius = r, thickness = (1 - t) * a.thickness + t * b.thickness;
+  }
+  return thickness;
+}
+
+/// The distance of the slices of glass so high, m.
+double slice_distance(double height) {
+  constexpr double millimetre = 1e-3, least_rows = 50;
+  return millimetre * std::pow(10, std::floor(std::log10(height / millimetre / least_rows) + 1e-9));
+}
+
+}  // namespace
+
+std::vector<ContourPoint> contour(const Scene& scene, const State& state, const ThicknessProfile& profile) {
+  const core::Mesh& mesh = state.glass.mesh;
+  const std::vector<Ray> rays = surface_rays(mesh, scene.geometry);
+  WallSides sides = wall_sides(mesh, scene.geometry, rays);
+  if (!profile.no_wall.empty()) sides.part.assign(sides.part.size(), SurfacePart::none);
+  const std::vector<SurfacePart> side = sides_of_nodes(mesh, sides);
+  const std::vector<double> thickness = thickness_at_nodes(mesh, sides, rays, side, profile);
+  std::vector<ContourPoint> points;
+  std::vector<bool> seen(mesh.nodes.size(), false);
+  int loop = 0;
+  const auto add = [&](Index node, double arc) {
+    if (seen[node]) return;
+    seen[node] = true;
+    points.push_back({loop, side[node], arc, mesh.nodes[node], thickness[node],
+                      scene.has_heat() ? state.glass.temperature[node] : none});
+  };
+  Index end = -1;
+  for (const ChainEdge& edge : walk_edges(mesh, without_symmetry(mesh))) {
+    const auto& [first, last, mid] = mesh.boundary_edges()[edge.edge].nodes;
+    if (end >= 0 && first != end) ++loop;
+    end = last;
+    add(first, edge.start);
+    add(mid, edge.start + 0.5 * edge.length);
+    add(last, edge.start + edge.length);
+  }
+  return points;
+}
+
+std::vector<HeightRow> height_rows(const Scene& scene, const State& state, const std::vector<ContourPoint>& points) {
+  const core::Mesh& mesh = state.glass.mesh;
+  const GlassShape shape = glass_shape(scene, state);
+  const int up = upwards(scene, state);
+  const double height = shape.high - shape.low, foot = up > 0 ? shape.low : shape.high;
+  const double distance = slice_distance(height),
+               density = glass_facts(scene, state).mass / core::volume(mesh, scene.geometry);
+  const double edge = 1e-6 * height;  // the slices at the ends are taken so far inside
+  std::vector<HeightRow> rows;
+  for (int i = 0; i * distance < height * (1 + 1e-12); ++i) {
+    HeightRow row{i * distance, foot + up * i * distance, none, none, none, 0};
+    const double inside = std::clamp(row.axial, shape.low + edge, shape.high - edge);
+    const std::vector<double> crossings = outline_crossings(mesh, inside);
+    if (crossings.size() >= 2) {
+      row.outer_radius = crossings.back();
+      row.inner_radius = crossings[crossings.size() - 2];
+    }
+    row.thickness = outer_thickness(points, inside);
+    row.weight_above = density * volume_beyond(mesh, scene.geometry, row.axial, up);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string contour_text(const Scene& scene, const State& state, const std::vector<ContourPoint>& points) {
+  const GlassShape shape = glass_shape(scene, state);
+  const int up = upwards(scene, state);
+  const double foot = up > 0 ? shape.low : shape.high;
+  std::string text = "loop,side,arc_mm,r_mm,z_mm,height_mm,thickness_mm,T_degC\n";
+  for (const ContourPoint& point : points)
+    text += fmt::format("{},{},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", point.loop, name_of(point.side),
+                        1e3 * point.arc, 1e3 * point.position[0], 1e3 * point.position[1],
+                        1e3 * up * (point.position[1] - foot), 1e3 * point.thickness,
+                        point.temperature - thermal::content_reference);
+  return text;
+}
+
+std::string heights_text(const std::vector<HeightRow>& rows) {
+  std::string text = "height_mm,z_mm,r_outer_mm,r_inner_mm,thickness_mm,weight_above_g\n";
+  for (const HeightRow& row : rows)
+    text += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", 1e3 * row.height, 1e3 * row.axial,
+                        1e3 * row.outer_radius, 1e3 * row.inner_radius, 1e3 * row.thickness, 1e3 * row.weight_above);
+  return text;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,44 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "forming/report/thickness_profile.hpp"
+#include "forming/report/wall/wall_sides.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+/// A node of the glass surface.
+struct ContourPoint {
+  int loop;            ///< number of the connected part of the surface
+  SurfacePart side;    ///< none on glass that is no wall
+  double arc;          ///< along the surface from where it begins, m
+  Point position;      ///< m
+  double thickness;    ///< of the wall along the inward normal, m; NaN on rims and where there is none
+  double temperature;  ///< K; NaN without heat
+};
+
+/// The glass surface in the order of walking with the glass on the left, without symmetry boundaries: from one side
+/// of the wall over a rim to the other. The outer side has the thickness of `profile`, the inner side that of its own
+/// rays.
+std::vector<ContourPoint> contour(const Scene& scene, const State& state, const ThicknessProfile& profile);
+
+/// A horizontal slice of the glass as it stands.
+struct HeightRow {
+  double height;                      ///< above its lowest point, m
+  double axial;                       ///< coordinate along the axis, m
+  double outer_radius, inner_radius;  ///< m; the inner one 0 where the glass reaches the axis; x in planar scenes
+  double thickness;                   ///< normal to the outer side there, m; NaN off the wall
+  double weight_above;                ///< kg
+};
+
+/// Slices from the lowest point to the highest, 50 to 500 at a distance of 1 mm or a power of ten of it.
+std::vector<HeightRow> height_rows(const Scene& scene, const State& state, const std::vector<ContourPoint>& points);
+
+/// contour.csv and heights.csv as texts.
+std::string contour_text(const Scene& scene, const State& state, const std::vector<ContourPoint>& points);
+std::string heights_text(const std::vector<HeightRow>& rows);
+
+}  // namespace parison::forming

@@ -1,0 +1,16 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// Folder of a result folder that holds its case.
+std::string case_copy_folder(const std::string& directory);
+
+/// Copies the case file, and the files of its folder that it names, into the result folder, with the command that runs
+/// them. Nothing where the case file is no longer there.
+void copy_case(const Scene& scene, const std::string& directory);
+
+}  // namespace parison::forming

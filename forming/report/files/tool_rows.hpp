@@ -1,0 +1,22 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "forming/report/process/tool_surface.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+/// The surfaces of all tools of a run.
+std::vector<ToolSurface> tool_surfaces(const Scene& scene, const State& state);
+
+/// The boundaries of a tool whose heat is reported: those with cooling or a given temperature.
+std::vector<std::size_t> reported_faces(const Tool& tool);
+
+/// Line of column names of tools.csv, and the row of a state as a line; only tools that carry heat have columns.
+std::string tool_header(const Scene& scene);
+std::string tool_line(const Scene& scene, const State& state, const std::vector<ToolSurface>& surfaces);
+
+}  // namespace parison::forming

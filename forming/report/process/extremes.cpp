@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/process/extremes.hpp"
+
+#include <cmath>
+
+#include "forming/report/process/tool_surface.hpp"
+
+namespace parison::forming {
+namespace {
+
+void add_time_beyond(const State& before, const State& state, Extreme& extreme) {
+  if (!extreme.was_beyond()) extreme.first_beyond = state.time;
+  extreme.seconds_beyond += state.time - before.time;
+}
+
+}  // namespace
+
+void update_extremes(const Scene& scene, const State& before, const State& state, Extremes& extremes) {
+  if (!scene.has_heat()) return;
+  const Flags& flags = scene.output.flags;
+  extremes.tools.resize(state.tools.size());
+  for (std::size_t i = 0; i < state.tools.size(); ++i) {
+    const HottestPoint hottest = hottest_surface_point(state.tools[i]);
+    Extreme& extreme = extremes.tools[i];
+    if (hottest.temperature > extreme.temperature || std::isnan(extreme.temperature))
+      extreme.temperature = hottest.temperature, extreme.time = state.time, extreme.at = hottest.at;
+    if (hottest.temperature > flags.tool_surface_above) add_time_beyond(before, state, extreme);
+  }
+  Eigen::Index coldest = 0;
+  const double temperature = state.glass.temperature.minCoeff(&coldest);
+  if (!(temperature >= extremes.glass.temperature))
+    extremes.glass.temperature = temperature, extremes.glass.time = state.time,
+    extremes.glass.at = state.glass.mesh.nodes[static_cast<std::size_t>(coldest)];
+  if (flags.glass_below && temperature < *flags.glass_below) add_time_beyond(before, state, extremes.glass);
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/process/flags.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+namespace {
+
+double celsius(double kelvin) {
+  return kelvin - thermal::content_reference;
+}
+
+Flag of_temperature(const char* name, const std::string& tool, double limit, const Extreme& extreme) {
+  return {name,
+          tool,
+          "degC",
+          celsius(limit),
+          celsius(extreme.temperature),
+          extreme.time,
+          extreme.first_beyond,
+          extreme.seconds_beyond,
+          extreme.at,
+          {}};
+}
+
+std::string place(const Flag& flag) {
+  return fmt::format("({:.1f}, {:.1f}) mm", 1e3 * flag.at[0], 1e3 * flag.at[1]);
+}
+
+}  // namespace
+
+FlagsRaised raised_flags(const Scene& scene, const Extremes& extremes, double end_time, const ThicknessRange& wall) {
+  const Flags& limits = scene.output.flags;
+  FlagsRaised flags;
+  for (std::size_t i = 0; i < extremes.tools.size(); ++i) {
+    if (!extremes.tools[i].was_beyond()) continue;
+    Flag flag = of_temperature("tool_surface_above", scene.tools[i].name, limits.tool_surface_above, extremes.tools[i]);
+    flag.sentence = fmt::format(
+        "{} surface {:.0f} degC at {} at {:.2f} s, above {:.0f} degC for {:.2f} s: glass may stick; cool the tool more "
+        "or shorten the contact",
+        flag.tool, flag.value, place(flag), flag.time, flag.limit, flag.seconds);
+    flags.push_back(flag);
+  }
+  if (limits.glass_below && extremes.glass.was_beyond()) {
+    Flag flag = of_temperature("glass_below", "", *limits.glass_below, extremes.glass);
+    flag.sentence = fmt::format(
+        "glass {:.0f} degC at {} at {:.2f} s, below {:.0f} degC for {:.2f} s: it may check or not fill; a hotter gob "
+        "or tool, or a shorter contact",
+        flag.value, place(flag), flag.time, flag.limit, flag.seconds);
+    flags.push_back(flag);
+  }
+  if (limits.wall_below && wall.lowest < *limits.wall_below) {
+    Flag flag{"wall_below", "",       "mm", 1e3 * *limits.wall_below, 1e3 * wall.lowest,
+              end_time,     end_time, 0,    wall.lowest_at,           {}};
+    flag.sentence =
+        fmt::format("wall {:.2f} mm at {}, below {:.2f} mm: a heavier gob, or glass that is colder there in the blank",
+                    flag.value, place(flag), flag.limit);
+    flags.push_back(flag);
+  }
+  return flags;
+}
+
+void add_flags(core::JsonWriter& json, const FlagsRaised& flags) {
+  json.open_list("flags");
+  for (const Flag& flag : flags) {
+    json.open_object("");
+    json.add("name", flag.name);
+    if (!flag.tool.empty()) json.add("tool", flag.tool);
+    json.add("unit", flag.unit);
+    json.add("limit", flag.limit);
+    json.add("value", flag.value);
+    json.add("time_s", flag.time);
+    json.add("first_s", flag.first);
+    json.add("seconds", flag.seconds);
+    json.add("r_mm", 1e3 * flag.at[0]);
+    json.add("z_mm", 1e3 * flag.at[1]);
+    json.add("sentence", flag.sentence);
+    json.close();
+  }
+  json.close();
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,31 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "core/io/json.hpp"
+#include "forming/report/process/extremes.hpp"
+#include "forming/report/thickness_profile.hpp"
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// Something that a process engineer would look at: a limit of the case that the run went beyond.
+struct Flag {
+  std::string name;  ///< tool_surface_above, glass_below or wall_below
+  std::string tool;  ///< whose surface; empty for the glass
+  std::string unit;  ///< of limit and value: degC or mm
+  double limit, value;
+  double time, first, seconds;  ///< of the value, of the first step beyond the limit, beyond it in all, s
+  Point at;                     ///< of the value, m
+  std::string sentence;         ///< with what to do
+};
+using FlagsRaised = std::vector<Flag>;
+
+/// The flags of a run with what it remembers, its end at `end_time`, s, and its wall there.
+FlagsRaised raised_flags(const Scene& scene, const Extremes& extremes, double end_time, const ThicknessRange& wall);
+
+/// The list `flags` of summary.json.
+void add_flags(core::JsonWriter& json, const FlagsRaised& flags);
+
+}  // namespace parison::forming

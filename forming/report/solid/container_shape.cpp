@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/solid/container_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "core/case/case_error.hpp"
+#include "core/case/given_file.hpp"
+#include "core/io/files.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::Point;
+
+/// The rows of a CSV file that Parison has written, by the names of its columns.
+class CsvRows {
+ public:
+  CsvRows(const std::string& path, const std::vector<std::string>& columns) : path_(path) {
+    if (!std::filesystem::exists(path))
+      throw core::CaseError(
+          fmt::format("{}: no such file, allowed is the result folder of a run that has ended", path));
+    const std::string text = core::read_text(path);
+    core::Lines lines(text);
+    std::string_view line;
+    lines.next(line);
+    const auto heading = core::split_at_commas(line);
+    for (const std::string& column : columns) {
+      const auto found = std::find(heading.begin(), heading.end(), column);
+      if (found == heading.end()) throw core::CaseError(fmt::format("{}: has no column \"{}\"", path, column));
+      place_.push_back(static_cast<std::size_t>(found - heading.begin()));
+    }
+    while (lines.next(line)) add(line, heading.size());
+  }
+
+  std::size_t size() const { return rows_.size(); }
+  const std::string& text(std::size_t row, std::size_t column) const { return rows_[row][column]; }
+  double number(std::size_t row, std::size_t column) const {
+    const std::string& text = rows_[row][column];
+    if (text == "nan" || text == "-nan") return std::numeric_limits<double>::quiet_NaN();
+    double value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (read.ec != std::errc{} || read.ptr != text.data() + text.size())
+      throw core::CaseError(fmt::format("{}:{}: \"{}\" was found, allowed is a number", path_, row + 2, text));
+    return value;
+  }
+
+ private:
+  void add(std::string_view line, std::size_t columns) {
+    const auto cells = core::split_at_commas(line);
+    if (cells.size() != columns)
+      throw core::CaseError(fmt::format("{}:{}: {} columns were found, the heading has {}", path_, rows_.size() + 2,
+                                        cells.size(), columns));
+    rows_.emplace_back();
+    for (const std::size_t place : place_) rows_.back().emplace_back(cells[place]);
+  }
+
+  std::string path_;
+  std::vector<std::size_t> place_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+constexpr double millimetre = 1e-3;
+constexpr double on_axis = 1e-7;  ///< m
+
+std::vector<Point> read_outline(const std::string& path) {
+  const CsvRows rows(path, {"loop", "r_mm", "z_mm"});
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows.text(i, 0) != "0")
+      throw core::CaseError(fmt::format("{}: the glass has several surfaces (a bubble), allowed is one surface", path));
+    points.push_back(millimetre * Point(rows.number(i, 1), rows.number(i, 2)));
+    if (points.back()[0] < on_axis) points.back()[0] = 0;
+    if (points.size() > 1 && (points.back() - points[points.size() - 2]).norm() < on_axis) points.pop_back();
+  }
+  if (points.size() < 4)
+    throw core::CaseError(fmt::format("{}: {} points were found, allowed is a surface", path, points.size()));
+  return points;
+}
+
+/// Where two stretches of wall are joined, the middle goes straight from one to the other.
+std::vector<MidPoint> read_middle(const std::string& path, double& bridged) {
+  const CsvRows rows(path, {"mark", "r_outer_mm", "z_outer_mm", "r_inner_mm", "z_inner_mm", "thickness_mm"});
+  std::vector<MidPoint> middle;
+  double length = 0, joined = 0;
+  bool was_wall = false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool is_wall = rows.text(i, 0) == "wall";
+    if (is_wall) {
+      const Point outer(rows.number(i, 1), rows.number(i, 2)), inner(rows.number(i, 3), rows.number(i, 4));
+      MidPoint point{millimetre * 0.5 * (outer + inner), millimetre * rows.number(i, 5)};
+      if (point.position[0] < on_axis) point.position[0] = 0;
+      const double step = middle.empty() ? 0 : (point.position - middle.back().position).norm();
+      length += step;
+      if (!was_wall) joined += step;
+      middle.push_back(point);
+    }
+    was_wall = is_wall;
+  }
+  bridged = length > 0 ? joined / length : 0;
+  return middle;
+}
+
+}  // namespace
+
+ContainerShape read_container_shape(const std::string& directory) {
+  ContainerShape shape;
+  const std::string path = directory + "/contour.csv";
+  shape.outline = read_outline(path);
+  const double first = shape.outline.front()[0], last = shape.outline.back()[0];
+  shape.is_loop = first > 0 && last > 0;
+  if (!shape.is_loop && (first > 0 || last > 0))
+    throw core::CaseError(
+        fmt::format("{}: a surface that begins or ends off the axis was found, allowed are round containers", path));
+  shape.middle = read_middle(directory + "/thickness.csv", shape.bridged);
+  return shape;
+}
+
+double revolved_volume(const ContainerShape& shape) {
+  double volume = 0;
+  const auto& points = shape.outline;
+  for (std::size_t i = 0; i + (shape.is_loop ? 0 : 1) < points.size(); ++i) {
+    const Point &a = points[i], &b = points[(i + 1) % points.size()];
+    volume += M_PI / 3 * (b[1] - a[1]) * (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]);
+  }
+  return volume;
+}
+
+}  // namespace parison::forming

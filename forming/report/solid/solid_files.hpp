@@ -1,0 +1,29 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "forming/report/solid/container_shape.hpp"
+
+namespace parison::forming {
+
+/// Writes the container as one solid, mm: its outline as splines that pass through the points and break at corners,
+/// turned about the z axis. Returns the volume of the solid, m3. Throws core::RunError where the CAD kernel cannot.
+double write_step(const std::string& path, const ContainerShape& shape);
+
+/// The volume of the solids in a STEP file, m3.
+double volume_of_step(const std::string& path);
+
+/// Writes its surface as triangles, mm, binary STL with outward normals; flat sides deviate from the circle by at most
+/// `deviation`, m. Returns the volume that they enclose, m3.
+double write_stl(const std::string& path, const ContainerShape& shape, double deviation = 1e-5);
+
+/// A shell that was written.
+struct ShellMesh {
+  long elements, nodes;
+  double volume;  ///< of the middle surface times the thickness, m3
+};
+/// Writes the middle of the wall as an input file for CalculiX or Abaqus, mm: quadratic shells S8, S6 at the axis, with
+/// the thickness at the nodes. `divisions` go around. Throws core::CaseError where the glass is no wall.
+ShellMesh write_shell(const std::string& path, const ContainerShape& shape, int divisions = 48);
+
+}  // namespace parison::forming

@@ -1,0 +1,15 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// The first key in which the case of a scene differs from the one in a folder with these assignments, where a run that
+/// stands in the stage `stage` has used it already: anything but later stages and `output`. Empty where the run can go
+/// on with the case as it is now.
+std::string used_change(const std::string& folder_before, const std::vector<std::string>& overrides_before,
+                        const Scene& scene, Index stage);
+
+}  // namespace parison::forming

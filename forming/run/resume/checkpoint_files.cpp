@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/resume/checkpoint_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "core/io/hdf5.hpp"
+#include "core/process/run_error.hpp"
+
+namespace parison::forming {
+namespace {
+
+std::string last_path(const std::string& directory) {
+  return directory + "/checkpoint.h5";
+}
+std::string path_before(const std::string& directory) {
+  return directory + "/checkpoint_before.h5";
+}
+
+constexpr const char* kept_prefix = "checkpoint_after_";
+std::string path_after(const std::string& directory, const std::string& stage) {
+  return directory + '/' + kept_prefix + stage + ".h5";
+}
+
+bool is_there(const std::string& path) {
+  std::error_code unreadable;
+  return std::filesystem::exists(path, unreadable);
+}
+
+bool is_intact(const std::string& path) {
+  return is_there(path) && core::read_hdf5(path).problem.empty();
+}
+
+void rename_file(const std::string& from, const std::string& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  if (error) throw core::RunError(fmt::format("{}: cannot be renamed: {}", from, error.message()));
+}
+
+}  // namespace
+
+void put_in_place(const std::string& directory, const std::string& made) {
+  const std::string last = last_path(directory);
+  if (is_intact(last)) rename_file(last, path_before(directory));  // a damaged one never takes the place of a good one
+  rename_file(made, last);
+  core::sync_to_disk(directory);
+}
+
+void keep_checkpoint(const std::string& directory, const std::string& stage) {
+  const std::string kept = path_after(directory, stage);
+  std::error_code error;
+  std::filesystem::remove(kept, error);
+  std::filesystem::create_hard_link(last_path(directory), kept, error);
+  if (error) std::filesystem::copy_file(last_path(directory), kept, error);
+  if (error) throw core::RunError(fmt::format("{}: cannot be written: {}", kept, error.message()));
+}
+
+std::string find_stage_end(const std::string& directory, const std::string& stage) {
+  std::string path = path_after(directory, stage);
+  if (is_intact(path)) return path;
+  std::string names;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, unreadable))
+    if (const std::string name = entry.path().stem().string(); name.rfind(kept_prefix, 0) == 0)
+      names += (names.empty() ? "" : ", ") + name.substr(std::string(kept_prefix).size());
+  throw core::CaseError(fmt::format("{}: no checkpoint of the end of a stage \"{}\" was found, allowed are {}",
+                                    directory, stage, names.empty() ? "none: no stage has ended" : names));
+}
+
+void return_to_stage_end(const std::string& directory, const std::string& stage) {
+  const std::string kept = find_stage_end(directory, stage);
+  const std::int64_t done = core::open_hdf5(kept).read_integer("stages_done");
+  std::vector<std::filesystem::path> later;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().stem().string().rfind(kept_prefix, 0) == 0 && is_intact(entry.path().string()) &&
+        core::open_hdf5(entry.path().string()).read_integer("stages_done") > done)
+      later.push_back(entry.path());
+  core::replace_file(last_path(directory), core::read_text(kept));
+  later.emplace_back(path_before(directory));
+  for (const auto& path : later) std::filesystem::remove(path);
+}
+
+bool has_checkpoint(const std::string& directory) {
+  return is_intact(last_path(directory)) || is_intact(path_before(directory));
+}
+
+std::string find_checkpoint(const std::string& directory) {
+  std::string problems;
+  for (const std::string& path : {last_path(directory), path_before(directory)}) {
+    if (!is_there(path)) continue;
+    const std::string problem = core::read_hdf5(path).problem;
+    if (problem.empty()) return path;
+    problems += fmt::format("{} {}; ", path, problem);
+  }
+  if (!problems.empty()) throw core::CaseError(problems + "no other checkpoint is left, the run must begin anew");
+  throw core::CaseError(
+      fmt::format("{}: no checkpoint was found, allowed is the result folder of a run that has begun", directory));
+}
+
+std::string damage_of_last_checkpoint(const std::string& directory) {
+  const std::string path = last_path(directory);
+  const std::string problem = is_there(path) ? core::read_hdf5(path).problem : "";
+  return problem.empty() ? "" : fmt::format("{} {}", path, problem);
+}
+
+}  // namespace parison::forming

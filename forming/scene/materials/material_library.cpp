@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/materials/material_library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace parison::forming {
+
+/// The text of cases/materials.toml; the build makes the file that defines it.
+extern const char* const library_text;
+
+namespace {
+
+using core::CaseNode;
+
+const CaseNode& library() {
+  static const CaseNode root = core::parse_case_text(library_text, "materials.toml");
+  return root;
+}
+
+CaseNode* member(CaseNode& table, const std::string& name) {
+  if (table.kind == CaseNode::Kind::table)
+    for (CaseNode& item : table.items)
+      if (item.name == name) return &item;
+  return nullptr;
+}
+
+const CaseNode* entry_of(const std::string& name) {
+  for (const CaseNode& item : library().items)
+    if (item.name == name) return &item;
+  return nullptr;
+}
+
+/// Puts `material.` before the keys of an entry, as in a case.
+void place_in_case(CaseNode& node) {
+  node.key = "material." + node.key;
+  for (CaseNode& item : node.items) place_in_case(item);
+}
+
+/// The case's table of materials, made where it has none.
+CaseNode& materials_of(core::CaseFile& file) {
+  if (CaseNode* found = member(file.root, "material")) return *found;
+  CaseNode table;
+  table.file = file.path;
+  table.line = 1;
+  table.key = table.name = "material";
+  file.root.items.push_back(table);
+  return file.root.items.back();
+}
+
+/// Adds a bundled material that a body names and the case has not.
+void add_named(const CaseNode& material, core::CaseFile& file, std::vector<std::string>& used) {
+  const CaseNode* entry = material.kind == CaseNode::Kind::text ? entry_of(material.text) : nullptr;
+  if (!entry) return;
+  CaseNode& materials = materials_of(file);
+  if (materials.kind != CaseNode::Kind::table || member(materials, entry->name)) return;
+  CaseNode copy = *entry;
+  place_in_case(copy);
+  materials.items.push_back(copy);
+  used.push_back(entry->name);
+}
+
+/// Adds to a material of the case the values that it does not give itself.
+void complete(CaseNode& material, std::vector<std::string>& used) {
+  CaseNode* like = member(material, "like");
+  if (!like) return;
+  const CaseNode* entry = entry_of(core::text(*like));
+  if (!entry) core::choice(*like, library_names());
+  CaseNode copy = *entry;
+  place_in_case(copy);
+  const auto is_about = [](const std::string& key) { return key == "about" || key == "source" || key == "assumed"; };
+  for (const CaseNode& item : copy.items)
+    if (!member(material, item.name) && !is_about(item.name)) material.items.push_back(item);
+  used.push_back(entry->name);
+}
+
+}  // namespace
+
+const std::vector<NamedMaterial>& library_materials() {
+  static const std::vector<NamedMaterial> materials = read_materials(library());
+  return materials;
+}
+
+std::vector<std::string> library_names() {
+  std::vector<std::string> names;
+  for (const CaseNode& item : library().items) names.push_back(item.name);
+  return names;
+}
+
+std::string library_entry(const std::string& name) {
+  const std::string text = library_text, head = fmt::format("\n[{}]", name);
+  const auto at = text.find(head);
+  if (at == text.npos) return "";
+  const auto end = text.find("\n[", at + 1);
+  std::string entry = text.substr(at + 1, end == text.npos ? text.npos : end - at - 1);
+  while (!entry.empty() && entry.back() == '\n') entry.pop_back();
+  return entry + "\n";
+}
+
+std::vector<std::string> add_library_materials(core::CaseFile& file) {
+  std::vector<std::string> used;
+  if (CaseNode* materials = member(file.root, "material"); materials && materials->kind == CaseNode::Kind::table)
+    for (CaseNode& material : materials->items) complete(material, used);
+  std::vector<CaseNode> named;
+  if (CaseNode* glass = member(file.root, "glass"))
+    if (const CaseNode* material = member(*glass, "material")) named.push_back(*material);
+  if (CaseNode* tools = member(file.root, "tool"))
+    for (CaseNode& tool : tools->items)
+      if (const CaseNode* material = member(tool, "material")) named.push_back(*material);
+  for (const CaseNode& material : named) add_named(material, file, used);
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
+}  // namespace parison::forming

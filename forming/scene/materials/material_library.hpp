@@ -1,0 +1,38 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case/case_file.hpp"
+#include "forming/flow/material.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+
+/// A material by its name; properties that are missing are not computed.
+struct NamedMaterial {
+  std::string name;
+  std::optional<thermal::Material> thermal;
+  std::optional<flow::Material> flow;
+  double emissivity = 0;        ///< of glass with light in bands that of an opaque surface of its refractive index
+  bool has_emissivity = false;  ///< whether the case gives it
+  std::string about, source;         ///< what it is; where its values come from
+  std::vector<std::string> assumed;  ///< keys of the values that have no source
+};
+
+/// Materials of a table of materials, in its order.
+std::vector<NamedMaterial> read_materials(const core::CaseNode& node);
+
+/// The bundled materials, cases/materials.toml.
+const std::vector<NamedMaterial>& library_materials();
+/// Their names.
+std::vector<std::string> library_names();
+/// The lines of a bundled material in its file, with its heading.
+std::string library_entry(const std::string& name);
+
+/// Gives a case the bundled materials that its glass and tools name and it has not itself, and the values that a
+/// material `like` one of them does not give. Returns the names of those used.
+std::vector<std::string> add_library_materials(core::CaseFile& file);
+
+}  // namespace parison::forming

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+
+#include "../../test_folder.hpp"
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "forming/report/solid/solid_files.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double outer_radius = 30, inner_radius = 27;  // mm
+
+/// A bowl: half a hollow sphere, open upwards, as a result folder has it.
+std::string bowl() {
+  std::string contour = "loop,side,arc_mm,r_mm,z_mm,height_mm,thickness_mm,T_degC\n", thickness;
+  constexpr int points = 60;
+  const auto add = [&](const char* side, double radius, double angle) {
+    contour +=
+        fmt::format("0,{},0,{:.9g},{:.9g},0,nan,500\n", side, radius * std::sin(angle), -radius * std::cos(angle));
+  };
+  for (int i = 0; i <= points; ++i) add("outer", outer_radius, M_PI / 2 * i / points);
+  for (int i = points; i >= 0; --i) add("inner", inner_radius, M_PI / 2 * i / points);
+  thickness = "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_degC,T_outer_degC,mark,r_inner_mm,z_inner_mm\n";
+  for (int i = 0; i <= points; ++i) {
+    const double s = std::sin(M_PI / 2 * i / points), c = std::cos(M_PI / 2 * i / points);
+    thickness += fmt::format("0,{:.9g},{:.9g},3,500,500,wall,{:.9g},{:.9g}\n", outer_radius * s, -outer_radius * c,
+                             inner_radius * s, -inner_radius * c);
+  }
+  thickness += "0,30,0,nan,nan,500,rim,nan,nan\n";
+  const std::string folder = tests::new_folder();
+  core::write_text(folder + "/contour.csv", contour);
+  core::write_text(folder + "/thickness.csv", thickness);
+  return folder;
+}
+
+const double exact = 2e-9 / 3 * M_PI * (std::pow(outer_radius, 3) - std::pow(inner_radius, 3));  // m3, of the bowl
+
+TEST(SolidFiles, a_step_file_read_back_has_the_volume_of_the_glass_to_a_ten_thousandth) {
+  const std::string folder = bowl(), path = folder + "/bowl.step";
+  const ContainerShape shape = read_container_shape(folder);
+  EXPECT_FALSE(shape.is_loop);
+  EXPECT_NEAR(write_step(path, shape) / exact, 1, 1e-4);
+  EXPECT_NEAR(volume_of_step(path) / exact, 1, 1e-4);
+  EXPECT_NE(core::read_text(path).find("SI_UNIT(.MILLI.,.METRE.)"), std::string::npos);
+}
+
+TEST(SolidFiles, a_ring_off_the_axis_becomes_a_solid_too) {
+  const ContainerShape ring{{{0.020, 0}, {0.025, 0}, {0.025, 0.01}, {0.0225, 0.012}, {0.020, 0.01}}, true, {}, 0};
+  const std::string path = tests::new_folder() + "/ring.step";
+  EXPECT_NEAR(write_step(path, ring) / revolved_volume(ring), 1, 1e-9);
+  EXPECT_NEAR(volume_of_step(path) / revolved_volume(ring), 1, 1e-9);
+}
+
+TEST(SolidFiles, the_triangles_of_an_stl_file_enclose_the_glass_with_their_normals_outward) {
+  const std::string folder = bowl(), path = folder + "/bowl.stl";
+  const double volume = write_stl(path, read_container_shape(folder));
+  EXPECT_NEAR(volume / exact, 1, 1e-3);
+  const std::string bytes = core::read_text(path);
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, 4);
+  ASSERT_EQ(bytes.size(), 84 + 50 * std::size_t{count});
+  double sum = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    float v[12];
+    std::memcpy(v, bytes.data() + 84 + 50 * std::size_t{i}, sizeof v);
+    const double ax = v[6] - v[3], ay = v[7] - v[4], az = v[8] - v[5], bx = v[9] - v[3], by = v[10] - v[4],
+                 bz = v[11] - v[5];
+    const double n[3] = {ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
+    EXPECT_GT(n[0] * v[0] + n[1] * v[1] + n[2] * v[2], 0);
+    sum += (v[3] * n[0] + v[4] * n[1] + v[5] * n[2]) / 6;
+  }
+  EXPECT_NEAR(1e-9 * sum / volume, 1, 1e-5);
+}
+
+/// Rows of numbers below a keyword of an input file, up to the next keyword.
+std::vector<std::vector<double>> rows_below(const std::string& text, const std::string& keyword) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(text.substr(text.find(keyword)));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && line[0] != '*') {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(std::stod(cell));
+  }
+  return rows;
+}
+
+TEST(SolidFiles, a_shell_mesh_has_the_middle_surface_and_its_thickness_at_every_node) {
+  const std::string folder = bowl(), path = folder + "/bowl.inp";
+  const ShellMesh mesh = write_shell(path, read_container_shape(folder));
+  const double middle = 0.5 * (outer_radius + inner_radius);
+  EXPECT_NEAR(mesh.volume / (2e-9 * M_PI * middle * middle * 3), 1, 1e-3);
+  EXPECT_NEAR(mesh.volume / exact, 1, 2e-3);
+  const std::string text = core::read_text(path);
+  const auto nodes = rows_below(text, "*NODE,"), eight = rows_below(text, "*ELEMENT, TYPE=S8"),
+             six = rows_below(text, "*ELEMENT, TYPE=S6"), thickness = rows_below(text, "*NODAL THICKNESS\n");
+  ASSERT_EQ(static_cast<long>(nodes.size()), mesh.nodes);
+  ASSERT_EQ(nodes.size(), thickness.size());
+  EXPECT_EQ(static_cast<long>(eight.size() + six.size()), mesh.elements);
+  EXPECT_EQ(six.size(), 48u);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    EXPECT_EQ(nodes[i][0], static_cast<double>(i) + 1);
+    EXPECT_NEAR(std::hypot(nodes[i][1], nodes[i][2], nodes[i][3]), middle, 0.01);
+    EXPECT_NEAR(thickness[i][1], 3, 1e-6);
+  }
+  // Mid-side nodes are between their ends: in an eight-node shell the fifth is between the first and the second.
+  for (const auto& element : eight)
+    for (int k = 0; k < 4; ++k) {
+      const auto at = [&](int place) {
+        return nodes[static_cast<std::size_t>(element[static_cast<std::size_t>(place)]) - 1];
+      };
+      const auto a = at(1 + k), b = at(1 + (k + 1) % 4), m = at(5 + k);
+      const double chord = std::hypot(a[1] - b[1], a[2] - b[2], a[3] - b[3]);
+      const double off = std::hypot(0.5 * (a[1] + b[1]) - m[1], 0.5 * (a[2] + b[2]) - m[2], 0.5 * (a[3] + b[3]) - m[3]);
+      EXPECT_LT(off, 0.1 * chord);
+    }
+}
+
+TEST(SolidFiles, what_is_no_container_of_a_result_folder_is_refused_with_a_sentence) {
+  const auto complaint = [](const std::string& folder) {
+    try {
+      read_container_shape(folder);
+    } catch (const core::CaseError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(complaint(tests::new_folder()).find("/contour.csv: no such file, allowed is the result folder"),
+            std::string::npos);
+  const std::string folder = bowl(), path = folder + "/contour.csv", text = core::read_text(path);
+  core::write_text(path, text + "1,surface,0,1,1,0,nan,500\n");
+  EXPECT_NE(complaint(folder).find("several surfaces (a bubble)"), std::string::npos);
+  core::write_text(path, text + "0,surface,0,1,1,0,nan,500\n");
+  EXPECT_NE(complaint(folder).find("begins or ends off the axis"), std::string::npos);
+  core::write_text(path, text + "0,surface,0,x,1,0,nan,500\n");
+  EXPECT_NE(complaint(folder).find("\"x\" was found, allowed is a number"), std::string::npos);
+  core::write_text(path, text + "0,surface\n");
+  EXPECT_NE(complaint(folder).find("2 columns were found, the heading has 8"), std::string::npos);
+  core::write_text(path, "r_mm,z_mm\n");
+  EXPECT_NE(complaint(folder).find("has no column \"loop\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace parison::forming
