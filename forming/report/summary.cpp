@@ -248,7 +248,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
     const auto radiated = scene.has_light() ? std::optional(body.heat_radiated) : std::nullopt;
     summary.tools.push_back({scene.tools[i].name,
                              body.heat_received,
-                              radiated,
+                             radiated,
                              max_temperature,
                              i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{},
                              body.offset,
