@@ -11,9 +11,6 @@
 namespace parison::forming {
 namespace {
 
-/// Chosen on the scenes of tests/bars, which say how well it does on each of them left out. It is below the order of
-/// the method, because runs agree by chance and because contact comes in jumps.
-constexpr double order = 0.7;
 /// Share of the usual bar of its kind that a temperature or a heat gets at least.
 constexpr double of_usual = 0.7;
 /// No bar is narrower: share of size_of_kind.
@@ -92,7 +89,7 @@ double bar_by(const Quantities& run, const std::vector<CoarserRun>& coarser, con
 }  // namespace
 
 double bar_over_difference(double factor) {
-  return 1 / (std::pow(factor, order) - 1);
+  return 1 / (std::pow(factor, bar_order) - 1);
 }
 
 ErrorBars error_bars(const Quantities& run, std::vector<CoarserRun> coarser) {
