@@ -12,8 +12,8 @@ namespace parison::forming {
 /// Edges and steps of the coarser runs over those of the run itself.
 inline constexpr std::array coarser_factors{1.5, 3.0};
 
-/// The order of the error bars. Chosen on the scenes of tests/bars, which say how well it does on each of them left out.
-/// It is below the order of the method, because runs agree by chance and because contact comes in jumps.
+/// The order of the error bars. Chosen on the scenes of tests/bars, which say how well it does on each of them left
+/// out. It is below the order of the method, because runs agree by chance and because contact comes in jumps.
 inline constexpr double bar_order = 0.7;
 
 /// A run of the same scene with edges and steps `factor` times as long.

@@ -13,7 +13,7 @@ struct QueuedRun {
   forming::PlannedRun plan;
   Status status = Status::waiting;
   int child = 0;
-  std::string reason;  ///< why it failed
+  std::string reason = {};  ///< why it failed
 };
 
 /// Runs what is planned as processes of their own, so many at once, each as soon as what it needs is there. A run that

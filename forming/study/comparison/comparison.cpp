@@ -32,7 +32,7 @@ std::string quantity_row(const Difference& row) {
   const int digits = digits_for(fine);
   return fmt::format("  {:<22}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", row.name, number(row.base, digits),
                      number(row.other, digits), number(row.difference, digits, true), number(row.bar, digits), row.unit,
-                     name_of(row.verdict()));
+                     name_of(row.significance()));
 }
 
 std::string source_line(const RunComparison& result) {
@@ -106,9 +106,8 @@ void require_quantity(const FinishedRun& run, const std::string& quantity) {
   std::vector<std::string> names;
   for (const Quantity& one : run.quantities.values) names.push_back(one.name);
   if (!run.quantities.find(quantity) && !names.empty())
-    throw core::CaseError(fmt::format(
-        "--quantity: " {} " was found{}, allowed are {}", quantity, core::did_you_mean(quantity, names),
-        fmt::join(names, ", ")));
+    throw core::CaseError(fmt::format("--quantity: \"{}\" was found{}, allowed are {}", quantity,
+                                      core::did_you_mean(quantity, names), fmt::join(names, ", ")));
 }
 
 std::string comparison_tables(const Comparison& comparison) {
@@ -154,8 +153,8 @@ std::string ranking_table(const Comparison& comparison, const std::string& quant
     }
     const int digits = digits_for(row->bar);
     text += fmt::format("  {:<{}}  {:>10} {} +- {}: {}", run->label, width, number(row->difference, digits, true),
-                        row->unit, number(row->bar, digits), name_of(row->verdict()));
-    if (row->verdict() == Verdict::real)
+                        row->unit, number(row->bar, digits), name_of(row->significance()));
+    if (row->significance() == Significance::real)
       text += fmt::format(", for sure {} by at least {} {}", row->difference > 0 ? "more" : "less",
                           number(std::abs(row->difference) - row->bar, digits), row->unit);
     text += '\n';

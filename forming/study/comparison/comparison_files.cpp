@@ -28,7 +28,7 @@ std::string quantities_csv(const Comparison& comparison) {
     for (const Difference& row : other.result->quantities)
       text += run + fmt::format("{},{},{},{},{},{},{},{}\n", row.name, core::csv_text(row.unit), csv_number(row.base),
                                 csv_number(row.other), csv_number(row.difference), csv_number(row.bar),
-                                csv_number(row.scatter), name_of(row.verdict()));
+                                csv_number(row.scatter), name_of(row.significance()));
   }
   return text;
 }
@@ -60,7 +60,7 @@ void add_run(core::JsonWriter& json, const ComparedRun& other) {
       json.add("difference", row.difference);
       json.add("error_bar", row.bar);
       json.add("scatter", row.scatter);
-      json.add("verdict", name_of(row.verdict()));
+      json.add("verdict", name_of(row.significance()));
       json.close();
     }
     json.close();

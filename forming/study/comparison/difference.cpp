@@ -71,7 +71,8 @@ const Twin* twin_for(const FinishedRun& run, std::size_t in_common) {
 Evidence evidence_of(const FinishedRun& base, const FinishedRun& other, std::size_t in_common) {
   Evidence evidence{base, other, {}, {}};
   const auto add_twin = [&](const FinishedRun& run) {
-    if (const Twin* twin = twin_for(run, in_common)) evidence.twins.push_back({&run.quantities, &twin->quantities, run.factor});
+    if (const Twin* twin = twin_for(run, in_common))
+      evidence.twins.push_back({&run.quantities, &twin->quantities, run.factor});
   };
   for (const FinishedRun* run : {&base, &other}) {
     add_twin(*run);
@@ -84,8 +85,8 @@ Evidence evidence_of(const FinishedRun& base, const FinishedRun& other, std::siz
   return evidence;
 }
 
-/// Half width of the interval in which a difference scatters, by its twins; NaN where none has it. Those of coarser runs
-/// scatter more: with the order that the error bars have, and that the jar shows from draft to standard.
+/// Half width of the interval in which a difference scatters, by its twins; NaN where none has it. Those of coarser
+/// runs scatter more: with the order that the error bars have, and that the jar shows from draft to standard.
 double scatter_by_twins(const Evidence& evidence, const Value& value) {
   double squares = 0;
   int count = 0;
@@ -187,14 +188,14 @@ double stated_scatter(const std::string& quantity) {
   return largest;
 }
 
-const char* name_of(Verdict verdict) {
+const char* name_of(Significance significance) {
   constexpr std::array names{"real", "within its error", "no error bar"};
-  return names[static_cast<std::size_t>(verdict)];
+  return names[static_cast<std::size_t>(significance)];
 }
 
-Verdict Difference::verdict() const {
-  if (!std::isfinite(bar)) return Verdict::unknown;
-  return std::abs(difference) > bar ? Verdict::real : Verdict::within_error;
+Significance Difference::significance() const {
+  if (!std::isfinite(bar)) return Significance::unknown;
+  return std::abs(difference) > bar ? Significance::real : Significance::within_error;
 }
 
 RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other) {

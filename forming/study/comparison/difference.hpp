@@ -8,9 +8,10 @@
 
 namespace parison::forming {
 
-enum class Verdict { real, within_error, unknown };
+/// Whether a difference is larger than its error bar.
+enum class Significance { real, within_error, unknown };
 /// "real", "within its error" or "no error bar".
-const char* name_of(Verdict verdict);
+const char* name_of(Significance significance);
 
 /// What a difference and its error bar are, in the unit of the quantity.
 struct Difference {
@@ -19,7 +20,7 @@ struct Difference {
   double difference;                                          ///< other - base
   double bar = std::numeric_limits<double>::quiet_NaN();      ///< half width; NaN where it cannot be told
   double scatter = std::numeric_limits<double>::quiet_NaN();  ///< its part by discrete decisions
-  Verdict verdict() const;
+  Significance significance() const;
 };
 
 /// The wall of both over each other at the places of Quantities::profile, mm; NaN off the wall.
