@@ -24,6 +24,7 @@ int digits_for(double size) {
 
 std::string number(double value, int digits, bool sign = false) {
   if (!std::isfinite(value)) return "-";
+  if (std::abs(value) < 0.5 * std::pow(10, -digits)) value = 0;  // and no sign of a zero
   return sign ? fmt::format("{:+.{}f}", value, digits) : fmt::format("{:.{}f}", value, digits);
 }
 
@@ -73,6 +74,10 @@ std::string heading(const ComparedRun& other, const FinishedRun& base) {
   if (!other.result) return text + fmt::format("  no results: {}\n", other.reason);
   if (other.run.accuracy != base.accuracy)
     text += fmt::format("  {} itself is of {} accuracy\n", other.label, other.run.accuracy);
+  for (const FinishedRun* run : {&base, &other.run})
+    if (!run->trustworthy)
+      text += fmt::format("  {} is not trustworthy: checks of it are far beyond their limits, see {}/summary.json\n",
+                          run->name, run->directory);
   if (other.result->in_common > 0)
     text += fmt::format("  the same run up to the end of stage {}\n", base.stages[other.result->in_common - 1].name);
   return text;
@@ -152,8 +157,9 @@ std::string ranking_table(const Comparison& comparison, const std::string& quant
       continue;
     }
     const int digits = digits_for(row->bar);
-    text += fmt::format("  {:<{}}  {:>10} {} +- {}: {}", run->label, width, number(row->difference, digits, true),
-                        row->unit, number(row->bar, digits), name_of(row->significance()));
+    text +=
+        fmt::format("  {:<{}}  {:>10} {}{}: {}", run->label, width, number(row->difference, digits, true), row->unit,
+                    std::isfinite(row->bar) ? " +- " + number(row->bar, digits) : "", name_of(row->significance()));
     if (row->significance() == Significance::real)
       text += fmt::format(", for sure {} by at least {} {}", row->difference > 0 ? "more" : "less",
                           number(std::abs(row->difference) - row->bar, digits), row->unit);

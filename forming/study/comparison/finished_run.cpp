@@ -48,18 +48,15 @@ std::optional<FinishedRun> read_run(const std::string& directory) {
   std::error_code unreadable;
   if (!fs::exists(path, unreadable)) return std::nullopt;
   const core::JsonValue summary = core::read_json(core::read_text(path), path);
-  FinishedRun run{directory,
-                  last_word(directory),
-                  summary.text_of("accuracy"),
-                  {},
-                  summary.flag_of("completed"),
-                  summary.text_of("reason"),
-                  summary.number_of("cpu_seconds"),
-                  read_quantities(summary),
-                  read_stages(summary),
-                  {},
-                  1,
-                  {}};
+  FinishedRun run;
+  run.directory = directory;
+  run.name = last_word(directory);
+  run.accuracy = summary.text_of("accuracy");
+  run.completed = summary.flag_of("completed");
+  run.trustworthy = !summary.find("trustworthy") || summary.flag_of("trustworthy");
+  run.reason = summary.text_of("reason");
+  run.quantities = read_quantities(summary);
+  run.stages = read_stages(summary);
   if (const core::JsonValue* overrides = summary.find("overrides"))
     for (const core::JsonValue& assignment : overrides->items) run.overrides.push_back(assignment.text);
   return run;

@@ -30,9 +30,8 @@ struct FinishedRun {
   std::string directory, name;  ///< the last word of the folder
   std::string accuracy;
   std::vector<std::string> overrides;
-  bool completed = false;
-  std::string reason;  ///< why not
-  double cpu_seconds = 0;
+  bool completed = false, trustworthy = true;
+  std::string reason;  ///< why it has not completed
   Quantities quantities;
   std::vector<StageMark> stages;
   std::vector<Twin> twins;
