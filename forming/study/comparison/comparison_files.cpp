@@ -60,6 +60,8 @@ void add_run(core::JsonWriter& json, const ComparedRun& other) {
       json.add("difference", row.difference);
       json.add("error_bar", row.bar);
       json.add("scatter", row.scatter);
+      json.add("bars_added", row.added);
+      json.add("scale", row.scale);
       json.add("verdict", name_of(row.significance()));
       json.close();
     }

@@ -117,14 +117,14 @@ bool jumps(const std::string& name) {
 
 Difference compare_quantity(const Evidence& evidence, const Quantity& base, const Quantity& other,
                             const RunComparison& comparison) {
-  Difference result{base.name, base.unit, base.value, other.value, other.value - base.value};
+  Difference result{base.name, base.unit, base.value, other.value, other.value - base.value, base.scale};
   const Value value = quantity_named(base.name);
   const double by_twins = scatter_by_twins(evidence, value);
   result.scatter = std::isfinite(by_twins) ? by_twins : stated_scatter(base.name) * base.scale;
-  const double added = base.error + other.error;
+  result.added = base.error + other.error;
   const double error = comparison.bars == BarSource::differences && !jumps(base.name)
                            ? error_by_partners(evidence, value, result.difference)
-                           : added;
+                           : result.added;
   if (std::isfinite(error)) result.bar = std::max({error, result.scatter, tolerance * base.scale});
   return result;
 }

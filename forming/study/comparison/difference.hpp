@@ -18,8 +18,10 @@ struct Difference {
   std::string name, unit;
   double base, other;
   double difference;                                          ///< other - base
+  double scale;                                               ///< Quantity::scale of the base
   double bar = std::numeric_limits<double>::quiet_NaN();      ///< half width; NaN where it cannot be told
   double scatter = std::numeric_limits<double>::quiet_NaN();  ///< its part by discrete decisions
+  double added = std::numeric_limits<double>::quiet_NaN();    ///< the bars of both runs added, for comparison
   Significance significance() const;
 };
 
