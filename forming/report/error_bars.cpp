@@ -28,16 +28,6 @@ std::string balance(const Quantity& quantity) {
   return kind == "heat" || kind == "glass" ? kind : "";
 }
 
-/// The bars of a kind are alike as shares of this. Heats: between its own, of which the mesh and the steps get a
-/// share wrong, and all of it, as what one tool gets too much another lacks.
-double size_of_kind(const Quantities& run, const Quantity& quantity) {
-  if (!is_heat(quantity)) return quantity.scale;
-  double whole = 0;
-  for (const Quantity& other : run.values)
-    if (is_heat(other)) whole += other.scale;
-  return std::sqrt(quantity.scale * whole);
-}
-
 /// The bar of a quantity by the runs that have it; NaN where the run itself is the only one.
 double bar_of(const Quantity& quantity, const std::vector<CoarserRun>& coarser) {
   double bar = none;
@@ -90,6 +80,14 @@ double bar_by(const Quantities& run, const std::vector<CoarserRun>& coarser, con
 
 double bar_over_difference(double factor) {
   return 1 / (std::pow(factor, bar_order) - 1);
+}
+
+double size_of_kind(const Quantities& run, const Quantity& quantity) {
+  if (!is_heat(quantity)) return quantity.scale;
+  double whole = 0;
+  for (const Quantity& other : run.values)
+    if (is_heat(other)) whole += other.scale;
+  return std::sqrt(quantity.scale * whole);
 }
 
 ErrorBars error_bars(const Quantities& run, std::vector<CoarserRun> coarser) {

@@ -40,4 +40,8 @@ ErrorBars error_bars(const Quantities& run, std::vector<CoarserRun> coarser);
 /// By what the difference from a run `factor` times coarser is multiplied.
 double bar_over_difference(double factor);
 
+/// The bars of a kind are alike as shares of this. Heats: between its own, of which the mesh and the steps get a
+/// share wrong, and all of it, as what one tool gets too much another lacks. In the unit of the quantity.
+double size_of_kind(const Quantities& run, const Quantity& quantity);
+
 }  // namespace parison::forming

@@ -120,7 +120,8 @@ Difference compare_quantity(const Evidence& evidence, const Quantity& base, cons
   Difference result{base.name, base.unit, base.value, other.value, other.value - base.value, base.scale};
   const Value value = quantity_named(base.name);
   const double by_twins = scatter_by_twins(evidence, value);
-  result.scatter = std::isfinite(by_twins) ? by_twins : stated_scatter(base.name) * base.scale;
+  result.scatter =
+      std::isfinite(by_twins) ? by_twins : stated_scatter(base.name) * size_of_kind(evidence.base.quantities, base);
   result.added = base.error + other.error;
   const double error = comparison.bars == BarSource::differences && !jumps(base.name)
                            ? error_by_partners(evidence, value, result.difference)
@@ -178,7 +179,7 @@ double stated_scatter(const std::string& quantity) {
   // 1.65 times the largest root mean square of twins of cup, vial, tumbler and jar at draft (tests/difference_bars); of
   // the wall place by place that of tools/bench noise.
   static const std::vector<std::pair<std::string, double>> measured{
-      {"thickness_profile", 0.015}, {"thickness_min_at", 0}, {"thickness", 0.0073}, {"heat", 0.023}, {"glass", 0.0005},
+      {"thickness_profile", 0.015}, {"thickness_min_at", 0}, {"thickness", 0.0073}, {"heat", 0.0029}, {"glass", 0.0005},
       {"extent", 0.0011},           {"peak_force", 0.04},    {"time", 0.0045}};
   double largest = 0;
   for (const auto& [name, scatter] : measured) {

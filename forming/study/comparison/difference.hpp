@@ -55,7 +55,7 @@ struct RunComparison {
 /// decide otherwise, as twins show, times Student's t for as many twins and 90 %.
 RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other);
 
-/// Scatter of the difference of two runs, where no twin shows it, as a share of Quantity::scale.
+/// Scatter of the difference of two runs, where no twin shows it, as a share of size_of_kind.
 double stated_scatter(const std::string& quantity);
 
 }  // namespace parison::forming
