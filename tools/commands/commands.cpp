@@ -152,9 +152,11 @@ void add_what_if(CLI::App& app, Command& chosen) {
   auto* command = app.add_subcommand("what-if", "run a case and changes of it, and say which differences are real");
   command->add_option("case", asked.case_path, what_a_case_is)->required()->transform(find_case);
   const auto* variant = command->add_option("--variant", "name of a variant; the --set behind it belong to it")
+                            ->type_name("NAME")
                             ->take_all()
                             ->allow_extra_args(false);
-  const auto* set = command->add_option("--set", "KEY=VALUE that is changed; without --variant each is one of its own")
+  const auto* set = command->add_option("--set", "what is changed; without --variant each is one of its own")
+                        ->type_name("KEY=VALUE")
                         ->take_all()
                         ->allow_extra_args(false);
   command->add_option("--base", asked.overrides, "KEY=VALUE for all runs, the base too")

@@ -11,6 +11,7 @@
 #include "forming/run/stage.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/finished_run.hpp"
+#include "forming/study/comparison/tool_overlap.hpp"
 
 namespace parison::forming {
 namespace {
@@ -29,10 +30,12 @@ Scene checked_scene(const WhatIf& what_if, const std::vector<std::string>& overr
   return scene;
 }
 
-/// The same of a variant; what is refused carries its name.
-Scene checked_variant(const WhatIf& what_if, const WhatIfVariant& variant) {
+/// The same of a variant, whose tools must not overlap anew; what is refused carries its name.
+Scene checked_variant(const WhatIf& what_if, const Scene& base, const WhatIfVariant& variant) {
   try {
-    return checked_scene(what_if, joined(what_if.overrides, variant.overrides));
+    Scene scene = checked_scene(what_if, joined(what_if.overrides, variant.overrides));
+    if (const std::string overlap = new_tool_overlap(base, scene); !overlap.empty()) throw core::CaseError(overlap);
+    return scene;
   } catch (const core::CaseError& error) {
     throw core::CaseError(
         fmt::format("variant {} ({}): {}", variant.name, fmt::join(variant.overrides, ", "), error.what()));
@@ -131,7 +134,7 @@ std::vector<PlannedRun> plan_runs(const WhatIf& what_if) {
   std::vector<Scene> scenes;
   std::set<std::optional<std::string>> stages;
   for (const WhatIfVariant& variant : what_if.variants) {
-    scenes.push_back(checked_variant(what_if, variant));
+    scenes.push_back(checked_variant(what_if, base, variant));
     stages.insert(last_common_stage(base, scenes.back()));
   }
   add_twins(what_if, base, stages, runs);

@@ -13,6 +13,7 @@
 #include "forming/state/fingerprint.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/same_case.hpp"
+#include "forming/study/comparison/tool_overlap.hpp"
 #include "forming/study/comparison/what_if.hpp"
 
 namespace parison::forming {
@@ -128,6 +129,18 @@ TEST_F(WhatIfTest, what_is_wrong_with_a_variant_is_said_with_its_name_before_any
   EXPECT_EQ(refusal({variant_of(longer)}), "");
   EXPECT_EQ(variant_of(longer).name, "stage.rest.duration_0.15_s");
   EXPECT_FALSE(fs::exists(in("out")));
+}
+
+TEST_F(WhatIfTest, tools_that_a_variant_makes_overlap_are_refused_and_those_that_overlap_in_the_base_are_not) {
+  const std::string jar = std::string(PARISON_SOURCE_DIR) + "/cases/jar";
+  const auto overlap = [](const std::string& path, const std::vector<std::string>& overrides) {
+    return new_tool_overlap(read_scene(path, "draft"), read_scene(path, "draft", overrides));
+  };
+  const std::string found = overlap(jar, {"tool.ring.position=-10 mm"});
+  EXPECT_NE(found.find("tools \"ring\" and \"plate\" overlap by 10 mm"), std::string::npos) << found;
+  EXPECT_EQ(overlap(jar, {"tool.blank.temperature=440 degC"}), "");
+  EXPECT_EQ(overlap(jar, {"tool.plunger.position=19 mm"}), "");  // slides through the plate
+  EXPECT_EQ(overlap(std::string(PARISON_SOURCE_DIR) + "/cases/tumbler", {"tool.ring.position=-1 mm"}), "");
 }
 
 TEST_F(WhatIfTest, results_of_another_case_are_refused_and_those_of_other_settings_are_not) {
