@@ -65,11 +65,11 @@ void require_names(const std::vector<WhatIfVariant>& variants) {
   }
 }
 
-/// The assignments of a twin from the start; empty where the scene has no tool that carries heat.
+/// The assignments of a twin from the start; empty where no tool carries heat from a uniform temperature.
 std::vector<std::string> warmer_tools(const Scene& scene) {
   std::vector<std::string> overrides;
   for (const Tool& tool : scene.tools)
-    if (tool.thermal)
+    if (tool.thermal && !tool.start_field)
       overrides.push_back(
           fmt::format("tool.{}.temperature={:.9g} K", tool.name, tool.initial_temperature + twin_warmer));
   return overrides;
