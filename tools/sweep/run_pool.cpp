@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include "core/io/files.hpp"
 #include "core/process/clock.hpp"

@@ -40,7 +40,7 @@ DesignPoints latin_hypercube(std::size_t variables, std::size_t runs, std::uint6
 }
 
 DesignPoints sobol_sequence(std::size_t variables, std::size_t runs, std::uint64_t seed) {
-  boost::random::sobol_64 sequence(variables);
+  boost::random::sobol sequence(variables);
   Engine engine(seed);
   std::vector<std::uint64_t> shift(variables, 0);
   if (seed != 0)
