@@ -100,7 +100,8 @@ Comparison compare_folders(const std::string& base, const std::vector<std::strin
   for (const std::string& folder : others) {
     FinishedRun run = read_finished_run(folder);
     ComparedRun other{run.name, settings_that_differ(comparison.base, run), run.reason, {}};
-    if (run.completed) other.result = compare_runs(comparison.base, run);
+    if (run.completed)
+      other.result = compare_runs(comparison.base, run, stages_without_influence(comparison.base, run));
     other.run = std::move(run);
     comparison.others.push_back(std::move(other));
   }

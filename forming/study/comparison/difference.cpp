@@ -199,9 +199,9 @@ Significance Difference::significance() const {
   return std::abs(difference) > bar ? Significance::real : Significance::within_error;
 }
 
-RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other) {
+RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other, std::size_t may_agree) {
   RunComparison result;
-  result.in_common = stages_in_common(base, other);
+  result.in_common = std::min(may_agree, stages_in_common(base, other));
   const Evidence evidence = evidence_of(base, other, result.in_common);
   result.twins = evidence.twins.size();
   result.scatter = result.twins > 0 ? ScatterSource::twins : ScatterSource::stated;

@@ -53,7 +53,10 @@ struct RunComparison {
 /// Richardson's estimate as for a single run (error_bars.hpp), made of the difference of the runs and that of their
 /// coarser runs. It is at least the scatter: what two runs of the same thing differ by because remeshing and contact
 /// decide otherwise, as twins show, times Student's t for as many twins and 90 %.
-RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other);
+/// `may_agree`: after how many stages they may first differ, by their cases; numbers of stages alone do not tell where
+/// only heat changes.
+RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other,
+                           std::size_t may_agree = std::numeric_limits<std::size_t>::max());
 
 /// Scatter of the difference of two runs, where no twin shows it, as a share of size_of_kind.
 double stated_scatter(const std::string& quantity);

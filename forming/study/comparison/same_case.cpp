@@ -7,6 +7,7 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/report/files/case_copy.hpp"
+#include "forming/study/comparison/what_if.hpp"
 
 namespace parison::forming {
 namespace {
@@ -55,6 +56,15 @@ std::vector<CaseDifference> settings_that_differ(const FinishedRun& base, const 
   if (settings.empty() && a.fingerprint != b.fingerprint)
     settings.push_back({"a drawing or the text of the case", "", ""});
   return settings;
+}
+
+std::size_t stages_without_influence(const FinishedRun& base, const FinishedRun& other) {
+  const Scene a = scene_in(base), b = scene_in(other);
+  if (a.fingerprint == b.fingerprint) return a.stages.size();
+  const auto last = last_common_stage(a, b);
+  std::size_t count = 0;
+  while (last && a.stages[count].name != *last) ++count;
+  return last ? count + 1 : 0;
 }
 
 std::string settings_line(const std::vector<CaseDifference>& settings) {

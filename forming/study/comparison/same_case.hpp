@@ -13,7 +13,11 @@ namespace parison::forming {
 /// or where a folder has no copy of its case.
 std::vector<CaseDifference> settings_that_differ(const FinishedRun& base, const FinishedRun& other);
 
-/// They in a line: "tool.blank.temperature: 460 degC -> 440 degC".
+/// After how many stages of the base the settings of the other may first have changed something; all of them where the
+/// settings are the same.
+std::size_t stages_without_influence(const FinishedRun& base, const FinishedRun& other);
+
+/// Settings in a line: "tool.blank.temperature: 460 degC -> 440 degC".
 std::string settings_line(const std::vector<CaseDifference>& settings);
 
 }  // namespace parison::forming

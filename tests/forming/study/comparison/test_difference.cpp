@@ -77,6 +77,8 @@ TEST(Difference, a_twin_counts_where_it_left_its_run_before_the_runs_left_each_o
   base.twins = {twin_with(2.5, 0), twin_with(2.001, 1), twin_with(3, 2)};
   EXPECT_EQ(stages_in_common(base, other), 1u);  // the press
   EXPECT_NEAR(wall(compare_runs(base, other)).bar, 6.314 * 0.001, 1e-5);
+  EXPECT_EQ(compare_runs(base, other, 0).in_common, 0u);  // their cases already differ there
+  EXPECT_NEAR(wall(compare_runs(base, other, 0)).bar, 6.314 * 0.5, 1e-3);
   other.stages[0].numbers = {7};
   EXPECT_NEAR(wall(compare_runs(base, other)).bar, 6.314 * 0.5, 1e-3);
 }
