@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/section_picture.hpp"
+#include "tools/pictures/section_picture.hpp"
 
 #include <fmt/format.h>
 

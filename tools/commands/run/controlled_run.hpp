@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/run_command.hpp"
+#include "tools/commands/run/run_command.hpp"
 
 namespace parison::tools {
 

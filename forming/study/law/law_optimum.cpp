@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/law_optimum.hpp"
+#include "forming/study/law/law_optimum.hpp"
 
 #include <algorithm>
 #include <cmath>

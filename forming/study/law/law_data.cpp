@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/law_data.hpp"
+#include "forming/study/law/law_data.hpp"
 
 #include <fmt/format.h>
 

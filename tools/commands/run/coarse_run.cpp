@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/coarse_run.hpp"
+#include "tools/commands/run/coarse_run.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>

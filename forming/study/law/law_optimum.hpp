@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "forming/study/law_fit.hpp"
+#include "forming/study/law/law_fit.hpp"
 
 namespace parison::contact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/controlled_run.hpp"
+#include "tools/commands/run/controlled_run.hpp"
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@
 #include "forming/run/folder_run.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/study/accuracy_control.hpp"
-#include "tools/commands/console.hpp"
+#include "tools/commands/run/console.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/audit.hpp"
+#include "tools/commands/study/audit.hpp"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/run/run_observer.hpp"
-#include "tools/commands/remaining_time.hpp"
+#include "tools/commands/run/remaining_time.hpp"
 
 namespace parison::tools {
 

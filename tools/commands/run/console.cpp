@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/console.hpp"
+#include "tools/commands/run/console.hpp"
 
 #include <fmt/core.h>
 

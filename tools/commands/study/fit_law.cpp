@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/fit_law.hpp"
+#include "tools/commands/study/fit_law.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 
 #include "core/case/case_file.hpp"
 #include "forming/scene/scene.hpp"
-#include "forming/study/law_data.hpp"
-#include "forming/study/law_fit.hpp"
+#include "forming/study/law/law_data.hpp"
+#include "forming/study/law/law_fit.hpp"
 
 namespace parison::tools {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/volume_conservation.hpp"
+#include "forming/step/balance/volume_conservation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/law_fit.hpp"
+#include "forming/study/law/law_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "core/case/case_error.hpp"
-#include "forming/study/law_optimum.hpp"
+#include "forming/study/law/law_optimum.hpp"
 
 namespace parison::contact {
 namespace {

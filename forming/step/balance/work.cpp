@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/work.hpp"
+#include "forming/step/balance/work.hpp"
 
 #include <algorithm>
 #include <cmath>

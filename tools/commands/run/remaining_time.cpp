@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/remaining_time.hpp"
+#include "tools/commands/run/remaining_time.hpp"
 
 #include <algorithm>
 #include <cmath>

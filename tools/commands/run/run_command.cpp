@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/run_command.hpp"
+#include "tools/commands/run/run_command.hpp"
 
 #include <fmt/core.h>
 
@@ -16,10 +16,10 @@
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/study/coarse_run.hpp"
-#include "tools/commands/coarse_run.hpp"
-#include "tools/commands/console.hpp"
-#include "tools/commands/controlled_run.hpp"
-#include "tools/commands/section_picture.hpp"
+#include "tools/commands/run/coarse_run.hpp"
+#include "tools/commands/run/console.hpp"
+#include "tools/commands/run/controlled_run.hpp"
+#include "tools/pictures/section_picture.hpp"
 #include "tools/pictures/timing_picture.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
