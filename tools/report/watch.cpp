@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ip/v6_only.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <chrono>
@@ -45,7 +45,7 @@ bool is_local(const std::string& host) {
 Response answer(const Request& request, WatchedFolder& folder, const std::string& page) {
   Response response(http::status::ok, request.version());
   response.set(http::field::cache_control, "no-store");
-  response.set(http::field::content_security_policy, policy);
+  response.set("Content-Security-Policy", policy);
   response.set("X-Content-Type-Options", "nosniff");
   response.set(http::field::content_type, "application/json");
   const std::string target(request.target());
