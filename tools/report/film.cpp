@@ -18,7 +18,7 @@ namespace parison::tools {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// Bytes of a page for each byte of a file: of the glass, whose places and fields are packed, and of a tool, whose
 /// temperatures are.
@@ -199,8 +199,8 @@ std::shared_ptr<const VtuFile> VtuCache::read(const std::string& path, std::vect
   }
 }
 
-nlohmann::json pack_film(const ResultFolder& folder, VtuCache& cache, std::size_t budget, PackedBytes& bytes,
-                         std::vector<std::string>& problems) {
+nlohmann::ordered_json pack_film(const ResultFolder& folder, VtuCache& cache, std::size_t budget, PackedBytes& bytes,
+                                 std::vector<std::string>& problems) {
   const auto entries = read_pvd(folder.path + "/glass.pvd");
   if (entries.empty()) return nullptr;
   std::vector<ToolFilm> tools = tools_of(folder);

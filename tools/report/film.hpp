@@ -29,7 +29,7 @@ class VtuCache {
 /// The sections of glass and active tools at the outputs of a run, quantised into `bytes`: places to a 65535th of the
 /// body's size, fields to a 255th of their range at that time. Outputs are left out, evenly but for the ends of
 /// stages, where all would take more than `budget` bytes.
-nlohmann::json pack_film(const ResultFolder& folder, VtuCache& cache, std::size_t budget, PackedBytes& bytes,
-                         std::vector<std::string>& problems);
+nlohmann::ordered_json pack_film(const ResultFolder& folder, VtuCache& cache, std::size_t budget, PackedBytes& bytes,
+                                 std::vector<std::string>& problems);
 
 }  // namespace parison::tools

@@ -23,7 +23,7 @@ namespace parison::tools {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 double number_of(std::string_view text) {
   double value = 0;

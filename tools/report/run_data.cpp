@@ -15,10 +15,10 @@
 namespace parison::tools {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// Bytes of all films of a page before compression; with the rest a page stays below 5 MB.
-constexpr std::size_t film_budget = 3'000'000;
+constexpr std::size_t film_budget = 5'000'000;
 /// Rows of a table beyond which only every so many are shown.
 constexpr std::size_t most_rows = 6000;
 

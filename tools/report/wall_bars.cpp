@@ -15,7 +15,7 @@
 namespace parison::tools {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Places to each side whose bars count too: a difference may vanish by chance at one of them.

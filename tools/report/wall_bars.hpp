@@ -17,7 +17,7 @@ struct WallTables {
 
 /// The error bar at a place of the outer side is the largest of those within a hundredth of its length: the difference
 /// from each coarser run that completed, multiplied as the bars of the quantities are (forming::bar_over_difference).
-WallTables wall_tables(const std::string& folder, const nlohmann::json& summary,
+WallTables wall_tables(const std::string& folder, const nlohmann::ordered_json& summary,
                        const std::optional<forming::Scene>& scene);
 
 }  // namespace parison::tools

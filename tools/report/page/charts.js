@@ -53,17 +53,18 @@ class Charts {
   }
 
   options(host, { shown, errors, xLabel, yLabel, upright, logarithmic, height, overTime }) {
+    const room = (plot, values) => 14 + 7 * Math.max(3, ...(values || []).map((text) => text.length));
     const axis = (label, side, size) => ({ label, side, size, labelSize: 22, gap: 4, labelGap: 0, stroke: () => cssColour("--ink"),
       grid: { stroke: () => cssColour("--grid"), width: 1 }, ticks: { stroke: () => cssColour("--line"), width: 1, size: 5 },
       font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" });
-    const axes = upright ? [axis(xLabel, 3, 48), axis(yLabel, 2, 34)] : [axis(xLabel, 2, 34), axis(yLabel, 3, 58)];
-    axes[1].values = (plot, splits) => splits.map((value) => (value == null ? "" : figure(value, 5)));
+    const axes = upright ? [axis(xLabel, 3, room), axis(yLabel, 2, 34)] : [axis(xLabel, 2, 34), axis(yLabel, 3, room)];
+    axes[1].values = (plot, splits) => splits.map((value) => (value == null ? "" : tickText(value)));
     if (logarithmic) axes[1].values = (plot, splits) => splits.map((value) => (Number.isInteger(Math.log10(value)) ? value.toExponential(0) : ""));
     return {
       width: Math.max(200, Math.floor(host.clientWidth)), height, axes,
       scales: { x: { time: false, ori: upright ? 1 : 0 }, y: { ori: upright ? 0 : 1, distr: logarithmic ? 3 : 1, range: logarithmic ? undefined : rangeWith(shown) } },
       cursor: { sync: overTime ? { key: "time" } : undefined, drag: { x: true, y: true, uni: 20 }, points: { size: 7 } },
-      legend: { live: true, markers: { width: 3 } },
+      legend: { live: true, markers: { width: 3, dash: (plot, i) => ["solid", "dashed", "dotted", "double"][(shown[i - 1].dash || 0) % 4] } },
       series: [{ label: xLabel, value: (plot, value) => (value == null ? "" : figure(value)) }, ...shown.map((one, i) => ({
         label: one.label, stroke: () => seriesColour(one.colour), width: 2, dash: dashes[(one.dash || 0) % dashes.length], spanGaps: shown.length > 1, points: { show: false },
         value: (plot, value, k, at) => (value == null || at == null ? "" : withError(value, errors[i] ? errors[i].get(plot.data[0][at]) : 0)),
@@ -72,6 +73,12 @@ class Charts {
         draw: [(plot) => shown.forEach((one) => one.error && drawErrors(plot, one, upright)), (plot) => overTime && this.time != null && drawTime(plot, this.time)] },
     };
   }
+}
+
+/** A round number in few characters. */
+function tickText(value) {
+  const rounded = Number(value.toPrecision(6)), size = Math.abs(rounded);
+  return size !== 0 && (size < 1e-3 || size >= 1e6) ? rounded.toExponential() : String(rounded);
 }
 
 /** The range of all values with their errors and a little room. */

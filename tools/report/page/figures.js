@@ -75,7 +75,7 @@ function toolsPart(runs, charts) {
   const glass = [["glass_mean_degC", "mean"], ["skin_mean_degC", "surface, mean"], ["skin_min_degC", "surface, coldest"]];
   const probes = [...new Set(runs.flatMap((run) => probesOf(run)))];
   return part("temperatures", "Temperatures and heat", element("div", { class: "charts" },
-    charts.chart({ title: "Contact surfaces of the tools", note: "solid: hottest place, dashed: mean", yLabel: "temperature, °C",
+    charts.chart({ title: "Contact surfaces of the tools", note: runs.length > 1 ? "hottest place; the colour is that of the run" : "solid: hottest place, dashed: mean", yLabel: "temperature, °C",
       series: seriesOf(runs, "tools", [...toolColumns(tools, "surface_max_degC").map((column) => ({ ...column, label: `${column.label}, hottest` })), ...(runs.length > 1 ? [] : means)]) }),
     charts.chart({ title: "Glass", yLabel: "temperature, °C", series: seriesOf(runs, "history", glass.map(([name, label], i) => ({ name, label, colour: i }))) }),
     charts.chart({ title: "Probes", yLabel: "temperature, °C", series: seriesOf(runs, "history", probes.map((name, i) => ({ name, label: words(name.replace(/_degC$/, "")), colour: i }))) }),

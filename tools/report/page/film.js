@@ -9,8 +9,8 @@ class FilmPart {
     this.runs = runs.filter((run) => run.film);
     Object.assign(this, { state, timeChanged, view: null, drawing: null });
     const last = this.runs.length - 1;
-    state.right = Math.min(state.right ?? 0, last);
-    state.left = Math.min(state.left ?? last, last);
+    state.right = Math.min(state.right ?? last, last);
+    state.left = Math.min(state.left ?? 0, last);
     state.field ??= "temperature";
     if (!this.runs[state.right].film.frames.some((frame) => frame[state.field]))
       state.field = Object.keys(fields).find((name) => this.range(name)) || "temperature";
@@ -89,7 +89,7 @@ class FilmPart {
     const width = this.element.firstChild.clientWidth || 600;
     this.density = Math.min(2, window.devicePixelRatio || 1);
     this.state.index = Math.max(0, Math.min(this.times.length - 1, this.state.index ?? this.times.length - 1));
-    const room = this.printing ? 600 : Math.max(320, 0.8 * window.innerHeight), planar = this.right.planar;
+    const room = this.printing ? 600 : Math.min(900, Math.max(320, 0.8 * window.innerHeight)), planar = this.right.planar;
     const whole = new View(this.extent(), planar, width), fit = Math.min(1, room / whole.height);
     this.view = new View(this.extent(), planar, width * fit * this.density, this.state.zoom || 1, this.state.shift || [0, 0]);
     const time = this.times[this.state.index];
@@ -100,7 +100,8 @@ class FilmPart {
     this.slider.max = this.times.length - 1;
     this.slider.value = this.state.index;
     const stage = this.right.stageAt(time);
-    this.label.textContent = `${time.toFixed(2)} s${stage ? ", " + words(stage.name) : ""}`;
+    const sides = this.left === this.right || planar ? "" : `; left ${this.left.name}, right ${this.right.name}`;
+    this.label.textContent = `${time.toFixed(2)} s${stage ? ", " + words(stage.name) : ""}${sides}`;
     this.canvas.style.touchAction = (this.state.zoom || 1) > 1 ? "none" : "auto";
     this.scales.replaceChildren(...scaleBars(this.shown));
   }

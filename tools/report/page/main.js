@@ -82,6 +82,10 @@ function printing(on) {
   applyTheme(on ? "light" : state.theme);
   if (!shown) return;
   if (shown.film) shown.film.printing = on;
+  for (const one of document.querySelectorAll("details")) {
+    if (on) one.dataset.was = one.open ? "open" : "";
+    one.open = on || one.dataset.was === "open";
+  }
   shown.charts.plots.forEach((plot) => plot.setSize({ width: on ? 640 : Math.floor(plot.root.parentNode.clientWidth), height: on ? Math.min(plot.tall, 330) : plot.tall }));
   repaint();
 }

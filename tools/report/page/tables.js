@@ -27,8 +27,8 @@ function quantityPart(runs) {
 function factsOf(run) {
   const { glass = {}, thickness = {}, container = {}, flags } = run.summary, times = run.column("history", "time_s"), last = times ? times.length - 1 : -1;
   const now = (name) => { const column = run.column("history", name); return column && last >= 0 ? column[last] : NaN; };
-  const range = Number.isFinite(thickness.min_mm) ? `${figure(thickness.min_mm, 3)} / ${figure(thickness.mean_mm, 3)} / ${figure(thickness.max_mm, 3)} mm` : null;
-  return [["simulated", `${figure(run.endTime)} s`], ["glass", glass.mass_kg ? `${figure(1000 * glass.mass_kg)} g` : null], ["wall least / mean / most", range],
+  const range = Number.isFinite(thickness.min_mm) ? `${[thickness.min_mm, thickness.mean_mm, thickness.max_mm].map((value) => value.toFixed(2)).join(" / ")} mm` : null;
+  return [["simulated", `${figure(run.endTime)} s`], ["glass", glass.mass_kg ? `${figure(1000 * glass.mass_kg)} g` : null], ["wall: least, mean, most", range],
     ["capacity to the rim", container.capacity_ml ? `${figure(container.capacity_ml)} ml` : null], ["glass, mean", Number.isFinite(now("glass_mean_degC")) ? `${now("glass_mean_degC").toFixed(0)} °C` : null],
     ["heat to the tools", Number.isFinite(now("heat_to_tools_J")) ? `${figure(now("heat_to_tools_J") / 1000)} kJ` : null],
     ["flags of the process", Array.isArray(flags) ? String(flags.length) : null], ["accuracy", run.summary.accuracy]].filter(([, text]) => text);
