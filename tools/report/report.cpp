@@ -8,9 +8,9 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
+#include "tools/report/data/result_folder.hpp"
+#include "tools/report/data/run_data.hpp"
 #include "tools/report/page.hpp"
-#include "tools/report/result_folder.hpp"
-#include "tools/report/run_data.hpp"
 
 namespace parison::tools {
 namespace {

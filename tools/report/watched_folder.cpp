@@ -8,7 +8,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/process/run_error.hpp"
-#include "tools/report/result_folder.hpp"
+#include "tools/report/data/result_folder.hpp"
 
 namespace parison::tools {
 

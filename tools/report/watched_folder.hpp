@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
-#include "tools/report/run_data.hpp"
+#include "tools/report/data/run_data.hpp"
 
 namespace parison::tools {
 

@@ -8,13 +8,29 @@ async function unpacked(text) {
   return new Response(stream).arrayBuffer();
 }
 
+const isObject = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
+const objects = (value) => (Array.isArray(value) ? value.filter(isObject) : []);
+const texts = (value) => (Array.isArray(value) ? value.map(String) : []);
+
+/** A summary with every part of the kind that the page expects: a file may have been edited, or be of another version. */
+function readSummary(given) {
+  const summary = isObject(given) ? given : {};
+  for (const name of ["glass", "thickness", "container", "quantities"]) if (!isObject(summary[name])) summary[name] = {};
+  for (const [name, one] of Object.entries(summary.quantities)) if (!isObject(one)) delete summary.quantities[name];
+  summary.complete = Array.isArray(summary.checks) && Array.isArray(summary.flags);
+  for (const name of ["checks", "flags", "stages"]) summary[name] = objects(summary[name]);
+  for (const name of ["warnings", "overrides"]) summary[name] = texts(summary[name]);
+  summary.stages = summary.stages.filter((stage) => isObject(stage.work));
+  return summary;
+}
+
 /** A run with its numbers. */
 class Run {
   constructor(json, buffer, index) {
     Object.assign(this, json);
     this.index = index;
     this.buffer = buffer;
-    this.summary = json.summary && typeof json.summary === "object" ? json.summary : {};
+    this.summary = readSummary(json.summary);
     this.film = json.film ? new Film(json.film, buffer) : null;
   }
 

@@ -90,7 +90,7 @@ function heatBars(runs) {
   const rows = [];
   for (const tool of toolsOf(runs, "tools", "_heat_received_J"))
     for (const run of runs) {
-      const column = run.column("tools", `${tool}_heat_received_J`), known = ((run.summary.quantities || {})[`heat_${tool}`]) || {};
+      const column = run.column("tools", `${tool}_heat_received_J`), known = run.summary.quantities[`heat_${tool}`] || {};
       if (column && column.length) rows.push({ tool, run, heat: (known.value ?? column[column.length - 1]) / 1000, error: (known.error || 0) / 1000 });
     }
   const most = Math.max(...rows.map((row) => Math.abs(row.heat) + row.error));
@@ -119,7 +119,7 @@ function wallPart(runs, charts) {
 }
 
 function wallAbsent(runs) {
-  const absent = runs.map((run) => run.summary.thickness && run.summary.thickness.absent).find((sentence) => sentence);
+  const absent = runs.map((run) => run.summary.thickness.absent).find((sentence) => sentence);
   return absent || "The wall is measured when the run has come to its end.";
 }
 

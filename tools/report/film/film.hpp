@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/report/packed_bytes.hpp"
-#include "tools/report/result_folder.hpp"
-#include "tools/report/vtu_file.hpp"
+#include "tools/report/data/result_folder.hpp"
+#include "tools/report/film/packed_bytes.hpp"
+#include "tools/report/film/vtu_file.hpp"
 
 namespace parison::tools {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/report/scene_text.hpp"
+#include "tools/report/data/scene_text.hpp"
 
 #include <fmt/format.h>
 

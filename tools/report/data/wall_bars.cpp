@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/report/wall_bars.hpp"
+#include "tools/report/data/wall_bars.hpp"
 
 #include <algorithm>
 #include <cmath>

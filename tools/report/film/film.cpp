@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/report/film.hpp"
+#include "tools/report/film/film.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/report/vtu_file.hpp"
+#include "tools/report/film/vtu_file.hpp"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>

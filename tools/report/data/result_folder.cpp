@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/report/result_folder.hpp"
+#include "tools/report/data/result_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "forming/scene/scene.hpp"
-#include "tools/report/result_folder.hpp"
+#include "tools/report/data/result_folder.hpp"
 
 namespace parison::tools {
 

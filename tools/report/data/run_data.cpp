@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/report/run_data.hpp"
+#include "tools/report/data/run_data.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/files.hpp"
-#include "tools/report/result_folder.hpp"
-#include "tools/report/wall_bars.hpp"
+#include "tools/report/data/result_folder.hpp"
+#include "tools/report/data/wall_bars.hpp"
 
 namespace parison::tools {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/report/film.hpp"
-#include "tools/report/scene_text.hpp"
+#include "tools/report/data/scene_text.hpp"
+#include "tools/report/film/film.hpp"
 
 namespace parison::tools {
 

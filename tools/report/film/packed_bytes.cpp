@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/report/packed_bytes.hpp"
+#include "tools/report/film/packed_bytes.hpp"
 
 #include <vtkNew.h>
 #include <vtkZLibDataCompressor.h>
@@ -72,7 +72,7 @@ ByteValues PackedBytes::add_bytes(const std::vector<float>& values) {
 
 std::string PackedBytes::text() const {
   vtkNew<vtkZLibDataCompressor> compressor;
-  compressor->SetCompressionLevel(9);
+  compressor->SetCompressionLevel(6);
   std::vector<unsigned char> compressed(compressor->GetMaximumCompressionSpace(bytes_.size()));
   const std::size_t size = compressor->Compress(bytes_.data(), bytes_.size(), compressed.data(), compressed.size());
   return base64(compressed.data(), size);
