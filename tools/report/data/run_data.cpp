@@ -18,26 +18,34 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Bytes of all films of a page before compression; with the rest a page stays below 5 MB.
-constexpr std::size_t film_budget = 5'000'000;
-/// Rows of a table beyond which only every so many are shown.
-constexpr std::size_t most_rows = 6000;
+constexpr std::size_t film_budget = 4'500'000;
+/// Rows of a table, over all runs of a page, beyond which only every so many are shown.
+constexpr std::size_t most_rows = 3000;
 
 bool is_drawn(const ResultTable& table, std::size_t column) {
   const std::string& name = table.names[column];
   return table.texts[column].empty() && name.rfind("cavity_", 0) != 0;
 }
 
-Json pack_table(const ResultTable& table, PackedBytes& bytes) {
-  const std::size_t stride = table.rows() / most_rows + 1;
+/// The rows of a table that are shown, the last one always.
+std::vector<std::size_t> shown_rows(const ResultTable& table, std::size_t runs) {
+  const std::size_t stride = table.rows() * runs / most_rows + 1;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < table.rows(); i += stride) rows.push_back(i);
+  if (!rows.empty() && rows.back() + 1 != table.rows()) rows.push_back(table.rows() - 1);
+  return rows;
+}
+
+Json pack_table(const ResultTable& table, std::size_t runs, PackedBytes& bytes) {
+  const std::vector<std::size_t> rows = shown_rows(table, runs);
   Json names = Json::array();
   std::vector<double> numbers;
   for (std::size_t c = 0; c < table.names.size(); ++c) {
     if (!is_drawn(table, c)) continue;
     names.push_back(table.names[c]);
-    for (std::size_t i = 0; i < table.rows(); i += stride) numbers.push_back(table.numbers[c][i]);
+    for (const std::size_t row : rows) numbers.push_back(table.numbers[c][row]);
   }
-  const std::size_t rows = (table.rows() + stride - 1) / stride;
-  return {{"names", std::move(names)}, {"rows", rows}, {"at", bytes.add_numbers(numbers)}};
+  return {{"names", std::move(names)}, {"rows", rows.size()}, {"at", bytes.add_numbers(numbers)}};
 }
 
 /// Single precision could not tell a volume from the one before: its relative change takes its place.
@@ -78,7 +86,7 @@ const SceneOfRun& scene_of(const std::string& folder, ReportCache& cache) {
   return scene;
 }
 
-Json run_json(const std::string& path, std::size_t budget, ReportCache& cache, PackedBytes& bytes) {
+Json run_json(const std::string& path, std::size_t runs, ReportCache& cache, PackedBytes& bytes) {
   ResultFolder folder = read_folder(path);
   const SceneOfRun& scene = scene_of(path, cache);
   std::vector<std::string> problems;
@@ -92,14 +100,14 @@ Json run_json(const std::string& path, std::size_t budget, ReportCache& cache, P
            {"stages", stages_of(folder, scene.scene)},
            {"planar", scene.scene && scene.scene->geometry == core::Geometry::planar}};
   run["summary"] = folder.summary.empty() ? Json() : Json::parse(folder.summary, nullptr, false);
-  run["history"] = pack_table(folder.history, bytes);
-  run["tools"] = pack_table(read_table(path + "/tools.csv"), bytes);
+  run["history"] = pack_table(folder.history, runs, bytes);
+  run["tools"] = pack_table(read_table(path + "/tools.csv"), runs, bytes);
   if (!folder.summary.empty()) {
     WallTables wall = wall_tables(path, run["summary"], scene.scene);
-    run["heights"] = pack_table(wall.heights, bytes);
-    run["profile"] = pack_table(wall.profile, bytes);
+    run["heights"] = pack_table(wall.heights, runs, bytes);
+    run["profile"] = pack_table(wall.profile, runs, bytes);
   }
-  run["film"] = pack_film(folder, cache.files, budget, bytes, problems);
+  run["film"] = pack_film(folder, cache.files, film_budget / runs, bytes, problems);
   run["problems"] = problems;
   return run;
 }
@@ -121,8 +129,7 @@ std::string without_tags(const std::string& json) {
 std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache) {
   Json runs = Json::array();
   PackedBytes bytes;
-  for (const std::string& folder : folders)
-    runs.push_back(run_json(folder, film_budget / folders.size(), cache, bytes));
+  for (const std::string& folder : folders) runs.push_back(run_json(folder, folders.size(), cache, bytes));
   const Json page{{"program", PARISON_VERSION}, {"live", live}, {"runs", std::move(runs)}, {"bytes", bytes.text()}};
   return without_tags(page.dump(-1, ' ', true, Json::error_handler_t::replace));
 }

@@ -134,9 +134,10 @@ std::vector<std::size_t> chosen(const ResultFolder& folder, const std::vector<Pv
   for (const PvdEntry& entry : glass) whole += glass_share * size_of(entry.path);
   for (const ToolFilm& tool : tools)
     whole += tool_share * static_cast<double>(glass.size()) * size_of(tool.entries[0].path);
-  const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(whole / static_cast<double>(budget))));
-  std::set<std::size_t> kept{0, glass.size() - 1};
-  for (std::size_t i = 0; i < glass.size(); i += stride) kept.insert(i);
+  const double last = static_cast<double>(glass.size() - 1),
+               stride = std::max(1.0, whole / static_cast<double>(budget));
+  std::set<std::size_t> kept{glass.size() - 1};
+  for (double i = 0; i < last; i += stride) kept.insert(static_cast<std::size_t>(i));
   for (const StageSpan& stage : folder.stages) kept.insert(nearest(glass, stage.end));
   return {kept.begin(), kept.end()};
 }

@@ -90,8 +90,7 @@ class FilmPart {
     this.density = Math.min(2, window.devicePixelRatio || 1);
     this.state.index = Math.max(0, Math.min(this.times.length - 1, this.state.index ?? this.times.length - 1));
     const room = this.printing ? 600 : Math.min(900, Math.max(320, 0.8 * window.innerHeight)), planar = this.right.planar;
-    const whole = new View(this.extent(), planar, width), fit = Math.min(1, room / whole.height);
-    this.view = new View(this.extent(), planar, width * fit * this.density, this.state.zoom || 1, this.state.shift || [0, 0]);
+    this.view = new View(this.extent(), planar, width * this.density, room * this.density, this.state.zoom || 1, this.state.shift || [0, 0]);
     const time = this.times[this.state.index];
     const halves = planar ? [{ run: this.right, frame: this.state.index, side: 1 }]
       : [{ run: this.left, frame: this.left.film.nearest(time), side: -1 }, { run: this.right, frame: this.state.index, side: 1 }];

@@ -11,12 +11,12 @@ const toolColours = "cividis";
 
 /** What a canvas shows of the plane, and where: pixels for each mm, the middle in mm. */
 class View {
-  constructor(extent, planar, width, zoom = 1, shift = [0, 0]) {
+  constructor(extent, planar, width, room = Infinity, zoom = 1, shift = [0, 0]) {
     const [low, high, bottom, top] = extent, reach = planar ? (high - low) / 2 : high;
     const tall = 1.22 * (top - bottom), wide = Math.max(2.5 * reach, 0.55 * tall);
     this.width = Math.round(width);
-    this.height = Math.round((width * tall) / wide);
-    this.scale = (zoom * width) / wide;
+    this.height = Math.round(Math.min(room, (width * tall) / wide));
+    this.scale = zoom * Math.min(width / wide, this.height / tall);
     this.middle = [planar ? (low + high) / 2 : 0, (bottom + top) / 2];
     this.shift = shift;
   }
