@@ -44,7 +44,7 @@ function toolsIn(run, stage) {
 
 function ganttOf(run, named) {
   if (!run.stages.length || !(run.endTime > 0)) return null;
-  const tools = [...new Set(run.stages.flatMap((stage) => toolsIn(run, stage)))], row = 22, left = 110, width = 900, end = run.stages[run.stages.length - 1].end || run.endTime;
+  const tools = [...new Set(run.stages.flatMap((stage) => toolsIn(run, stage)))], row = 22, width = Math.max(300, Math.min(900, window.innerWidth - 50)), left = width < 600 ? 84 : 110, end = run.stages[run.stages.length - 1].end || run.endTime;
   const x = (time) => left + ((width - left) * time) / end, height = row * (tools.length + 1) + 24;
   const picture = drawn("svg", { class: "gantt", viewBox: `0 0 ${width + 10} ${height}`, role: "img", "aria-label": "stages and active tools over time" });
   const block = (stage, line, colour, text) => {
@@ -56,16 +56,16 @@ function ganttOf(run, named) {
   picture.append(drawn("text", { x: 0, y: 15 }, "stages"));
   run.stages.forEach((stage) => block(stage, 0, cssColour("--accent"), words(stage.name)));
   tools.forEach((tool, i) => {
-    picture.append(drawn("text", { x: 0, y: (i + 1) * row + 15 }, tool.length > 15 ? tool.slice(0, 14) + "…" : words(tool)));
+    picture.append(drawn("text", { x: 0, y: (i + 1) * row + 15 }, tool.length > left / 7 ? words(tool).slice(0, left / 7 - 1) + "…" : words(tool)));
     run.stages.forEach((stage) => toolsIn(run, stage).includes(tool) && block(stage, i + 1, seriesColour(i), ""));
   });
-  const ticks = uPlotTicks(end);
+  const ticks = roundTimes(end, width / 75);
   ticks.forEach((time) => picture.append(drawn("text", { x: x(time), y: height - 6, "text-anchor": "middle" }, `${figure(time)} s`)));
   return element("div", { class: "wide" }, named ? element("h3", {}, run.name) : null, picture);
 }
 
-function uPlotTicks(end) {
-  const step = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].find((one) => end / one <= 10) || end;
+function roundTimes(end, most) {
+  const step = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].find((one) => end / one <= most) || end;
   return Array.from({ length: Math.floor(end / step + 1e-9) + 1 }, (_, i) => i * step);
 }
 
