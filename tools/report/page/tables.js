@@ -30,7 +30,7 @@ function factsOf(run) {
   const range = Number.isFinite(thickness.min_mm) ? `${[thickness.min_mm, thickness.mean_mm, thickness.max_mm].map((value) => value.toFixed(2)).join(" / ")} mm` : null;
   return [["simulated", `${figure(run.endTime)} s`], ["glass", glass.mass_kg ? `${figure(1000 * glass.mass_kg)} g` : null], ["wall: least, mean, most", range],
     ["capacity to the rim", container.capacity_ml ? `${figure(container.capacity_ml)} ml` : null], ["glass, mean", Number.isFinite(now("glass_mean_degC")) ? `${now("glass_mean_degC").toFixed(0)} °C` : null],
-    ["heat to the tools", Number.isFinite(now("heat_to_tools_J")) ? `${figure(now("heat_to_tools_J") / 1000)} kJ` : null],
+    ["heat to the tools", Math.abs(now("heat_to_tools_J")) > 0 ? `${figure(now("heat_to_tools_J") / 1000)} kJ` : null],
     ["flags of the process", complete ? String(flags.length) : null], ["accuracy", run.summary.accuracy]].filter(([, text]) => text);
 }
 
@@ -39,7 +39,7 @@ function notesOf(run) {
   const { verdict, trustworthy, flags, warnings, checks, overrides } = run.summary, notes = [];
   if (run.told) notes.push([run.state === "running" ? "soft" : "bad", run.told]);
   for (const problem of run.problems || []) notes.push(["warn", problem]);
-  if (verdict) notes.push([trustworthy ? "good" : "bad", verdict]);
+  if (verdict) notes.push([!trustworthy ? "bad" : checks.some((check) => check.verdict !== "inside") ? "warn" : "good", verdict]);
   for (const check of checks) if (check.verdict !== "inside") notes.push([check.verdict === "beyond" ? "warn" : "bad", `${words(check.name)} ${figure(check.value, 3)}, limit ${figure(check.limit, 3)}: ${check.sentence}`]);
   for (const flag of flags) notes.push(["warn", flag.sentence]);
   for (const warning of warnings) notes.push(["warn", warning]);
