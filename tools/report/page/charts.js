@@ -5,7 +5,9 @@
 class Charts {
   constructor(stages, timePicked) {
     Object.assign(this, { stages, timePicked, time: null, plots: [] });
-    this.observer = new ResizeObserver((entries) => entries.forEach((entry) => this.fit(entry.target.plot, entry.contentRect.width)));
+    this.observer = new ResizeObserver((entries) =>
+      entries.forEach((entry) => this.fit(entry.target.plot, entry.contentRect.width)),
+    );
   }
 
   destroy() {
@@ -15,7 +17,8 @@ class Charts {
   }
 
   fit(plot, width) {
-    if (plot && width > 0 && Math.abs(plot.width - width) > 1) plot.setSize({ width: Math.floor(width), height: plot.tall });
+    if (plot && width > 0 && Math.abs(plot.width - width) > 1)
+      plot.setSize({ width: Math.floor(width), height: plot.tall });
   }
 
   /** Where the film is: a line in the plots over time. */
@@ -24,23 +27,42 @@ class Charts {
     this.plots.forEach((plot) => plot.overTime && plot.redraw(false, false));
   }
 
-  redraw() { this.plots.forEach((plot) => plot.redraw(false, true)); }
+  redraw() {
+    this.plots.forEach((plot) => plot.redraw(false, true));
+  }
 
   /** `series` are {label, x, y, colour, dash, error}; nothing where none has a value. With `upright` x goes up. */
   chart({ title, note, series, xLabel = "time, s", yLabel, upright = false, logarithmic = false, height = 300 }) {
     const shown = series.filter((one) => one.x && one.y && one.y.some(Number.isFinite));
     if (!shown.length) return null;
-    const host = element("div"), overTime = xLabel.startsWith("time");
-    const box = element("div", { class: "chart" }, element("h3", {}, title), note ? element("small", {}, note) : null, host);
-    const data = uPlot.join(shown.map((one) => [Array.from(one.x), Array.from(one.y, (value) => (Number.isFinite(value) ? value : null))]));
+    const host = element("div"),
+      overTime = xLabel.startsWith("time");
+    const box = element(
+      "div",
+      { class: "chart" },
+      element("h3", {}, title),
+      note ? element("small", {}, note) : null,
+      host,
+    );
+    const data = uPlot.join(
+      shown.map((one) => [Array.from(one.x), Array.from(one.y, (value) => (Number.isFinite(value) ? value : null))]),
+    );
     const errors = shown.map((one) => (one.error ? new Map(Array.from(one.x, (x, i) => [x, one.error[i]])) : null));
     host.start = () => {
-      const plot = new uPlot(this.options(host, { shown, errors, xLabel, yLabel, upright, logarithmic, height, overTime }), data, host);
+      const plot = new uPlot(
+        this.options(host, { shown, errors, xLabel, yLabel, upright, logarithmic, height, overTime }),
+        data,
+        host,
+      );
       Object.assign(plot, { tall: height, overTime });
       host.plot = plot;
       this.plots.push(plot);
       this.observer.observe(host);
-      if (overTime) plot.over.addEventListener("click", () => { const at = plot.posToVal(plot.cursor.left, "x"); if (Number.isFinite(at)) this.timePicked(at); });
+      if (overTime)
+        plot.over.addEventListener("click", () => {
+          const at = plot.posToVal(plot.cursor.left, "x");
+          if (Number.isFinite(at)) this.timePicked(at);
+        });
     };
     this.waiting = [...(this.waiting || []), host];
     return box;
@@ -54,30 +76,69 @@ class Charts {
 
   options(host, { shown, errors, xLabel, yLabel, upright, logarithmic, height, overTime }) {
     const room = (plot, values) => 14 + 7 * Math.max(3, ...(values || []).map((text) => text.length));
-    const axis = (label, side, size) => ({ label, side, size, labelSize: 22, gap: 4, labelGap: 0, stroke: () => cssColour("--ink"),
-      grid: { stroke: () => cssColour("--grid"), width: 1 }, ticks: { stroke: () => cssColour("--line"), width: 1, size: 5 },
-      font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" });
+    const axis = (label, side, size) => ({
+      label,
+      side,
+      size,
+      labelSize: 22,
+      gap: 4,
+      labelGap: 0,
+      stroke: () => cssColour("--ink"),
+      grid: { stroke: () => cssColour("--grid"), width: 1 },
+      ticks: { stroke: () => cssColour("--line"), width: 1, size: 5 },
+      font: "12px system-ui, sans-serif",
+      labelFont: "12px system-ui, sans-serif",
+    });
     const axes = upright ? [axis(xLabel, 3, room), axis(yLabel, 2, 34)] : [axis(xLabel, 2, 34), axis(yLabel, 3, room)];
     axes[1].values = (plot, splits) => splits.map((value) => (value == null ? "" : tickText(value)));
-    if (logarithmic) axes[1].values = (plot, splits) => splits.map((value) => (Number.isInteger(Math.log10(value)) ? value.toExponential(0) : ""));
+    if (logarithmic)
+      axes[1].values = (plot, splits) =>
+        splits.map((value) => (Number.isInteger(Math.log10(value)) ? value.toExponential(0) : ""));
     return {
-      width: Math.max(200, Math.floor(host.clientWidth)), height, axes,
-      scales: { x: { time: false, ori: upright ? 1 : 0 }, y: { ori: upright ? 0 : 1, distr: logarithmic ? 3 : 1, range: logarithmic ? undefined : rangeWith(shown) } },
-      cursor: { sync: overTime ? { key: "time" } : undefined, drag: { x: true, y: true, uni: 20 }, points: { size: 7 } },
-      legend: { live: true, markers: { width: 3, dash: (plot, i) => ["solid", "dashed", "dotted", "double"][(shown[i - 1].dash || 0) % 4] } },
-      series: [{ label: xLabel, value: (plot, value) => (value == null ? "" : figure(value)) }, ...shown.map((one, i) => ({
-        label: one.label, stroke: () => seriesColour(one.colour), width: 2, dash: dashes[(one.dash || 0) % dashes.length], spanGaps: shown.length > 1, points: { show: false },
-        value: (plot, value, k, at) => (value == null || at == null ? "" : withError(value, errors[i] ? errors[i].get(plot.data[0][at]) : 0)),
-      }))],
-      hooks: { drawClear: [(plot) => overTime && drawStages(plot, this.stages)],
-        draw: [(plot) => shown.forEach((one) => one.error && drawErrors(plot, one, upright)), (plot) => overTime && this.time != null && drawTime(plot, this.time)] },
+      width: Math.max(200, Math.floor(host.clientWidth)),
+      height,
+      axes,
+      scales: {
+        x: { time: false, ori: upright ? 1 : 0 },
+        y: { ori: upright ? 0 : 1, distr: logarithmic ? 3 : 1, range: logarithmic ? undefined : rangeWith(shown) },
+      },
+      cursor: {
+        sync: overTime ? { key: "time" } : undefined,
+        drag: { x: true, y: true, uni: 20 },
+        points: { size: 7 },
+      },
+      legend: {
+        live: true,
+        markers: { width: 3, dash: (plot, i) => ["solid", "dashed", "dotted", "double"][(shown[i - 1].dash || 0) % 4] },
+      },
+      series: [
+        { label: xLabel, value: (plot, value) => (value == null ? "" : figure(value)) },
+        ...shown.map((one, i) => ({
+          label: one.label,
+          stroke: () => seriesColour(one.colour),
+          width: 2,
+          dash: dashes[(one.dash || 0) % dashes.length],
+          spanGaps: shown.length > 1,
+          points: { show: false },
+          value: (plot, value, k, at) =>
+            value == null || at == null ? "" : withError(value, errors[i] ? errors[i].get(plot.data[0][at]) : 0),
+        })),
+      ],
+      hooks: {
+        drawClear: [(plot) => overTime && drawStages(plot, this.stages)],
+        draw: [
+          (plot) => shown.forEach((one) => one.error && drawErrors(plot, one, upright)),
+          (plot) => overTime && this.time != null && drawTime(plot, this.time),
+        ],
+      },
     };
   }
 }
 
 /** A round number in few characters. */
 function tickText(value) {
-  const rounded = Number(value.toPrecision(6)), size = Math.abs(rounded);
+  const rounded = Number(value.toPrecision(6)),
+    size = Math.abs(rounded);
   return size !== 0 && (size < 1e-3 || size >= 1e6) ? rounded.toExponential() : String(rounded);
 }
 
@@ -88,14 +149,19 @@ function rangeWith(shown) {
     const whole = plot.series.every((series, i) => i === 0 || series.show);
     if (whole && !plot.zoomed)
       for (const one of shown)
-        if (one.error) one.y.forEach((value, i) => { if (value + one.error[i] > high) high = value + one.error[i]; if (value - one.error[i] < low) low = value - one.error[i]; });
+        if (one.error)
+          one.y.forEach((value, i) => {
+            if (value + one.error[i] > high) high = value + one.error[i];
+            if (value - one.error[i] < low) low = value - one.error[i];
+          });
     const room = (high - low || Math.abs(high) || 1) * 0.05;
     return [low >= 0 && low - room < 0 ? 0 : low - room, high + room];
   };
 }
 
 function withClip(plot, work) {
-  const context = plot.ctx, { left, top, width, height } = plot.bbox;
+  const context = plot.ctx,
+    { left, top, width, height } = plot.bbox;
   context.save();
   context.beginPath();
   context.rect(left, top, width, height);
@@ -110,7 +176,8 @@ function drawStages(plot, stages) {
     context.fillStyle = cssColour("--band");
     stages.forEach((stage, i) => {
       if (i % 2) return;
-      const from = plot.valToPos(stage.start, "x", true), to = plot.valToPos(stage.end, "x", true);
+      const from = plot.valToPos(stage.start, "x", true),
+        to = plot.valToPos(stage.end, "x", true);
       context.fillRect(from, top, to - from, height);
     });
   });
@@ -132,7 +199,11 @@ function drawTime(plot, time) {
 function drawErrors(plot, { x, y, error, colour }, upright) {
   withClip(plot, (context) => {
     context.fillStyle = context.strokeStyle = seriesColour(colour);
-    const at = (k, value) => { const a = plot.valToPos(x[k], "x", true), b = plot.valToPos(value, "y", true); return upright ? [b, a] : [a, b]; };
+    const at = (k, value) => {
+      const a = plot.valToPos(x[k], "x", true),
+        b = plot.valToPos(value, "y", true);
+      return upright ? [b, a] : [a, b];
+    };
     const runs = [];
     for (let k = 0, open = false; k < x.length; ++k) {
       const known = Number.isFinite(y[k]) && Number.isFinite(error[k]);

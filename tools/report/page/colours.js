@@ -15,7 +15,9 @@ function colourTable(name) {
   const points = scalePoints[name].split(" ").map(rgb);
   const words = new Uint32Array(256);
   for (let i = 0; i < 256; ++i) {
-    const place = (i / 255) * (points.length - 1), low = Math.min(Math.floor(place), points.length - 2), share = place - low;
+    const place = (i / 255) * (points.length - 1),
+      low = Math.min(Math.floor(place), points.length - 2),
+      share = place - low;
     const mixed = points[low].map((value, k) => Math.round(value + share * (points[low + 1][k] - value)));
     words[i] = 0xff000000 | (mixed[2] << 16) | (mixed[1] << 8) | mixed[0];
   }
@@ -23,7 +25,11 @@ function colourTable(name) {
 }
 
 const colourTables = Object.fromEntries(Object.keys(scalePoints).map((name) => [name, colourTable(name)]));
-const gradient = (name) => `linear-gradient(to right, ${scalePoints[name].split(" ").map((hex) => "#" + hex).join(", ")})`;
+const gradient = (name) =>
+  `linear-gradient(to right, ${scalePoints[name]
+    .split(" ")
+    .map((hex) => "#" + hex)
+    .join(", ")})`;
 
 function cssOfWord(word) {
   return `rgb(${word & 255}, ${(word >> 8) & 255}, ${(word >> 16) & 255})`;

@@ -43,9 +43,16 @@ function table(headings, rows) {
     const number = content !== null && typeof content === "object" && "number" in content;
     return element(tag, { class: number ? "number" : null }, number ? content.number : content);
   };
-  return element("div", { class: "wide" }, element("table", { class: "figures" },
-    element("thead", {}, element("tr", {}, ...headings.map((text) => cell("th", text)))),
-    element("tbody", {}, ...rows.map((row) => element("tr", {}, ...row.map((content) => cell("td", content)))))));
+  return element(
+    "div",
+    { class: "wide" },
+    element(
+      "table",
+      { class: "figures" },
+      element("thead", {}, element("tr", {}, ...headings.map((text) => cell("th", text)))),
+      element("tbody", {}, ...rows.map((row) => element("tr", {}, ...row.map((content) => cell("td", content))))),
+    ),
+  );
 }
 
 const number = (text) => ({ number: text });

@@ -19,16 +19,19 @@ class Raster {
     const last = Math.min(this.height - 1, Math.ceil(Math.max(y0, y1, y2) - 0.5) - 1);
     for (let row = first; row <= last; ++row) {
       const y = row + 0.5;
-      let left = Infinity, right = -Infinity;
+      let left = Infinity,
+        right = -Infinity;
       const cross = (xa, ya, xb, yb) => {
-        if ((ya <= y) === (yb <= y)) return;
+        if (ya <= y === yb <= y) return;
         const x = xa + ((y - ya) / (yb - ya)) * (xb - xa);
-        left = Math.min(left, x), right = Math.max(right, x);
+        ((left = Math.min(left, x)), (right = Math.max(right, x)));
       };
-      cross(x0, y0, x1, y1), cross(x1, y1, x2, y2), cross(x2, y2, x0, y0);
-      const from = Math.max(0, Math.ceil(left - 0.5)), to = Math.min(this.width, Math.ceil(right - 0.5));
-      let value = v0 + slopeX * (from + 0.5 - x0) + slopeY * (y - y0), at = row * this.width + from;
-      for (let i = from; i < to; ++i, ++at, value += slopeX) this.values[at] = value, this.bodies[at] = body;
+      (cross(x0, y0, x1, y1), cross(x1, y1, x2, y2), cross(x2, y2, x0, y0));
+      const from = Math.max(0, Math.ceil(left - 0.5)),
+        to = Math.min(this.width, Math.ceil(right - 0.5));
+      let value = v0 + slopeX * (from + 0.5 - x0) + slopeY * (y - y0),
+        at = row * this.width + from;
+      for (let i = from; i < to; ++i, ++at, value += slopeX) ((this.values[at] = value), (this.bodies[at] = body));
     }
   }
 
@@ -36,26 +39,48 @@ class Raster {
   body(cells, x, y, values, number) {
     for (let c = 0; c < cells.length; c += 6)
       for (const [i, j, k] of subTriangles) {
-        const a = cells[c + i], b = cells[c + j], d = cells[c + k];
-        this.triangle(x[a], y[a], values ? values[a] : NaN, x[b], y[b], values ? values[b] : NaN, x[d], y[d], values ? values[d] : NaN, number);
+        const a = cells[c + i],
+          b = cells[c + j],
+          d = cells[c + k];
+        this.triangle(
+          x[a],
+          y[a],
+          values ? values[a] : NaN,
+          x[b],
+          y[b],
+          values ? values[b] : NaN,
+          x[d],
+          y[d],
+          values ? values[d] : NaN,
+          number,
+        );
       }
   }
 
   /** The pixels as an image: a colour table and a range for each body, or a plain colour. */
   image(paints) {
-    const image = new ImageData(this.width, this.height), pixels = new Uint32Array(image.data.buffer);
+    const image = new ImageData(this.width, this.height),
+      pixels = new Uint32Array(image.data.buffer);
     for (let at = 0; at < pixels.length; ++at) {
       const body = this.bodies[at];
       if (!body) continue;
-      const { colours, low, high, plain } = paints[body], value = this.values[at];
-      pixels[at] = value === value && colours
-        ? colours[Math.max(0, Math.min(255, Math.round((255 * (value - low)) / (high - low))))] : plain;
+      const { colours, low, high, plain } = paints[body],
+        value = this.values[at];
+      pixels[at] =
+        value === value && colours
+          ? colours[Math.max(0, Math.min(255, Math.round((255 * (value - low)) / (high - low))))]
+          : plain;
     }
     return image;
   }
 }
 
-const subTriangles = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]];
+const subTriangles = [
+  [0, 3, 5],
+  [3, 1, 4],
+  [5, 4, 2],
+  [3, 4, 5],
+];
 
 /** Edges of a mesh as first, last, mid-side node; those of one cell only are its outline. */
 function edgesOf(mesh) {
@@ -63,10 +88,14 @@ function edgesOf(mesh) {
   const seen = new Map();
   for (let c = 0; c < mesh.cells.length; c += 6)
     for (let k = 0; k < 3; ++k) {
-      const mid = mesh.cells[c + 3 + k], edge = seen.get(mid);
+      const mid = mesh.cells[c + 3 + k],
+        edge = seen.get(mid);
       if (edge) edge.shared = true;
       else seen.set(mid, { nodes: [mesh.cells[c + k], mesh.cells[c + ((k + 1) % 3)], mid], shared: false });
     }
   const edges = [...seen.values()];
-  return (mesh.edges = { all: edges.map((edge) => edge.nodes), outline: edges.filter((edge) => !edge.shared).map((edge) => edge.nodes) });
+  return (mesh.edges = {
+    all: edges.map((edge) => edge.nodes),
+    outline: edges.filter((edge) => !edge.shared).map((edge) => edge.nodes),
+  });
 }
