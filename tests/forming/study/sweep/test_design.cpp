@@ -36,8 +36,7 @@ TEST(Design, a_seed_gives_its_points_again_and_another_seed_others) {
   EXPECT_NE(latin_hypercube(4, 25, 1), latin_hypercube(4, 25, 2));
   EXPECT_EQ(sobol_sequence(4, 25, 3), sobol_sequence(4, 25, 3));
   EXPECT_NE(sobol_sequence(4, 25, 3), sobol_sequence(4, 25, 0));
-  // The engine is that of the standard, so that these are the numbers of every machine.
-  EXPECT_NEAR(latin_hypercube(1, 4, 5489)[0][0], 0.62, 0.5);
+  EXPECT_NE(sobol_sequence(4, 25, 3), sobol_sequence(4, 25, 2));
 }
 
 TEST(Design, the_sobol_sequence_is_that_of_the_literature) {
@@ -59,8 +58,7 @@ TEST(Design, sobol_points_integrate_a_smooth_function_better_than_their_number_o
   constexpr std::size_t runs = 1023;
   for (const std::uint64_t seed : {0u, 1u, 2u}) {
     double sum = 0;
-    for (const auto& point : sobol_sequence(3, runs, seed))
-      sum += std::exp(point[0]) * point[1] * std::cos(point[2]);
+    for (const auto& point : sobol_sequence(3, runs, seed)) sum += std::exp(point[0]) * point[1] * std::cos(point[2]);
     const double exact = (std::exp(1.0) - 1) * 0.5 * std::sin(1.0);
     EXPECT_NEAR(sum / runs, exact, 0.005 * exact) << seed;  // random ones: 2 % by one standard deviation
   }

@@ -28,7 +28,8 @@ std::string two_stages() {
 }
 
 const std::string head = "case = \"pot\"\naccuracy = \"draft coarser 2\"\n";
-const std::string temperatures = "[[variable]]\nkey = \"tool.pot.temperature\"\nvalues = [\"470 degC\", \"480 degC\"]\n";
+const std::string temperatures =
+    "[[variable]]\nkey = \"tool.pot.temperature\"\nvalues = [\"470 degC\", \"480 degC\"]\n";
 const std::string rests = "[[variable]]\nkey = \"stage.rest.duration\"\nfrom = \"0.1 s\"\nto = \"0.2 s\"\nnumber = 3\n";
 
 class SweepTest : public ::testing::Test {
@@ -116,7 +117,8 @@ TEST_F(SweepTest, a_shared_start_gives_what_a_run_of_its_own_gives_to_the_last_b
   make_run(alone, alone.runs[2], never);
   const std::string shared = planned.folder(planned.runs[2]), whole = alone.folder(alone.runs[2]);
   EXPECT_EQ(core::read_text(shared + "/history.csv"), core::read_text(whole + "/history.csv"));
-  EXPECT_NE(core::read_text(shared + "/history.csv"), core::read_text(planned.folder(planned.runs[1]) + "/history.csv"));
+  EXPECT_NE(core::read_text(shared + "/history.csv"),
+            core::read_text(planned.folder(planned.runs[1]) + "/history.csv"));
 
   // The table has each run with its values and results, and a run that was not made without.
   std::vector<SweepState> states;
@@ -185,7 +187,8 @@ TEST_F(SweepTest, every_mistake_in_a_sweep_file_has_its_sentence) {
   expect_refused(head + "design = \"sobol\"\n" + temperatures, "runs");
   expect_refused(head + "runs = 3\n" + temperatures, "allowed only with the designs latin_hypercube and sobol");
   expect_refused(head + "design = \"sobol\"\nruns = 4\nseed = -1\n" + temperatures, "allowed is a whole number from 0");
-  expect_refused(head + "design = \"list\"\n" + temperatures + rests, "as many as of tool.pot.temperature in a list, 2");
+  expect_refused(head + "design = \"list\"\n" + temperatures + rests,
+                 "as many as of tool.pot.temperature in a list, 2");
   expect_refused(head + "[[variable]]\nkey = \"air.h\"\n", "allowed are values, or from and to");
   expect_refused(head + "[[variable]]\nkey = \"air.h\"\nvalues = []\n", "an empty list was found");
   expect_refused(head + "[[variable]]\nkey = \"air.h\"\nvalues = [[1, 2]]\n", "allowed are texts, numbers");
