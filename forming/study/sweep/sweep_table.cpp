@@ -68,7 +68,7 @@ QuantityColumn& column_of(SweepTable& table, const Quantity& quantity) {
 }
 
 std::string number_field(double value) {
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "";
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "nan";
 }
 
 const char* name_of(Status status) {
