@@ -43,6 +43,7 @@ void add(HeatBalance& balance, const HeatBalance& step) {
   for (std::size_t b = 0; b < step.bodies.size(); ++b) {
     balance.bodies[b].content_change += step.bodies[b].content_change;
     balance.bodies[b].to_air += step.bodies[b].to_air;
+    balance.bodies[b].light_to_air += step.bodies[b].light_to_air;
     balance.bodies[b].from_source += step.bodies[b].from_source;
     balance.bodies[b].from_prescribed += step.bodies[b].from_prescribed;
   }
@@ -55,6 +56,7 @@ void add(HeatBalance& balance, const HeatBalance& step) {
     } else {
       same->heat += pair.heat;
       same->received += pair.received;
+      same->radiated += pair.radiated;
     }
   }
 }

@@ -12,6 +12,7 @@ using core::Index;
 struct BodyBalance {
   double content_change = 0;
   double to_air = 0;           ///< out by convection and radiation to the surroundings, cooling included
+  double light_to_air = 0;     ///< the part of `to_air` that is light of a model with bands
   double from_source = 0;      ///< in from the volume source
   double from_prescribed = 0;  ///< in through boundaries of prescribed temperature
 };
@@ -21,6 +22,7 @@ struct PairBalance {
   Index slave_body, master_body;
   double heat = 0;      ///< out of the slave
   double received = 0;  ///< into the master
+  double radiated = 0;  ///< the part of `heat` that went as light through the glass surface, of models with bands
 };
 
 /// Heat balance of all bodies over a time.

@@ -13,6 +13,16 @@ namespace parison::thermal {
 
 using core::Index;
 
+/// What the light of a body with Radiation::Model::p1 meets at its surface, and how a body answers light that comes
+/// across an interface.
+struct SurfaceLight {
+  /// Temperature of the black surroundings that an open boundary sees, K, by boundary of the mesh. A boundary without
+  /// reflects all light, but one of prescribed temperature is black, of that temperature and in optical contact. Empty:
+  /// none.
+  std::vector<std::optional<core::TimeFunction>> surroundings;
+  double emissivity = 0;  ///< hemispherical: of the opaque bands of a body with p1, of the grey surface of any other
+};
+
 /// One body of a heat problem, with its boundary values over time. Everything pointed to must outlive the problem. The
 /// mass of each material point is fixed by `mass_mesh` and `density`, so the heat content does not change when `mesh`
 /// moves.
@@ -26,11 +36,12 @@ struct BodyView {
   const Eigen::VectorXd* wall_thickness = nullptr;            ///< by node, m; null: no thin-wall limit
   const std::vector<double>* source = nullptr;  ///< W at each point of triangle_rule(4), cell by cell; null: none
   core::TimeFunction source_factor = 1;         ///< multiplies `source`
+  SurfaceLight light = {};
 };
 
 /// Whether the wall thickness limits the radiation inside the body.
 inline bool has_thin_wall(const BodyView& body) {
-  return body.wall_thickness && body.material->radiation;
+  return body.wall_thickness && is_rosseland(*body.material);
 }
 
 /// Thermal contact conductance at a time, s: sets `h`, W/m2/K, at every interface point from the slave's temperatures

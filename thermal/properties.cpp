@@ -10,7 +10,7 @@ double conductivity(const Material& material, double temperature, double thin_wa
 }
 
 Conductivity::Conductivity(const Material& material) : phonon_(material.conductivity) {
-  if (!material.radiation) return;
+  if (!is_rosseland(material)) return;
   const double n = material.radiation->refractive_index;
   radiant_ = 16.0 / 3 * n * n * stefan_boltzmann / material.radiation->absorption;
 }

@@ -6,15 +6,27 @@
 #include "core/case/table.hpp"
 #include "core/case/time_function.hpp"
 #include "thermal/cells/cell_batch.hpp"
+#include "thermal/radiation/planck.hpp"
 
 namespace parison::thermal {
 
-/// Internal radiation in the diffusion approximation of Rosseland (1924): it adds to the conductivity
-/// k_r = 16/3 n^2 sigma T^3 / kappa, T in K, which holds where the wall is optically thick, kappa w >> 1.
+/// Part of the spectrum in which a glass absorbs alike; it begins where the band before it ends.
+struct Band {
+  double up_to;       ///< wavelength in vacuum, m; infinite for the rest of the spectrum
+  double absorption;  ///< absorption coefficient kappa, 1/m
+};
+
+/// Internal radiation. Rosseland (1924): it adds to the conductivity k_r = 16/3 n^2 sigma T^3 / kappa, T in K, which
+/// holds where the wall is optically thick, kappa w >> 1. P1: an equation for the light of each band (see
+/// radiation/README.md); beyond the last band the glass is opaque. P1 in cones: two equations, for the directions that
+/// total reflection keeps inside and for those that leave.
 struct Radiation {
+  enum class Model { rosseland, p1, p1_cones };
   double refractive_index;
-  double absorption;      ///< Rosseland mean absorption coefficient kappa, 1/m
-  bool thin_wall = true;  ///< multiply k_r by thin_wall_factor of the local wall thickness
+  double absorption;      ///< rosseland: mean absorption coefficient kappa, 1/m
+  bool thin_wall = true;  ///< rosseland: multiply k_r by thin_wall_factor of the local wall thickness
+  Model model = Model::rosseland;
+  std::vector<Band> bands = {};  ///< p1, p1_cones: wavelengths rise
 };
 
 /// Thermal properties of a body; tables over temperature in K.
@@ -34,6 +46,15 @@ struct SurfaceExchange {
   core::TimeFunction ambient_temperature = 300;  ///< K
 };
 
+/// Whether internal radiation is computed as conduction.
+inline bool is_rosseland(const Material& material) {
+  return material.radiation && material.radiation->model == Radiation::Model::rosseland;
+}
+/// Whether the light inside is computed band by band.
+inline bool has_light(const Material& material) {
+  return material.radiation && material.radiation->model != Radiation::Model::rosseland;
+}
+
 /// A SurfaceExchange at one time.
 struct ExchangeCoefficients {
   double h;                    ///< W/m2/K
@@ -45,8 +66,7 @@ inline ExchangeCoefficients coefficients_at(const SurfaceExchange& exchange, dou
   return {exchange.h(time), exchange.air_temperature(time), exchange.emissivity, exchange.ambient_temperature(time)};
 }
 
-inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
-inline constexpr double content_reference = 273.15;         ///< K, where enthalpy and heat content are zero
+inline constexpr double content_reference = 273.15;  ///< K, where enthalpy and heat content are zero
 
 /// Factor on the Rosseland conductivity in a wall of thickness w, m: 1/(1 + 4/(3 kappa w)). It makes the radiative flux
 /// between two black walls that of the diffusion approximation with a temperature jump at the walls (Deissler 1964),

@@ -19,7 +19,8 @@ std::shared_ptr<const Batches> batches_of(const BodyView& body, core::Geometry g
   if (!kept->batches || kept->geometry != geometry || kept->density != body.density || kept->cells != mesh.cells() ||
       kept->nodes != mesh.nodes || kept->mass_nodes != mass.nodes)
     *kept = {mesh.nodes,   mass.nodes, mesh.cells(),
-             body.density, geometry,   std::make_shared<const Batches>(make_batches(body, geometry))};
+             body.density, geometry,   std::make_shared<const Batches>(make_batches(body, geometry)),
+             kept->light};
   return kept->batches;
 }
 
@@ -60,6 +61,15 @@ void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) 
   }
 }
 
+void add_light(HeatSystem& system, const std::vector<Index>& first_boundary_edge, std::vector<KeptCells>* kept) {
+  for (std::size_t b = 0; b < system.problem->bodies.size(); ++b) {
+    if (!has_light(*system.problem->bodies[b].material)) continue;
+    std::shared_ptr<KeptLight> none;
+    system.light.push_back(
+        make_p1(system, static_cast<Index>(b), first_boundary_edge[b], kept ? (*kept)[b].light : none));
+  }
+}
+
 void number_unknowns(HeatSystem& system) {
   const Problem& problem = *system.problem;
   Index boundaries = 0;
@@ -92,6 +102,7 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
   system.batches.reserve(cells / batch_size + problem.bodies.size());
   if (kept) kept->resize(problem.bodies.size());
   Index boundary_edges = 0;
+  std::vector<Index> first_boundary_edge;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     const BodyView& body = problem.bodies[b];
     const auto first_cell = static_cast<Index>(system.cells.size()),
@@ -105,10 +116,12 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
       system.body_source[b] = std::accumulate(body.source->begin(), body.source->end(), 0.0);
     }
     add_edges(system, static_cast<Index>(b), boundary_edges);
+    first_boundary_edge.push_back(boundary_edges);
     boundary_edges += static_cast<Index>(body.mesh->boundary_edges().size());
     add_prescribed(system, body, static_cast<Index>(b));
   }
   add_interface(system);
+  add_light(system, first_boundary_edge, kept);
   return system;
 }
 
@@ -154,6 +167,7 @@ HeatBalance zero_balance(const HeatSystem& system) {
 void accumulate(HeatBalance& balance, const Flows& flows, double duration) {
   for (std::size_t b = 0; b < balance.bodies.size(); ++b) {
     balance.bodies[b].to_air += duration * flows.to_air[b];
+    balance.bodies[b].light_to_air += duration * flows.light_to_air[b];
     balance.bodies[b].from_source += duration * flows.from_source[b];
   }
   for (std::size_t i = 0; i < balance.through_boundary.size(); ++i)
@@ -161,6 +175,7 @@ void accumulate(HeatBalance& balance, const Flows& flows, double duration) {
   for (std::size_t p = 0; p < balance.pairs.size(); ++p) {
     balance.pairs[p].heat += duration * flows.across[p];
     balance.pairs[p].received += duration * flows.received[p];
+    balance.pairs[p].radiated += duration * flows.radiated[p];
   }
 }
 
@@ -200,8 +215,9 @@ Flows source_flows(const HeatSystem& system, double time) {
   const auto pairs = static_cast<Index>(system.pairs.size());
   Eigen::VectorXd source = system.body_source;
   for (Eigen::Index b = 0; b < source.size(); ++b) source[b] *= system.problem->bodies[b].source_factor(time);
-  return {Eigen::VectorXd::Zero(source.size()), source, Eigen::VectorXd::Zero(pairs), Eigen::VectorXd::Zero(pairs),
-          Eigen::VectorXd::Zero(system.first_boundary.back())};
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(pairs);
+  const Eigen::VectorXd no_air = Eigen::VectorXd::Zero(source.size());
+  return {no_air, source, no_air, none, none, none, Eigen::VectorXd::Zero(system.first_boundary.back())};
 }
 
 /// Power of the volume source into each unknown, W.
@@ -220,6 +236,7 @@ Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& 
   Response response{Eigen::VectorXd::Zero(system.size()), source_power(system, time), source_flows(system, time)};
   add_cells(system, temperature, rate, response);
   add_exchange(system, time, temperature, response.flows, &response.power);
+  for (const P1& light : system.light) add_light(light, system, time, temperature, response.flows, &response.power);
   return response;
 }
 
@@ -237,6 +254,7 @@ Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& 
 Flows evaluate_flows(const HeatSystem& system, double time, const Eigen::VectorXd& temperature) {
   Flows flows = source_flows(system, time);
   add_exchange(system, time, temperature, flows, nullptr);
+  for (const P1& light : system.light) add_light(light, system, time, temperature, flows, nullptr);
   return flows;
 }
 

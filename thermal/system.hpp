@@ -12,6 +12,7 @@
 #include "thermal/heat_balance.hpp"
 #include "thermal/problem.hpp"
 #include "thermal/properties.hpp"
+#include "thermal/radiation/p1.hpp"
 
 namespace parison::thermal {
 
@@ -50,18 +51,21 @@ struct HeatSystem {
   std::vector<HeatEdge> edges;
   HeatInterface interface;
   std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body of each pair of bodies in contact
+  std::vector<P1> light;                       ///< of the bodies with Radiation::Model::p1
   std::vector<PrescribedUnknown> prescribed;
   std::vector<char> is_prescribed;  ///< by unknown
 
   Index size() const { return first_unknown.back(); }
 };
-/// Geometry factors of a body's cells and the data they were computed from, for reuse while the mesh does not move.
+/// Geometry factors of a body's cells and the data they were computed from, for reuse while the mesh does not move, and
+/// what its light keeps from mesh to mesh.
 struct KeptCells {
   std::vector<core::Point> nodes, mass_nodes;
   std::vector<std::array<Index, 6>> cells;
   double density = 0;
   core::Geometry geometry;
   std::shared_ptr<const std::vector<CellBatch>> batches;
+  std::shared_ptr<KeptLight> light;
 };
 /// Prepares the equations of a problem, which must outlive them. `kept`, by body, reuses what has not changed since the
 /// last call; null computes all anew.
@@ -70,7 +74,9 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
 /// Heat flows that the balance accumulates, W.
 struct Flows {
   Eigen::VectorXd to_air, from_source;  ///< by body
+  Eigen::VectorXd light_to_air;         ///< by body: the part of `to_air` that is light of a model with bands
   Eigen::VectorXd across, received;     ///< by pair: out of the slave's nodes, into the master's nodes
+  Eigen::VectorXd radiated;             ///< by pair: the part of `across` that is light
   Eigen::VectorXd exchanged;            ///< to_air by boundary, counted through all bodies
 };
 /// Terms of the heat equations at a time and temperatures.

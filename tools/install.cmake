@@ -10,6 +10,7 @@ endforeach()
 
 install(TARGETS parison DESTINATION bin)
 install(DIRECTORY cases DESTINATION share/parison)
+install(DIRECTORY tools/report/page DESTINATION share/parison/tools/report)
 install(FILES README.md CHANGELOG.md DESTINATION share/doc/parison)
 install(FILES LICENSE DESTINATION share/doc/parison RENAME copyright)
 foreach(script ${scripts})

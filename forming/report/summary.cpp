@@ -100,7 +100,7 @@ void add_numerics(JsonWriter& json, const Accuracy& accuracy) {
   json.close();
 }
 
-void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
+void add_balance(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
   json.add("volume_drift", summary.glass.volume_drift);
   json.add("energy_imbalance", summary.glass.energy_imbalance);
   json.add("max_volume_drift", state.totals.max_drift);
@@ -108,6 +108,7 @@ void add_balance(JsonWriter& json, const State& state, const Summary& summary) {
   json.add("max_edge_penetration_mm", 1e3 * state.totals.max_edge_penetration);
   json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
   json.add("heat_to_air_J", state.totals.to_air);
+  if (scene.has_light()) json.add("light_to_surroundings_J", state.totals.light_to_air);
   json.add("dissipation_J", state.totals.dissipation);
   json.add("max_reynolds", state.totals.max_reynolds);
   json.add("max_flux_mismatch", state.totals.max_flux_mismatch);
@@ -151,6 +152,7 @@ void add_bodies(JsonWriter& json, const Summary& summary) {
   for (const ToolSummary& tool : summary.tools) {
     json.open_object(tool.name);
     json.add("heat_received_J", tool.heat_received);
+    if (tool.radiated) json.add("heat_radiated_J", *tool.radiated);
     json.add("surface_temperature_max_degC", celsius(tool.max_surface_temperature));
     json.add("hottest_time_s", tool.hottest.time);
     json.add("hottest_r_mm", 1e3 * tool.hottest.at[0]);
@@ -199,7 +201,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   JsonWriter json;
   add_run(json, scene, state, summary);
   add_numerics(json, scene.accuracy);
-  add_balance(json, state, summary);
+  add_balance(json, scene, state, summary);
   add_work(json, state.totals.work);
   json.add("max_work_imbalance", max_work_imbalance(scene, state, summary.run));
   add_solver_statistics(json, summary.run.solver_statistics);
@@ -243,8 +245,10 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
     const ToolState& body = state.tools[i];
     const double max_temperature =
         body.temperature.size() > 0 ? body.max_surface_temperature : std::numeric_limits<double>::quiet_NaN();
+    const auto radiated = scene.has_light() ? std::optional(body.heat_radiated) : std::nullopt;
     summary.tools.push_back({scene.tools[i].name,
                              body.heat_received,
+                             radiated,
                              max_temperature,
                              i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{},
                              body.offset,

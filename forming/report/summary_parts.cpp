@@ -6,7 +6,7 @@
 
 #include "forming/report/cavity_report.hpp"
 #include "forming/report/checks/check.hpp"
-#include "forming/step/work.hpp"
+#include "forming/step/balance/work.hpp"
 
 namespace parison::forming {
 

@@ -50,12 +50,15 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
 
 std::string tool_lines(const Summary& summary) {
   if (summary.tools.empty()) return {};
-  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>12}\n", "tool", "heat, kJ", "max, degC", "at, mm");
+  const bool light = summary.tools.front().radiated.has_value();
+  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>12}{}\n", "tool", "heat, kJ", "max, degC", "at, mm",
+                                 light ? "   as light, kJ" : "");
   for (const ToolSummary& tool : summary.tools) {
     const std::string max_temperature =
         std::isnan(tool.max_surface_temperature) ? "-" : fmt::format("{:.0f}", celsius(tool.max_surface_temperature));
-    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>12.2f}\n", tool.name, 1e-3 * tool.heat_received, max_temperature,
-                        1e3 * tool.position);
+    const std::string as_light = tool.radiated ? fmt::format("{:>15.2f}", 1e-3 * *tool.radiated) : "";
+    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>12.2f}{}\n", tool.name, 1e-3 * tool.heat_received, max_temperature,
+                        1e3 * tool.position, as_light);
   }
   return text;
 }
@@ -87,8 +90,11 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
                                            100 * summary.glass.volume_drift, 100 * totals.max_drift));
   if (scene.has_heat()) {
     text += line("energy imbalance", fmt::format("{:.4f} %", 100 * summary.glass.energy_imbalance));
-    text += line("heat lost",
-                 fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air", 1e-3 * totals.to_tools, 1e-3 * totals.to_air));
+    const std::string light =
+        scene.has_light() ? fmt::format(" ({:.2f} kJ of it light to the surroundings)", 1e-3 * totals.light_to_air)
+                          : "";
+    text += line("heat lost", fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air{}", 1e-3 * totals.to_tools,
+                                          1e-3 * totals.to_air, light));
   }
   if (scene.has_flow() && !scene.tools.empty())
     text += line("max penetration", fmt::format("{:.4f} mm", 1e3 * totals.max_penetration));

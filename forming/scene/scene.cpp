@@ -26,6 +26,7 @@ void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
   scene.glass = read_glass(root.get("glass"), context);
   context.with_heat = scene.has_heat();
   context.with_flow = scene.has_flow();
+  context.with_light = scene.has_light();
   refuse_repeated_names(root.tables("tool"));
   for (const auto* tool : root.tables("tool")) scene.tools.push_back(read_tool(*tool, context));
   for (const auto* node : root.tables("interface"))
@@ -119,7 +120,8 @@ TemperatureRange temperature_range(const Scene& scene) {
   include_body(scene.glass);
   if (scene.glass.skin) include(scene.glass.skin->temperature);
   for (const Tool& tool : scene.tools) include_body(tool);
-  for (const Stage& stage : scene.stages) include_surroundings(stage, scene.glass.emissivity > 0, include);
+  for (const Stage& stage : scene.stages)
+    include_surroundings(stage, scene.glass.emissivity > 0 || scene.has_light(), include);
   return range;
 }
 

@@ -63,7 +63,7 @@ struct Body {
   double initial_temperature = 0;            ///< K; the mean of a field
   std::optional<StartField> start_field;     ///< none: the temperature is uniform, or has a skin
   std::optional<thermal::Material> thermal;  ///< none: the body carries no heat in this scene
-  double emissivity = 0;                     ///< of its open surfaces
+  double emissivity = 0;                     ///< of its open surfaces; of glass with light in bands where it is opaque
   double position = 0;  ///< offset along the axis at the start, m (the profile is given at offset 0)
 };
 
@@ -244,6 +244,8 @@ struct Scene {
 
   bool has_flow() const { return glass.flow.has_value(); }
   bool has_heat() const { return glass.thermal.has_value(); }
+  /// Whether the light in the glass is computed in bands.
+  bool has_light() const { return has_heat() && thermal::has_light(*glass.thermal); }
 };
 
 /// Body 0 is the glass, body 1 + i tool i.

@@ -38,6 +38,7 @@ void visit_tool(Visitor visit, Tool& tool) {
   visit("force", tool.force);
   visit("peak_force", tool.peak_force);
   visit("heat_received", tool.heat_received);
+  visit("heat_radiated", tool.heat_radiated);
   visit("heat_through", tool.heat_through);
   visit("max_surface_temperature", tool.max_surface_temperature);
   visit_skin(visit.part("skin"), tool.skin);
@@ -91,6 +92,7 @@ void visit_work(Visitor visit, Sums& work) {
 template <typename Visitor, typename Sums>
 void visit_totals(Visitor visit, Sums& totals) {
   visit("to_air", totals.to_air);
+  visit("light_to_air", totals.light_to_air);
   visit("to_tools", totals.to_tools);
   visit("dissipation", totals.dissipation);
   visit("steps", totals.steps);

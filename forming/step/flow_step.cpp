@@ -11,14 +11,14 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
+#include "forming/step/balance/volume_conservation.hpp"
+#include "forming/step/balance/work.hpp"
 #include "forming/step/cavities/trapped_air.hpp"
 #include "forming/step/contact/carrier.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/contact_prediction.hpp"
 #include "forming/step/predictor.hpp"
 #include "forming/step/step_control.hpp"
-#include "forming/step/volume_conservation.hpp"
-#include "forming/step/work.hpp"
 #include "remesh/sizing/recovery.hpp"
 
 namespace parison::forming {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "forming/flow/problem.hpp"
-#include "forming/step/volume_conservation.hpp"
+#include "forming/step/balance/volume_conservation.hpp"
 
 namespace parison::forming {
 

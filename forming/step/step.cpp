@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/process/clock.hpp"
+#include "forming/step/balance/volume_conservation.hpp"
+#include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/flow_step.hpp"
 #include "forming/step/heat/heat_step.hpp"
@@ -12,8 +14,6 @@
 #include "forming/step/heat/thermal_interface.hpp"
 #include "forming/step/predictor.hpp"
 #include "forming/step/step_start.hpp"
-#include "forming/step/volume_conservation.hpp"
-#include "forming/step/work.hpp"
 #include "remesh/mesher/quality.hpp"
 
 namespace parison::forming {

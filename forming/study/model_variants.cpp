@@ -13,7 +13,7 @@
 namespace parison::forming {
 namespace {
 
-constexpr ContainerGlass usual;
+const ContainerGlass usual;
 
 struct Parts {
   const Scene& scene;
@@ -64,6 +64,17 @@ void add_heat_parts(Parts& parts) {
               {parts.of_glass(fmt::format("radiation={{refractive_index={}, absorption=\"{} 1/m\", thin_wall={}}}",
                                           usual.radiation.refractive_index, usual.radiation.absorption,
                                           usual.radiation.thin_wall))});
+  } else if (scene.has_light()) {
+    const auto without = [&](const char* model) {
+      return std::vector<std::string>{parts.of_glass(fmt::format("radiation.model={}", model)),
+                                      parts.of_glass(fmt::format("emissivity={}", scene.glass.emissivity))};
+    };
+    parts.add("no_radiation", "radiation inside the glass (P1 in bands): opaque glass", without("none"));
+    if (radiation->model == thermal::Radiation::Model::p1_cones)
+      parts.add("no_cones", "cones of directions: P1 without them", without("p1"));
+    if (radiation->absorption > 0)
+      parts.add("rosseland", "radiation inside the glass as conduction (Rosseland) in place of P1",
+                without("rosseland"));
   } else {
     // An opaque glass carries no heat by radiation.
     parts.add("no_radiation", "radiation inside the glass (Rosseland)",
@@ -71,7 +82,7 @@ void add_heat_parts(Parts& parts) {
     if (radiation->thin_wall)
       parts.add("no_thin_wall", "thin-wall limit of that radiation", {parts.of_glass("radiation.thin_wall=false")});
   }
-  if (scene.glass.emissivity > 0)
+  if (scene.glass.emissivity > 0 && !scene.has_light())
     parts.add("no_emission", "radiation of the glass to its surroundings", {parts.of_glass("emissivity=0")});
   const bool blows =
       std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) { return stage.air.h.max() > 0; });

@@ -9,7 +9,7 @@
 #include "figure.hpp"
 #include "forming/scene_parts.hpp"
 #include "forming/scene_text.hpp"
-#include "forming/step/work.hpp"
+#include "forming/step/balance/work.hpp"
 #include "stepping.hpp"
 
 namespace parison::forming {

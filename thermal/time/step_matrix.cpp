@@ -13,6 +13,7 @@ Linearisation linearise(const HeatSystem& system, double time, const Eigen::Vect
   Linearisation result;
   linearise_cells(system, temperature, result.batches);
   linearise_exchange(system, time, temperature, result);
+  for (const P1& light : system.light) result.light.push_back(linearise_light(light, system, temperature));
   return result;
 }
 
@@ -21,6 +22,8 @@ Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisati
   Eigen::VectorXd result = Eigen::VectorXd::Zero(system.size());
   apply_cells(system, linearisation.batches, step, change, result);
   apply_exchange(system, linearisation, step, change, result);
+  for (std::size_t i = 0; i < system.light.size(); ++i)
+    apply_light(system.light[i], system, linearisation.light[i], step, change, result);
   return result;
 }
 
@@ -114,6 +117,7 @@ bool factorise(StepMatrix& matrix, const HeatSystem& system, double time, const 
   std::fill(values.value.begin(), values.value.end(), 0.0);
   assemble_cells(matrix, system, temperature, step);
   assemble_exchange(matrix, system, time, temperature, step);
+  for (const P1& light : system.light) assemble_light(matrix, light, system, temperature, step);
   matrix.diagonal.resize(values.size);
   for (Index k = 0; k < values.size; ++k) {
     double& diagonal = values.value[values.column_start[k + 1] - 1];

@@ -20,6 +20,7 @@ struct Linearisation {
   std::vector<BatchDerivatives> batches;
   std::vector<std::array<double, 3>> edges;  ///< of the exchange with the air at the points of edge_rule(3), W/K
   ContactDerivatives contacts;
+  std::vector<LightDerivatives> light;  ///< of each body in HeatSystem::light
 };
 Linearisation linearise(const HeatSystem& system, double time, const Eigen::VectorXd& temperature);
 

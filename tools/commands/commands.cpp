@@ -10,14 +10,16 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
-#include "tools/commands/audit.hpp"
 #include "tools/commands/export_container.hpp"
-#include "tools/commands/fit_law.hpp"
 #include "tools/commands/new_case.hpp"
-#include "tools/commands/run_command.hpp"
+#include "tools/commands/run/run_command.hpp"
+#include "tools/commands/study/audit.hpp"
+#include "tools/commands/study/fit_law.hpp"
 #include "tools/comparison/compare.hpp"
 #include "tools/materials/materials.hpp"
 #include "tools/program/bundled_cases.hpp"
+#include "tools/report/report.hpp"
+#include "tools/report/watch.hpp"
 #include "tools/tradeoff/tradeoff.hpp"
 
 namespace parison::tools {
@@ -213,6 +215,26 @@ void add_export(CLI::App& app, Command& chosen) {
                       "input file for CalculiX or Abaqus (.inp): the middle of the wall as shells with its thickness");
 }
 
+void add_report(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<ReportRequest>();
+  auto* command =
+      add_command(app, "report", "write one HTML page on the runs of some result folders", chosen, request, report);
+  command->add_option("results", request->folders, "folders with the results of runs, shown over each other")
+      ->required();
+  command->add_option("--output", request->output, "HTML file for the page [report.html in the first folder]");
+}
+
+void add_watch(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<WatchRequest>();
+  auto* command = add_command(app, "watch", "show that page in a browser on this machine while a run goes on", chosen,
+                              request, watch);
+  command->add_option("results", request->folder, "folder with the results of a run, also one that is still to come")
+      ->required();
+  command->add_option("--port", request->port, "port of the page, or the next free one")
+      ->capture_default_str()
+      ->check(CLI::Range(1024, 65535));
+}
+
 void add_cases(CLI::App& app, Command& chosen) {
   app.add_subcommand("cases", "list the bundled cases")->callback([&chosen] {
     chosen = [] {
@@ -236,6 +258,8 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_what_if(app, chosen);
   add_fit_law(app, chosen);
   add_export(app, chosen);
+  add_report(app, chosen);
+  add_watch(app, chosen);
   add_cases(app, chosen);
   add_materials(app, chosen);
 }

@@ -6,7 +6,7 @@
 
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/summary_parts.hpp"
-#include "forming/step/work.hpp"
+#include "forming/step/balance/work.hpp"
 
 namespace parison::forming {
 

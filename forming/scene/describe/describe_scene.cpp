@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/describe/describe_timing.hpp"
@@ -51,6 +52,16 @@ std::string flow_parts(const Scene& scene) {
   return text + part("inertia", false, "", or_no_flow("neglected: see the Reynolds number"));
 }
 
+std::string radiation_text(const Scene& scene) {
+  if (!scene.has_light()) return "Rosseland conductivity";
+  const thermal::Radiation& radiation = *scene.glass.thermal->radiation;
+  const bool cones = radiation.model == thermal::Radiation::Model::p1_cones;
+  const double last = radiation.bands.back().up_to;
+  return fmt::format("P1{}, {} band{}{}", cones ? " in cones" : "", radiation.bands.size(),
+                     radiation.bands.size() == 1 ? "" : "s",
+                     std::isfinite(last) ? fmt::format(", opaque beyond {:g} um", 1e6 * last) : "");
+}
+
 std::string heat_parts(const Scene& scene) {
   const bool on = scene.has_heat();
   const std::string no_heat = "the glass carries no heat";
@@ -62,7 +73,7 @@ std::string heat_parts(const Scene& scene) {
   for (const Tool& tool : scene.tools) hot_tools += tool.thermal.has_value();
   std::string text = part("heat", on, fmt::format("in the glass, in tools: {}", hot_tools),
                           "the glass's material has no heat capacity and conductivity");
-  text += part("internal radiation", on && scene.glass.thermal->radiation, "Rosseland conductivity",
+  text += part("internal radiation", on && scene.glass.thermal->radiation, radiation_text(scene),
                on ? "the material names none" : no_heat);
   text +=
       part("interfaces", on && !scene.interfaces.empty(),

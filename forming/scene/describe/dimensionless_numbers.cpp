@@ -56,7 +56,7 @@ std::optional<double> temperature_span(const Scene& scene) {
 void add_heat_numbers(const Scene& scene, DimensionlessNumbers& numbers) {
   const thermal::Material& material = *scene.glass.thermal;
   const double hot = scene.glass.initial_temperature;
-  const double wall = material.radiation && material.radiation->thin_wall
+  const double wall = thermal::is_rosseland(material) && material.radiation->thin_wall
                           ? thermal::thin_wall_factor(*material.radiation, numbers.length)
                           : 1.0;
   const double conductivity = thermal::conductivity(material, hot, wall);

@@ -44,7 +44,7 @@ double active_time(const Scene& scene, std::size_t tool) {
 Conductivities conductivities(const Scene& scene, double length) {
   thermal::Material material = *scene.glass.thermal;
   const double hot = scene.glass.initial_temperature, alone = material.conductivity(hot);
-  if (!material.radiation) material.radiation = ContainerGlass{}.radiation;
+  if (!thermal::is_rosseland(material)) material.radiation = ContainerGlass{}.radiation;
   material.radiation->thin_wall = true;
   return {alone, thermal::conductivity(material, hot, thermal::thin_wall_factor(*material.radiation, length)),
           thermal::conductivity(material, hot, 1)};

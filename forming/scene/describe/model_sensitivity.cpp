@@ -16,7 +16,7 @@ namespace {
 
 constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
 constexpr double earth = 9.81;                       ///< m/s2
-constexpr ContainerGlass container_glass;
+const ContainerGlass container_glass;
 
 /// What was measured of a part, by its name.
 const MeasuredPart& measured(const char* part) {
@@ -186,13 +186,15 @@ void add_surface(Estimator& e, double conductivity) {
 void add_heat(Estimator& e) {
   const auto& radiation = e.scene.glass.thermal->radiation;
   const auto [alone, limited, unlimited] = conductivities(e.scene, e.numbers.length);
-  const double own = !radiation ? alone : radiation->thin_wall ? limited : unlimited;
+  const double own = !thermal::is_rosseland(*e.scene.glass.thermal) ? alone
+                     : radiation->thin_wall                         ? limited
+                                                                    : unlimited;
   if (!e.scene.tools.empty()) {
     const double more = heat_gain(e.scene, {limited}, {alone});
     // Of the heat that the scene gives: what it would lose without, or gain with.
     add_exchange(e, "internal radiation", radiation.has_value(), radiation ? more / (1 + more) : more,
                  measured("internal radiation"));
-    if (radiation)
+    if (thermal::is_rosseland(*e.scene.glass.thermal))
       add_exchange(e, "thin-wall limit", radiation->thin_wall, heat_gain(e.scene, {unlimited}, {limited}),
                    measured("thin-wall limit"));
     add_exchange(e, "warming of tools", true, heat_gain(e.scene, {own, true}, {own}), measured("warming of tools"));

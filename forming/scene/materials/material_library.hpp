@@ -15,7 +15,8 @@ struct NamedMaterial {
   std::string name;
   std::optional<thermal::Material> thermal;
   std::optional<flow::Material> flow;
-  double emissivity = 0;
+  double emissivity = 0;             ///< of glass with light in bands that of an opaque surface of its refractive index
+  bool has_emissivity = false;       ///< whether the case gives it
   std::string about, source;         ///< what it is; where its values come from
   std::vector<std::string> assumed;  ///< keys of the values that have no source
 };

@@ -208,7 +208,18 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
                    fmt::format("\"{}\" has no conductivity and heat_capacity, allowed is a material that carries heat, "
                                "because the glass does",
                                material.name));
-    if (material.thermal->radiation && material.thermal->radiation->thin_wall)
+    if (thermal::has_light(*material.thermal))
+      core::refuse(
+          item,
+          fmt::format("\"{}\" has radiation in bands, which only the glass can have; allowed are the models none and "
+                      "rosseland",
+                      material.name));
+    if (context.with_light && !material.has_emissivity)
+      core::refuse(item,
+                   fmt::format("\"{}\" has no emissivity, allowed is a material with one, because light of the glass "
+                               "reaches the tool",
+                               material.name));
+    if (thermal::is_rosseland(*material.thermal) && material.thermal->radiation->thin_wall)
       core::refuse(item,
                    fmt::format("\"{}\" has radiation with thin_wall = true, which only the glass can have; allowed is "
                                "thin_wall = false or no radiation",

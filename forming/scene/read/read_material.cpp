@@ -6,6 +6,8 @@
 
 #include "forming/flow/viscosity/composition.hpp"
 #include "forming/scene/materials/material_library.hpp"
+#include "forming/scene/read/scene_reading.hpp"
+#include "thermal/radiation/fresnel.hpp"
 
 namespace parison::forming {
 namespace {
@@ -23,15 +25,6 @@ core::Table property(const CaseNode& node, const core::Dimension& x, const core:
   for (const double value : table.y)
     if (!(value > 0)) core::refuse(node, fmt::format("{:g} was found, allowed are values above zero", value));
   return table;
-}
-
-thermal::Radiation read_radiation(const CaseNode& node) {
-  const CaseTable table(node, {"refractive_index", "absorption", "thin_wall"});
-  const auto& index = table.get("refractive_index");
-  if (core::positive(index, dimension::none) < 1)
-    core::refuse(index, fmt::format("{} was found, allowed are refractive indices from 1", index.text));
-  return {core::positive(index, dimension::none), core::positive(table.get("absorption"), dimension::inverse_length),
-          core::flag(table.get("thin_wall"))};
 }
 
 /// The index of a table's law among the allowed ones.
@@ -185,7 +178,10 @@ NamedMaterial read_material(const CaseNode& node) {
   for (const auto* key : {"shear_thinning", "surface_tension"})
     if (const auto* item = table.find(key); item && !material.flow)
       core::refuse(*item, "the material does not flow, this key is allowed only together with viscosity");
+  if (material.thermal && thermal::has_light(*material.thermal))
+    material.emissivity = thermal::surface_emissivity(material.thermal->radiation->refractive_index);
   if (const auto* emissivity = table.find("emissivity")) {
+    material.has_emissivity = true;
     material.emissivity = core::not_negative(*emissivity, dimension::none);
     if (material.emissivity > 1)
       core::refuse(*emissivity, fmt::format("{:g} was found, allowed is 0 to 1", material.emissivity));

@@ -11,12 +11,16 @@
 
 namespace parison::forming {
 
+/// Internal radiation of a material; nothing for the model "none".
+std::optional<thermal::Radiation> read_radiation(const core::CaseNode& node);
+
 /// What is needed to read a body.
 struct BodyContext {
   std::string directory;  ///< of the case file
   core::Geometry geometry;
   std::vector<NamedMaterial> materials;
   bool with_heat = true, with_flow = true;  ///< whether the glass carries heat and flows, once known
+  bool with_light = false;                  ///< whether light of the glass reaches the tools, once known
 };
 Glass read_glass(const core::CaseNode& node, const BodyContext& context);
 Tool read_tool(const core::CaseNode& node, const BodyContext& context);

@@ -44,6 +44,9 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
   thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
     problem.bodies.push_back(view_of(scene, state, b, *meshes[b]));
+  if (scene.has_light())
+    for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
+      problem.bodies[b].light = surface_light(scene, state, b, *meshes[b]);
   problem.bodies[glass_body].density = state.glass.density;
   problem.law = interface_law(scene, problem.interface, clamped_lookups);
   return problem;
@@ -53,6 +56,7 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
 void accumulate(const thermal::HeatBalance& balance, State& state) {
   const thermal::BodyBalance& glass = balance.bodies[glass_body];
   state.totals.to_air += glass.to_air - glass.from_prescribed;
+  state.totals.light_to_air += glass.light_to_air;
   state.totals.dissipation += glass.from_source;
   state.totals.to_tools += thermal::lost_through_interfaces(balance, glass_body);
   state.totals.max_flux_mismatch = std::max(state.totals.max_flux_mismatch, thermal::flux_mismatch(balance));
@@ -63,6 +67,8 @@ void accumulate(const thermal::HeatBalance& balance, State& state) {
     for (std::size_t i = 0; i < state.tools[t].heat_through.size(); ++i)
       state.tools[t].heat_through[i] += balance.through_boundary[first + i];
   }
+  for (const thermal::PairBalance& pair : balance.pairs)
+    state.tools[pair.master_body - 1].heat_radiated += pair.radiated;
 }
 
 void update_max_surface_temperatures(State& state) {
@@ -112,8 +118,7 @@ Meshes meshes_of(const State& state) {
 
 /// Wall thickness of the glass by node, m; empty where it does not limit the radiation.
 Eigen::VectorXd limiting_wall_thickness(const Scene& scene, const core::Mesh& glass) {
-  const auto& radiation = scene.glass.thermal->radiation;
-  if (!radiation || !radiation->thin_wall) return {};
+  if (!thermal::is_rosseland(*scene.glass.thermal) || !scene.glass.thermal->radiation->thin_wall) return {};
   return remesh::wall_thickness(glass);
 }
 

@@ -20,6 +20,16 @@ thermal::SurfaceExchange in_run(const Air& air, double stage_start) {
           air.ambient_temperature.later(stage_start)};
 }
 
+bool sees_air(BoundaryKind kind) {
+  return kind == BoundaryKind::contact || kind == BoundaryKind::air;
+}
+
+/// The air at a boundary of a body, over the time of the run.
+thermal::SurfaceExchange air_at(const State& state, const Stage& stage, Index body, const std::string& boundary) {
+  const bool is_inner = body == glass_body && stage.inner_air && boundary == inner_side;
+  return in_run(is_inner ? *stage.inner_air : stage.air, state.stage_start);
+}
+
 /// What the stage gives a tool's boundary in place of its own cooling or the air; null for nothing.
 const StageCooling* cooling_of_stage(const Stage& stage, Index body, std::size_t boundary) {
   for (const StageCooling& cooling : stage.cooling)
@@ -32,11 +42,10 @@ std::optional<thermal::SurfaceExchange> exchange_of(const Scene& scene, const St
   const Stage& stage = scene.stages[state.stage];
   const auto& [name, kind] = mesh.boundaries()[boundary];
   const bool cooled = kind == BoundaryKind::cooled;
-  if (!cooled && kind != BoundaryKind::contact && kind != BoundaryKind::air) return std::nullopt;
-  const bool is_inner = body == glass_body && stage.inner_air && name == inner_side;
-  thermal::SurfaceExchange exchange = cooled ? body_of(scene, body).boundaries[boundary].cooling
-                                             : in_run(is_inner ? *stage.inner_air : stage.air, state.stage_start);
-  if (!cooled) exchange.emissivity = body_of(scene, body).emissivity;
+  if (!cooled && !sees_air(kind)) return std::nullopt;
+  const Body& data = body_of(scene, body);
+  thermal::SurfaceExchange exchange = cooled ? data.boundaries[boundary].cooling : air_at(state, stage, body, name);
+  if (!cooled) exchange.emissivity = thermal::has_light(*data.thermal) ? 0 : data.emissivity;
   if (const StageCooling* own = cooling_of_stage(stage, body, boundary)) {
     exchange.h = own->h.later(state.stage_start);
     exchange.air_temperature = own->air_temperature.later(state.stage_start);
@@ -57,6 +66,18 @@ std::vector<std::optional<thermal::SurfaceExchange>> surroundings(const Scene& s
       exchange->h = exchange->h.limited(perfect);
   }
   return result;
+}
+
+thermal::SurfaceLight surface_light(const Scene& scene, const State& state, Index body, const core::Mesh& mesh) {
+  thermal::SurfaceLight light{{}, body_of(scene, body).emissivity};
+  if (!thermal::has_light(*body_of(scene, body).thermal)) return light;
+  const Stage& stage = scene.stages[state.stage];
+  for (const auto& [name, kind] : mesh.boundaries())
+    if (sees_air(kind))
+      light.surroundings.emplace_back(air_at(state, stage, body, name).ambient_temperature);
+    else
+      light.surroundings.emplace_back();
+  return light;
 }
 
 }  // namespace parison::forming

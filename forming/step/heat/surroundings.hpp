@@ -5,6 +5,7 @@
 
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "thermal/problem.hpp"
 
 namespace parison::forming {
 
@@ -13,5 +14,8 @@ namespace parison::forming {
 /// in the mesh, before those that a stage names.
 std::vector<std::optional<thermal::SurfaceExchange>> surroundings(const Scene& scene, const State& state, Index body,
                                                                   const core::Mesh& mesh);
+
+/// What the light of a body meets at each boundary of its mesh where no tool stands: the surroundings of the air there.
+thermal::SurfaceLight surface_light(const Scene& scene, const State& state, Index body, const core::Mesh& mesh);
 
 }  // namespace parison::forming

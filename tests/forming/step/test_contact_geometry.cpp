@@ -8,8 +8,8 @@
 #include "../scene_text.hpp"
 #include "forming/run/run.hpp"
 #include "forming/state/initial_state.hpp"
+#include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
-#include "forming/step/work.hpp"
 
 namespace parison::forming {
 namespace {

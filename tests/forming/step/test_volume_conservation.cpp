@@ -6,9 +6,9 @@
 #include "../pot_scene.hpp"
 #include "../scene_text.hpp"
 #include "forming/state/initial_state.hpp"
+#include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/step.hpp"
-#include "forming/step/volume_conservation.hpp"
 
 namespace parison::forming {
 namespace {

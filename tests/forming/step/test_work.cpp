@@ -11,7 +11,7 @@
 #include "core/io/files.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/state/initial_state.hpp"
-#include "forming/step/work.hpp"
+#include "forming/step/balance/work.hpp"
 
 namespace parison::forming {
 namespace {

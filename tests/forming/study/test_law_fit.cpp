@@ -8,8 +8,8 @@
 
 #include "core/case/case_error.hpp"
 #include "figure.hpp"
-#include "forming/study/law_data.hpp"
-#include "forming/study/law_fit.hpp"
+#include "forming/study/law/law_data.hpp"
+#include "forming/study/law/law_fit.hpp"
 
 namespace parison::contact {
 namespace {

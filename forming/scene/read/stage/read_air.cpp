@@ -41,7 +41,8 @@ std::optional<TrappedAirLaw> read_trapped_air(const CaseNode& node) {
 
 bool needs_air(const Body& body) {
   const auto open = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::air; };
-  return body.thermal && (body.emissivity > 0 || std::any_of(body.boundaries.begin(), body.boundaries.end(), open));
+  return body.thermal && (body.emissivity > 0 || thermal::has_light(*body.thermal) ||
+                          std::any_of(body.boundaries.begin(), body.boundaries.end(), open));
 }
 
 /// Tools that are not active are in the air too.

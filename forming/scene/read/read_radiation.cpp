@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+
+#include "forming/scene/read/scene_reading.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+using core::CaseTable;
+namespace dimension = core::dimension;
+
+/// Absorption of a band, 1/m. Less is that of no glass; where more is absorbed the light dies within less than a first
+/// cell, and the glass counts as opaque.
+constexpr double min_absorption = 0.1, max_absorption = 2000;
+constexpr std::size_t max_bands = 20;
+
+thermal::Band read_band(const CaseNode& node, double from, bool last) {
+  const CaseTable table(node, {"up_to", "absorption"});
+  thermal::Band band{std::numeric_limits<double>::infinity(), 0};
+  if (const auto* up_to = last ? table.find("up_to") : &table.get("up_to")) {
+    band.up_to = core::positive(*up_to, dimension::length);
+    if (band.up_to <= from)
+      core::refuse(*up_to, fmt::format("\"{}\" was found, allowed are wavelengths above {:g} um, where the band before "
+                                       "ends",
+                                       up_to->text, 1e6 * from));
+  }
+  const auto& absorption = table.get("absorption");
+  band.absorption = core::quantity(absorption, dimension::inverse_length);
+  if (band.absorption < min_absorption || band.absorption > max_absorption)
+    core::refuse(absorption, fmt::format("\"{}\" was found, allowed are {:g} to {:g} 1/m; a glass that absorbs more is "
+                                         "opaque: end the bands before it",
+                                         absorption.text, min_absorption, max_absorption));
+  return band;
+}
+
+std::vector<thermal::Band> read_bands(const CaseNode& node) {
+  const auto& items = core::list(node);
+  if (items.empty() || items.size() > max_bands)
+    core::refuse(node, fmt::format("{} bands were found, allowed are 1 to {}", items.size(), max_bands));
+  std::vector<thermal::Band> bands;
+  for (const CaseNode& item : items)
+    bands.push_back(read_band(item, bands.empty() ? 0 : bands.back().up_to, &item == &items.back()));
+  return bands;
+}
+
+}  // namespace
+
+std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
+  const CaseTable table(node, {"model", "refractive_index", "absorption", "thin_wall", "bands"});
+  enum { none, rosseland, p1, p1_cones };
+  const auto* named = table.find("model");
+  const int model = named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones"}) : rosseland;
+  // What another model needs may stand beside it, so that a case can be run with each; it is read all the same.
+  const auto wanted = [&](const char* key, bool needed) { return needed ? &table.get(key) : table.find(key); };
+  thermal::Radiation radiation{1, 0, false};
+  if (const auto* index = model == none ? table.find("refractive_index") : &table.get("refractive_index")) {
+    radiation.refractive_index = core::positive(*index, dimension::none);
+    if (radiation.refractive_index < 1)
+      core::refuse(*index,
+                   fmt::format("{:g} was found, allowed are refractive indices from 1", radiation.refractive_index));
+  }
+  if (const auto* absorption = wanted("absorption", model == rosseland))
+    radiation.absorption = core::positive(*absorption, dimension::inverse_length);
+  if (const auto* thin_wall = wanted("thin_wall", model == rosseland)) radiation.thin_wall = core::flag(*thin_wall);
+  if (const auto* bands = wanted("bands", model >= p1)) radiation.bands = read_bands(*bands);
+  if (model == none) return {};
+  if (model == p1) radiation.model = thermal::Radiation::Model::p1;
+  if (model == p1_cones) radiation.model = thermal::Radiation::Model::p1_cones;
+  return radiation;
+}
+
+}  // namespace parison::forming

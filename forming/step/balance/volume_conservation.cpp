@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/balance/volume_conservation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "contact/unilateral/tool_gap.hpp"
+#include "core/mesh/element.hpp"
+#include "core/mesh/tolerances.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "remesh/surface/restore_volume.hpp"
+
+namespace parison::forming {
+
+using core::dim;
+
+namespace {
+
+/// Time over which a volume error is removed, at least one step, s.
+constexpr double volume_recovery_time = 5e-3;
+
+/// A dilatation mode that changes the volume by less than this share of the volume per unit of dilatation is not used:
+/// the contacts prevent the dilatation.
+constexpr double min_response = 0.5;
+
+/// Volume gained by straight motion at `velocity` over dt, m3, in excess of dt times the integral of div v over the
+/// midpoint mesh.
+double volume_error(const Scene& scene, const core::Mesh& start, const core::Mesh& midpoint,
+                    const Eigen::VectorXd& velocity, double dt) {
+  core::Mesh end = start;
+  for (Index n = 0; n < end.node_count(); ++n) end.nodes[n] += dt * flow::node_velocity(velocity, n);
+  double divergence_volume = 0;
+  for (const auto& edge : midpoint.boundary_edges())
+    for (const auto& rule : core::edge_rule(3)) {
+      const auto at = core::map_edge_point(midpoint, edge.nodes, scene.geometry, rule);
+      for (int i = 0; i < 3; ++i)
+        divergence_volume += dt * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(velocity, edge.nodes[i]));
+    }
+  return core::volume(end, scene.geometry) - core::volume(start, scene.geometry) - divergence_volume;
+}
+
+double excess_volume(const Scene& scene, const State& state) {
+  return core::volume(state.glass.mesh, scene.geometry) - state.glass.initial_volume;
+}
+
+/// Multiple of `dilatation_mode`, 1/s, with which straight motion at `velocity` over dt leads to the volume `target`,
+/// m3, by one secant step; nothing where the mode hardly changes the volume.
+std::optional<double> correction_rate(const Scene& scene, const core::Mesh& start, const Eigen::VectorXd& velocity,
+                                      const Eigen::VectorXd& dilatation_mode, double dt, double target) {
+  core::Mesh end = start;
+  const auto volume_with = [&](double rate) {
+    for (const auto& edge : start.boundary_edges())
+      for (const Index n : edge.nodes)
+        end.nodes[n] =
+            start.nodes[n] + dt * (flow::node_velocity(velocity, n) + rate * flow::node_velocity(dilatation_mode, n));
+    return core::volume(end, scene.geometry);
+  };
+  const double without = volume_with(0), trial = (target - without) / (dt * target);
+  if (trial == 0) return 0;
+  const double with = volume_with(trial), derivative = (with - without) / trial;
+  if (derivative < min_response * dt * target) return std::nullopt;
+  return trial + (target - with) / derivative;
+}
+
+/// Unit directions in which surface nodes may be shifted: along the normal, within symmetry planes; zero on fixed
+/// boundaries.
+std::vector<Point> shift_directions(const core::Mesh& mesh) {
+  auto counts = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
+  counts.flip();
+  auto directions = remesh::surface_normals(mesh, counts);
+  for (const auto& edge : mesh.boundary_edges()) {
+    const BoundaryKind kind = mesh.kind_of(edge);
+    const Point normal = core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {0.5, 1}).normal;
+    for (const Index node : edge.nodes) {
+      if (kind == BoundaryKind::symmetry) directions[node] -= directions[node].dot(normal) * normal;
+      if (kind == BoundaryKind::fixed) directions[node].setZero();
+    }
+  }
+  return directions;
+}
+
+/// Flags of the nodes that touch active tools.
+std::vector<bool> nodes_at_tools(const Scene& scene, const State& state, const core::Mesh& mesh) {
+  const double touching = core::tolerance::at_tool * core::size(scene.glass.profile);
+  std::vector<bool> at_tool(mesh.nodes.size(), false);
+  for (const auto& place : scene.stages[state.stage].tools) {
+    const Body& body = scene.tools[place.tool];
+    const auto contact = contact_boundaries(body);
+    const Point offset = state.tools[place.tool].offset * core::axis_direction();
+    for (const Index node : surface_nodes(mesh))
+      if (contact::signed_gap(body.profile, contact, mesh.nodes[node] - offset) < touching) at_tool[node] = true;
+  }
+  return at_tool;
+}
+
+}  // namespace
+
+double target_volume(const Scene& scene, const State& state, double dt) {
+  return state.glass.initial_volume + excess_volume(scene, state) * (1 - std::min(1.0, dt / volume_recovery_time));
+}
+
+double prescribed_dilatation_rate(const Scene& scene, const State& state, const core::Mesh& midpoint,
+                                  const Eigen::VectorXd* velocity, double dt) {
+  const double error = velocity ? volume_error(scene, state.glass.mesh, midpoint, *velocity, dt) : 0;
+  return -(excess_volume(scene, state) / std::max(dt, volume_recovery_time) + error / dt) / state.glass.initial_volume;
+}
+
+void correct_volume(const Scene& scene, const State& state, double dt, flow::Equilibrium& equilibrium) {
+  const Eigen::VectorXd& mode = equilibrium.dilatation_mode;
+  if (mode.size() == 0) return;
+  const Eigen::VectorXd velocity = equilibrium.response.unknowns.head(mode.size());
+  const auto rate = correction_rate(scene, state.glass.mesh, velocity, mode, dt, target_volume(scene, state, dt));
+  if (rate) flow::add_dilatation(*rate, equilibrium);
+}
+
+Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen::VectorXd velocity, double dt) {
+  const Eigen::VectorXd& mode = state.glass.dilatation_mode;
+  const auto rate = correction_rate(scene, state.glass.mesh, velocity, mode, dt, state.glass.initial_volume);
+  if (rate) velocity += *rate * mode;
+  return velocity;
+}
+
+void restore_volume(const Scene& scene, const State& state, double target, core::Mesh& mesh) {
+  remesh::MovableSurface surface;
+  surface.directions = shift_directions;
+  surface.in_contact = [&](const core::Mesh& now) { return nodes_at_tools(scene, state, now); };
+  surface.project = [&](core::Mesh& now) {
+    project_out_of_tools(scene, state, now);
+    keep_beside_axis(scene.geometry, now);
+  };
+  surface.volume_tolerance = 4e-15;
+  surface.edge_points = 3;
+  remesh::restore_volume(surface, scene.geometry, target, mesh);
+}
+
+double volume_drift(const Scene& scene, const State& state) {
+  return core::volume(state.glass.mesh, scene.geometry) / state.glass.initial_volume - 1;
+}
+
+}  // namespace parison::forming

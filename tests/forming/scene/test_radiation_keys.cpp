@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../scene_text.hpp"
+#include "forming/run/run.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/study/model_variants.hpp"
+#include "thermal/radiation/fresnel.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// The small scene with air, radiation in its glass and a surface of the tools.
+std::string text_with(const std::string& radiation, const std::string& tools = "emissivity = 0.8\n") {
+  const std::string air = "air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n";
+  const std::string lattice = "conductivity = \"1.3 W/m/K\"\n";
+  return replaced(
+      "[material.soft]", air + "[material.soft]",
+      replaced("[glass]\n", tools + "[glass]\n", replaced(lattice, lattice + "radiation = { " + radiation + " }\n")));
+}
+
+/// The complaint without its line.
+std::string complaint(const std::string& radiation, const std::string& tools = "emissivity = 0.8\n") {
+  const auto message = complaint_about(text_with(radiation, tools));
+  return message.substr(message.find(' ') + 1);
+}
+
+std::string bands(const std::string& list) {
+  return "model = \"p1\", refractive_index = 1.5, bands = " + list;
+}
+
+TEST(RadiationKeys, bands_are_read_and_a_last_one_without_end_has_the_rest_of_the_spectrum) {
+  const Scene scene = scene_of(text_with(
+      bands(R"([{ up_to = "2.75 um", absorption = "30 1/m" }, { up_to = "4300 nm", absorption = "450 1/m" }])")));
+  ASSERT_TRUE(scene.has_light());
+  const thermal::Radiation& radiation = *scene.glass.thermal->radiation;
+  ASSERT_EQ(radiation.bands.size(), 2u);
+  EXPECT_DOUBLE_EQ(radiation.bands[0].up_to, 2.75e-6);
+  EXPECT_DOUBLE_EQ(radiation.bands[1].up_to, 4.3e-6);
+  EXPECT_EQ(radiation.bands[1].absorption, 450);
+  EXPECT_EQ(radiation.refractive_index, 1.5);
+  EXPECT_DOUBLE_EQ(scene.glass.emissivity, thermal::surface_emissivity(1.5));
+  EXPECT_EQ(scene.tools[0].emissivity, 0.8);
+  const Scene grey = scene_of(text_with(bands(R"([{ absorption = "150 1/m" }])")));
+  EXPECT_TRUE(std::isinf(grey.glass.thermal->radiation->bands[0].up_to));
+}
+
+TEST(RadiationKeys, without_a_model_radiation_is_that_of_Rosseland_and_none_is_none) {
+  const std::string keys = "refractive_index = 1.5, absorption = \"150 1/m\", thin_wall = true";
+  EXPECT_TRUE(thermal::is_rosseland(*scene_of(text_with(keys)).glass.thermal));
+  EXPECT_TRUE(thermal::is_rosseland(*scene_of(text_with("model = \"rosseland\", " + keys)).glass.thermal));
+  EXPECT_FALSE(scene_of(text_with("model = \"none\"")).glass.thermal->radiation);
+  const std::string both = keys + R"(, bands = [{ absorption = "150 1/m" }])";
+  EXPECT_TRUE(scene_of(text_with("model = \"p1\", " + both)).has_light());
+  EXPECT_TRUE(scene_of(text_with("model = \"p1_cones\", " + both)).has_light());
+  EXPECT_FALSE(scene_of(text_with("model = \"rosseland\", " + both)).has_light());
+}
+
+TEST(RadiationKeys, bands_that_fall_or_absorb_impossibly_are_refused_with_the_range) {
+  EXPECT_NE(
+      complaint(bands(R"([{ up_to = "4 um", absorption = "30 1/m" }, { up_to = "3 um", absorption = "30 1/m" }])"))
+          .find("up_to: \"3 um\" was found, allowed are wavelengths above 4 um, where the band before ends"),
+      std::string::npos);
+  for (const char* bad : {"-30", "0", "1e5"})
+    EXPECT_NE(complaint(bands(std::string("[{ absorption = \"") + bad + " 1/m\" }]"))
+                  .find(std::string("absorption: \"") + bad +
+                        " 1/m\" was found, allowed are 0.1 to 2000 1/m; a glass "
+                        "that absorbs more is opaque: end the bands before it"),
+              std::string::npos)
+        << bad;
+  EXPECT_NE(complaint(bands("[]")).find("bands: 0 bands were found, allowed are 1 to 20"), std::string::npos);
+  EXPECT_NE(complaint(bands(R"([{ absorption = "30 1/m" }, { up_to = "3 um", absorption = "30 1/m" }])")).find("up_to"),
+            std::string::npos);
+  EXPECT_NE(complaint(bands(R"([{ upto = "3 um", absorption = "30 1/m" }])")).find("did you mean \"up_to\"?"),
+            std::string::npos);
+}
+
+TEST(RadiationKeys, an_index_below_one_and_an_unknown_model_are_refused) {
+  EXPECT_NE(complaint(R"(model = "p1", refractive_index = 0.9, bands = [{ absorption = "150 1/m" }])")
+                .find("refractive_index: 0.9 was found, allowed are refractive indices from 1"),
+            std::string::npos);
+  EXPECT_NE(complaint("model = \"p3\", refractive_index = 1.5").find("p1_cones"), std::string::npos)
+      << complaint("model = \"p3\", refractive_index = 1.5");
+  EXPECT_NE(complaint("model = \"p1\", refractive_index = 1.5").find("bands"), std::string::npos);
+}
+
+TEST(RadiationKeys, a_tool_that_light_reaches_needs_an_emissivity) {
+  EXPECT_NE(complaint(bands(R"([{ absorption = "150 1/m" }])"), "")
+                .find("tool.material: \"iron\" has no emissivity, allowed is a material with one, because light of the "
+                      "glass reaches the tool"),
+            std::string::npos);
+  EXPECT_EQ(complaint("refractive_index = 1.5, absorption = \"150 1/m\", thin_wall = true", ""), "");
+}
+
+TEST(RadiationKeys, light_needs_surroundings) {
+  const std::string lit = text_with(bands(R"([{ absorption = "150 1/m" }])"));
+  const std::string dark =
+      replaced("air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n", "", lit);
+  EXPECT_NE(complaint_about(dark).find("stage.air: missing"), std::string::npos) << complaint_about(dark);
+}
+
+TEST(RadiationKeys, check_names_the_model_and_the_audit_takes_it_out) {
+  const std::string text = text_with("absorption = \"150 1/m\", thin_wall = true, " +
+                                     bands(R"([{ up_to = "2.75 um", absorption = "30 1/m" }])"));
+  const Scene scene = scene_of(text);
+  EXPECT_NE(describe_scene(scene).find("P1, 1 band, opaque beyond 2.75 um"), std::string::npos);
+  int found = 0;
+  for (const Variant& variant : model_variants(scene)) {
+    if (variant.name != "no_radiation" && variant.name != "rosseland") continue;
+    ++found;
+    const Scene changed = read_scene(write_scene(text), "draft", variant.overrides);
+    EXPECT_EQ(thermal::is_rosseland(*changed.glass.thermal), variant.name == "rosseland");
+    EXPECT_FALSE(changed.has_light());
+    EXPECT_NEAR(changed.glass.emissivity, scene.glass.emissivity, 1e-5);
+  }
+  EXPECT_EQ(found, 2);
+}
+
+}  // namespace
+}  // namespace parison::forming

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/radiation/p1.hpp"
+
+#include <cassert>
+
+#include "thermal/system.hpp"
+
+namespace parison::thermal {
+
+namespace {
+
+constexpr int light_order = 2;  ///< polynomial degree of the irradiation
+
+const core::Mesh& mesh_of(const P1& light, const HeatSystem& system) {
+  return *system.problem->bodies[light.body].mesh;
+}
+
+/// Unknowns of G at the nodes of an edge, ordered as in HeatEdge.
+std::array<Index, 3> light_unknowns(const std::array<Index, 3>& nodes, int order) {
+  return {nodes[0], nodes[1], order == 2 ? nodes[2] : nodes[0]};
+}
+
+bool same_laws(const Radiation& a, const Radiation& b) {
+  if (a.model != b.model || a.refractive_index != b.refractive_index || a.bands.size() != b.bands.size()) return false;
+  for (std::size_t k = 0; k < a.bands.size(); ++k)
+    if (a.bands[k].up_to != b.bands[k].up_to || a.bands[k].absorption != b.bands[k].absorption) return false;
+  return true;
+}
+
+/// Pattern and symbolic factors for the mesh.
+void analyse(KeptLight& kept, const core::Mesh& mesh, Index size) {
+  core::Cliques cliques;
+  for (const auto& nodes : mesh.cells()) cliques.add(nodes.data(), kept.order == 2 ? 6 : 3);
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    cliques.add(light_unknowns(edge.nodes, kept.order).data(), kept.order == 2 ? 3 : 2);
+  kept.assembly = core::make_assembly(size, cliques);
+  kept.cells = mesh.cells();
+  kept.factor.clear();
+  for (int k = 0; k < kept.laws.group_count(); ++k) {
+    kept.factor.emplace_back();
+    kept.factor.back().analyse(kept.assembly.matrix);
+  }
+}
+
+void add_edges(P1& light, const HeatSystem& system, Index first_boundary_edge) {
+  const BodyView& body = system.problem->bodies[light.body];
+  const auto& rule = core::edge_rule(3);
+  for (std::size_t e = 0; e < body.mesh->boundary_edges().size(); ++e) {
+    const core::BoundaryEdge& boundary = body.mesh->boundary_edges()[e];
+    const bool black = !body.prescribed.empty() && body.prescribed[boundary.boundary_id];
+    if (!black && !body.light.surroundings[boundary.boundary_id]) continue;
+    LightEdge edge{edge_unknowns(system, light.body, boundary.nodes),
+                   light_unknowns(boundary.nodes, light.order),
+                   first_boundary_edge + static_cast<Index>(e),
+                   boundary.boundary_id,
+                   black,
+                   {},
+                   {},
+                   {}};
+    for (int q = 0; q < 3; ++q) {
+      edge.area[q] = core::map_edge_point(*body.mesh, boundary.nodes, system.problem->geometry, rule[q]).area;
+      edge.temperature_shape[q] = unknown_weights(edge_shapes()[q], system.problem->order);
+      edge.light_shape[q] = unknown_weights(edge_shapes()[q], light.order);
+    }
+    light.edges.push_back(edge);
+  }
+}
+
+/// Boundary of the glass that each of its edges' mid-side nodes lies on, by node.
+std::vector<Index> boundaries_of_mid_nodes(const core::Mesh& mesh) {
+  std::vector<Index> boundary(mesh.nodes.size());
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) boundary[edge.nodes[2]] = edge.boundary_id;
+  return boundary;
+}
+
+void add_contacts(P1& light, const HeatSystem& system) {
+  if (system.problem->interface.empty()) return;
+  const auto& bodies = system.problem->bodies;
+  const SurfaceLight& own = bodies[light.body].light;
+  const std::vector<Index> boundaries = boundaries_of_mid_nodes(*bodies[light.body].mesh);
+  for (const core::InterfacePoint& point : system.problem->interface) {
+    assert(point.slave_body == light.body);
+    const auto shape = unknown_weights(point.slave_shape, light.order);
+    const Index boundary = boundaries[point.slave_nodes[2]];
+    const bool open = bool(own.surroundings[boundary]);
+    const double emissivity = bodies[point.master_body].light.emissivity;
+    light.contacts.push_back({light_unknowns(point.slave_nodes, light.order),
+                              {shape[0], shape[1], shape[2]},
+                              boundary,
+                              open,
+                              emissivity,
+                              open ? own.emissivity : 0,
+                              grey_exchange(own.emissivity, emissivity)});
+  }
+}
+
+/// Adds coefficients times shape functions of the surface to a group's matrix. The points of the interface lie on edges
+/// of the glass, whose cliques follow the cells'.
+void assemble_surface(const P1& light, int group, const HeatSystem& system, Index first_boundary_edge,
+                      core::SymmetricMatrix& matrix) {
+  const core::Scatter& scatter = light.kept->assembly.scatter;
+  const core::Mesh& mesh = mesh_of(light, system);
+  const Index count = light.order == 2 ? 3 : 2;
+  std::vector<Eigen::Matrix3d> local(mesh.boundary_edges().size(), Eigen::Matrix3d::Zero());
+  for (const LightEdge& edge : light.edges)
+    for (int q = 0; q < 3; ++q) {
+      const Eigen::Map<const Eigen::Vector3d> shape(edge.light_shape[q].data());
+      local[edge.boundary_edge - first_boundary_edge] +=
+          light.coefficient(group, edge) * edge.area[q] * shape * shape.transpose();
+    }
+  if (!light.contacts.empty()) {
+    std::vector<Index> edge_of(mesh.nodes.size(), -1);  // by mid-side node
+    for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e)
+      edge_of[mesh.boundary_edges()[e].nodes[2]] = static_cast<Index>(e);
+    for (std::size_t i = 0; i < light.contacts.size(); ++i) {
+      const LightContact& contact = light.contacts[i];
+      local[edge_of[system.problem->interface[i].slave_nodes[2]]] +=
+          (light.to_tool(group, contact) - light.open(group, contact)) * system.interface.area[static_cast<Index>(i)] *
+          contact.shape * contact.shape.transpose();
+    }
+  }
+  for (std::size_t e = 0; e < local.size(); ++e) {
+    std::array<double, 9> packed{};
+    for (Index i = 0; i < count; ++i)
+      for (Index j = 0; j <= i; ++j) packed[i * count + j] = local[e](i, j);
+    core::add_clique(matrix, scatter, mesh.cell_count() + static_cast<Index>(e), count, packed.data());
+  }
+}
+
+void factorise(P1& light, const HeatSystem& system, Index first_boundary_edge) {
+  KeptLight& kept = *light.kept;
+  const auto& cells = *system.bodies[light.body].cells;
+  for (int k = 0; k < kept.laws.group_count(); ++k) {
+    core::SymmetricMatrix& matrix = kept.assembly.matrix;
+    std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
+    const LightGroup& group = kept.laws.group(k);
+    assemble_group(cells, light.volumes, mesh_of(light, system).cell_count(), light.order, group.diffusion,
+                   group.absorption, kept.assembly);
+    assemble_surface(light, k, system, first_boundary_edge, matrix);
+    light.solvable = kept.factor[k].factorise(matrix) && light.solvable;
+  }
+}
+
+}  // namespace
+
+P1 make_p1(const HeatSystem& system, Index body, Index first_boundary_edge, std::shared_ptr<KeptLight>& kept) {
+  const BodyView& view = system.problem->bodies[body];
+  const core::Mesh& mesh = *view.mesh;
+  assert(view.light.surroundings.size() == mesh.boundaries().size());
+  if (!kept || !same_laws(kept->radiation, *view.material->radiation))
+    kept = std::make_shared<KeptLight>(*view.material->radiation, light_order);
+  P1 light{body, light_order == 2 ? mesh.node_count() : mesh.vertex_count(), light_order, {}, {}, {}, {}, kept, true};
+  if (kept->cells != mesh.cells()) analyse(*kept, mesh, light.size);
+  light.batches.resize(core::batch_count(mesh.cell_count()));
+  for (std::size_t b = 0; b < light.batches.size(); ++b)
+    core::set_nodes(mesh.cells(), static_cast<Index>(b), light.batches[b]);
+  light.volumes = make_volumes(view, system.problem->geometry);
+  add_edges(light, system, first_boundary_edge);
+  add_contacts(light, system);
+  factorise(light, system, first_boundary_edge);
+  return light;
+}
+
+}  // namespace parison::thermal

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/radiation/p1_heat.hpp"
+#include "thermal/system.hpp"
+#include "thermal/time/step_matrix.hpp"
+
+namespace parison::thermal {
+
+namespace {
+
+/// Share of a derivative of the emission that stands in the matrix of modified Newton: none to all of the light is
+/// absorbed again, so the matrix is never off by more than half.
+constexpr double not_absorbed_again = 0.5;
+
+Field emission_slope(const P1& light, int group, const Field& temperature) {
+  Field slope(temperature.size());
+  const LightLaws& laws = light.laws();
+  for (std::size_t g = 0; g < slope.size(); ++g)
+    for (int q = 0; q < core::cell_points; ++q) {
+      for (int lane = 0; lane < core::batch_size; ++lane)
+        slope[g][q][lane] = laws.irradiation(group, temperature[g][q][lane]).derivative;
+      slope[g][q] *= laws.group(group).absorption * light.volumes[g][q];
+    }
+  return slope;
+}
+
+/// Emission of the cells when the temperatures at their points change.
+Field changed_emission(const Field& slope, const Field& change) {
+  Field emitted = slope;
+  for (std::size_t g = 0; g < emitted.size(); ++g)
+    for (int q = 0; q < core::cell_points; ++q) emitted[g][q] *= change[g][q];
+  return emitted;
+}
+
+/// Derivatives of the surface, all but the emission of the cells.
+void linearise_surface(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
+                       LightDerivatives& result) {
+  const LightLaws& laws = light.laws();
+  const SideTemperatures sides = side_temperatures(system.interface, temperature);
+  const double emissivity = system.problem->bodies[light.body].light.emissivity;
+  for (const LightEdge& edge : light.edges) {
+    auto& slope = result.opaque_edge.emplace_back();
+    for (int q = 0; q < 3; ++q) {
+      const double T = at_point(temperature, edge.temperature, edge.temperature_shape[q].data());
+      slope[q] = edge.black ? 0 : emissivity * edge.area[q] * laws.opaque_emission(T).derivative;
+    }
+  }
+  for (std::size_t i = 0; i < light.contacts.size(); ++i) {
+    const LightContact& contact = light.contacts[i];
+    const auto at = static_cast<Index>(i);
+    const double area = system.interface.area[at], master = sides.master[at];
+    const double own = area * laws.opaque_emission(sides.slave[at]).derivative;
+    result.opaque_slave[at] = contact.opaque * own;
+    result.opaque_open[at] = contact.opaque_open * own;
+    result.opaque_master[at] = contact.opaque * area * laws.opaque_emission(master).derivative;
+    for (int k = 0; k < laws.group_count(); ++k)
+      result.from_tool[k][at] = light.to_tool(k, contact) * area * laws.irradiation(k, master).derivative;
+  }
+}
+
+}  // namespace
+
+LightDerivatives linearise_light(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {
+  const auto points = static_cast<Eigen::Index>(light.contacts.size());
+  LightDerivatives result;
+  result.opaque_slave = result.opaque_master = result.opaque_open = Eigen::ArrayXd::Zero(points);
+  result.from_tool.assign(light.laws().group_count(), Eigen::ArrayXd::Zero(points));
+  const Field at_cells = at_cell_points(light, system, temperature);
+  for (int k = 0; k < light.laws().group_count(); ++k) result.emission.push_back(emission_slope(light, k, at_cells));
+  linearise_surface(light, system, temperature, result);
+  return result;
+}
+
+void apply_light(const P1& light, const HeatSystem& system, const LightDerivatives& derivatives, double step,
+                 const Eigen::VectorXd& change, Eigen::VectorXd& result) {
+  const SideTemperatures sides = side_temperatures(system.interface, change);
+  const Field at_cells = at_cell_points(light, system, change);
+  std::vector<Eigen::VectorXd> G;
+  std::vector<Field> emitted;
+  Eigen::ArrayXd to_tool = derivatives.opaque_slave * sides.slave - derivatives.opaque_master * sides.master;
+  const Eigen::ArrayXd opaque = to_tool - derivatives.opaque_open * sides.slave;
+  for (int k = 0; k < light.laws().group_count(); ++k) {
+    emitted.push_back(changed_emission(derivatives.emission[k], at_cells));
+    const Eigen::ArrayXd from_tool = derivatives.from_tool[k] * sides.master;
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(light.size);
+    for (std::size_t i = 0; i < light.contacts.size(); ++i)
+      add_at_point(from_tool[static_cast<Index>(i)], light.contacts[i].light, light.contacts[i].shape.data(), rhs);
+    G.push_back(solve_group(light, k, emitted.back(), std::move(rhs)));
+    for (std::size_t i = 0; i < light.contacts.size(); ++i) {
+      const LightContact& contact = light.contacts[i];
+      const auto at = static_cast<Index>(i);
+      to_tool[at] += light.to_tool(k, contact) * system.interface.area[at] *
+                         at_point(G.back(), contact.light, contact.shape.data()) -
+                     from_tool[at];
+    }
+  }
+  add_absorbed(light, system, G, emitted, -step, result);
+  for (std::size_t e = 0; e < light.edges.size(); ++e) {
+    const LightEdge& edge = light.edges[e];
+    for (int q = 0; q < 3; ++q) {
+      const double* shape = edge.temperature_shape[q].data();
+      add_at_point(step * derivatives.opaque_edge[e][q] * at_point(change, edge.temperature, shape), edge.temperature,
+                   shape, result);
+    }
+  }
+  for (const HeatSegment& segment : system.interface.segments)
+    for (Index i = segment.first_point; i < segment.last_point; ++i)
+      for (int k = 0; k < 6; ++k)
+        result[segment.unknowns[k]] += step * system.interface.shape(k, i) * (k < 3 ? opaque[i] : -to_tool[i]);
+}
+
+namespace {
+
+/// Weighted mass matrix of the emission of each cell.
+template <int N>
+void add_cells(StepMatrix& matrix, const P1& light, const HeatSystem& system, const LightDerivatives& derivatives,
+               double step) {
+  const auto& shapes = cell_shapes<N>().value;
+  const BodyLaws& body = system.bodies[light.body];
+  for (Index c = body.first_cell; c < body.last_cell; ++c) {
+    const Index batch = (c - body.first_cell) / batch_size, lane = (c - body.first_cell) % batch_size;
+    std::array<double, N * N> local{};
+    for (int q = 0; q < core::cell_points; ++q) {
+      double slope = 0;
+      for (const Field& group : derivatives.emission) slope += group[batch][q][static_cast<int>(lane)];
+      slope *= step * not_absorbed_again;
+      for (int i = 0; i < N; ++i)
+        for (int j = 0; j <= i; ++j) local[i * N + j] += slope * shapes(q, i) * shapes(q, j);
+    }
+    add_clique(matrix, system, c, N, system.cells[c].data(), local.data());
+  }
+}
+
+}  // namespace
+
+void assemble_light(StepMatrix& matrix, const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
+                    double step) {
+  const LightDerivatives derivatives = linearise_light(light, system, temperature);
+  (system.problem->order == 2 ? add_cells<6> : add_cells<3>)(matrix, light, system, derivatives, step);
+  for (std::size_t e = 0; e < light.edges.size(); ++e) {
+    const LightEdge& edge = light.edges[e];
+    std::array<double, 9> local{};
+    for (int q = 0; q < 3; ++q)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j)
+          local[i * 3 + j] +=
+              step * derivatives.opaque_edge[e][q] * edge.temperature_shape[q][i] * edge.temperature_shape[q][j];
+    add_clique(matrix, system, static_cast<Index>(system.cells.size()) + edge.boundary_edge, 3, edge.temperature.data(),
+               local.data());
+  }
+  Eigen::ArrayXd master = derivatives.opaque_master;
+  for (const Eigen::ArrayXd& group : derivatives.from_tool) master += group;
+  const Eigen::ArrayXd slave = derivatives.opaque_slave - derivatives.opaque_open;
+  for (std::size_t k = 0; k < system.interface.segments.size(); ++k) {
+    const HeatSegment& segment = system.interface.segments[k];
+    Eigen::Matrix<double, 6, 6, Eigen::RowMajor> local = Eigen::Matrix<double, 6, 6>::Zero();
+    for (Index i = segment.first_point; i < segment.last_point; ++i) {
+      const Eigen::Vector3d s = system.interface.shape.col(i).head<3>(), m = system.interface.shape.col(i).tail<3>();
+      local.topLeftCorner<3, 3>() += step * slave[i] * s * s.transpose();
+      local.bottomRightCorner<3, 3>() += step * master[i] * m * m.transpose();
+    }
+    add_clique(matrix, system, matrix.segment_clique[k], 6, segment.unknowns.data(), local.data());
+  }
+}
+
+}  // namespace parison::thermal

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/commands/run/remaining_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace parison::tools {
+namespace {
+
+using forming::Index;
+using forming::Scene;
+using forming::Stage;
+
+/// Length of the contact boundaries of a body's section, m.
+double contact_length(const forming::Body& body) {
+  double length = 0;
+  for (const auto& segment : body.profile.segments)
+    if (body.boundaries[static_cast<std::size_t>(segment.boundary_id)].kind == forming::BoundaryKind::contact)
+      length += core::length(segment);
+  return length;
+}
+
+bool is_driven(const Stage& stage) {
+  return !stage.pressure.empty() || std::any_of(stage.tools.begin(), stage.tools.end(), [](const auto& tool) {
+    return !std::holds_alternative<std::monostate>(tool.motion);
+  });
+}
+
+/// Steps that grow from the first to the longest, and go on with that.
+double quiet_steps(const Scene& scene, const Stage& stage) {
+  constexpr double growth = 1.5;
+  const forming::Accuracy& accuracy = scene.accuracy;
+  return std::log(accuracy.max_step / accuracy.initial_step) / std::log(growth) + stage.duration / accuracy.max_step;
+}
+
+}  // namespace
+
+std::vector<double> expected_steps(const Scene& scene) {
+  std::vector<bool> met(scene.tools.size(), false);
+  std::vector<double> steps;
+  for (const Stage& stage : scene.stages) {
+    double length = 0;
+    if (scene.has_flow() && is_driven(stage))
+      for (const auto& tool : stage.tools)
+        if (const auto index = static_cast<std::size_t>(tool.tool); !met[index]) {
+          met[index] = true;
+          length += contact_length(scene.tools[index]);
+        }
+    constexpr double fronts = 2;
+    steps.push_back(quiet_steps(scene, stage) +
+                    length / (fronts * scene.accuracy.landing_per_step * scene.accuracy.surface_size));
+  }
+  return steps;
+}
+
+void RemainingTime::run_begins(const forming::RunView& run) {
+  expected_ = expected_steps(run.scene);
+  steps_at_start_ = steps_at_stage_ = run.state.totals.steps;
+}
+
+void RemainingTime::stage_begins(const forming::RunView& run) {
+  const auto stage = static_cast<std::size_t>(run.state.stage);
+  if (run.state.totals.steps > steps_at_start_ && stage > 0) expected_of_done_ += expected_[stage - 1];
+  steps_at_stage_ = run.state.totals.steps;
+}
+
+double RemainingTime::fraction_done(const forming::RunView& run) const {
+  const auto stage = static_cast<std::size_t>(run.state.stage);
+  const double here = run.state.totals.steps - steps_at_stage_, before = steps_at_stage_ - steps_at_start_;
+  // A first short stage says little of the others: what is expected of a fifth of the run counts beside what was seen.
+  const double weight = 0.2 * std::accumulate(expected_.begin(), expected_.end(), 0.0);
+  const auto seen_over_expected = [&](double seen, double expected) { return (seen + weight) / (expected + weight); };
+  double ratio = seen_over_expected(before, expected_of_done_);
+  constexpr double more_than_seen = 1.1;
+  const double whole_stage = std::max(more_than_seen * here, ratio * expected_[stage]);
+  ratio = std::max(ratio, seen_over_expected(before + here, expected_of_done_ + expected_[stage]));
+  double to_come = whole_stage - here;
+  for (std::size_t i = stage + 1; i < expected_.size(); ++i) to_come += ratio * expected_[i];
+  return (before + here) / std::max(before + here + to_come, 1.0);
+}
+
+}  // namespace parison::tools

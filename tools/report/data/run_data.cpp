@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/report/data/run_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/io/files.hpp"
+#include "tools/report/data/result_folder.hpp"
+#include "tools/report/data/wall_bars.hpp"
+
+namespace parison::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Bytes of all films of a page before compression; with the rest a page stays below 5 MB.
+constexpr std::size_t film_budget = 4'500'000;
+/// Rows of a table, over all runs of a page, beyond which only every so many are shown.
+constexpr std::size_t most_rows = 3000;
+
+bool is_drawn(const ResultTable& table, std::size_t column) {
+  const std::string& name = table.names[column];
+  return table.texts[column].empty() && name.rfind("cavity_", 0) != 0;
+}
+
+/// The rows of a table that are shown, the last one always.
+std::vector<std::size_t> shown_rows(const ResultTable& table, std::size_t runs) {
+  const std::size_t stride = table.rows() * runs / most_rows + 1;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < table.rows(); i += stride) rows.push_back(i);
+  if (!rows.empty() && rows.back() + 1 != table.rows()) rows.push_back(table.rows() - 1);
+  return rows;
+}
+
+Json pack_table(const ResultTable& table, std::size_t runs, PackedBytes& bytes) {
+  const std::vector<std::size_t> rows = shown_rows(table, runs);
+  Json names = Json::array();
+  std::vector<double> numbers;
+  for (std::size_t c = 0; c < table.names.size(); ++c) {
+    if (!is_drawn(table, c)) continue;
+    names.push_back(table.names[c]);
+    for (const std::size_t row : rows) numbers.push_back(table.numbers[c][row]);
+  }
+  return {{"names", std::move(names)}, {"rows", rows.size()}, {"at", bytes.add_numbers(numbers)}};
+}
+
+/// Single precision could not tell a volume from the one before: its relative change takes its place.
+void replace_volume(ResultTable& history) {
+  const int at = history.find("volume_mm3");
+  if (at < 0 || history.rows() == 0) return;
+  auto& volumes = history.numbers[static_cast<std::size_t>(at)];
+  const double first = volumes[0];
+  for (double& volume : volumes) volume = volume / first - 1;
+  history.names[static_cast<std::size_t>(at)] = "volume_change";
+}
+
+/// The stages with the side that points up and their tools, where the case could be read.
+Json stages_of(const ResultFolder& folder, const std::optional<forming::Scene>& scene) {
+  Json stages = Json::array();
+  bool upright = true;
+  for (const StageSpan& span : folder.stages) {
+    Json one{{"name", span.name}, {"start", span.start}, {"end", span.end}, {"ended_by", span.ended_by}};
+    for (const forming::Stage& stage : scene ? scene->stages : std::vector<forming::Stage>{}) {
+      if (stage.name != span.name) continue;
+      if (stage.gravity != 0) upright = stage.gravity < 0;
+      Json tools = Json::array();
+      for (const forming::StageTool& active : stage.tools) tools.push_back(scene->tools[active.tool].name);
+      one["tools"] = std::move(tools);
+    }
+    one["upright"] = upright;
+    stages.push_back(std::move(one));
+  }
+  return stages;
+}
+
+const SceneOfRun& scene_of(const std::string& folder, ReportCache& cache) {
+  auto& [stamp, scene] = cache.scenes[folder];
+  if (const std::string now = stamp_of_case(folder); stamp != now || (!scene.scene && scene.problem.empty())) {
+    scene = read_scene_of(folder);
+    stamp = now;
+  }
+  return scene;
+}
+
+Json run_json(const std::string& path, std::size_t runs, ReportCache& cache, PackedBytes& bytes) {
+  ResultFolder folder = read_folder(path);
+  const SceneOfRun& scene = scene_of(path, cache);
+  std::vector<std::string> problems;
+  replace_volume(folder.history);
+  Json run{{"name", folder.name},
+           {"path", path},
+           {"state", name_of(folder.state)},
+           {"told", folder.told},
+           {"scene", scene.text},
+           {"scene_problem", scene.problem},
+           {"stages", stages_of(folder, scene.scene)},
+           {"planar", scene.scene && scene.scene->geometry == core::Geometry::planar}};
+  run["summary"] = folder.summary.empty() ? Json() : Json::parse(folder.summary, nullptr, false);
+  run["history"] = pack_table(folder.history, runs, bytes);
+  run["tools"] = pack_table(read_table(path + "/tools.csv"), runs, bytes);
+  if (!folder.summary.empty()) {
+    WallTables wall = wall_tables(path, run["summary"], scene.scene);
+    run["heights"] = pack_table(wall.heights, runs, bytes);
+    run["profile"] = pack_table(wall.profile, runs, bytes);
+  }
+  run["film"] = pack_film(folder, cache.files, film_budget / runs, bytes, problems);
+  run["problems"] = problems;
+  return run;
+}
+
+/// JSON may stand in a page as it is where nothing in it can end the element that holds it.
+std::string without_tags(const std::string& json) {
+  std::string text;
+  text.reserve(json.size());
+  for (const char c : json)
+    if (c == '<' || c == '>' || c == '&')
+      text += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      text += c;
+  return text;
+}
+
+}  // namespace
+
+std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache) {
+  Json runs = Json::array();
+  PackedBytes bytes;
+  for (const std::string& folder : folders) runs.push_back(run_json(folder, folders.size(), cache, bytes));
+  const Json page{{"program", PARISON_VERSION}, {"live", live}, {"runs", std::move(runs)}, {"bytes", bytes.text()}};
+  return without_tags(page.dump(-1, ' ', true, Json::error_handler_t::replace));
+}
+
+}  // namespace parison::tools

@@ -1,0 +1,22 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tools/report/data/scene_text.hpp"
+#include "tools/report/film/film.hpp"
+
+namespace parison::tools {
+
+/// What was read of result folders and does not change while a run goes on.
+struct ReportCache {
+  VtuCache files;
+  std::map<std::string, std::pair<std::string, SceneOfRun>> scenes;  ///< by folder, with the stamp of the case
+};
+
+/// The data of a page on some result folders as a JSON text without any character that ends or opens a tag; `live`
+/// says that the page is to ask for more. Throws core::CaseError where one of them is no result folder.
+std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache);
+
+}  // namespace parison::tools

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The film of the run with its controls, and the strip of the ends of the stages.
+
+const playStep = 60; // least time of a frame, ms
+
+/** One film for all runs; where there are several, each half may show another one. */
+class FilmPart {
+  constructor(runs, state, timeChanged) {
+    this.runs = runs.filter((run) => run.film);
+    Object.assign(this, { state, timeChanged, view: null, drawing: null });
+    const last = this.runs.length - 1;
+    state.right = Math.min(state.right ?? last, last);
+    state.left = Math.min(state.left ?? 0, last);
+    state.field ??= "temperature";
+    if (!this.runs[state.right].film.frames.some((frame) => frame[state.field]))
+      state.field = Object.keys(fields).find((name) => this.range(name)) || "temperature";
+    this.build();
+  }
+
+  get right() {
+    return this.runs[this.state.right];
+  }
+  get left() {
+    return this.runs[this.state.left];
+  }
+  get times() {
+    return this.right.film.times;
+  }
+
+  range(name) {
+    const ranges = this.runs.map((run) => run.film.range(name)).filter((range) => range);
+    return ranges.length
+      ? [Math.min(...ranges.map((range) => range[0])), Math.max(...ranges.map((range) => range[1]))]
+      : null;
+  }
+
+  extent() {
+    const all = this.runs.map((run) => run.film.extent());
+    return [0, 1, 2, 3].map((k) => (k % 2 ? Math.max : Math.min)(...all.map((extent) => extent[k])));
+  }
+
+  build() {
+    this.canvas = element("canvas", {
+      role: "img",
+      "aria-label": "section of glass and tools",
+      onpointermove: (event) => this.point(event),
+      onpointerleave: () => this.tell(""),
+      onpointerdown: (event) => this.grip(event),
+    });
+    this.reading = element("p", { class: "reading soft", "aria-live": "off" });
+    this.label = element("strong", { class: "number" });
+    this.slider = element("input", {
+      type: "range",
+      min: 0,
+      max: this.times.length - 1,
+      step: 1,
+      "aria-label": "time",
+      oninput: () => this.show(Number(this.slider.value)),
+    });
+    this.button = element("button", { onclick: () => this.play(!this.playing) }, "Play");
+    this.scales = element("div", { class: "panel" });
+    this.element = element(
+      "div",
+      { class: "film" },
+      element(
+        "div",
+        { class: "screen" },
+        this.canvas,
+        element("div", { class: "scrub" }, this.button, this.slider),
+        this.label,
+        this.reading,
+      ),
+      element("div", { class: "panel" }, ...this.controls(), this.scales),
+    );
+  }
+
+  select(label, key, entries) {
+    const select = element(
+      "select",
+      {
+        onchange: () => {
+          this.state[key] = key === "field" ? select.value : Number(select.value);
+          this.draw();
+        },
+      },
+      ...entries.map(([value, text]) => element("option", { value, selected: value === this.state[key] }, text)),
+    );
+    return element("label", {}, label, select);
+  }
+
+  tick(label, key) {
+    const box = element("input", {
+      type: "checkbox",
+      checked: Boolean(this.state[key]),
+      onchange: () => {
+        this.state[key] = box.checked;
+        this.draw();
+      },
+    });
+    return element("label", {}, box, label);
+  }
+
+  controls() {
+    this.state.turned ??= true;
+    const names = this.runs.map((run, i) => [i, run.name]);
+    const zoom = (factor) => () => {
+      this.state.zoom = Math.max(1, (this.state.zoom || 1) * factor);
+      if (this.state.zoom === 1) this.state.shift = [0, 0];
+      this.draw();
+    };
+    return [
+      this.select(
+        "Colour",
+        "field",
+        Object.entries(fields)
+          .filter(([name]) => this.range(name))
+          .map(([name, field]) => [name, field.label]),
+      ),
+      ...(this.runs.length > 1 ? [this.select("Left", "left", names), this.select("Right", "right", names)] : []),
+      this.tick("colours of this moment", "ownScale"),
+      this.tick("mesh", "mesh"),
+      this.runs.some((run) => run.stages.some((stage) => !stage.upright))
+        ? this.tick("turn over with the machine", "turned")
+        : null,
+      element(
+        "div",
+        {},
+        element("button", { onclick: zoom(1.5), "aria-label": "closer" }, "+"),
+        " ",
+        element("button", { onclick: zoom(1 / 1.5), "aria-label": "farther" }, "−"),
+        " ",
+        element("button", { onclick: zoom(0) }, "Whole"),
+      ),
+    ].filter((control) => control);
+  }
+
+  show(index, quietly = false) {
+    this.state.index = Math.max(0, Math.min(this.times.length - 1, index));
+    this.draw();
+    if (!quietly) this.timeChanged(this.times[this.state.index]);
+  }
+
+  showTime(time, quietly = false) {
+    this.show(this.right.film.nearest(time), quietly);
+  }
+
+  options() {
+    const run = this.right,
+      frame = run.film.frames[this.state.index],
+      own = this.state.ownScale && frame[this.state.field];
+    return {
+      field: this.state.field,
+      range: own ? [own[1], Math.max(own[2], own[1] + 1e-6)] : this.range(this.state.field),
+      toolRange: this.range(null),
+      mesh: this.state.mesh,
+      turned: this.state.turned,
+      line: Math.max(1, (this.density || 1) * 0.8),
+    };
+  }
+
+  draw() {
+    const width = this.element.firstChild.clientWidth || 600;
+    this.density = Math.min(2, window.devicePixelRatio || 1);
+    this.state.index = Math.max(0, Math.min(this.times.length - 1, this.state.index ?? this.times.length - 1));
+    const room = this.printing ? 600 : Math.min(900, Math.max(320, 0.8 * window.innerHeight)),
+      planar = this.right.planar;
+    this.view = new View(
+      this.extent(),
+      planar,
+      width * this.density,
+      room * this.density,
+      this.state.zoom || 1,
+      this.state.shift || [0, 0],
+    );
+    const time = this.times[this.state.index];
+    const halves = planar
+      ? [{ run: this.right, frame: this.state.index, side: 1 }]
+      : [
+          { run: this.left, frame: this.left.film.nearest(time), side: -1 },
+          { run: this.right, frame: this.state.index, side: 1 },
+        ];
+    this.shown = this.options();
+    this.drawing = drawSection(this.canvas, this.view, halves, this.shown);
+    this.slider.max = this.times.length - 1;
+    this.slider.value = this.state.index;
+    const stage = this.right.stageAt(time);
+    const sides = this.left === this.right || planar ? "" : `; left ${this.left.name}, right ${this.right.name}`;
+    this.label.textContent = `${time.toFixed(2)} s${stage ? ", " + words(stage.name) : ""}${sides}`;
+    this.canvas.style.touchAction = (this.state.zoom || 1) > 1 ? "none" : "auto";
+    this.scales.replaceChildren(...scaleBars(this.shown));
+  }
+
+  tell(text) {
+    this.reading.textContent = text;
+  }
+
+  point(event) {
+    if (!this.drawing) return;
+    const box = this.canvas.getBoundingClientRect();
+    const scale = Math.min(box.width / this.view.width, box.height / this.view.height);
+    const left = (box.width - scale * this.view.width) / 2,
+      top = (box.height - scale * this.view.height) / 2;
+    const x = (event.clientX - box.left - left) / scale,
+      y = (event.clientY - box.top - top) / scale;
+    if (this.held) {
+      this.state.shift = [this.held[2] + x - this.held[0], this.held[3] + y - this.held[1]];
+      this.draw();
+    }
+    this.at = [x, y];
+    const inside = x >= 0 && y >= 0 && x < this.view.width && y < this.view.height;
+    this.tell(inside ? readingAt(this.drawing, this.shown, x, y) : "");
+  }
+
+  grip(event) {
+    this.point(event);
+    if (!((this.state.zoom || 1) > 1)) return;
+    this.held = [...this.at, ...(this.state.shift || [0, 0])];
+    this.canvas.setPointerCapture(event.pointerId);
+    this.canvas.addEventListener(
+      "pointerup",
+      () => {
+        this.held = null;
+      },
+      { once: true },
+    );
+  }
+
+  play(on) {
+    clearTimeout(this.timer);
+    this.playing = on;
+    this.button.textContent = on ? "Stop" : "Play";
+    if (!on) return;
+    if (this.state.index >= this.times.length - 1) this.show(0);
+    const next = () => {
+      const i = this.state.index;
+      if (i >= this.times.length - 1) return this.play(false);
+      this.timer = setTimeout(
+        () => {
+          this.show(i + 1);
+          next();
+        },
+        Math.min(400, Math.max(playStep, 1000 * (this.times[i + 1] - this.times[i]))),
+      );
+    };
+    next();
+  }
+}
+
+/** The colour scales of glass and tools with their ends. */
+function scaleBars(options) {
+  const bar = (title, colours, [low, high], text) =>
+    element(
+      "div",
+      {},
+      element("small", {}, title),
+      element("div", { class: "scale", style: { background: gradient(colours) } }),
+      element("div", { class: "ends" }, element("span", {}, text(low)), element("span", {}, text(high))),
+    );
+  const field = fields[options.field],
+    bars = [];
+  if (options.range)
+    bars.push(
+      bar(`glass, ${field.label.toLowerCase()}`, field.colours, options.range, (value) =>
+        field.logarithmic ? `${figure(10 ** value, 2)} ${field.unit}` : field.text(value),
+      ),
+    );
+  if (options.toolRange) bars.push(bar("tools, temperature", toolColours, options.toolRange, fields.temperature.text));
+  return bars;
+}
+
+/** Small pictures of the ends of the stages; each leads the film there. */
+function stripOf(run, film) {
+  const options = {
+    field: film.range("temperature") ? "temperature" : film.state.field,
+    turned: true,
+    line: 0.8,
+    toolRange: film.range(null),
+  };
+  options.range = film.range(options.field);
+  return element(
+    "div",
+    { class: "strip" },
+    ...run.stages.map((stage) => {
+      const canvas = element("canvas"),
+        frame = run.film.nearest(stage.end);
+      const halves = (run.planar ? [1] : [-1, 1]).map((side) => ({ run, frame, side }));
+      drawSection(canvas, new View(film.extent(), run.planar, 260), halves, options);
+      return element(
+        "button",
+        { title: "show this moment in the film", onclick: () => film.showTime(stage.end) },
+        canvas,
+        words(stage.name),
+        element("br"),
+        element("small", {}, `${stage.end.toFixed(2)} s`),
+      );
+    }),
+  );
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Builds the page from its data; a live one asks the server for more.
+
+const state = { theme: null, film: {} };
+let shown = null; // charts and film of what is in the page
+
+function applyTheme(theme) {
+  document.documentElement.dataset.theme =
+    theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+}
+
+function repaint() {
+  if (!shown) return;
+  shown.charts.redraw();
+  if (shown.film) shown.film.draw();
+}
+
+function headOf(runs, program) {
+  const button = element(
+    "button",
+    {
+      class: "theme",
+      onclick: () => {
+        state.theme = isDark() ? "light" : "dark";
+        applyTheme(state.theme);
+        show(shown.runs, program);
+      },
+    },
+    isDark() ? "Light" : "Dark",
+  );
+  return [
+    element("div", { class: "top" }, element("h1", {}, runs.map((run) => run.name).join(", ")), button),
+    element("p", { class: "soft" }, `${program}, report of ${runs.length === 1 ? "a run" : `${runs.length} runs`}`),
+  ];
+}
+
+function stripPart(runs, film) {
+  const strips = runs
+    .filter((run) => run.film && run.stages.length)
+    .flatMap((run) => [runs.length > 1 ? element("h3", {}, run.name) : null, stripOf(run, film)]);
+  return film && strips.length ? part("stages", "Ends of the stages", ...strips) : null;
+}
+
+/** Puts the whole report into the page, with the film where it was. */
+function show(runs, program) {
+  if (shown) shown.charts.destroy();
+  if (shown && shown.film) shown.film.play(false);
+  const charts = new Charts(runs[0] ? runs[0].stages : [], (time) => shown.film && shown.film.showTime(time));
+  const film = runs.some((run) => run.film) ? new FilmPart(runs, state.film, (time) => charts.setTime(time)) : null;
+  shown = { runs, charts, film };
+  const parts = [
+    overviewPart(runs),
+    stripPart(runs, film),
+    film
+      ? part("film", "Film", film.element)
+      : part("film", "Film", element("p", { class: "soft" }, "No output has been written yet.")),
+    wallPart(runs, charts),
+    machinePart(runs, charts),
+    toolsPart(runs, charts),
+    balancePart(runs, charts),
+    quantityPart(runs),
+    checkPart(runs),
+    scenePart(runs),
+  ].filter((one) => one);
+  document.getElementById("head").replaceChildren(...headOf(runs, program));
+  document
+    .getElementById("places")
+    .replaceChildren(
+      element("div", {}, ...parts.map((one) => element("a", { href: `#${one.id}` }, one.firstChild.textContent))),
+    );
+  document.getElementById("main").replaceChildren(...parts);
+  charts.start();
+  if (film) film.show(film.state.index ?? film.times.length - 1, true);
+}
+
+async function take(page) {
+  const buffer = await unpacked(page.bytes);
+  const runs = page.runs.map((run, i) => new Run(run, buffer, i));
+  const film = shown && shown.film,
+    atEnd = !film || film.state.index >= film.times.length - 1;
+  const time = film ? film.times[film.state.index] : null;
+  if (atEnd) state.film.index = undefined;
+  show(runs, page.program);
+  if (!atEnd && shown.film) shown.film.showTime(time, true);
+}
+
+function say(kind, ...content) {
+  let line = document.getElementById("said");
+  if (!line) document.getElementById("head").after((line = element("header", { id: "said" })));
+  line.replaceChildren(...content.map((text) => element("p", { class: kind }, text)));
+}
+
+/** Asks whether something is new, and for the data when it is, until the page is closed. */
+async function follow() {
+  let stamp = null;
+  for (;;) {
+    try {
+      const now = await (await fetch("stamp", { cache: "no-store" })).json();
+      if (now !== stamp && !(shown && shown.film && (shown.film.playing || shown.film.held))) {
+        const page = await (await fetch("data", { cache: "no-store" })).json();
+        if (page) await take(page);
+        stamp = now;
+        if (page) say("soft", "live: the page follows the run");
+        else say("warn", "There is no run in this folder yet; the page waits for it.");
+      }
+    } catch (error) {
+      stamp = null;
+      say(
+        "warn",
+        `The page cannot be brought up to date: ${error.message}. It tries again; is \`parison watch\` still going?`,
+      );
+    }
+    await new Promise((resolve) => setTimeout(resolve, document.hidden ? 5000 : 2000));
+  }
+}
+
+function printing(on) {
+  applyTheme(on ? "light" : state.theme);
+  if (!shown) return;
+  if (shown.film) shown.film.printing = on;
+  for (const one of document.querySelectorAll("details")) {
+    if (on) one.dataset.was = one.open ? "open" : "";
+    one.open = on || one.dataset.was === "open";
+  }
+  shown.charts.plots.forEach((plot) =>
+    plot.setSize({
+      width: on ? 640 : Math.floor(plot.root.parentNode.clientWidth),
+      height: on ? Math.min(plot.tall, 330) : plot.tall,
+    }),
+  );
+  repaint();
+}
+
+applyTheme(null);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+  if (!state.theme) (applyTheme(null), shown && repaint());
+});
+addEventListener("beforeprint", () => printing(true));
+addEventListener("afterprint", () => printing(false));
+addEventListener("resize", () => shown && shown.film && shown.film.draw());
+const given = JSON.parse(document.getElementById("data").textContent);
+if (given) take(given).catch((error) => say("bad", `The report cannot be shown: ${error.message}`));
+else follow();

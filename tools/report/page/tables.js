@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables and sentences of the report.
+
+const quantityWords = {
+  thickness_mean: "wall thickness, mean",
+  thickness_min: "wall thickness, least",
+  thickness_min_at: "thinnest place, share of the outer side",
+  glass_mean: "glass temperature, mean",
+  glass_skin: "glass temperature, outer surface",
+  extent_r_max: "largest radius",
+  extent_z_min: "lowest z",
+  extent_z_max: "highest z",
+};
+
+function quantityLabel(name) {
+  const match = /^(heat|time|peak_force)_(.*)$/.exec(name);
+  if (quantityWords[name] || !match) return quantityWords[name] || words(name);
+  return { heat: "heat into ", time: "duration of ", peak_force: "largest force of " }[match[1]] + words(match[2]);
+}
+
+const unitText = (unit) => (unit === "degC" ? "°C" : unit === "of the arc" ? "" : unit);
+
+function quantityPart(runs) {
+  const of = (run) => run.summary.quantities,
+    names = [...new Set(runs.flatMap((run) => Object.keys(of(run))))];
+  if (!names.length)
+    return part(
+      "quantities",
+      "Quantities",
+      element("p", { class: "soft" }, "They are known when a run has come to its end."),
+    );
+  const bars = runs.some((run) => Object.values(of(run)).some((one) => one.error > 0));
+  const note = bars
+    ? "The figure behind ± is an estimated error from coarser runs; about nine of ten true errors are smaller."
+    : "Errors were not estimated: `parison resume DIR --error-bars` does it for a finished run.";
+  return part(
+    "quantities",
+    "Quantities",
+    table(
+      ["quantity", ...runs.map((run) => number(runs.length > 1 ? run.name : "value")), "unit"],
+      names.map((name) => {
+        const known = runs.map((run) => of(run)[name]);
+        return [
+          quantityLabel(name),
+          ...known.map((one) => number(one ? withError(one.value, one.error) : "-")),
+          unitText((known.find((one) => one) || {}).unit),
+        ];
+      }),
+    ),
+    element("p", {}, element("small", {}, note)),
+  );
+}
+
+function factsOf(run) {
+  const { glass, thickness, container, flags, complete } = run.summary,
+    times = run.column("history", "time_s"),
+    last = times ? times.length - 1 : -1;
+  const now = (name) => {
+    const column = run.column("history", name);
+    return column && last >= 0 ? column[last] : NaN;
+  };
+  const range = Number.isFinite(thickness.min_mm)
+    ? `${[thickness.min_mm, thickness.mean_mm, thickness.max_mm].map((value) => value.toFixed(2)).join(" / ")} mm`
+    : null;
+  return [
+    ["simulated", `${figure(run.endTime)} s`],
+    ["glass", glass.mass_kg ? `${figure(1000 * glass.mass_kg)} g` : null],
+    ["wall: least, mean, most", range],
+    ["capacity to the rim", container.capacity_ml ? `${figure(container.capacity_ml)} ml` : null],
+    ["glass, mean", Number.isFinite(now("glass_mean_degC")) ? `${now("glass_mean_degC").toFixed(0)} °C` : null],
+    ["heat to the tools", Math.abs(now("heat_to_tools_J")) > 0 ? `${figure(now("heat_to_tools_J") / 1000)} kJ` : null],
+    ["flags of the process", complete ? String(flags.length) : null],
+    ["accuracy", run.summary.accuracy],
+  ].filter(([, text]) => text);
+}
+
+/** What a reader should know first of a run: how it ended, what is wrong, what to do. */
+function notesOf(run) {
+  const { verdict, trustworthy, flags, warnings, checks, overrides } = run.summary,
+    notes = [];
+  if (run.told) notes.push([run.state === "running" ? "soft" : "bad", run.told]);
+  for (const problem of run.problems || []) notes.push(["warn", problem]);
+  if (verdict)
+    notes.push([!trustworthy ? "bad" : checks.some((check) => check.verdict !== "inside") ? "warn" : "good", verdict]);
+  for (const check of checks)
+    if (check.verdict !== "inside")
+      notes.push([
+        check.verdict === "beyond" ? "warn" : "bad",
+        `${words(check.name)} ${figure(check.value, 3)}, limit ${figure(check.limit, 3)}: ${check.sentence}`,
+      ]);
+  for (const flag of flags) notes.push(["warn", flag.sentence]);
+  for (const warning of warnings) notes.push(["warn", warning]);
+  if (overrides.length) notes.push(["soft", `set for this run: ${overrides.join(", ")}`]);
+  if (run.film && run.film.frames.length < run.film.outputs)
+    notes.push([
+      "soft",
+      `the film shows ${run.film.frames.length} of ${run.film.outputs} outputs, to keep the page small`,
+    ]);
+  return notes;
+}
+
+const stateClass = { completed: "good", running: "warn", stopped: "warn", failed: "bad", ended: "bad" };
+
+function overviewPart(runs) {
+  return part(
+    "overview",
+    "Overview",
+    ...runs.map((run) =>
+      element(
+        "div",
+        { style: { marginBottom: "0.75rem" } },
+        element(
+          "h3",
+          {},
+          element("span", { class: "mark", style: { background: seriesColour(run.index) } }),
+          run.name,
+          " ",
+          element("span", { class: `state ${stateClass[run.state] || ""}` }, run.state),
+        ),
+        element(
+          "dl",
+          { class: "tiles" },
+          ...factsOf(run).map(([name, text]) => element("div", {}, element("dt", {}, name), element("dd", {}, text))),
+        ),
+        element("ul", { class: "notes" }, ...notesOf(run).map(([kind, text]) => element("li", { class: kind }, text))),
+      ),
+    ),
+  );
+}
+
+function stageTable(runs) {
+  return element(
+    "div",
+    {},
+    ...runs
+      .filter((run) => run.stages.length)
+      .map((run) =>
+        element(
+          "div",
+          {},
+          runs.length > 1 ? element("h3", {}, run.name) : null,
+          table(
+            ["stage", number("from, s"), number("to, s"), number("lasts, s"), "ended by", "tools"],
+            run.stages.map((stage) => [
+              words(stage.name),
+              number(stage.start.toFixed(3)),
+              number(stage.end.toFixed(3)),
+              number((stage.end - stage.start).toFixed(3)),
+              stage.ended_by || "-",
+              toolsIn(run, stage).map(words).join(", "),
+            ]),
+          ),
+        ),
+      ),
+  );
+}
+
+const workColumns = [
+  ["tools_J", "by tools"],
+  ["gravity_J", "by gravity"],
+  ["air_J", "by air"],
+  ["dissipation_J", "viscous"],
+  ["friction_J", "friction"],
+  ["impact_loss_J", "impacts"],
+  ["surface_J", "surface"],
+  ["correction_J", "corrections"],
+];
+
+function workTable(runs) {
+  const rows = runs.flatMap((run) =>
+    run.summary.stages.map((stage) => [
+      runs.length > 1 ? `${run.name}: ${words(stage.name)}` : words(stage.name),
+      ...workColumns.map(([key]) => number(figure(stage.work[key], 3))),
+      number(`${figure(100 * stage.work.imbalance, 2)} %`),
+    ]),
+  );
+  return rows.length
+    ? element(
+        "div",
+        {},
+        element("h3", {}, "Work on the glass since the start, at the end of each stage, J"),
+        table(["stage", ...workColumns.map(([, label]) => number(label)), number("imbalance")], rows),
+      )
+    : null;
+}
+
+function checkPart(runs) {
+  const tables = runs
+    .filter((run) => run.summary.checks.length)
+    .map((run) =>
+      element(
+        "details",
+        { open: run.summary.checks.some((check) => check.verdict !== "inside") },
+        element("summary", {}, `${run.name}: ${run.summary.verdict || "checks"}`),
+        table(
+          ["check", number("value"), number("limit"), number("severe"), "verdict", "what it means"],
+          run.summary.checks.map((check) => [
+            words(check.name),
+            number(figure(check.value, 3)),
+            number(figure(check.limit, 3)),
+            number(figure(check.severe_limit, 3)),
+            element("span", { class: { inside: "good", beyond: "warn" }[check.verdict] || "bad" }, check.verdict),
+            check.sentence,
+          ]),
+        ),
+      ),
+    );
+  return tables.length ? part("checks", "Checks", ...tables) : null;
+}
+
+function scenePart(runs) {
+  return part(
+    "scene",
+    "Scene as understood",
+    ...runs.map((run, i) =>
+      element(
+        "details",
+        { open: i === 0 },
+        element("summary", {}, run.name),
+        run.scene
+          ? element("pre", {}, run.scene)
+          : element("p", { class: "warn" }, `The case could not be read again: ${run.scene_problem}`),
+      ),
+    ),
+  );
+}

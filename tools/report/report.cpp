@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "tools/report/data/result_folder.hpp"
+#include "tools/report/data/run_data.hpp"
+#include "tools/report/page.hpp"
+
+namespace parison::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// More could not be told apart in one plot.
+constexpr std::size_t most_folders = 6;
+constexpr double megabyte = 1e6;
+
+void check(const ReportRequest& request) {
+  if (request.folders.size() > most_folders)
+    throw core::CaseError(fmt::format("report: {} folders were found, allowed are up to {} on one page",
+                                      request.folders.size(), most_folders));
+  for (auto folder = request.folders.begin(); folder != request.folders.end(); ++folder)
+    if (std::find(request.folders.begin(), folder, *folder) != folder)
+      throw core::CaseError(fmt::format("report: {} was given twice", *folder));
+  const std::string ending = fs::path(request.output).extension().string();
+  if (!request.output.empty() && ending != ".html" && ending != ".htm")
+    throw core::CaseError(fmt::format("--output: \"{}\" was found, allowed is a file named .html", request.output));
+}
+
+}  // namespace
+
+int report(const ReportRequest& request) {
+  check(request);
+  std::string title;
+  for (const std::string& path : request.folders) {
+    const ResultFolder folder = read_folder(path);
+    title += (title.empty() ? "" : ", ") + folder.name;
+    if (!folder.told.empty()) fmt::print("{}: {}\n", path, folder.told);
+  }
+  ReportCache cache;
+  const std::string page = page_text(title, report_data(request.folders, false, cache));
+  const std::string output =
+      request.output.empty() ? (fs::path(request.folders[0]) / "report.html").string() : request.output;
+  core::replace_file(output, page);
+  fmt::print("{}: {:.1f} MB, open it in a browser\n", output, static_cast<double>(page.size()) / megabyte);
+  return 0;
+}
+
+}  // namespace parison::tools

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/report/watched_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "core/process/run_error.hpp"
+#include "tools/report/data/result_folder.hpp"
+
+namespace parison::tools {
+
+namespace fs = std::filesystem;
+
+std::string WatchedFolder::stamp() const {
+  std::string text;
+  for (const char* name : {"history.csv", "glass.pvd", "summary.json", "case/command.txt"}) {
+    std::error_code missing;
+    const fs::path file = fs::path(path_) / name;
+    const auto size = fs::file_size(file, missing);
+    const auto time = fs::last_write_time(file, missing);
+    text += missing ? "-" : fmt::format("{} {},", size, time.time_since_epoch().count());
+  }
+  const bool ended = fs::exists(fs::path(path_) / "summary.json");
+  return core::fingerprint_text(core::fingerprint(text + (ended || is_written(path_) ? "1" : "0")));
+}
+
+const std::string& WatchedFolder::data() {
+  const std::string now = stamp();
+  if (now == stamp_of_data_) return data_;
+  try {
+    data_ = is_result_folder(path_) ? report_data({path_}, true, cache_) : "null";
+    stamp_of_data_ = now;
+  } catch (const core::CaseError&) {  // the folder is being made or removed: the next look shows it
+  } catch (const core::RunError&) {
+  } catch (const fs::filesystem_error&) {
+  }
+  return data_;
+}
+
+}  // namespace parison::tools
