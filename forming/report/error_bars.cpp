@@ -11,9 +11,6 @@
 namespace parison::forming {
 namespace {
 
-/// Chosen on the scenes of tests/bars, which say how well it does on each of them left out. It is below the order of
-/// the method, because runs agree by chance and because contact comes in jumps.
-constexpr double order = 0.7;
 /// Share of the usual bar of its kind that a temperature or a heat gets at least.
 constexpr double of_usual = 0.7;
 /// No bar is narrower: share of size_of_kind.
@@ -29,16 +26,6 @@ bool is_heat(const Quantity& quantity) {
 std::string balance(const Quantity& quantity) {
   const std::string kind = quantity.name.substr(0, quantity.name.find('_'));
   return kind == "heat" || kind == "glass" ? kind : "";
-}
-
-/// The bars of a kind are alike as shares of this. Heats: between its own, of which the mesh and the steps get a
-/// share wrong, and all of it, as what one tool gets too much another lacks.
-double size_of_kind(const Quantities& run, const Quantity& quantity) {
-  if (!is_heat(quantity)) return quantity.scale;
-  double whole = 0;
-  for (const Quantity& other : run.values)
-    if (is_heat(other)) whole += other.scale;
-  return std::sqrt(quantity.scale * whole);
 }
 
 /// The bar of a quantity by the runs that have it; NaN where the run itself is the only one.
@@ -92,7 +79,15 @@ double bar_by(const Quantities& run, const std::vector<CoarserRun>& coarser, con
 }  // namespace
 
 double bar_over_difference(double factor) {
-  return 1 / (std::pow(factor, order) - 1);
+  return 1 / (std::pow(factor, bar_order) - 1);
+}
+
+double size_of_kind(const Quantities& run, const Quantity& quantity) {
+  if (!is_heat(quantity)) return quantity.scale;
+  double whole = 0;
+  for (const Quantity& other : run.values)
+    if (is_heat(other)) whole += other.scale;
+  return std::sqrt(quantity.scale * whole);
 }
 
 ErrorBars error_bars(const Quantities& run, std::vector<CoarserRun> coarser) {

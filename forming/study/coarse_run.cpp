@@ -13,9 +13,6 @@
 namespace parison::forming {
 namespace {
 
-constexpr std::array folders{"coarse_run", "coarser_run"};
-static_assert(folders.size() == coarser_factors.size());
-
 std::string summary_path(const CoarseCase& coarse) {
   return coarse.directory + "/summary.json";
 }
@@ -24,10 +21,10 @@ std::string summary_path(const CoarseCase& coarse) {
 
 std::vector<CoarseCase> coarse_cases(const Scene& scene, const std::string& directory) {
   std::vector<CoarseCase> cases;
-  for (std::size_t i = 0; i < folders.size(); ++i) {
+  for (std::size_t i = 0; i < coarse_folders.size(); ++i) {
     const double factor = coarser_factors[i];
     if (factor * scene.accuracy_choice.coarsening_factor > max_coarsening) continue;
-    cases.push_back({scene.file, coarsened_text(scene.accuracy_name, factor), directory + '/' + folders[i],
+    cases.push_back({scene.file, coarsened_text(scene.accuracy_name, factor), directory + '/' + coarse_folders[i],
                      scene.overrides, factor});
   }
   return cases;

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,10 @@
 #include "forming/scene/scene.hpp"
 
 namespace parison::forming {
+
+/// The coarser runs of a run, in folders of its own folder.
+inline constexpr std::array coarse_folders{"coarse_run", "coarser_run"};
+static_assert(coarse_folders.size() == coarser_factors.size());
 
 /// What a coarser run is run with, and where.
 struct CoarseCase {

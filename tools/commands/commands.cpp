@@ -15,6 +15,7 @@
 #include "tools/commands/run/run_command.hpp"
 #include "tools/commands/study/audit.hpp"
 #include "tools/commands/study/fit_law.hpp"
+#include "tools/comparison/compare.hpp"
 #include "tools/materials/materials.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/report/report.hpp"
@@ -120,6 +121,68 @@ void add_tradeoff(CLI::App& app, Command& chosen) {
   command->add_flag("--list", trade.list, "name the variants and run none");
 }
 
+void add_compare(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<CompareRequest>();
+  auto* command = add_command(app, "compare", "compare finished runs of a case: differences with their error bars",
+                              chosen, request, compare);
+  command->add_option("base", request->base, "result folder that the others are compared with")->required();
+  command->add_option("others", request->others, "result folders of the same case with other settings")->required();
+  command->add_option("--quantity", request->quantity, "by which the last table ranks the runs [thickness_min]");
+  command->add_option("--output", request->output, "folder for comparison.csv and .json, profiles.csv and .svg");
+}
+
+/// The variants in the order of the command line: a --set belongs to the --variant before it, one before all of them is
+/// a variant of its own.
+std::vector<forming::WhatIfVariant> variants_of(const CLI::App& command, const CLI::Option* variant,
+                                                const CLI::Option* set) {
+  std::vector<forming::WhatIfVariant> variants;
+  std::size_t names = 0, sets = 0;
+  for (const CLI::Option* option : command.parse_order()) {
+    if (option == variant) variants.push_back({variant->results().at(names++), {}});
+    if (option != set) continue;
+    const std::string& assignment = set->results().at(sets++);
+    if (names == 0)
+      variants.push_back(forming::variant_of(assignment));
+    else
+      variants.back().overrides.push_back(assignment);
+  }
+  return variants;
+}
+
+void add_what_if(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<WhatIfRequest>();
+  WhatIfRequest& asked = *request;
+  auto* command = app.add_subcommand("what-if", "run a case and changes of it, and say which differences are real");
+  command->add_option("case", asked.case_path, what_a_case_is)->required()->transform(find_case);
+  const auto* variant = command->add_option("--variant", "name of a variant; the --set behind it belong to it")
+                            ->type_name("NAME")
+                            ->take_all()
+                            ->allow_extra_args(false);
+  const auto* set = command->add_option("--set", "what is changed; without --variant each is one of its own")
+                        ->type_name("KEY=VALUE")
+                        ->take_all()
+                        ->allow_extra_args(false);
+  command->add_option("--base", asked.overrides, "KEY=VALUE for all runs, the base too")
+      ->take_all()
+      ->allow_extra_args(false);
+  auto* accuracy = command->add_option("--accuracy", asked.accuracy, "of all runs")->capture_default_str();
+  command
+      ->add_option("--resolve", asked.resolve,
+                   "choose the accuracy that lets a difference of this size be seen: 0.02mm of the thinnest wall, or "
+                   "QUANTITY=SIZE")
+      ->excludes(accuracy);
+  command->add_option("--quantity", asked.quantity, "by which the last table ranks the variants [thickness_min]");
+  command->add_option("--output", asked.output,
+                      "folder of the runs; those already there are used [results/what_if_NAME]");
+  command->add_option("--jobs", asked.jobs, "runs at once, one thread each")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  command->callback([&chosen, request, command, variant, set] {
+    request->variants = variants_of(*command, variant, set);
+    chosen = [request] { return what_if(*request); };
+  });
+}
+
 void add_fit_law(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<FitLawRequest>();
   auto* command =
@@ -191,6 +254,8 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_new(app, chosen);
   add_audit(app, chosen);
   add_tradeoff(app, chosen);
+  add_compare(app, chosen);
+  add_what_if(app, chosen);
   add_fit_law(app, chosen);
   add_export(app, chosen);
   add_report(app, chosen);

@@ -14,6 +14,8 @@ BENCHMARKS = ROOT / "tools/benchmarks/last.json"
 REFERENCES = ROOT / "tools/benchmarks/references.json"
 CALIBRATION = ROOT / "forming/scene/calibration.json"
 BARS = ROOT / "tests/bars/measured.json"
+DIFFERENCE_BARS = ROOT / "tests/bars/what_ifs_measured.json"
+DIFFERENCE_COSTS = ROOT / "tests/bars/what_if_costs.json"
 VERIFICATION = ROOT / "tests/figures.json"
 PERFECT = '"1e9 W/m2/K"'
 

@@ -63,6 +63,18 @@ def scene_bars():
     return table(["kind", "scenes", "counted", "inside", "inside, factor chosen without the scene", "bar over true error, median"], rows)
 
 
+def difference_bars():
+    found = store.read(store.DIFFERENCE_BARS, "tests/difference_bars --store")
+    rows = [[line["kind"], str(line["changes"]), str(line["count"]), f"{100 * line['inside']:.0f} %", digits(line["width"]),
+             f"{100 * line['real']:.0f} %", f"{100 * line['wrong']:.1f} %"] for line in found]
+    return table(["kind", "changes", "counted", "inside", "over the sum of both bars, median", "real", "real with the wrong sign"], rows)
+
+
+def difference_costs():
+    found = store.read(store.DIFFERENCE_COSTS, "tests/difference_costs --store")
+    return table(["what", "measured"], [[line["what"], line["measured"]] for line in found])
+
+
 def preset_orders():
     found = store.read(store.BARS, "tests/error_bars --store")["presets"]
     rows = [[line["scene"]] + [f"{digits(100 * error)} %" for error in line["errors"]] + [digits(line["order"])] for line in found]
@@ -257,5 +269,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, preset_orders, parts, model, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, preset_orders, parts, model, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, sagging, shell, bands)}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/run/resume/case_change.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -29,45 +29,61 @@ std::string joined(const std::string& path, const std::string& word) {
   return path.empty() ? word : path + '.' + word;
 }
 
-std::string first_difference(const CaseNode& before, const CaseNode& now, const std::string& path);
+constexpr std::size_t longest_value = 60;  ///< characters that are shown of a value
 
-std::string difference_of_tables(const CaseNode& before, const CaseNode& now, const std::string& path) {
+/// A value as a user reads it, the middle of a long one left out.
+std::string shown(const CaseNode& node) {
+  std::vector<std::string> items;
+  for (const CaseNode& item : node.items)
+    items.push_back(node.kind == CaseNode::Kind::table ? item.name + " = " + shown(item) : shown(item));
+  std::string text = node.kind == CaseNode::Kind::table    ? fmt::format("{{ {} }}", fmt::join(items, ", "))
+                     : node.kind == CaseNode::Kind::list   ? fmt::format("[{}]", fmt::join(items, ", "))
+                     : node.kind == CaseNode::Kind::number ? fmt::format("{:g}", node.number)
+                     : node.kind == CaseNode::Kind::flag   ? fmt::format("{}", node.flag)
+                                                           : node.text;
+  if (text.size() > longest_value) text = text.substr(0, longest_value / 2) + " ... " + text.substr(text.size() - 20);
+  return text;
+}
+
+void add_differences(const CaseNode& before, const CaseNode& now, const std::string& path,
+                     std::vector<CaseDifference>& found);
+
+void add_table_differences(const CaseNode& before, const CaseNode& now, const std::string& path,
+                           std::vector<CaseDifference>& found) {
   for (const CaseNode& item : before.items) {
-    const CaseNode* other = member(now, item.name);
-    const std::string found = other ? first_difference(item, *other, joined(path, item.name)) : joined(path, item.name);
-    if (!found.empty()) return found;
+    if (const CaseNode* other = member(now, item.name))
+      add_differences(item, *other, joined(path, item.name), found);
+    else
+      found.push_back({joined(path, item.name), shown(item), ""});
   }
   for (const CaseNode& item : now.items)
-    if (!member(before, item.name)) return joined(path, item.name);
-  return {};
+    if (!member(before, item.name)) found.push_back({joined(path, item.name), "", shown(item)});
 }
 
 /// Of the first `count` entries, and of their number below that.
-std::string difference_of_lists(const CaseNode& before, const CaseNode& now, const std::string& path,
-                                std::size_t count) {
-  for (std::size_t i = 0; i < std::min({count, before.items.size(), now.items.size()}); ++i) {
-    const std::string found = first_difference(before.items[i], now.items[i], joined(path, label(before.items[i], i)));
-    if (!found.empty()) return found;
-  }
-  return before.items.size() != now.items.size() && std::min(before.items.size(), now.items.size()) < count ? path : "";
+void add_list_differences(const CaseNode& before, const CaseNode& now, const std::string& path, std::size_t count,
+                          std::vector<CaseDifference>& found) {
+  const bool same_length = before.items.size() == now.items.size();
+  const std::size_t shorter = std::min(before.items.size(), now.items.size());
+  const bool are_tables = shorter > 0 && before.items.front().kind == CaseNode::Kind::table;
+  if (!same_length && !are_tables && shorter < count) return found.push_back({path, shown(before), shown(now)});
+  for (std::size_t i = 0; i < std::min(count, shorter); ++i)
+    add_differences(before.items[i], now.items[i], joined(path, label(before.items[i], i)), found);
+  if (!same_length && are_tables && shorter < count)
+    found.push_back(
+        {path, fmt::format("{} entries", before.items.size()), fmt::format("{} entries", now.items.size())});
 }
 
-/// Path of the first value that differs; empty where none does.
-std::string first_difference(const CaseNode& before, const CaseNode& now, const std::string& path) {
-  if (before.kind != now.kind) return path;
-  switch (before.kind) {
-    case CaseNode::Kind::table:
-      return difference_of_tables(before, now, path);
-    case CaseNode::Kind::list:
-      return difference_of_lists(before, now, path, before.items.size() + now.items.size());
-    case CaseNode::Kind::text:
-      return before.text == now.text ? "" : path;
-    case CaseNode::Kind::number:
-      return before.number == now.number ? "" : path;
-    case CaseNode::Kind::flag:
-      return before.flag == now.flag ? "" : path;
-  }
-  return path;
+/// The paths and values of all that differs.
+void add_differences(const CaseNode& before, const CaseNode& now, const std::string& path,
+                     std::vector<CaseDifference>& found) {
+  using Kind = CaseNode::Kind;
+  if (before.kind == now.kind && before.kind == Kind::table) return add_table_differences(before, now, path, found);
+  if (before.kind == now.kind && before.kind == Kind::list)
+    return add_list_differences(before, now, path, before.items.size() + now.items.size(), found);
+  const bool same =
+      before.kind == now.kind && before.text == now.text && before.number == now.number && before.flag == now.flag;
+  if (!same) found.push_back({path, shown(before), shown(now)});
 }
 
 CaseFile case_with(const std::string& path, const std::vector<std::string>& overrides) {
@@ -103,12 +119,22 @@ std::string used_change(const std::string& folder_before, const std::vector<std:
       if (!old_item || !new_item) return item.name;
       const bool are_stages =
           item.name == "stage" && old_item->kind == CaseNode::Kind::list && new_item->kind == CaseNode::Kind::list;
-      const std::string found =
-          are_stages ? difference_of_lists(*old_item, *new_item, "stage", static_cast<std::size_t>(stage) + 1)
-                     : first_difference(*old_item, *new_item, item.name);
-      if (!found.empty()) return found;
+      std::vector<CaseDifference> found;
+      if (are_stages)
+        add_list_differences(*old_item, *new_item, "stage", static_cast<std::size_t>(stage) + 1, found);
+      else
+        add_differences(*old_item, *new_item, item.name, found);
+      if (!found.empty()) return found.front().key;
     }
   return changed_outline(read_scene(folder_before, scene.accuracy_name, overrides_before), scene);
+}
+
+std::vector<CaseDifference> case_differences(const std::string& before,
+                                             const std::vector<std::string>& overrides_before, const std::string& now,
+                                             const std::vector<std::string>& overrides_now) {
+  std::vector<CaseDifference> found;
+  add_differences(case_with(before, overrides_before).root, case_with(now, overrides_now).root, "", found);
+  return found;
 }
 
 }  // namespace parison::forming

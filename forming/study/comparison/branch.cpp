@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/process/run_error.hpp"
+#include "forming/run/checkpoint.hpp"
+#include "forming/study/coarse_run.hpp"
+#include "forming/study/comparison/finished_run.hpp"
+#include "forming/study/comparison/what_if.hpp"
+
+namespace parison::forming {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether a file or folder of a run is none of another run in its folder and no result of its end.
+bool is_taken_over(const std::string& name, const std::string& stage) {
+  if (name.rfind(twin_folder, 0) == 0 || name == "summary.json") return false;
+  for (const char* folder : coarse_folders)
+    if (name.rfind(folder, 0) == 0) return false;
+  const bool is_checkpoint = name.rfind("checkpoint", 0) == 0;
+  return !is_checkpoint || name == fmt::format("checkpoint_after_{}.h5", stage);
+}
+
+/// Writes the checkpoint again with the tools warmer.
+void warm_tools(const PlannedRun& run) {
+  const CaseOrigin origin = read_origin(find_checkpoint(run.directory));
+  const Scene scene = read_scene(origin.file, origin.accuracy, origin.overrides);
+  Checkpoint checkpoint = read_checkpoint(find_checkpoint(run.directory), scene);
+  for (ToolState& tool : checkpoint.outcome.state.tools) tool.temperature.array() += twin_warmer;
+  write_checkpoint(run.directory, scene, checkpoint);
+}
+
+}  // namespace
+
+void make_branch(const PlannedRun& run) {
+  const BranchPoint& from = *run.branch;
+  std::error_code error;
+  fs::create_directories(run.directory, error);
+  for (const auto& entry : fs::directory_iterator(from.directory)) {
+    if (error) break;
+    if (is_taken_over(entry.path().filename().string(), from.stage))
+      fs::copy(entry.path(), run.directory / entry.path().filename(), fs::copy_options::recursive, error);
+  }
+  if (error) throw core::RunError(fmt::format("{}: cannot be made: {}", run.directory, error.message()));
+  return_to_stage_end(run.directory, from.stage);
+  if (from.warmer_tools) warm_tools(run);
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/comparison/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/case/case_error.hpp"
+#include "core/case/case_file.hpp"
+#include "forming/study/comparison/same_case.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr const char* thinnest = "thickness_min";
+
+/// So many digits that the bar, or the smaller of the values, shows two.
+int digits_for(double size) {
+  if (!(size > 0) || !std::isfinite(size)) return 4;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 0, 9);
+}
+
+std::string number(double value, int digits, bool sign = false) {
+  if (!std::isfinite(value)) return "-";
+  if (std::abs(value) < 0.5 * std::pow(10, -digits)) value = 0;  // and no sign of a zero
+  return sign ? fmt::format("{:+.{}f}", value, digits) : fmt::format("{:.{}f}", value, digits);
+}
+
+std::string quantity_row(const Difference& row) {
+  const double fine = std::isfinite(row.bar) ? row.bar : 1e-4 * std::max(std::abs(row.base), std::abs(row.other));
+  const int digits = digits_for(fine);
+  return fmt::format("  {:<22}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", row.name, number(row.base, digits),
+                     number(row.other, digits), number(row.difference, digits, true), number(row.bar, digits), row.unit,
+                     name_of(row.significance()));
+}
+
+std::string source_line(const RunComparison& result) {
+  if (result.bars == BarSource::none)
+    return "  no error bars: a run without coarser runs; `parison resume FOLDER --error-bars` makes them\n";
+  const std::string scatter = result.scatter == ScatterSource::twins
+                                  ? fmt::format("as {} twin run{} show{}", result.twins, result.twins == 1 ? "" : "s",
+                                                result.twins == 1 ? "s" : "")
+                                  : "as measured on other containers, since no twin run is there";
+  return fmt::format("  bars: {}; scatter {}\n",
+                     result.bars == BarSource::differences
+                         ? "the difference against that of the coarser runs, so that common errors cancel"
+                         : "those of both runs added, since no common coarser runs are there",
+                     scatter);
+}
+
+/// Where the wall differs for sure, and most.
+std::string wall_line(const ProfileComparison& walls) {
+  std::size_t sure = 0, known = 0, most = walls.bar.size();
+  for (std::size_t i = 0; i < walls.bar.size(); ++i) {
+    if (!std::isfinite(walls.bar[i])) continue;
+    ++known;
+    if (std::abs(walls.difference[i]) <= walls.bar[i]) continue;
+    ++sure;
+    if (most == walls.bar.size() || std::abs(walls.difference[i]) > std::abs(walls.difference[most])) most = i;
+  }
+  if (known == 0) return "";
+  if (sure == 0) return "  wall: nowhere different by more than its error\n";
+  return fmt::format(
+      "  wall: different for sure at {:.0f} % of its places, most at {:.3f} of the arc: {:+.3f} mm, error {:.3f}\n",
+      100 * double(sure) / double(known), double(most) / double(walls.bar.size() - 1), walls.difference[most],
+      walls.bar[most]);
+}
+
+std::string heading(const ComparedRun& other, const FinishedRun& base) {
+  std::string text = fmt::format("\n{} against {}, {} accuracy: {}\n", other.label, base.name, base.accuracy,
+                                 settings_line(other.settings));
+  if (!other.result) return text + fmt::format("  no results: {}\n", other.reason);
+  if (other.run.accuracy != base.accuracy)
+    text += fmt::format("  {} itself is of {} accuracy\n", other.label, other.run.accuracy);
+  for (const FinishedRun* run : {&base, &other.run})
+    if (!run->trustworthy)
+      text += fmt::format("  {} is not trustworthy: checks of it are far beyond their limits, see {}/summary.json\n",
+                          run->name, run->directory);
+  if (other.result->in_common > 0)
+    text += fmt::format("  the same run up to the end of stage {}\n", base.stages[other.result->in_common - 1].name);
+  return text;
+}
+
+const Difference* find_row(const ComparedRun& other, const std::string& quantity) {
+  if (other.result)
+    for (const Difference& row : other.result->quantities)
+      if (row.name == quantity) return &row;
+  return nullptr;
+}
+
+}  // namespace
+
+Comparison compare_folders(const std::string& base, const std::vector<std::string>& others) {
+  Comparison comparison{read_finished_run(base), {}};
+  if (!comparison.base.completed)
+    throw core::CaseError(fmt::format("{}: a run that stopped in {} was found, allowed as the base is a completed one",
+                                      base, comparison.base.reason));
+  for (const std::string& folder : others) {
+    FinishedRun run = read_finished_run(folder);
+    ComparedRun other{run.name, settings_that_differ(comparison.base, run), run.reason, {}};
+    if (run.completed)
+      other.result = compare_runs(comparison.base, run, stages_without_influence(comparison.base, run));
+    other.run = std::move(run);
+    comparison.others.push_back(std::move(other));
+  }
+  return comparison;
+}
+
+void require_quantity(const FinishedRun& run, const std::string& quantity) {
+  std::vector<std::string> names;
+  for (const Quantity& one : run.quantities.values) names.push_back(one.name);
+  if (!run.quantities.find(quantity) && !names.empty())
+    throw core::CaseError(fmt::format("--quantity: \"{}\" was found{}, allowed are {}", quantity,
+                                      core::did_you_mean(quantity, names), fmt::join(names, ", ")));
+}
+
+std::string comparison_tables(const Comparison& comparison) {
+  std::string text;
+  for (const ComparedRun& other : comparison.others) {
+    text += heading(other, comparison.base);
+    if (!other.result) continue;
+    text += fmt::format("  {:<22}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", "quantity", "base", "other", "difference",
+                        "error bar", "unit", "verdict");
+    for (const Difference& row : other.result->quantities) text += quantity_row(row);
+    text += wall_line(other.result->profile) + source_line(*other.result);
+  }
+  return text;
+}
+
+std::string ranked_quantity(const Comparison& comparison) {
+  const auto& values = comparison.base.quantities.values;
+  return values.empty() || comparison.base.quantities.find(thinnest) ? thinnest : values.front().name;
+}
+
+std::string ranking_table(const Comparison& comparison, const std::string& quantity) {
+  const Quantity* base = comparison.base.quantities.find(quantity);
+  if (!base) return fmt::format("\n{} has no {}\n", comparison.base.name, quantity);
+  std::vector<const ComparedRun*> order;
+  std::size_t width = 8;
+  for (const ComparedRun& other : comparison.others) {
+    order.push_back(&other);
+    width = std::max(width, other.label.size());
+  }
+  const auto change = [&](const ComparedRun* run) {
+    const Difference* row = find_row(*run, quantity);
+    return row ? row->difference : -std::numeric_limits<double>::infinity();
+  };
+  std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return change(a) > change(b); });
+  std::string text = fmt::format("\n{} is {:.5g} {} in {}; each change, the largest rise first:\n", quantity,
+                                 base->value, base->unit, comparison.base.name);
+  for (const ComparedRun* run : order) {
+    const Difference* row = find_row(*run, quantity);
+    if (!row) {
+      text += fmt::format("  {:<{}}  no result: {}\n", run->label, width,
+                          run->reason.empty() ? "it does not have this quantity" : run->reason);
+      continue;
+    }
+    const int digits = digits_for(row->bar);
+    text +=
+        fmt::format("  {:<{}}  {:>10} {}{}: {}", run->label, width, number(row->difference, digits, true), row->unit,
+                    std::isfinite(row->bar) ? " +- " + number(row->bar, digits) : "", name_of(row->significance()));
+    if (row->significance() == Significance::real)
+      text += fmt::format(", for sure {} by at least {} {}", row->difference > 0 ? "more" : "less",
+                          number(std::abs(row->difference) - row->bar, digits), row->unit);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace parison::forming

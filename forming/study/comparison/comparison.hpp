@@ -1,0 +1,46 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forming/run/resume/case_change.hpp"
+#include "forming/study/comparison/difference.hpp"
+
+namespace parison::forming {
+
+/// A run beside the base.
+struct ComparedRun {
+  std::string label;
+  std::vector<CaseDifference> settings;  ///< in which it differs from the base
+  std::string reason;                    ///< why it has no results; empty with them
+  std::optional<RunComparison> result;
+  FinishedRun run = {};
+};
+
+struct Comparison {
+  FinishedRun base;
+  std::vector<ComparedRun> others;
+};
+
+/// Compares result folders; throws core::CaseError where the base has not come to its end, a folder is none of a run
+/// that has ended, or is of another case. Another run that stopped on its way is kept with its reason.
+Comparison compare_folders(const std::string& base, const std::vector<std::string>& others);
+
+/// Throws core::CaseError where a run does not have a quantity, with those that it has.
+void require_quantity(const FinishedRun& run, const std::string& quantity);
+
+/// The tables for the terminal: of each run all quantities; then of each run what it does to the thinnest wall, or to
+/// the quantity that is named.
+std::string comparison_tables(const Comparison& comparison);
+std::string ranking_table(const Comparison& comparison, const std::string& quantity);
+/// The quantity of that table where none is named: the thinnest wall, else the first quantity.
+std::string ranked_quantity(const Comparison& comparison);
+
+/// Writes comparison.csv, comparison.json, profiles.csv and profiles.svg, the last two where there is a wall.
+void write_comparison(const Comparison& comparison, const std::string& folder);
+
+/// The walls over each other and their differences from the base with error bars, as SVG; empty without a wall.
+std::string profile_plot(const Comparison& comparison);
+
+}  // namespace parison::forming

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/io/files.hpp"
+#include "core/io/json.hpp"
+#include "core/process/run_error.hpp"
+#include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/same_case.hpp"
+
+namespace parison::forming {
+namespace {
+
+std::string csv_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "nan";
+}
+
+std::string quantities_csv(const Comparison& comparison) {
+  std::string text = "run,settings,quantity,unit,base,other,difference,error_bar,scatter,verdict\n";
+  for (const ComparedRun& other : comparison.others) {
+    const std::string run = core::csv_text(other.label) + ',' + core::csv_text(settings_line(other.settings)) + ',';
+    if (!other.result) {
+      text += run + ",,nan,nan,nan,nan,nan," + core::csv_text("no results: " + other.reason) + '\n';
+      continue;
+    }
+    for (const Difference& row : other.result->quantities)
+      text += run + fmt::format("{},{},{},{},{},{},{},{}\n", row.name, core::csv_text(row.unit), csv_number(row.base),
+                                csv_number(row.other), csv_number(row.difference), csv_number(row.bar),
+                                csv_number(row.scatter), name_of(row.significance()));
+  }
+  return text;
+}
+
+void add_run(core::JsonWriter& json, const ComparedRun& other) {
+  json.open_object("");
+  json.add("run", other.label);
+  json.add("folder", other.run.directory);
+  json.open_list("settings");
+  for (const CaseDifference& setting : other.settings) {
+    json.open_object("");
+    json.add("key", setting.key);
+    json.add("base", setting.before);
+    json.add("other", setting.now);
+    json.close();
+  }
+  json.close();
+  json.add("completed", other.result.has_value());
+  json.add("reason", other.reason);
+  if (other.result) {
+    json.add("stages_in_common", static_cast<long>(other.result->in_common));
+    json.add("twins", static_cast<long>(other.result->twins));
+    json.open_object("quantities");
+    for (const Difference& row : other.result->quantities) {
+      json.open_object(row.name);
+      json.add("unit", row.unit);
+      json.add("base", row.base);
+      json.add("other", row.other);
+      json.add("difference", row.difference);
+      json.add("error_bar", row.bar);
+      json.add("scatter", row.scatter);
+      json.add("bars_added", row.added);
+      json.add("scale", row.scale);
+      json.add("verdict", name_of(row.significance()));
+      json.close();
+    }
+    json.close();
+  }
+  json.close();
+}
+
+std::string comparison_json(const Comparison& comparison) {
+  core::JsonWriter json;
+  json.add("base", comparison.base.directory);
+  json.add("accuracy", comparison.base.accuracy);
+  json.open_list("runs");
+  for (const ComparedRun& other : comparison.others) add_run(json, other);
+  json.close();
+  return json.finish();
+}
+
+/// Empty without a wall.
+std::string profiles_csv(const Comparison& comparison) {
+  const auto& base = comparison.base.quantities.profile;
+  if (base.empty()) return "";
+  std::string text = "share_of_arc,base_mm";
+  std::vector<const ProfileComparison*> walls;
+  for (const ComparedRun& other : comparison.others)
+    if (other.result && !other.result->profile.other.empty()) {
+      walls.push_back(&other.result->profile);
+      text += ',' + core::csv_text(other.label + "_mm") + ',' + core::csv_text(other.label + "_difference_mm") + ',' +
+              core::csv_text(other.label + "_error_bar_mm");
+    }
+  text += '\n';
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    text += fmt::format("{:.4f},{}", double(i) / double(base.size() - 1), csv_number(base[i]));
+    for (const ProfileComparison* wall : walls)
+      text += fmt::format(",{},{},{}", csv_number(wall->other[i]), csv_number(wall->difference[i]),
+                          csv_number(wall->bar[i]));
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+void write_comparison(const Comparison& comparison, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw core::RunError(fmt::format("{}: cannot be made: {}", folder, error.message()));
+  core::replace_file(folder + "/comparison.csv", quantities_csv(comparison));
+  core::replace_file(folder + "/comparison.json", comparison_json(comparison));
+  const std::string profiles = profiles_csv(comparison), plot = profile_plot(comparison);
+  if (!profiles.empty()) core::replace_file(folder + "/profiles.csv", profiles);
+  if (!plot.empty()) core::replace_file(folder + "/profiles.svg", plot);
+}
+
+}  // namespace parison::forming

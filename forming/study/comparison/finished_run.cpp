@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/comparison/finished_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "core/io/json_read.hpp"
+#include "forming/scene/accuracy.hpp"
+#include "forming/study/coarse_run.hpp"
+
+namespace parison::forming {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string summary_path(const std::string& directory) {
+  return directory + "/summary.json";
+}
+
+std::string last_word(const std::string& directory) {
+  const fs::path path = fs::path(directory).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+void add_numbers(const core::JsonValue& value, std::vector<double>& numbers) {
+  if (std::isfinite(value.number)) numbers.push_back(value.number);
+  for (const core::JsonValue& item : value.items) add_numbers(item, numbers);
+}
+
+std::vector<StageMark> read_stages(const core::JsonValue& summary) {
+  std::vector<StageMark> stages;
+  if (const core::JsonValue* list = summary.find("stages"))
+    for (const core::JsonValue& stage : list->items) {
+      stages.push_back({stage.text_of("name"), {}});
+      add_numbers(stage, stages.back().numbers);
+    }
+  return stages;
+}
+
+/// The run of a folder alone; nothing where it has not ended.
+std::optional<FinishedRun> read_run(const std::string& directory) {
+  const std::string path = summary_path(directory);
+  std::error_code unreadable;
+  if (!fs::exists(path, unreadable)) return std::nullopt;
+  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  FinishedRun run;
+  run.directory = directory;
+  run.name = last_word(directory);
+  run.accuracy = summary.text_of("accuracy");
+  run.completed = summary.flag_of("completed");
+  run.trustworthy = !summary.find("trustworthy") || summary.flag_of("trustworthy");
+  run.reason = summary.text_of("reason");
+  run.quantities = read_quantities(summary);
+  run.stages = read_stages(summary);
+  if (const core::JsonValue* overrides = summary.find("overrides"))
+    for (const core::JsonValue& assignment : overrides->items) run.overrides.push_back(assignment.text);
+  return run;
+}
+
+/// Those that came to their end.
+std::vector<Twin> read_twins(const FinishedRun& run) {
+  std::vector<Twin> twins;
+  const auto add = [&](const std::string& folder, std::size_t stages) {
+    if (const auto twin = read_run(run.directory + '/' + folder); twin && twin->completed)
+      twins.push_back({stages, twin->quantities});
+  };
+  add(twin_folder, 0);
+  for (std::size_t i = 0; i < run.stages.size(); ++i) add(twin_after + run.stages[i].name, i + 1);
+  return twins;
+}
+
+/// Of a run that is `text` against one that is `reference`; nothing where they differ in more than that.
+std::optional<double> coarsening(const std::string& text, const std::string& reference) {
+  const AccuracyChoice a = read_accuracy(text), b = read_accuracy(reference);
+  if (a.target || b.target || a.level != b.level) return std::nullopt;
+  return a.coarsening_factor / b.coarsening_factor;
+}
+
+/// Error bars of a run alone, by its coarser runs.
+void add_errors(FinishedRun& run) {
+  std::vector<CoarserRun> coarser;
+  for (const FinishedRun& one : run.coarser) coarser.push_back({one.factor, one.quantities});
+  run.quantities = error_bars(run.quantities, coarser).quantities;
+}
+
+}  // namespace
+
+FinishedRun read_finished_run(const std::string& directory) {
+  auto run = read_run(directory);
+  if (!run)
+    throw core::CaseError(
+        fmt::format("{}: no summary.json was found, allowed is the result folder of a run that has ended", directory));
+  run->twins = read_twins(*run);
+  for (const char* folder : coarse_folders) {
+    auto coarser = read_run(directory + '/' + folder);
+    if (!coarser || !coarser->completed) continue;
+    const auto factor = coarsening(coarser->accuracy, run->accuracy);
+    if (!factor || *factor <= 1) continue;
+    coarser->factor = *factor;
+    coarser->twins = read_twins(*coarser);
+    run->coarser.push_back(std::move(*coarser));
+  }
+  if (!run->coarser.empty()) add_errors(*run);
+  return *run;
+}
+
+const FinishedRun* coarser_by(const FinishedRun& run, double factor) {
+  for (const FinishedRun& coarser : run.coarser)
+    if (std::abs(coarser.factor / factor - 1) < 1e-6) return &coarser;
+  return nullptr;
+}
+
+std::size_t stages_in_common(const FinishedRun& a, const FinishedRun& b) {
+  std::size_t count = 0;
+  while (count < std::min(a.stages.size(), b.stages.size()) && a.stages[count].name == b.stages[count].name &&
+         a.stages[count].numbers == b.stages[count].numbers)
+    ++count;
+  return count;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,51 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forming/report/quantities.hpp"
+
+namespace parison::forming {
+
+/// Twins of a run: the same with tools a little warmer, from the start or from the end of a stage. They lie in folders
+/// of the run's folder.
+inline constexpr const char* twin_folder = "twin";
+inline constexpr const char* twin_after = "twin_after_";  ///< with the name of the stage behind it
+
+/// A stage as it ended: numbers that are the same, to the last bit, where two runs went the same way.
+struct StageMark {
+  std::string name;
+  std::vector<double> numbers;
+};
+
+/// The quantities of a run that went the way of another one but for what cannot matter.
+struct Twin {
+  std::size_t stages;  ///< after how many stages it began to differ
+  Quantities quantities;
+};
+
+/// A result folder as a comparison sees it.
+struct FinishedRun {
+  std::string directory, name;  ///< the last word of the folder
+  std::string accuracy;
+  std::vector<std::string> overrides;
+  bool completed = false, trustworthy = true;
+  std::string reason;  ///< why it has not completed
+  Quantities quantities;
+  std::vector<StageMark> stages;
+  std::vector<Twin> twins;
+  double factor = 1;                 ///< edges and steps over those of the run that this is a coarser one of
+  std::vector<FinishedRun> coarser;  ///< its coarser runs that came to their end
+};
+
+/// Reads a result folder with its coarser runs and twins; throws core::CaseError where it has no summary.
+FinishedRun read_finished_run(const std::string& directory);
+
+/// A coarser run of a run by its factor; null without one.
+const FinishedRun* coarser_by(const FinishedRun& run, double factor);
+
+/// The number of stages, from the first, in which two runs went the same way to the last bit.
+std::size_t stages_in_common(const FinishedRun& a, const FinishedRun& b);
+
+}  // namespace parison::forming

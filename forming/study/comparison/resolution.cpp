@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/comparison/resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/case/case_error.hpp"
+#include "core/case/units.hpp"
+#include "forming/scene/accuracy.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* usual_quantity = "thickness_min";
+constexpr double first_factor = 2;  ///< of the draft preset's edges and steps
+/// Bars shrink like edges and steps, as far as scatter lets them; the next round aims below the target.
+constexpr double aim = 0.75, least_refinement = 1.3, most_refinement = 2.5;
+constexpr int most_rounds = 6;
+
+/// Size of the units of quantities, SI, and their dimensions.
+struct QuantityUnit {
+  double size;
+  core::Dimension dimension;
+};
+const std::map<std::string, QuantityUnit>& quantity_units() {
+  static const std::map<std::string, QuantityUnit> units{{"mm", {1e-3, core::dimension::length}},
+                                                         {"s", {1, core::dimension::time}},
+                                                         {"N", {1, core::dimension::force}},
+                                                         {"degC", {1, core::dimension::temperature_difference}}};
+  return units;
+}
+
+[[noreturn]] void refuse_size(const std::string& wanted, const std::string& problem) {
+  throw core::CaseError(
+      fmt::format("--resolve: \"{}\" was found, {}; allowed are a length of the wall such as \"0.02 mm\" or "
+                  "QUANTITY=SIZE with a quantity of the case in its unit",
+                  wanted, problem));
+}
+
+/// The size in the unit of the quantity.
+double read_size(const std::string& size, const std::string& unit, const std::string& wanted) {
+  double value = none;
+  if (const auto known = quantity_units().find(unit); known != quantity_units().end()) {
+    const core::ParsedQuantity parsed = core::parse_quantity(size, known->second.dimension);
+    if (!parsed.problem.empty()) refuse_size(wanted, parsed.problem);
+    value = parsed.value / known->second.size;
+  } else {
+    char* end = nullptr;
+    value = std::strtod(size.c_str(), &end);
+    std::string rest = end;
+    rest.erase(std::remove(rest.begin(), rest.end(), ' '), rest.end());
+    if (end == size.c_str() || (!rest.empty() && rest != unit))
+      refuse_size(wanted, fmt::format("but the unit of this quantity is {}", unit));
+  }
+  if (!(value > 0)) refuse_size(wanted, "which is not above zero");
+  return value;
+}
+
+}  // namespace
+
+ResolutionControl::ResolutionControl(const std::string& wanted)
+    : wanted_(wanted), factor_(none), next_factor_(first_factor), target_(none), bar_(none) {
+  const auto equals = wanted.find('=');
+  quantity_ = equals == wanted.npos ? usual_quantity : wanted.substr(0, equals);
+  size_ = equals == wanted.npos ? wanted : wanted.substr(equals + 1);
+  if (quantity_ == usual_quantity) target_ = read_size(size_, "mm", wanted_);  // before anything runs
+}
+
+std::string ResolutionControl::accuracy() const {
+  return fmt::format("draft coarser {:.3g}", next_factor_);
+}
+
+void ResolutionControl::add(const Comparison& comparison) {
+  const Quantity* base = comparison.base.quantities.find(quantity_);
+  if (!base) refuse_size(wanted_, fmt::format("but the case has no {}", quantity_));
+  unit_ = base->unit;
+  target_ = read_size(size_, unit_, wanted_);
+  bar_ = none;
+  for (const ComparedRun& other : comparison.others)
+    if (other.result)
+      for (const Difference& row : other.result->quantities)
+        if (row.name == quantity_) bar_ = std::fmax(bar_, row.bar);
+  factor_ = next_factor_;
+  ++rounds_;
+  const double finer =
+      std::isfinite(bar_) ? std::clamp(bar_ / (aim * target_), least_refinement, most_refinement) : most_refinement;
+  next_factor_ = factor_ / finer;
+}
+
+bool ResolutionControl::reached() const {
+  return bar_ <= target_;
+}
+
+bool ResolutionControl::finished() const {
+  return reached() || rounds_ >= most_rounds || next_factor_ < min_coarsening;
+}
+
+}  // namespace parison::forming

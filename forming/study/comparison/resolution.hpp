@@ -1,0 +1,37 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "forming/study/comparison/comparison.hpp"
+
+namespace parison::forming {
+
+/// Finds the accuracy at which a difference of a given size is larger than its error bar, from the bars of coarser
+/// rounds.
+class ResolutionControl {
+ public:
+  /// "0.02mm" of the thinnest wall, or "heat_blank=50 J" of another quantity.
+  explicit ResolutionControl(const std::string& wanted);
+
+  /// Of the next round.
+  std::string accuracy() const;
+  /// The comparison of a round. Throws core::CaseError where it does not have the quantity or its unit is another.
+  void add(const Comparison& comparison);
+  bool reached() const;
+  /// Whether there is nothing more to run: reached, or out of reach.
+  bool finished() const;
+
+  const std::string& quantity() const { return quantity_; }
+  const std::string& unit() const { return unit_; }
+  double target() const { return target_; }  ///< in that unit
+  double bar() const { return bar_; }        ///< the largest of the last round
+  int rounds() const { return rounds_; }
+
+ private:
+  std::string wanted_, quantity_, size_, unit_;
+  double factor_, next_factor_;  ///< edges and steps of the last round and the next, in units of those of draft
+  double target_, bar_;
+  int rounds_ = 0;
+};
+
+}  // namespace parison::forming

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/comparison/same_case.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/case/case_error.hpp"
+#include "forming/report/files/case_copy.hpp"
+#include "forming/study/comparison/what_if.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr std::size_t shown_settings = 6;
+
+Scene scene_in(const FinishedRun& run) {
+  const std::string folder = case_copy_folder(run.directory);
+  std::error_code unreadable;
+  if (!std::filesystem::exists(folder + "/case.toml", unreadable))
+    throw core::CaseError(
+        fmt::format("{}: no copy of its case was found, allowed are folders with a case/case.toml, by which it is "
+                    "decided whether runs are of the same case",
+                    run.directory));
+  return read_scene(folder, run.accuracy, run.overrides);
+}
+
+std::string names_of(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// What makes a case the one it is, whatever its settings: a title and a value each.
+std::vector<std::pair<std::string, std::string>> identity_of(const Scene& scene) {
+  std::vector<std::string> tools, stages;
+  for (const Tool& tool : scene.tools) tools.push_back(tool.name);
+  for (const Stage& stage : scene.stages) stages.push_back(stage.name);
+  return {{"case", scene.name},
+          {"geometry", scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar"},
+          {"tools", names_of(tools)},
+          {"stages", names_of(stages)}};
+}
+
+}  // namespace
+
+std::vector<CaseDifference> settings_that_differ(const FinishedRun& base, const FinishedRun& other) {
+  const Scene a = scene_in(base), b = scene_in(other);
+  const auto expected = identity_of(a), found = identity_of(b);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (found[i].second != expected[i].second)
+      throw core::CaseError(
+          fmt::format("{}: {} {} was found in the copy of its case, where {} has {}; allowed are runs of the same case "
+                      "up to the values of its settings",
+                      other.directory, found[i].first, found[i].second, base.directory, expected[i].second));
+  auto settings = case_differences(case_copy_folder(base.directory), base.overrides, case_copy_folder(other.directory),
+                                   other.overrides);
+  if (settings.empty() && a.fingerprint != b.fingerprint)
+    settings.push_back({"a drawing or the text of the case", "", ""});
+  return settings;
+}
+
+std::size_t stages_without_influence(const FinishedRun& base, const FinishedRun& other) {
+  const Scene a = scene_in(base), b = scene_in(other);
+  if (a.fingerprint == b.fingerprint) return a.stages.size();
+  const auto last = last_common_stage(a, b);
+  std::size_t count = 0;
+  while (last && a.stages[count].name != *last) ++count;
+  return last ? count + 1 : 0;
+}
+
+std::string settings_line(const std::vector<CaseDifference>& settings) {
+  if (settings.empty()) return "the same settings";
+  std::string line;
+  for (std::size_t i = 0; i < std::min(settings.size(), shown_settings); ++i) {
+    const CaseDifference& setting = settings[i];
+    line += (i > 0 ? "; " : "") + setting.key;
+    if (!setting.before.empty() || !setting.now.empty())
+      line += fmt::format(": {} -> {}", setting.before.empty() ? "absent" : setting.before,
+                          setting.now.empty() ? "absent" : setting.now);
+  }
+  if (settings.size() > shown_settings) line += fmt::format("; {} more", settings.size() - shown_settings);
+  return line;
+}
+
+}  // namespace parison::forming

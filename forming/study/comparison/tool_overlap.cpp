@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/comparison/tool_overlap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "forming/scene/read/tolerances.hpp"
+
+namespace parison::forming {
+namespace {
+
+struct Overlap {
+  double depth = 0;  ///< m
+  core::Point at = core::Point::Zero();
+};
+
+/// Of the outline of `inner` inside `outer`, each where it starts.
+Overlap deepest_inside(const Tool& inner, const Tool& outer, double touching) {
+  const core::Point shift = (inner.position - outer.position) * core::axis_direction();
+  const double step = core::size(inner.profile) / 500;
+  Overlap deepest;
+  for (const core::Point& x : core::polyline(inner.profile, step, touching / 2)) {
+    if (!core::contains(outer.profile, x + shift)) continue;
+    const double depth = core::distance(outer.profile, x + shift);
+    if (depth > deepest.depth) deepest = {depth, x + inner.position * core::axis_direction()};
+  }
+  return deepest;
+}
+
+double touching_of(const Tool& a, const Tool& b) {
+  return tolerance::initial_overlap * std::max(core::size(a.profile), core::size(b.profile));
+}
+
+/// What counts as no more than contact is no overlap.
+Overlap overlap_of(const Scene& scene, Index a, Index b) {
+  const Tool &first = scene.tools[a], &second = scene.tools[b];
+  const double touching = touching_of(first, second);
+  const Overlap one = deepest_inside(first, second, touching), other = deepest_inside(second, first, touching);
+  const Overlap& deepest = one.depth > other.depth ? one : other;
+  return deepest.depth > touching ? deepest : Overlap{};
+}
+
+}  // namespace
+
+std::string new_tool_overlap(const Scene& base, const Scene& changed) {
+  std::set<Index> moved;
+  std::set<std::pair<Index, Index>> seen;
+  for (const Stage& stage : changed.stages) {
+    for (const StageTool& tool : stage.tools)
+      if (!std::holds_alternative<std::monostate>(tool.motion)) moved.insert(tool.tool);
+    for (const StageTool& one : stage.tools)
+      for (const StageTool& other : stage.tools) {
+        const Index a = one.tool, b = other.tool;
+        if (a >= b || moved.count(a) + moved.count(b) > 0 || !seen.insert({a, b}).second) continue;
+        const Overlap found = overlap_of(changed, a, b);
+        if (found.depth > 0 && overlap_of(base, a, b).depth == 0)
+          return fmt::format(
+              "tools \"{}\" and \"{}\" overlap by {:.3g} mm, near ({:g}, {:g}) mm, in stage {}, where those of the "
+              "base do "
+              "not; allowed is contact to within {:.2g} mm",
+              changed.tools[a].name, changed.tools[b].name, 1e3 * found.depth, 1e3 * found.at[0], 1e3 * found.at[1],
+              stage.name, 1e3 * touching_of(changed.tools[a], changed.tools[b]));
+      }
+  }
+  return {};
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/comparison/what_if.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "core/case/case_error.hpp"
+#include "forming/run/stage.hpp"
+#include "forming/study/coarse_run.hpp"
+#include "forming/study/comparison/finished_run.hpp"
+#include "forming/study/comparison/tool_overlap.hpp"
+
+namespace parison::forming {
+namespace {
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// Reads a case and tries whether its first stage can begin.
+Scene checked_scene(const WhatIf& what_if, const std::vector<std::string>& overrides) {
+  Scene scene = read_scene(what_if.case_path, what_if.accuracy, overrides);
+  if (const std::string reason = first_stage_failure(scene); !reason.empty())
+    throw core::CaseError(
+        fmt::format("{}: stage {} cannot begin: {}", what_if.case_path, scene.stages.front().name, reason));
+  return scene;
+}
+
+/// The same of a variant, whose tools must not overlap anew; what is refused carries its name.
+Scene checked_variant(const WhatIf& what_if, const Scene& base, const WhatIfVariant& variant) {
+  try {
+    Scene scene = checked_scene(what_if, joined(what_if.overrides, variant.overrides));
+    if (const std::string overlap = new_tool_overlap(base, scene); !overlap.empty()) throw core::CaseError(overlap);
+    return scene;
+  } catch (const core::CaseError& error) {
+    throw core::CaseError(
+        fmt::format("variant {} ({}): {}", variant.name, fmt::join(variant.overrides, ", "), error.what()));
+  }
+}
+
+void require_names(const std::vector<WhatIfVariant>& variants) {
+  if (variants.empty()) throw core::CaseError("what-if: no variant was found, allowed is at least one --set KEY=VALUE");
+  std::set<std::string> names{base_name};
+  for (const WhatIfVariant& variant : variants) {
+    const bool is_plain = !variant.name.empty() && variant.name[0] != '.' &&
+                          std::all_of(variant.name.begin(), variant.name.end(), [](unsigned char c) {
+                            return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == '+';
+                          });
+    if (!is_plain)
+      throw core::CaseError(fmt::format(
+          "--variant: \"{}\" was found, allowed are letters, digits, '_', '-', '+' and '.' inside", variant.name));
+    if (!names.insert(variant.name).second)
+      throw core::CaseError(
+          fmt::format("--variant: \"{}\" was found twice, allowed are names of their own, none of them \"{}\"",
+                      variant.name, base_name));
+    if (variant.overrides.empty())
+      throw core::CaseError(
+          fmt::format("variant {}: nothing that it changes was found, allowed is at least one --set KEY=VALUE after "
+                      "--variant {}",
+                      variant.name, variant.name));
+  }
+}
+
+/// The assignments of a twin from the start; empty where no tool carries heat from a uniform temperature.
+std::vector<std::string> warmer_tools(const Scene& scene) {
+  std::vector<std::string> overrides;
+  for (const Tool& tool : scene.tools)
+    if (tool.thermal && !tool.start_field)
+      overrides.push_back(
+          fmt::format("tool.{}.temperature={:.9g} K", tool.name, tool.initial_temperature + twin_warmer));
+  return overrides;
+}
+
+/// A run and its coarser ones; `stage` where they begin as those of the base had it at its end.
+void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scene,
+              const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
+  const std::string base = what_if.directory + '/' + base_name, own = what_if.directory + '/' + label;
+  const auto branch = [&](const std::string& folder) {
+    return stage ? std::optional(BranchPoint{base + folder, *stage}) : std::nullopt;
+  };
+  runs.push_back({label, own, scene.accuracy_name, scene.overrides, branch(""), ""});
+  for (const CoarseCase& coarse : coarse_cases(scene, own))
+    runs.push_back({fmt::format("{}, {:g} times coarser", label, coarse.factor), coarse.directory, coarse.accuracy,
+                    scene.overrides, branch(coarse.directory.substr(own.size())), own});
+}
+
+/// A twin of each coarser run of the base from each point at which variants leave it.
+void add_twins(const WhatIf& what_if, const Scene& scene, const std::set<std::optional<std::string>>& stages,
+               std::vector<PlannedRun>& runs) {
+  const std::vector<std::string> warmer = warmer_tools(scene);
+  if (warmer.empty()) return;
+  for (const CoarseCase& coarse : coarse_cases(scene, what_if.directory + '/' + base_name))
+    for (const auto& stage : stages) {
+      PlannedRun twin{
+          fmt::format("twin of {}, {:g} times coarser{}", base_name, coarse.factor, stage ? ", after " + *stage : ""),
+          coarse.directory + '/' + (stage ? twin_after + *stage : twin_folder),
+          coarse.accuracy,
+          stage ? scene.overrides : joined(scene.overrides, warmer),
+          stage ? std::optional(BranchPoint{coarse.directory, *stage, true}) : std::nullopt,
+          coarse.directory};
+      runs.push_back(std::move(twin));
+    }
+}
+
+}  // namespace
+
+WhatIfVariant variant_of(const std::string& assignment) {
+  constexpr std::size_t longest = 60;
+  std::string name;
+  for (const char c : assignment.substr(0, longest)) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' || c == '+';
+    if (plain || (!name.empty() && name.back() != '_')) name += plain ? c : '_';
+  }
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return {name, {assignment}};
+}
+
+std::optional<std::string> last_common_stage(const Scene& base, const Scene& changed) {
+  for (Index stage = static_cast<Index>(base.stages.size()) - 2; stage >= 0; --stage)
+    if (used_change(base.file, base.overrides, changed, stage).empty())
+      return base.stages[static_cast<std::size_t>(stage)].name;
+  return std::nullopt;
+}
+
+std::vector<PlannedRun> plan_runs(const WhatIf& what_if) {
+  require_names(what_if.variants);
+  const Scene base = checked_scene(what_if, what_if.overrides);
+  std::vector<PlannedRun> runs;
+  add_runs(what_if, base_name, base, std::nullopt, runs);
+  std::vector<Scene> scenes;
+  std::set<std::optional<std::string>> stages;
+  for (const WhatIfVariant& variant : what_if.variants) {
+    scenes.push_back(checked_variant(what_if, base, variant));
+    stages.insert(last_common_stage(base, scenes.back()));
+  }
+  add_twins(what_if, base, stages, runs);
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    add_runs(what_if, what_if.variants[i].name, scenes[i], last_common_stage(base, scenes[i]), runs);
+  return runs;
+}
+
+std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant) {
+  return case_differences(what_if.case_path, what_if.overrides, what_if.case_path,
+                          joined(what_if.overrides, variant.overrides));
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,64 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forming/run/resume/case_change.hpp"
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// A change of a case whose effect is asked for.
+struct WhatIfVariant {
+  std::string name;  ///< also of its folder
+  std::vector<std::string> overrides;
+};
+
+/// A variant of one assignment, named by it.
+WhatIfVariant variant_of(const std::string& assignment);
+
+/// A case at an accuracy, and changes of it.
+struct WhatIf {
+  std::string case_path, accuracy, directory;
+  std::vector<std::string> overrides;  ///< of all runs, the base too
+  std::vector<WhatIfVariant> variants;
+};
+
+/// The folder of the base below that of a what-if, and its name in tables.
+inline constexpr const char* base_name = "base";
+
+/// A run that begins with what another one had at the end of a stage.
+struct BranchPoint {
+  std::string directory;  ///< of that run
+  std::string stage;
+  bool warmer_tools = false;  ///< a twin: its tools are warmer by twin_warmer
+};
+
+/// A run of a what-if.
+struct PlannedRun {
+  std::string label, directory, accuracy;
+  std::vector<std::string> overrides;  ///< with those of all runs
+  std::optional<BranchPoint> branch;   ///< none: from the start
+  std::string inside;                  ///< folder of the run whose own it lies in; empty for none
+};
+
+/// A tool warmer by this makes remeshing and contact decide otherwise and changes nothing else, K.
+inline constexpr double twin_warmer = 0.01;
+
+/// The last stage after which a changed case may take up a run of another case: all that the run has used up to its end
+/// is the same. None where that is not so of the first stage, or no stage follows.
+std::optional<std::string> last_common_stage(const Scene& base, const Scene& changed);
+
+/// The runs of a what-if, those that others need before them: base and variants, a coarser run of each for the error
+/// bars, twins of the coarser runs of the base. Throws core::CaseError where the base or a variant is refused, with the
+/// name of the variant before the sentence: all is read, and the first stage tried, before anything runs.
+std::vector<PlannedRun> plan_runs(const WhatIf& what_if);
+
+/// What a variant changes against the base, value by value.
+std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant);
+
+/// Makes the folder of a run that begins at a branch point: a checkpoint to resume from, and the files up to there.
+void make_branch(const PlannedRun& run);
+
+}  // namespace parison::forming

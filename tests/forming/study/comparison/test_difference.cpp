@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/case/case_error.hpp"
+#include "forming/report/error_bars.hpp"
+#include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/resolution.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// A run whose only quantity, and whose even wall, have this value.
+FinishedRun run_with(double value, const std::string& accuracy = "draft") {
+  FinishedRun run;
+  run.name = "run";
+  run.accuracy = accuracy;
+  run.completed = true;
+  run.quantities.values.push_back({"thickness_min", "mm", value, 2});
+  run.quantities.profile.assign(profile_points, value);
+  run.stages = {{"press", {1}}, {"blow", {value}}};
+  return run;
+}
+
+/// With coarser runs that have these values, 1.5 and 3 times as coarse.
+FinishedRun run_with(double value, double coarse, double coarser) {
+  FinishedRun run = run_with(value);
+  run.coarser = {run_with(coarse, "draft coarser 1.5"), run_with(coarser, "draft coarser 3")};
+  run.coarser[0].factor = 1.5;
+  run.coarser[1].factor = 3;
+  return run;
+}
+
+const Difference& wall(const RunComparison& comparison) {
+  return comparison.quantities.at(0);
+}
+
+Twin twin_with(double value, std::size_t stages) {
+  return {stages, run_with(value).quantities};
+}
+
+TEST(Difference, the_error_that_both_runs_have_cancels) {
+  FinishedRun base = run_with(2, 2.3, 2.9), other = run_with(2.1, 2.4, 3.0);
+  base.twins = {twin_with(2.0001, 0)};
+  const RunComparison comparison = compare_runs(base, other);
+  EXPECT_EQ(comparison.bars, BarSource::differences);
+  EXPECT_NEAR(wall(comparison).difference, 0.1, 1e-12);
+  EXPECT_LT(wall(comparison).bar, 0.01);  // each run alone is off by some 0.9
+  EXPECT_EQ(wall(comparison).significance(), Significance::real);
+}
+
+TEST(Difference, what_the_coarser_runs_differ_by_otherwise_is_the_error) {
+  FinishedRun base = run_with(2, 2, 2), other = run_with(2.1, 2.14, 2.16);
+  base.twins = {twin_with(2.0001, 0)};
+  const Difference found = wall(compare_runs(base, other));
+  EXPECT_NEAR(found.bar, bar_over_difference(1.5) * 0.04, 1e-9);
+  EXPECT_EQ(found.significance(), Significance::within_error);
+  EXPECT_GT(bar_over_difference(1.5) * 0.04, bar_over_difference(3) * 0.06);
+}
+
+TEST(Difference, no_bar_is_smaller_than_what_twins_scatter_by) {
+  FinishedRun base = run_with(2, 2, 2), other = run_with(2.1, 2.1, 2.1);
+  EXPECT_LT(wall(compare_runs(base, other)).scatter, 0.02);  // the stated one
+  base.twins = {twin_with(2.03, 0)};
+  const RunComparison comparison = compare_runs(base, other);
+  EXPECT_EQ(comparison.scatter, ScatterSource::twins);
+  EXPECT_NEAR(wall(comparison).bar, 6.314 * 0.03, 1e-4);  // Student's t of one twin, 90 %
+  EXPECT_EQ(wall(comparison).significance(), Significance::within_error);
+  base.coarser[0].twins = {twin_with(2.03, 0)};  // of a coarser run, which scatters more
+  const double t = 2.920, coarse = 0.03 / std::pow(1.5, bar_order);
+  EXPECT_NEAR(wall(compare_runs(base, other)).bar, t * std::sqrt((0.03 * 0.03 + coarse * coarse) / 2), 1e-4);
+}
+
+TEST(Difference, a_twin_counts_where_it_left_its_run_before_the_runs_left_each_other) {
+  FinishedRun base = run_with(2, 2, 2), other = run_with(2.1, 2.1, 2.1);
+  base.twins = {twin_with(2.5, 0), twin_with(2.001, 1), twin_with(3, 2)};
+  EXPECT_EQ(stages_in_common(base, other), 1u);  // the press
+  EXPECT_NEAR(wall(compare_runs(base, other)).bar, 6.314 * 0.001, 1e-5);
+  EXPECT_EQ(compare_runs(base, other, 0).in_common, 0u);  // their cases already differ there
+  EXPECT_NEAR(wall(compare_runs(base, other, 0)).bar, 6.314 * 0.5, 1e-3);
+  other.stages[0].numbers = {7};
+  EXPECT_NEAR(wall(compare_runs(base, other)).bar, 6.314 * 0.5, 1e-3);
+}
+
+TEST(Difference, without_coarser_runs_there_is_no_bar_and_no_verdict) {
+  const RunComparison comparison = compare_runs(run_with(2), run_with(3));
+  EXPECT_EQ(comparison.bars, BarSource::none);
+  EXPECT_EQ(wall(comparison).significance(), Significance::unknown);
+  EXPECT_FALSE(std::isfinite(comparison.profile.bar[100]));
+}
+
+TEST(Difference, of_runs_at_other_accuracies_the_bars_add_up) {
+  FinishedRun base = run_with(2, 2.1, 2.2), other = run_with(2.3, 2.4, 2.5);
+  other.accuracy = "standard";
+  base.quantities.values[0].error = 0.1;
+  other.quantities.values[0].error = 0.05;
+  const RunComparison comparison = compare_runs(base, other);
+  EXPECT_EQ(comparison.bars, BarSource::both_bars);
+  EXPECT_NEAR(wall(comparison).bar, 0.15, 1e-12);
+}
+
+TEST(Difference, the_wall_is_compared_place_by_place) {
+  FinishedRun base = run_with(2, 2.3, 2.9), other = run_with(2.1, 2.4, 3.0);
+  base.quantities.profile[0] = std::nan("");
+  base.twins = {twin_with(2.0001, 0)};
+  const ProfileComparison walls = compare_runs(base, other).profile;
+  EXPECT_FALSE(std::isfinite(walls.difference[0]));
+  EXPECT_NEAR(walls.difference[200], 0.1, 1e-12);
+  EXPECT_LT(walls.bar[200], 0.01);
+}
+
+Comparison compared(const FinishedRun& base, const FinishedRun& other) {
+  Comparison comparison{base, {}};
+  comparison.others.push_back(
+      {"thicker", {{"tool.blank.temperature", "460 degC", "440 degC"}}, "", compare_runs(base, other)});
+  comparison.others.push_back({"broken", {}, "blow at 0.1 s: the glass tore", std::nullopt});
+  return comparison;
+}
+
+TEST(Comparison, the_last_table_says_by_how_much_for_sure_and_a_run_that_failed_is_a_row_with_its_reason) {
+  FinishedRun base = run_with(2, 2, 2), other = run_with(2.1, 2.11, 2.11);
+  base.twins = {twin_with(2.0001, 0)};
+  const Comparison comparison = compared(base, other);
+  const std::string ranking = ranking_table(comparison, "thickness_min");
+  EXPECT_NE(ranking.find("+0.100 mm +- 0.030: real, for sure more by at least 0.070 mm"), std::string::npos) << ranking;
+  EXPECT_NE(ranking.find("broken    no result: blow at 0.1 s: the glass tore"), std::string::npos) << ranking;
+  const std::string tables = comparison_tables(comparison);
+  EXPECT_NE(tables.find("tool.blank.temperature: 460 degC -> 440 degC"), std::string::npos) << tables;
+  EXPECT_NE(tables.find("no results: blow at 0.1 s"), std::string::npos) << tables;
+}
+
+TEST(Comparison, a_quantity_that_is_not_there_is_refused_with_the_nearest) {
+  try {
+    require_quantity(run_with(2), "thicknes_min");
+    ADD_FAILURE();
+  } catch (const core::CaseError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"thickness_min\"?"), std::string::npos) << error.what();
+  }
+  EXPECT_NO_THROW(require_quantity(run_with(2), "thickness_min"));
+}
+
+TEST(Comparison, the_plot_has_a_line_for_each_run_and_a_band_for_each_difference) {
+  const std::string plot = profile_plot(compared(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1)));
+  EXPECT_EQ(plot.rfind("<svg", 0), 0u);
+  std::size_t paths = 0;
+  for (std::size_t at = 0; (at = plot.find("<path", at)) != plot.npos; ++at) ++paths;
+  EXPECT_EQ(paths, 4u);
+  FinishedRun gob = run_with(2);
+  gob.quantities.profile.clear();
+  EXPECT_EQ(profile_plot(compared(gob, gob)), "");
+}
+
+TEST(Resolution, goes_finer_until_the_bars_are_as_small_as_asked_for) {
+  ResolutionControl control("0.02 mm");
+  EXPECT_EQ(control.accuracy(), "draft coarser 2");
+  double factor = 2;
+  for (int round = 0; !control.finished(); ++round) {
+    ASSERT_LT(round, 8);
+    const double off = 0.005 * factor;  // the bar goes with the edges
+    control.add(compared(run_with(2, 2, 2), run_with(2.1, 2.1 + off, 2.1 + off)));
+    EXPECT_NEAR(control.bar(), std::max(bar_over_difference(1.5) * off, 0.0146), 1e-4);
+    factor = std::stod(control.accuracy().substr(14));
+  }
+  EXPECT_TRUE(control.reached());
+  EXPECT_GE(control.rounds(), 2);
+}
+
+TEST(Resolution, what_scatter_hides_at_any_accuracy_is_given_up) {
+  ResolutionControl control("thickness_min=0.001 mm");
+  for (int round = 0; !control.finished() && round < 20; ++round)
+    control.add(compared(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1)));
+  EXPECT_TRUE(control.finished());
+  EXPECT_FALSE(control.reached());
+}
+
+TEST(Resolution, a_size_that_is_none_is_refused_before_anything_runs_and_another_unit_when_the_unit_is_known) {
+  for (const char* wrong : {"", "mm", "0 mm", "-1 mm", "3 K", "thickness_min=2 J"})
+    EXPECT_THROW(ResolutionControl{wrong}, core::CaseError) << wrong;
+  ResolutionControl other("heat_blank=50 J");
+  EXPECT_THROW(other.add(compared(run_with(2, 2, 2), run_with(3, 3, 3))), core::CaseError);
+}
+
+}  // namespace
+}  // namespace parison::forming

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "../../pot_scene.hpp"
+#include "../../scene_text.hpp"
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "forming/run/checkpoint.hpp"
+#include "forming/run/folder_run.hpp"
+#include "forming/state/fingerprint.hpp"
+#include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/same_case.hpp"
+#include "forming/study/comparison/tool_overlap.hpp"
+#include "forming/study/comparison/what_if.hpp"
+
+namespace parison::forming {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The pot, and a stage of rest without the plunger.
+std::string two_stages() {
+  const std::string text = replaced("duration = \"0.4 s\"", "duration = \"0.1 s\"", pot);
+  return replaced("[material.glass]",
+                  "[[stage]]\nname = \"rest\"\nduration = \"0.1 s\"\ngravity = \"-9.81 m/s2\"\ntools = [\"pot\"]\n"
+                  "[material.glass]",
+                  text);
+}
+
+constexpr const char* coarse = "draft coarser 2";
+const std::string longer = "stage.rest.duration=0.15 s", colder = "tool.pot.temperature=470 degC";
+
+class WhatIfTest : public ::testing::Test {
+ protected:
+  const std::string folder = tests::absent_folder();
+  void SetUp() override {
+    fs::create_directories(folder);
+    core::write_text(folder + "/case.toml", two_stages());
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string in(const std::string& name) const { return folder + '/' + name; }
+  Scene scene(const std::vector<std::string>& overrides = {}) const { return read_scene(folder, coarse, overrides); }
+  WhatIf asked(const std::vector<WhatIfVariant>& variants) const { return {folder, coarse, in("out"), {}, variants}; }
+  /// What planning these variants is refused with.
+  std::string refusal(const std::vector<WhatIfVariant>& variants) const {
+    try {
+      plan_runs(asked(variants));
+      return "";
+    } catch (const core::CaseError& error) {
+      return error.what();
+    }
+  }
+  RunOutcome run_whole(const std::string& name, const std::vector<std::string>& overrides = {}) const {
+    const Scene made = scene(overrides);
+    const RunOutcome outcome = run_in_folder(made, in(name));
+    write_summary(in(name), made, outcome.state, outcome.facts);
+    return outcome;
+  }
+};
+
+const PlannedRun& named(const std::vector<PlannedRun>& runs, const std::string& label) {
+  return *std::find_if(runs.begin(), runs.end(), [&](const PlannedRun& run) { return run.label == label; });
+}
+
+TEST_F(WhatIfTest, a_variant_begins_after_the_last_stage_that_its_change_cannot_have_influenced) {
+  EXPECT_EQ(last_common_stage(scene(), scene({longer})), std::optional<std::string>("press"));
+  EXPECT_EQ(last_common_stage(scene(), scene({colder})), std::nullopt);
+  EXPECT_EQ(last_common_stage(scene(), scene({"stage.press.duration=0.09 s"})), std::nullopt);
+  EXPECT_EQ(last_common_stage(scene(), scene({longer, colder})), std::nullopt);
+  const auto runs = plan_runs(asked({{"longer", {longer}}, {"colder", {colder}}}));
+  EXPECT_EQ(runs.front().label, "base");
+  EXPECT_EQ(runs.size(), 3u * 3 + 2 * 2);  // three runs each, a twin of each coarser one from each of two points
+  EXPECT_EQ(named(runs, "longer").branch->stage, "press");
+  EXPECT_EQ(named(runs, "longer, 3 times coarser").branch->directory, in("out/base/coarser_run"));
+  EXPECT_FALSE(named(runs, "colder").branch);
+  EXPECT_TRUE(named(runs, "twin of base, 3 times coarser, after press").branch->warmer_tools);
+}
+
+TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last_bit) {
+  const RunOutcome base = run_whole("base");
+  const Scene changed = scene({longer});
+  make_branch({"longer", in("longer"), coarse, changed.overrides, BranchPoint{in("base"), "press"}, ""});
+  const RunOutcome branch = resume_in_folder(changed, in("longer"));
+  write_summary(in("longer"), changed, branch.state, branch.facts);
+  const RunOutcome whole = run_whole("whole", {longer});
+  ASSERT_TRUE(branch.facts.completed) << branch.facts.reason;
+  EXPECT_EQ(fingerprint(branch.state), fingerprint(whole.state));
+  EXPECT_NE(fingerprint(branch.state), fingerprint(base.state));
+  EXPECT_EQ(core::read_text(in("longer/history.csv")), core::read_text(in("whole/history.csv")));
+
+  const Comparison comparison = compare_folders(in("base"), {in("longer")});
+  EXPECT_EQ(comparison.others[0].result->in_common, 1u);
+  EXPECT_EQ(settings_line(comparison.others[0].settings), "stage.rest.duration: 0.1 s -> 0.15 s");
+}
+
+TEST_F(WhatIfTest, a_twin_has_tools_a_little_warmer_and_nothing_else) {
+  run_whole("base");
+  make_branch({"twin", in("base/twin_after_press"), coarse, {}, BranchPoint{in("base"), "press", true}, in("base")});
+  const auto at = [&](const std::string& path) { return read_checkpoint(path, scene()).outcome.state; };
+  const State before = at(find_stage_end(in("base"), "press")), twin = at(find_checkpoint(in("base/twin_after_press")));
+  EXPECT_NEAR((twin.tools[0].temperature - before.tools[0].temperature).minCoeff(), twin_warmer, 1e-9);
+  EXPECT_EQ(twin.glass.temperature, before.glass.temperature);
+  const RunOutcome outcome = resume_in_folder(scene(), in("base/twin_after_press"));
+  write_summary(in("base/twin_after_press"), scene(), outcome.state, outcome.facts);
+  const FinishedRun base = read_finished_run(in("base"));
+  ASSERT_EQ(base.twins.size(), 1u);
+  EXPECT_EQ(base.twins[0].stages, 1u);
+  const double heat = base.quantities.find("heat_pot")->value, moved = base.twins[0].quantities.find("heat_pot")->value;
+  EXPECT_NE(moved, heat);
+  EXPECT_NEAR(moved / heat, 1, 1e-2);
+}
+
+TEST_F(WhatIfTest, what_is_wrong_with_a_variant_is_said_with_its_name_before_anything_runs) {
+  EXPECT_NE(refusal({{"good", {longer}}, {"bad", {"stage.rest.duratoin=1 s"}}})
+                .find("variant bad (stage.rest.duratoin=1 s): --set: stage.rest.duratoin: unknown key (did you mean "
+                      "\"duration\"?)"),
+            std::string::npos);
+  EXPECT_NE(refusal({{"deep", {"tool.plunger.position=-2 mm"}}}).find("variant deep (tool.plunger.position=-2 mm): "),
+            std::string::npos);
+  EXPECT_NE(refusal({}).find("no variant was found"), std::string::npos);
+  EXPECT_NE(refusal({{"empty", {}}}).find("nothing that it changes"), std::string::npos);
+  EXPECT_NE(refusal({{"a/b", {longer}}}).find("allowed are letters"), std::string::npos);
+  EXPECT_NE(refusal({{"base", {longer}}}).find("found twice"), std::string::npos);
+  EXPECT_NE(refusal({{"a", {longer}}, {"a", {colder}}}).find("found twice"), std::string::npos);
+  EXPECT_EQ(refusal({variant_of(longer)}), "");
+  EXPECT_EQ(variant_of(longer).name, "stage.rest.duration_0.15_s");
+  EXPECT_FALSE(fs::exists(in("out")));
+}
+
+TEST_F(WhatIfTest, tools_that_a_variant_makes_overlap_are_refused_and_those_that_overlap_in_the_base_are_not) {
+  const std::string jar = std::string(PARISON_SOURCE_DIR) + "/cases/jar";
+  const auto overlap = [](const std::string& path, const std::vector<std::string>& overrides) {
+    return new_tool_overlap(read_scene(path, "draft"), read_scene(path, "draft", overrides));
+  };
+  const std::string found = overlap(jar, {"tool.ring.position=-10 mm"});
+  EXPECT_NE(found.find("tools \"ring\" and \"plate\" overlap by 10 mm"), std::string::npos) << found;
+  EXPECT_EQ(overlap(jar, {"tool.blank.temperature=440 degC"}), "");
+  EXPECT_EQ(overlap(jar, {"tool.plunger.position=19 mm"}), "");  // slides through the plate
+  EXPECT_EQ(overlap(std::string(PARISON_SOURCE_DIR) + "/cases/tumbler", {"tool.ring.position=-1 mm"}), "");
+}
+
+TEST_F(WhatIfTest, results_of_another_case_are_refused_and_those_of_other_settings_are_not) {
+  const auto copy = [&](const std::string& name, const std::string& text, const std::vector<std::string>& overrides) {
+    fs::create_directories(in(name) + "/case");
+    core::write_text(in(name) + "/case/case.toml", text);
+    FinishedRun run;
+    run.directory = in(name);
+    run.accuracy = coarse;
+    run.overrides = overrides;
+    return run;
+  };
+  const auto refused = [&](const FinishedRun& other, const std::string& sentence) {
+    try {
+      settings_that_differ(copy("first", two_stages(), {}), other);
+      ADD_FAILURE() << sentence;
+    } catch (const core::CaseError& error) {
+      EXPECT_NE(std::string(error.what()).find(sentence), std::string::npos) << error.what();
+    }
+  };
+  refused(copy("named", replaced("case = \"pot\"", "case = \"mug\"", two_stages()), {}), "case mug was found");
+  refused(copy("stages", pot, {}), "stages press was found");
+  FinishedRun bare;
+  bare.directory = in("nowhere");
+  refused(bare, "no copy of its case was found");
+
+  const auto settings =
+      settings_that_differ(copy("first", two_stages(), {}), copy("other", two_stages(), {colder, longer}));
+  ASSERT_EQ(settings.size(), 2u);
+  EXPECT_EQ(settings_line(settings),
+            "stage.rest.duration: 0.1 s -> 0.15 s; tool.pot.temperature: 480 degC -> 470 degC");
+  EXPECT_EQ(settings_line({}), "the same settings");
+}
+
+}  // namespace
+}  // namespace parison::forming

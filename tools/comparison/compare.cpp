@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/comparison/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "core/case/case_error.hpp"
+#include "forming/study/comparison/comparison.hpp"
+
+namespace parison::tools {
+
+int compare(const CompareRequest& request) {
+  const forming::Comparison comparison = forming::compare_folders(request.base, request.others);
+  const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
+  forming::require_quantity(comparison.base, quantity);
+  fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
+  if (!request.output.empty()) {
+    forming::write_comparison(comparison, request.output);
+    fmt::print("\n  tables and profiles in {}\n", request.output);
+  }
+  return 0;
+}
+
+}  // namespace parison::tools

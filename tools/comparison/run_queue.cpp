@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/comparison/run_queue.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "core/io/json_read.hpp"
+#include "forming/run/checkpoint.hpp"
+#include "tools/program/child_process.hpp"
+#include "tools/program/stop_request.hpp"
+
+namespace parison::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using forming::PlannedRun;
+using Status = QueuedRun::Status;
+
+constexpr unsigned poll_microseconds = 20000;
+
+std::string summary_path(const PlannedRun& plan) {
+  return plan.directory + "/summary.json";
+}
+
+std::string log_path(const PlannedRun& plan) {
+  return plan.directory + ".log";
+}
+
+/// A summary made with other settings says that the folder belongs to something else.
+void require_same(const core::JsonValue& summary, const PlannedRun& plan, const std::string& case_path) {
+  const forming::Scene scene = forming::read_scene(case_path, plan.accuracy, plan.overrides);
+  if (summary.text_of("case_fingerprint") == core::fingerprint_text(scene.fingerprint) &&
+      summary.text_of("accuracy") == scene.accuracy_name)
+    return;
+  throw core::CaseError(
+      fmt::format("{}: a run of another case or with other settings was found, allowed is a name of its own for each "
+                  "variant, or another --output",
+                  plan.directory));
+}
+
+std::string last_line(const std::string& path) {
+  std::error_code unreadable;
+  if (!fs::exists(path, unreadable)) return "no output";
+  std::string text = core::read_text(path);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+struct Queue {
+  std::vector<QueuedRun>& runs;
+  const std::string case_path;
+  std::size_t ended = 0;
+
+  void say(const QueuedRun& run, const std::string& what) const {
+    fmt::print("[{:2}/{}] {:<40} {}\n", ended, runs.size(), run.plan.label, what);
+    std::fflush(stdout);
+  }
+  void end(QueuedRun& run, Status status, const std::string& what) {
+    run.status = status;
+    if (status == Status::failed) run.reason = what;
+    ++ended;
+    say(run, status == Status::failed ? "no results: " + what : what);
+  }
+};
+
+const QueuedRun* run_in(const Queue& queue, const std::string& directory) {
+  for (const QueuedRun& run : queue.runs)
+    if (run.plan.directory == directory) return &run;
+  return nullptr;
+}
+
+/// What the summary of a run says; false where it was stopped and has to go on.
+bool end_by_summary(Queue& queue, QueuedRun& run, const std::string& remark) {
+  const std::string path = summary_path(run.plan);
+  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  if (summary.flag_of("stopped")) return false;
+  if (summary.flag_of("completed"))
+    queue.end(run, Status::done, fmt::format("done{}", remark));
+  else
+    queue.end(run, Status::failed, summary.text_of("reason"));
+  return true;
+}
+
+/// Whether what a run needs is there; a run whose need will never be there fails.
+bool is_ready(Queue& queue, QueuedRun& run) {
+  if (const auto& branch = run.plan.branch) {
+    const QueuedRun* source = run_in(queue, branch->directory);
+    if (source && source->status == Status::failed) {
+      queue.end(run, Status::failed, fmt::format("{} stopped", source->plan.label));
+      return false;
+    }
+    if (source && source->status != Status::done) return false;
+  }
+  if (run.plan.inside.empty()) return true;
+  const QueuedRun* outer = run_in(queue, run.plan.inside);
+  if (outer && outer->status == Status::failed) {
+    queue.end(run, Status::failed, fmt::format("{} stopped", outer->plan.label));
+    return false;
+  }
+  return fs::exists(run.plan.inside + "/history.csv");
+}
+
+void start_child(Queue& queue, QueuedRun& run, const std::vector<std::string>& arguments, const std::string& what) {
+  run.child = start_self(arguments, log_path(run.plan));
+  run.status = Status::running;
+  queue.say(run, what);
+}
+
+/// Resumes from the last checkpoint of the folder, with the assignments that the run there does not have yet.
+void resume(Queue& queue, QueuedRun& run, const std::string& what) {
+  const std::size_t known = forming::read_origin(forming::find_checkpoint(run.plan.directory)).overrides.size();
+  std::vector<std::string> arguments{"resume", run.plan.directory, "--keep-going"};
+  for (std::size_t i = known; i < run.plan.overrides.size(); ++i)
+    arguments.insert(arguments.end(), {"--set", run.plan.overrides[i]});
+  start_child(queue, run, arguments, what);
+}
+
+void start(Queue& queue, QueuedRun& run) {
+  const PlannedRun& plan = run.plan;
+  if (fs::exists(summary_path(plan))) {
+    require_same(core::read_json(core::read_text(summary_path(plan)), summary_path(plan)), plan, queue.case_path);
+    if (end_by_summary(queue, run, ", from before")) return;
+  }
+  if (forming::has_checkpoint(plan.directory)) return resume(queue, run, "goes on");
+  fs::remove_all(plan.directory);  // what was killed before its first checkpoint
+  fs::remove(log_path(plan));
+  if (plan.branch) {
+    forming::make_branch(plan);
+    return resume(queue, run, fmt::format("starts after {}", plan.branch->stage));
+  }
+  fs::create_directories(fs::path(plan.directory).parent_path());
+  std::vector<std::string> arguments{"run",      queue.case_path, "--accuracy",  plan.accuracy,
+                                     "--output", plan.directory,  "--keep-going"};
+  for (const std::string& assignment : plan.overrides) arguments.insert(arguments.end(), {"--set", assignment});
+  start_child(queue, run, arguments, "starts");
+}
+
+void collect_ended(Queue& queue) {
+  for (QueuedRun& run : queue.runs) {
+    if (run.status != Status::running || !has_ended(run.child)) continue;
+    run.status = Status::waiting;
+    if (fs::exists(summary_path(run.plan))) {
+      if (end_by_summary(queue, run, "") || stop_requested()) continue;
+      queue.end(run, Status::failed, "it was stopped from outside");
+    } else if (!stop_requested()) {
+      queue.end(run, Status::failed, last_line(log_path(run.plan)));
+    }
+  }
+}
+
+int count(const Queue& queue, Status status) {
+  return static_cast<int>(
+      std::count_if(queue.runs.begin(), queue.runs.end(), [&](const QueuedRun& run) { return run.status == status; }));
+}
+
+}  // namespace
+
+bool run_all(std::vector<QueuedRun>& runs, const std::string& case_path, int jobs) {
+  Queue queue{runs, case_path};
+  bool requested = false;
+  for (;;) {
+    for (QueuedRun& run : runs)
+      if (!stop_requested() && count(queue, Status::running) < jobs && run.status == Status::waiting &&
+          is_ready(queue, run))
+        start(queue, run);
+    if (stop_requested() && !std::exchange(requested, true))
+      for (const QueuedRun& run : runs)
+        if (run.status == Status::running) request_stop(run.child);
+    if (count(queue, Status::running) == 0 && (stop_requested() || count(queue, Status::waiting) == 0))
+      return !stop_requested();
+    usleep(poll_microseconds);
+    collect_ended(queue);
+  }
+}
+
+double cpu_of_children() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+}  // namespace parison::tools

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "core/case/case_error.hpp"
+#include "forming/scene/accuracy.hpp"
+#include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/resolution.hpp"
+#include "tools/comparison/compare.hpp"
+#include "tools/comparison/run_queue.hpp"
+#include "tools/program/exit_codes.hpp"
+#include "tools/program/stop_request.hpp"
+
+namespace parison::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using forming::Comparison;
+using forming::WhatIf;
+
+struct Round {
+  bool stopped = false;
+  std::string base_failed;  ///< why; empty where the base completed
+  std::optional<Comparison> comparison;
+};
+
+/// The comparison of the variants; one without results is a row with its reason.
+Comparison compare_variants(const WhatIf& asked, const std::vector<QueuedRun>& runs) {
+  const auto folder = [&](const std::string& name) { return asked.directory + '/' + name; };
+  const auto run_of = [&](const std::string& name) {
+    return std::find_if(runs.begin(), runs.end(),
+                        [&](const QueuedRun& run) { return run.plan.directory == folder(name); });
+  };
+  Comparison comparison = forming::compare_folders(folder(forming::base_name), {});
+  for (const auto& variant : asked.variants) {
+    if (run_of(variant.name)->status == QueuedRun::Status::done) {
+      Comparison one = forming::compare_folders(folder(forming::base_name), {folder(variant.name)});
+      comparison.others.push_back(std::move(one.others.front()));
+    } else {
+      comparison.others.push_back(
+          {variant.name, forming::settings_of(asked, variant), run_of(variant.name)->reason, {}});
+    }
+  }
+  return comparison;
+}
+
+/// Plans, runs and compares at one accuracy.
+Round run_round(const WhatIf& asked, int jobs) {
+  std::vector<QueuedRun> runs;
+  for (auto& plan : forming::plan_runs(asked)) runs.push_back({std::move(plan)});
+  fmt::print("{} at {} accuracy: {} variants, {} runs in {}\n", asked.case_path, asked.accuracy, asked.variants.size(),
+             runs.size(), asked.directory);
+  std::fflush(stdout);
+  Round round;
+  round.stopped = !run_all(runs, asked.case_path, jobs);
+  if (round.stopped) return round;
+  if (runs.front().status == QueuedRun::Status::failed)
+    round.base_failed = runs.front().reason;
+  else
+    round.comparison = compare_variants(asked, runs);
+  return round;
+}
+
+std::string folder_name(std::string accuracy) {
+  std::replace(accuracy.begin(), accuracy.end(), ' ', '_');
+  return "at_" + accuracy;
+}
+
+int report(const Comparison& comparison, const WhatIfRequest& request, const std::string& output) {
+  const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
+  fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
+  forming::write_comparison(comparison, output);
+  fmt::print("\n  tables and profiles in {}; {:.1f} s of CPU time\n", output, cpu_of_children());
+  const bool all = std::all_of(comparison.others.begin(), comparison.others.end(),
+                               [](const forming::ComparedRun& other) { return other.result.has_value(); });
+  return all ? 0 : run_failed;
+}
+
+int failed(const Round& round) {
+  if (round.stopped)
+    fmt::print(stderr, "parison: stopped on request; the same command goes on with it\n");
+  else
+    fmt::print(stderr, "parison: the case itself stopped: {}\n", round.base_failed);
+  return run_failed;
+}
+
+/// Finer and finer until the error bars let a difference of the size asked for be seen.
+int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::string& output) {
+  forming::ResolutionControl control(request.resolve);
+  for (;;) {
+    asked.accuracy = control.accuracy();
+    asked.directory = output + '/' + folder_name(asked.accuracy);
+    const Round round = run_round(asked, request.jobs);
+    if (!round.comparison) return failed(round);
+    control.add(*round.comparison);
+    fmt::print("  the error bars of {} are up to {:.3g} {}, wanted is {:.3g}\n", control.quantity(), control.bar(),
+               control.unit(), control.target());
+    std::fflush(stdout);
+    if (!control.finished()) continue;
+    WhatIfRequest shown = request;
+    if (shown.quantity.empty()) shown.quantity = control.quantity();
+    const int code = report(*round.comparison, shown, output);
+    if (control.reached()) return code;
+    fmt::print(stderr, "parison: differences of {} are not resolved after {} rounds; the last is in {}\n",
+               request.resolve, control.rounds(), asked.directory);
+    return run_failed;
+  }
+}
+
+}  // namespace
+
+int what_if(const WhatIfRequest& request) {
+  catch_signals();
+  if (forming::read_accuracy(request.accuracy).target)
+    throw core::CaseError(fmt::format(
+        "--accuracy: {} was found, allowed are draft, standard, fine, coarser or finer ones; --resolve chooses one",
+        request.accuracy));
+  const forming::Scene scene = forming::read_scene(request.case_path, "draft", request.overrides);
+  const std::string output = request.output.empty() ? "results/what_if_" + scene.name : request.output;
+  WhatIf asked{request.case_path, request.accuracy, output, request.overrides, request.variants};
+  std::error_code error;
+  if (fs::exists(output + "/summary.json", error))
+    throw core::CaseError(
+        fmt::format("{}: the results of a run were found, allowed is a folder of its own for a what-if", output));
+  if (!request.resolve.empty()) return what_if_to_resolve(request, asked, output);
+  const Round round = run_round(asked, request.jobs);
+  return round.comparison ? report(*round.comparison, request, output) : failed(round);
+}
+
+}  // namespace parison::tools
