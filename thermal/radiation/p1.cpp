@@ -52,6 +52,7 @@ void add_edges(P1& light, const HeatSystem& system, Index first_boundary_edge) {
     LightEdge edge{edge_unknowns(system, light.body, boundary.nodes),
                    light_unknowns(boundary.nodes, light.order),
                    first_boundary_edge + static_cast<Index>(e),
+                   boundary.nodes[2],
                    boundary.boundary_id,
                    black,
                    {},
@@ -149,15 +150,19 @@ P1 make_p1(const HeatSystem& system, Index body, Index first_boundary_edge, std:
   assert(view.light.surroundings.size() == mesh.boundaries().size());
   if (!kept || !same_laws(kept->radiation, *view.material->radiation))
     kept = std::make_shared<KeptLight>(*view.material->radiation, light_order);
-  P1 light{body, light_order == 2 ? mesh.node_count() : mesh.vertex_count(), light_order, {}, {}, {}, {}, kept, true};
-  if (kept->cells != mesh.cells()) analyse(*kept, mesh, light.size);
+  P1 light{body, light_order == 2 ? mesh.node_count() : mesh.vertex_count(), light_order, {}, {}, {}, {}, {}, kept, true};
   light.batches.resize(core::batch_count(mesh.cell_count()));
   for (std::size_t b = 0; b < light.batches.size(); ++b)
     core::set_nodes(mesh.cells(), static_cast<Index>(b), light.batches[b]);
   light.volumes = make_volumes(view, system.problem->geometry);
   add_edges(light, system, first_boundary_edge);
   add_contacts(light, system);
-  factorise(light, system, first_boundary_edge);
+  if (view.material->radiation->model == Radiation::Model::transfer) {
+    light.rays = make_ray_exchange(light, system, kept->rays);
+  } else {
+    if (kept->cells != mesh.cells()) analyse(*kept, mesh, light.size);
+    factorise(light, system, first_boundary_edge);
+  }
   return light;
 }
 

@@ -8,6 +8,7 @@
 #include "core/linear/cholesky.hpp"
 #include "thermal/radiation/light_cells.hpp"
 #include "thermal/radiation/light_laws.hpp"
+#include "thermal/radiation/rays/ray_exchange.hpp"
 
 namespace parison::thermal {
 
@@ -20,6 +21,7 @@ struct StepMatrix;
 struct LightEdge {
   std::array<Index, 3> temperature, light;  ///< unknowns, in the system and in the light's equations
   Index boundary_edge;                      ///< counted through all bodies
+  Index mid_node;                           ///< of the mesh
   Index boundary;                           ///< of the glass
   bool black;                               ///< a black wall of the glass's own temperature; else open
   std::array<double, 3> area;               ///< at the points of edge_rule(3), m2
@@ -44,6 +46,7 @@ struct KeptLight {
   std::vector<std::array<Index, 6>> cells;
   core::Assembly assembly;             ///< cliques: the cells, then the boundary edges
   std::vector<core::Cholesky> factor;  ///< by group
+  std::shared_ptr<const TracedRays> rays;
 
   KeptLight(const Radiation& given, int its_order) : radiation(given), laws(given), order(its_order) {}
 };
@@ -60,6 +63,7 @@ struct P1 {
   Field volumes;                         ///< m3
   std::vector<LightEdge> edges;
   std::vector<LightContact> contacts;  ///< by point of the interface
+  std::optional<RayExchange> rays;     ///< of the model transfer, which needs no G in the glass
   std::shared_ptr<KeptLight> kept;
   bool solvable;  ///< false where a factorisation failed, on a mesh with cells inverted: all heat by light is NaN
 

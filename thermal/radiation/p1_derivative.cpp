@@ -74,26 +74,20 @@ void apply_light(const P1& light, const HeatSystem& system, const LightDerivativ
                  const Eigen::VectorXd& change, Eigen::VectorXd& result) {
   const SideTemperatures sides = side_temperatures(system.interface, change);
   const Field at_cells = at_cell_points(light, system, change);
-  std::vector<Eigen::VectorXd> G;
-  std::vector<Field> emitted;
   Eigen::ArrayXd to_tool = derivatives.opaque_slave * sides.slave - derivatives.opaque_master * sides.master;
   const Eigen::ArrayXd opaque = to_tool - derivatives.opaque_open * sides.slave;
   for (int k = 0; k < light.laws().group_count(); ++k) {
-    emitted.push_back(changed_emission(derivatives.emission[k], at_cells));
     const Eigen::ArrayXd from_tool = derivatives.from_tool[k] * sides.master;
-    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(light.size);
-    for (std::size_t i = 0; i < light.contacts.size(); ++i)
-      add_at_point(from_tool[static_cast<Index>(i)], light.contacts[i].light, light.contacts[i].shape.data(), rhs);
-    G.push_back(solve_group(light, k, emitted.back(), std::move(rhs)));
+    const GroupSource source{changed_emission(derivatives.emission[k], at_cells),
+                             std::vector<std::array<double, 3>>(light.edges.size(), {0, 0, 0}), from_tool};
+    const GroupLight found = solve_group(light, k, source);
     for (std::size_t i = 0; i < light.contacts.size(); ++i) {
-      const LightContact& contact = light.contacts[i];
       const auto at = static_cast<Index>(i);
-      to_tool[at] += light.to_tool(k, contact) * system.interface.area[at] *
-                         at_point(G.back(), contact.light, contact.shape.data()) -
-                     from_tool[at];
+      to_tool[at] +=
+          light.to_tool(k, light.contacts[i]) * system.interface.area[at] * found.contacts[at] - from_tool[at];
     }
+    add_absorbed(light, system, source, found, -step, result);
   }
-  add_absorbed(light, system, G, emitted, -step, result);
   for (std::size_t e = 0; e < light.edges.size(); ++e) {
     const LightEdge& edge = light.edges[e];
     for (int q = 0; q < 3; ++q) {

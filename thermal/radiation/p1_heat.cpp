@@ -9,11 +9,12 @@ namespace parison::thermal {
 
 namespace {
 
-/// Flux between the surface and what is outside of it of one group.
-struct GroupFlux {
-  Eigen::VectorXd irradiation;       ///< W/m2, by unknown
-  std::vector<double> surroundings;  ///< irradiation in equilibrium with them, W/m2, by boundary
-  Eigen::ArrayXd tool;               ///< in equilibrium with the tool, W/m2, by point of the interface
+/// What lies outside of the surface and what group and temperatures send.
+struct GroupState {
+  GroupSource source;
+  std::vector<double> surroundings;               ///< irradiation in equilibrium with them, W/m2, by boundary
+  std::vector<std::array<double, 3>> at_edges;    ///< the same with what lies outside of the points of the edges
+  Eigen::ArrayXd tool;                            ///< the same with the tool, by point of the interface
 };
 
 /// By boundary of the glass, K; zero where it sees none.
@@ -26,9 +27,9 @@ std::vector<double> surroundings_at(const P1& light, const HeatSystem& system, d
 
 /// Irradiation in equilibrium with what lies outside of a point of an edge: the surroundings, or a black wall of the
 /// glass's temperature.
-double outside_of(const P1& light, const LightEdge& edge, int q, int group, const GroupFlux& flux,
+double outside_of(const P1& light, const LightEdge& edge, int q, int group, const std::vector<double>& surroundings,
                   const Eigen::VectorXd& temperature) {
-  if (!edge.black) return flux.surroundings[edge.boundary];
+  if (!edge.black) return surroundings[edge.boundary];
   return light.laws()
       .irradiation(group, at_point(temperature, edge.temperature, edge.temperature_shape[q].data()))
       .value;
@@ -46,47 +47,44 @@ Field emission_at(const P1& light, int group, const Field& temperature) {
   return emitted;
 }
 
-/// Solves a group; `emitted` gets what its cells emit, W at the quadrature points.
-GroupFlux solve(const P1& light, const HeatSystem& system, int group, const std::vector<double>& surroundings,
-                const Eigen::ArrayXd& tool_temperature, const Eigen::VectorXd& temperature, const Field& at_cells,
-                Field& emitted) {
+GroupState state_of(const P1& light, const HeatSystem& system, int group, const std::vector<double>& surroundings,
+                    const Eigen::ArrayXd& tool_temperature, const Eigen::VectorXd& temperature, const Field& at_cells) {
   const LightLaws& laws = light.laws();
-  GroupFlux flux{{}, {}, Eigen::ArrayXd(tool_temperature.size())};
-  for (const double T : surroundings) flux.surroundings.push_back(laws.irradiation(group, T).value);
-  for (Index i = 0; i < static_cast<Index>(tool_temperature.size()); ++i)
-    flux.tool[i] = laws.irradiation(group, tool_temperature[i]).value;
-  emitted = emission_at(light, group, at_cells);
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(light.size);
-  for (const LightEdge& edge : light.edges)
-    for (int q = 0; q < 3; ++q)
-      add_at_point(light.coefficient(group, edge) * edge.area[q] * outside_of(light, edge, q, group, flux, temperature),
-                   edge.light, edge.light_shape[q].data(), rhs);
+  GroupState state{{}, {}, {}, Eigen::ArrayXd(tool_temperature.size())};
+  for (const double T : surroundings) state.surroundings.push_back(laws.irradiation(group, T).value);
+  state.source.cells = emission_at(light, group, at_cells);
+  for (const LightEdge& edge : light.edges) {
+    auto &outside = state.at_edges.emplace_back(), &sent = state.source.edges.emplace_back();
+    for (int q = 0; q < 3; ++q) {
+      outside[q] = outside_of(light, edge, q, group, state.surroundings, temperature);
+      sent[q] = light.coefficient(group, edge) * edge.area[q] * outside[q];
+    }
+  }
+  state.source.contacts.resize(tool_temperature.size());
   for (std::size_t i = 0; i < light.contacts.size(); ++i) {
     const LightContact& contact = light.contacts[i];
     const auto at = static_cast<Index>(i);
-    const double given = light.to_tool(group, contact) * flux.tool[at] -
-                         light.open(group, contact) * flux.surroundings[contact.boundary];
-    add_at_point(system.interface.area[at] * given, contact.light, contact.shape.data(), rhs);
+    state.tool[at] = laws.irradiation(group, tool_temperature[at]).value;
+    state.source.contacts[at] =
+        system.interface.area[at] * (light.to_tool(group, contact) * state.tool[at] -
+                                     light.open(group, contact) * state.surroundings[contact.boundary]);
   }
-  flux.irradiation = solve_group(light, group, emitted, std::move(rhs));
-  return flux;
+  return state;
 }
 
 /// Adds a group's flux out of the surface to the flows, and to the power into the tools.
-void add_group_flux(const P1& light, const HeatSystem& system, int group, const GroupFlux& flux,
-                    const Eigen::VectorXd& temperature, Flows& flows, Eigen::ArrayXd& to_tool) {
-  for (const LightEdge& edge : light.edges)
+void add_group_flux(const P1& light, const HeatSystem& system, int group, const GroupState& state,
+                    const GroupLight& found, Flows& flows, Eigen::ArrayXd& to_tool) {
+  for (std::size_t e = 0; e < light.edges.size(); ++e)
     for (int q = 0; q < 3; ++q)
-      flows.to_air[light.body] += light.coefficient(group, edge) * edge.area[q] *
-                                  (at_point(flux.irradiation, edge.light, edge.light_shape[q].data()) -
-                                   outside_of(light, edge, q, group, flux, temperature));
+      flows.to_air[light.body] += light.coefficient(group, light.edges[e]) * light.edges[e].area[q] *
+                                  (found.edges[e][q] - state.at_edges[e][q]);
   for (std::size_t i = 0; i < light.contacts.size(); ++i) {
     const LightContact& contact = light.contacts[i];
     const auto at = static_cast<Index>(i);
-    const double G = at_point(flux.irradiation, contact.light, contact.shape.data());
-    flows.to_air[light.body] -=
-        light.open(group, contact) * system.interface.area[at] * (G - flux.surroundings[contact.boundary]);
-    to_tool[at] += light.to_tool(group, contact) * system.interface.area[at] * (G - flux.tool[at]);
+    const double area = system.interface.area[at], G = found.contacts[at];
+    flows.to_air[light.body] -= light.open(group, contact) * area * (G - state.surroundings[contact.boundary]);
+    to_tool[at] += light.to_tool(group, contact) * area * (G - state.tool[at]);
   }
 }
 
@@ -139,23 +137,47 @@ Field at_cell_points(const P1& light, const HeatSystem& system, const Eigen::Vec
                    system.problem->order, temperature.data());
 }
 
-Eigen::VectorXd solve_group(const P1& light, int group, const Field& emitted, Eigen::VectorXd rhs) {
+namespace {
+
+/// Irradiation of a group by P1, by unknown, W/m2.
+Eigen::VectorXd solve_p1(const P1& light, int group, const GroupSource& source) {
   if (!light.solvable) return Eigen::VectorXd::Constant(light.size, std::numeric_limits<double>::quiet_NaN());
-  add_from_points(light.batches.data(), emitted, light.order, rhs.data());
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(light.size);
+  for (std::size_t e = 0; e < light.edges.size(); ++e)
+    for (int q = 0; q < 3; ++q)
+      add_at_point(source.edges[e][q], light.edges[e].light, light.edges[e].light_shape[q].data(), rhs);
+  for (std::size_t i = 0; i < light.contacts.size(); ++i)
+    add_at_point(source.contacts[static_cast<Index>(i)], light.contacts[i].light, light.contacts[i].shape.data(), rhs);
+  add_from_points(light.batches.data(), source.cells, light.order, rhs.data());
   return light.kept->factor[group].solve(rhs);
 }
 
-void add_absorbed(const P1& light, const HeatSystem& system, const std::vector<Eigen::VectorXd>& irradiation,
-                  const std::vector<Field>& emitted, double factor, Eigen::VectorXd& power) {
-  Field absorbed(light.batches.size());
-  for (std::size_t k = 0; k < irradiation.size(); ++k) {
-    const Field G = at_points(light.batches.data(), light.batches.size(), light.order, irradiation[k].data());
-    const double scale = factor * light.laws().group(static_cast<int>(k)).absorption;
-    for (std::size_t g = 0; g < absorbed.size(); ++g)
-      for (int q = 0; q < core::cell_points; ++q)
-        absorbed[g][q] += scale * light.volumes[g][q] * G[g][q] - factor * emitted[k][g][q];
+}  // namespace
+
+GroupLight solve_group(const P1& light, int group, const GroupSource& source) {
+  if (light.rays) return ray_light(light, group, source);
+  const Eigen::VectorXd G = solve_p1(light, group, source);
+  GroupLight found{at_points(light.batches.data(), light.batches.size(), light.order, G.data()),
+                   {},
+                   Eigen::ArrayXd(static_cast<Index>(light.contacts.size()))};
+  const double absorption = light.laws().group(group).absorption;
+  for (std::size_t g = 0; g < found.absorbed.size(); ++g)
+    for (int q = 0; q < core::cell_points; ++q) found.absorbed[g][q] *= absorption * light.volumes[g][q];
+  for (const LightEdge& edge : light.edges) {
+    auto& at = found.edges.emplace_back();
+    for (int q = 0; q < 3; ++q) at[q] = at_point(G, edge.light, edge.light_shape[q].data());
   }
-  add_from_points(system.batches.data() + system.bodies[light.body].first_batch, absorbed, system.problem->order,
+  for (std::size_t i = 0; i < light.contacts.size(); ++i)
+    found.contacts[static_cast<Index>(i)] = at_point(G, light.contacts[i].light, light.contacts[i].shape.data());
+  return found;
+}
+
+void add_absorbed(const P1& light, const HeatSystem& system, const GroupSource& source, const GroupLight& found,
+                  double factor, Eigen::VectorXd& power) {
+  Field gained = found.absorbed;
+  for (std::size_t g = 0; g < gained.size(); ++g)
+    for (int q = 0; q < core::cell_points; ++q) gained[g][q] = factor * (gained[g][q] - source.cells[g][q]);
+  add_from_points(system.batches.data() + system.bodies[light.body].first_batch, gained, system.problem->order,
                   power.data());
 }
 
@@ -165,15 +187,13 @@ void add_light(const P1& light, const HeatSystem& system, double time, const Eig
   const SideTemperatures sides = side_temperatures(system.interface, temperature);
   const double to_air_before = flows.to_air[light.body];
   const Field at_cells = at_cell_points(light, system, temperature);
-  std::vector<Eigen::VectorXd> G;
-  std::vector<Field> emitted(light.laws().group_count());
   Eigen::ArrayXd to_tool = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(light.contacts.size()));
   for (int k = 0; k < light.laws().group_count(); ++k) {
-    GroupFlux flux = solve(light, system, k, surroundings, sides.master, temperature, at_cells, emitted[k]);
-    add_group_flux(light, system, k, flux, temperature, flows, to_tool);
-    G.push_back(std::move(flux.irradiation));
+    const GroupState state = state_of(light, system, k, surroundings, sides.master, temperature, at_cells);
+    const GroupLight found = solve_group(light, k, state.source);
+    add_group_flux(light, system, k, state, found, flows, to_tool);
+    if (power) add_absorbed(light, system, state.source, found, 1, *power);
   }
-  if (power) add_absorbed(light, system, G, emitted, 1, *power);
   if (light.laws().has_opaque()) add_opaque(light, system, surroundings, sides, temperature, flows, to_tool, power);
   add_to_tools(system, to_tool, flows, power);
   flows.light_to_air[light.body] += flows.to_air[light.body] - to_air_before;
@@ -183,11 +203,11 @@ Eigen::MatrixXd irradiation(const P1& light, const HeatSystem& system, double ti
                             const Eigen::VectorXd& temperature) {
   Eigen::MatrixXd G(light.size, light.laws().group_count());
   const SideTemperatures sides = side_temperatures(system.interface, temperature);
-  Field emitted;
+  const Field at_cells = at_cell_points(light, system, temperature);
   for (int k = 0; k < light.laws().group_count(); ++k)
-    G.col(k) = solve(light, system, k, surroundings_at(light, system, time), sides.master, temperature,
-                     at_cell_points(light, system, temperature), emitted)
-                   .irradiation;
+    G.col(k) = solve_p1(
+        light, k,
+        state_of(light, system, k, surroundings_at(light, system, time), sides.master, temperature, at_cells).source);
   return G;
 }
 

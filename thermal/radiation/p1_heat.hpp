@@ -9,14 +9,24 @@ namespace parison::thermal {
 /// Temperatures at the quadrature points of the glass, K, or changes of them.
 Field at_cell_points(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature);
 
-/// Adds to the unknowns of the temperature, times `factor`, what the cells absorb of the irradiation of each group less
-/// what they emit, W at the quadrature points.
-void add_absorbed(const P1& light, const HeatSystem& system, const std::vector<Eigen::VectorXd>& irradiation,
-                  const std::vector<Field>& emitted, double factor, Eigen::VectorXd& power);
+/// What cells and surface send in a group, W: at the quadrature points of the cells, of the edges and of the interface.
+struct GroupSource {
+  Field cells;
+  std::vector<std::array<double, 3>> edges;
+  Eigen::ArrayXd contacts;
+};
+/// The light that this makes: what the cells absorb at their quadrature points, W, and the irradiation G at the points of
+/// the edges and of the interface, W/m2.
+struct GroupLight {
+  Field absorbed;
+  std::vector<std::array<double, 3>> edges;
+  Eigen::ArrayXd contacts;
+};
+GroupLight solve_group(const P1& light, int group, const GroupSource& source);
 
-/// Irradiation of a group for the emission of its cells, W at the quadrature points, and a right-hand side that has
-/// that of the surface, W.
-Eigen::VectorXd solve_group(const P1& light, int group, const Field& emitted, Eigen::VectorXd rhs);
+/// Adds to the unknowns of the temperature, times `factor`, what the cells absorb less what they emit.
+void add_absorbed(const P1& light, const HeatSystem& system, const GroupSource& source, const GroupLight& found,
+                  double factor, Eigen::VectorXd& power);
 
 inline double at_point(const Eigen::VectorXd& values, const std::array<Index, 3>& unknowns, const double* shape) {
   return shape[0] * values[unknowns[0]] + shape[1] * values[unknowns[1]] + shape[2] * values[unknowns[2]];
