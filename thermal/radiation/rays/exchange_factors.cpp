@@ -10,7 +10,8 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr double little = 0.005;     ///< transmission at which a ray ends; what is left is absorbed where it came from
+constexpr double little = 0.005;     ///< what is left of the light where a ray ends
+constexpr double trapped = 0.1;      ///< the same where all was reflected so far
 constexpr int most_chords = 5000;    ///< of a ray; between two mirrors they are many
 constexpr double finest = 0.5;       ///< length of a segment of a ray, of a zone's box
 constexpr double grazing = 1e-4;     ///< smallest cosine to the facet with which a ray goes on
@@ -41,7 +42,8 @@ struct Collected {
 
 /// Light of one band along a ray.
 struct BandOnRay {
-  double absorption, left = 1;  ///< 1/m; transmission since the end of the first chord
+  double absorption, left = 1;  ///< 1/m; what is left of the light since the end of the first chord
+  double least = trapped;       ///< where that ends
   Collected source, sink;       ///< what the first chord and the patch send, and what takes it, of 1
 
   BandOnRay(double kappa, Index size) : absorption(kappa), source(size), sink(size) {}
@@ -78,7 +80,8 @@ class Tracer {
       if (at.patch >= 0) {
         meet(at, std::abs(normal.dot(ray.direction)));
         first = false;
-        if (std::none_of(bands_.begin(), bands_.end(), [](const BandOnRay& band) { return band.left > little; })) break;
+        if (std::none_of(bands_.begin(), bands_.end(), [](const BandOnRay& band) { return band.left > band.least; }))
+          break;
       }
       facet = hit->facet;
       ray = {x, reflected(ray.direction, normal, section_.facet_normal(facet, x))};
@@ -121,6 +124,7 @@ class Tracer {
     const double entering = 1 - reflectivity(at, mu);
     for (BandOnRay& band : bands_) {
       band.left = 1;
+      band.least = trapped;
       if (at.patch >= 0 && entering > 0) band.source.add(first_patch_ + at.patch, entering);
     }
   }
@@ -152,7 +156,7 @@ class Tracer {
   }
 
   void pass(BandOnRay& band) const {
-    if (band.left <= little) return;
+    if (band.left <= band.least) return;
     for (const Segment& segment : segments_) {
       const double transmitted = std::exp(-band.absorption * segment.length);
       const double taken = band.left * (1 - transmitted);
@@ -164,15 +168,18 @@ class Tracer {
   void meet(const RaySurface& at, double mu) {
     const double R = reflectivity(at, mu);
     for (BandOnRay& band : bands_) {
-      if (band.left <= little) continue;
+      if (band.left <= band.least) continue;
+      if (R < 1) band.least = little;
       if (R < 1) band.sink.add(first_patch_ + at.patch, band.left * (1 - R));
       band.left *= R;
     }
   }
 
+  /// What is left goes where the rest went; after a partial reflection it is absorbed where it came from.
   static void finish(BandOnRay& band, ExchangeFactors& factors, double weight) {
+    const double rest = band.least == trapped ? 1 - band.left : 1;
     for (const Index to : band.sink.index) {
-      const double taken = weight * band.sink.value[to];
+      const double taken = weight * band.sink.value[to] / rest;
       for (const Index from : band.source.index) factors(from, to) += taken * band.source.value[from];
     }
     band.source.clear();

@@ -69,6 +69,7 @@ Zones make_zones(const P1& light, const core::Mesh& mesh, Geometry geometry) {
 std::shared_ptr<const TracedRays> trace(const P1& light, const HeatSystem& system) {
   const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
   const Geometry geometry = system.problem->geometry;
+  if (getenv("RAYDEBUG")) fprintf(stderr, "trace\n");
   auto traced = std::make_shared<TracedRays>(
       TracedRays{mesh.nodes, mesh.cells(), make_zones(light, mesh, geometry), {}, 0, {}, {}, {}});
   traced->surface = divide_surface(light, system, traced->zones.box_size(), traced->patches);

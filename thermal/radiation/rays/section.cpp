@@ -60,7 +60,7 @@ Index Section::add_box(Index first, Index last) {
 }
 
 Point Section::project(const Eigen::Vector3d& x) const {
-  return {geometry_ == Geometry::axisymmetric ? std::hypot(x[0], x[1]) : x[0], x[2]};
+  return {geometry_ == Geometry::axisymmetric ? std::sqrt(x[0] * x[0] + x[1] * x[1]) : x[0], x[2]};
 }
 
 /// By the range of z, which bounds the distance, and that of the radius over the distances that are left.
@@ -100,7 +100,7 @@ void Section::meet(const Ray& ray, Index f, Index from_facet, std::optional<Hit>
   } else if (std::abs(nr) < flat) {
     if (g1 != 0) {
       roots[0] = -g0 / g1;
-      for (int i = 0; i < 2; ++i) roots[0] = (nr * std::hypot(o[0] + roots[0] * d[0], o[1] + roots[0] * d[1]) - g0) / g1;
+      for (int i = 0; i < 2; ++i) roots[0] = (nr * std::sqrt(std::pow(o[0] + roots[0] * d[0], 2) + std::pow(o[1] + roots[0] * d[1], 2)) - g0) / g1;
     }
   } else {
     const double a = nr * nr * (d[0] * d[0] + d[1] * d[1]) - g1 * g1, b = nr * nr * (o[0] * d[0] + o[1] * d[1]) - g0 * g1,
@@ -142,7 +142,7 @@ std::optional<Hit> Section::leave(const Ray& ray, Index from_facet) const {
 
 Eigen::Vector3d Section::turned(const Point& v, const Eigen::Vector3d& x) const {
   if (geometry_ == Geometry::planar) return {v[0], 0, v[1]};
-  const double r = std::hypot(x[0], x[1]);
+  const double r = std::sqrt(x[0] * x[0] + x[1] * x[1]);
   if (r == 0) return {v[0], 0, v[1]};
   return {v[0] * x[0] / r, v[0] * x[1] / r, v[1]};
 }
