@@ -196,7 +196,8 @@ TEST(LightSlabs, P1_in_cones_gives_the_temperatures_and_heats_of_radiative_trans
 
 TEST(LightSlabs, transfer_gives_the_temperatures_and_heats_of_the_reference) {
   for (const Glass& glass : glasses) {
-    Difference model(fmt::format("slabs of {} glass, transfer by rays at standard against discrete ordinates", glass.name));
+    Difference model(
+        fmt::format("slabs of {} glass, transfer by rays at standard against discrete ordinates", glass.name));
     for (int i = 0; i < 4; ++i) {
       const End found = run_slab(slabs[i], with_model("transfer", glass));
       print(slabs[i], glass, found);

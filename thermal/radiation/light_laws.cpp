@@ -22,7 +22,8 @@ LightGroup p1_group(const Cone& cone, double index, int band, double absorption)
           first / share};
 }
 
-/// Rays carry the light themselves: what leaves a surface is (G - G_eq)/(4 n^2), G/(4 n^2) being the flux outside of it.
+/// Rays carry the light themselves: what leaves a surface is (G - G_eq)/(4 n^2), G/(4 n^2) being the flux outside of
+/// it.
 LightGroup ray_group(double index, int band, double absorption) {
   const double open = 1 / (4 * index * index);
   return {band, absorption, 1, 0, open, open};

@@ -59,8 +59,7 @@ std::string radiation_text(const Scene& scene) {
                       : radiation.model == Model::p1_cones ? "P1 in cones"
                                                            : "P1";
   const double last = radiation.bands.back().up_to;
-  return fmt::format("{}, {} band{}{}", model, radiation.bands.size(),
-                     radiation.bands.size() == 1 ? "" : "s",
+  return fmt::format("{}, {} band{}{}", model, radiation.bands.size(), radiation.bands.size() == 1 ? "" : "s",
                      std::isfinite(last) ? fmt::format(", opaque beyond {:g} um", 1e6 * last) : "");
 }
 

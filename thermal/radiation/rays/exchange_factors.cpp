@@ -10,11 +10,11 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr double little = 0.005;     ///< what is left of the light where a ray ends
-constexpr double trapped = 0.1;      ///< the same where all was reflected so far
-constexpr int most_chords = 5000;    ///< of a ray; between two mirrors they are many
-constexpr double finest = 0.5;       ///< length of a segment of a ray, of a zone's box
-constexpr double grazing = 1e-4;     ///< smallest cosine to the facet with which a ray goes on
+constexpr double little = 0.005;   ///< what is left of the light where a ray ends
+constexpr double trapped = 0.1;    ///< the same where all was reflected so far
+constexpr int most_chords = 5000;  ///< of a ray; between two mirrors they are many
+constexpr double finest = 0.5;     ///< length of a segment of a ray, of a zone's box
+constexpr double grazing = 1e-4;   ///< smallest cosine to the facet with which a ray goes on
 
 /// Part of a ray in one zone.
 struct Segment {
@@ -53,7 +53,12 @@ class Tracer {
  public:
   Tracer(const core::Mesh& mesh, Geometry geometry, const Zones& zones, const std::vector<RaySurface>& surface,
          Index patches, double index, const std::vector<double>& absorption)
-      : section_(mesh, geometry), zones_(zones), surface_(surface), index_(index), first_patch_(zones.function_count()) {
+      : section_(mesh, geometry),
+        zones_(zones),
+        surface_(surface),
+        index_(index),
+        first_patch_(zones.function_count()),
+        passed_(zones.size(), Eigen::Matrix3d::Zero()) {
     for (const double kappa : absorption) {
       bands_.emplace_back(kappa, first_patch_ + patches);
       factors_.push_back(ExchangeFactors::Zero(first_patch_ + patches, first_patch_ + patches));
@@ -75,6 +80,7 @@ class Tracer {
           pass_first(bands_[b], factors_[b], weight);
         else
           pass(bands_[b]);
+      if (first) add_passed(weight / (4 * index_ * index_));
       const RaySurface& at = surface_[hit->edge];
       const Eigen::Vector3d x = ray.at(hit->distance), normal = section_.normal(hit->edge, hit->s, x);
       if (at.patch >= 0) {
@@ -89,9 +95,17 @@ class Tracer {
     for (std::size_t b = 0; b < bands_.size(); ++b) finish(bands_[b], factors_[b], weight);
   }
 
-  /// The factors, symmetric.
+  /// The factors, symmetric. What the places of the rays say of the volume of a zone is not quite what the mesh says;
+  /// the difference counts as absorbed where it was emitted, so that no more than what is emitted is ever absorbed.
   std::vector<ExchangeFactors> result() {
-    for (ExchangeFactors& factors : factors_) factors = (0.5 * (factors + factors.transpose())).eval();
+    for (std::size_t b = 0; b < bands_.size(); ++b) {
+      ExchangeFactors& factors = factors_[b];
+      factors = (0.5 * (factors + factors.transpose())).eval();
+      const double emission = 4 * index_ * index_ * bands_[b].absorption;
+      for (Index z = 0; z < zones_.size(); ++z)
+        factors.block<zone_functions, zone_functions>(zone_functions * z, zone_functions * z) +=
+            emission * (Eigen::Matrix3d::Identity() - passed_[z]);
+    }
     return std::move(factors_);
   }
 
@@ -102,8 +116,7 @@ class Tracer {
     const Eigen::Vector3d x = section_.point(edge, s), outward = section_.normal(edge, s, x);
     const Eigen::Vector3d across(0, 1, 0), along(-outward[2], 0, outward[0]);
     const double sine = std::sqrt(1 - mu * mu);
-    const Eigen::Vector3d direction =
-        -mu * outward + sine * (std::cos(azimuth) * along + std::sin(azimuth) * across);
+    const Eigen::Vector3d direction = -mu * outward + sine * (std::cos(azimuth) * along + std::sin(azimuth) * across);
     return {x, inward(direction, section_.facet_normal(section_.facet_at(edge, s), x))};
   }
   /// A direction that leads away from the facet: the normals of facet and edge differ a little.
@@ -140,6 +153,13 @@ class Tracer {
     }
   }
 
+  void add_passed(double area) {
+    for (const Segment& segment : segments_) {
+      const Eigen::Map<const Eigen::Vector3d> values(segment.values.data());
+      passed_[segment.zone] += area * segment.length * values * values.transpose();
+    }
+  }
+
   void pass_first(BandOnRay& band, ExchangeFactors& factors, double weight) {
     for (const Segment& segment : segments_) {
       const double depth = band.absorption * segment.length, transmitted = std::exp(-depth), share = 1 - transmitted;
@@ -160,7 +180,8 @@ class Tracer {
     for (const Segment& segment : segments_) {
       const double transmitted = std::exp(-band.absorption * segment.length);
       const double taken = band.left * (1 - transmitted);
-      for (int i = 0; i < zone_functions; ++i) band.sink.add(zone_functions * segment.zone + i, taken * segment.values[i]);
+      for (int i = 0; i < zone_functions; ++i)
+        band.sink.add(zone_functions * segment.zone + i, taken * segment.values[i]);
       band.left *= transmitted;
     }
   }
@@ -193,6 +214,8 @@ class Tracer {
   Index first_patch_;
   std::vector<BandOnRay> bands_;
   std::vector<ExchangeFactors> factors_;
+  /// By zone: products of its functions over the volume of the first chords, the identity but for their places.
+  std::vector<Eigen::Matrix3d> passed_;
   std::vector<Segment> segments_;
 };
 
@@ -223,7 +246,8 @@ std::vector<ExchangeFactors> trace_exchange(const core::Mesh& mesh, Geometry geo
     double exact = 0, sum = 0;
     for (const auto& at : core::edge_rule(3))
       exact += core::map_edge_point(mesh, mesh.boundary_edges()[e].nodes, geometry, at).area;
-    for (int i = 0; i < count; ++i) sum += core::depth(geometry, {tracer.section().point(edge, (i + 0.5) / count)[0], 0});
+    for (int i = 0; i < count; ++i)
+      sum += core::depth(geometry, {tracer.section().point(edge, (i + 0.5) / count)[0], 0});
     for (int i = 0; i < count; ++i, ++k) {
       const double s = (i + 0.5) / count, square = std::fmod(0.5 + static_cast<double>(k) * first, 1.0);
       const double azimuth = M_PI * std::fmod(0.5 + static_cast<double>(k) * second, 1.0);

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thermal/radiation/rays/ray_exchange.hpp"
 
-#include "thermal/radiation/p1_heat.hpp"
+#include <algorithm>
+
+#include "thermal/radiation/light_heat.hpp"
 #include "thermal/system.hpp"
 
 namespace parison::thermal {
 
 namespace {
 
-constexpr int zone_count = 80;       ///< boxes of the area of the section
+constexpr int most_zones = 80;    ///< boxes that have the area of the section
+constexpr int cells_of_zone = 5;  ///< of the mesh, at the least
 constexpr int ray_count = 4000;
-constexpr double moved_far = 0.3;    ///< distance, of a box, that the glass moves before rays are traced anew
+constexpr double moved_far = 0.3;  ///< distance, of a box, that the glass moves before rays are traced anew
 
 /// Parts of the boundary as long as a box or, where they are longer, edges; mirrors where the boundary is neither open
 /// nor black nor touched.
-std::vector<RaySurface> divide_surface(const P1& light, const HeatSystem& system, double length, Index& patches) {
+std::vector<RaySurface> divide_surface(const Light& light, const HeatSystem& system, double length, Index& patches) {
   const BodyView& body = system.problem->bodies[light.body];
   const core::Mesh& mesh = *body.mesh;
   std::vector<char> lit(mesh.boundaries().size(), 0);
@@ -54,7 +57,7 @@ void for_each_point(const core::Mesh& mesh, What&& what) {
       }
 }
 
-Zones make_zones(const P1& light, const core::Mesh& mesh, Geometry geometry) {
+Zones make_zones(const Light& light, const core::Mesh& mesh, Geometry geometry) {
   std::vector<Point> position;
   std::vector<double> volume, area;
   for_each_point(mesh, [&](Index b, int q, int lane, const Point& x) {
@@ -63,13 +66,12 @@ Zones make_zones(const P1& light, const core::Mesh& mesh, Geometry geometry) {
     const double depth = core::depth(geometry, x);
     area.push_back(depth > 0 ? volume.back() / depth : 0);
   });
-  return Zones(position, volume, area, zone_count);
+  return {position, volume, area, std::clamp(mesh.cell_count() / cells_of_zone, 1, most_zones)};
 }
 
-std::shared_ptr<const TracedRays> trace(const P1& light, const HeatSystem& system) {
+std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& system) {
   const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
   const Geometry geometry = system.problem->geometry;
-  if (getenv("RAYDEBUG")) fprintf(stderr, "trace\n");
   auto traced = std::make_shared<TracedRays>(
       TracedRays{mesh.nodes, mesh.cells(), make_zones(light, mesh, geometry), {}, 0, {}, {}, {}});
   traced->surface = divide_surface(light, system, traced->zones.box_size(), traced->patches);
@@ -132,7 +134,7 @@ void close(ExchangeFactors& factors, const Eigen::VectorXd& one, const Eigen::Ve
 }
 
 /// Areas of the patches and what of the light out of them comes back.
-void set_surface(RayExchange& rays, const P1& light, const HeatSystem& system) {
+void set_surface(RayExchange& rays, const Light& light, const HeatSystem& system) {
   const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
   const TracedRays& traced = *rays.traced;
   rays.area.setZero(traced.patches);
@@ -161,7 +163,7 @@ void set_surface(RayExchange& rays, const P1& light, const HeatSystem& system) {
 
 }  // namespace
 
-RayExchange make_ray_exchange(const P1& light, const HeatSystem& system, std::shared_ptr<const TracedRays>& traced) {
+RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, std::shared_ptr<const TracedRays>& traced) {
   const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
   if (!traced || !is_near(*traced, mesh)) traced = trace(light, system);
   RayExchange rays{traced, {}, {}, {}, {}, {}};
@@ -183,7 +185,7 @@ RayExchange make_ray_exchange(const P1& light, const HeatSystem& system, std::sh
   return rays;
 }
 
-GroupLight ray_light(const P1& light, int k, const GroupSource& source) {
+GroupLight ray_light(const Light& light, int k, const GroupSource& source) {
   const RayExchange& rays = *light.rays;
   const TracedRays& traced = *rays.traced;
   const ExchangeFactors& factors = rays.bands[k].factors;
@@ -200,7 +202,8 @@ GroupLight ray_light(const P1& light, int k, const GroupSource& source) {
   outside.array() /= rays.area;
   if (rays.bands[k].from_outside) {
     const Eigen::VectorXd out = factors.bottomLeftCorner(patches, zones) * sent.head(zones);
-    outside = rays.bands[k].from_outside->solve(outside + (rays.returned / rays.area).matrix().cwiseProduct(out)).eval();
+    outside =
+        rays.bands[k].from_outside->solve(outside + (rays.returned / rays.area).matrix().cwiseProduct(out)).eval();
   }
   const Eigen::VectorXd taken = factors * sent;
   GroupLight result{Field(light.volumes.size()), {}, Eigen::ArrayXd(source.contacts.size())};

@@ -10,10 +10,10 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr Index leaf = 3;           ///< facets of a box that is not divided
-constexpr double overlap = 1e-9;    ///< of neighbouring facets, of their length
-constexpr double flat = 1e-4;       ///< radial part of the normal below which a facet counts as a plane across the axis
-constexpr double resolution = 1e-9; ///< smallest distance between two places of the surface, of the body's size
+constexpr Index leaf = 3;         ///< facets of a box that is not divided
+constexpr double overlap = 1e-9;  ///< of neighbouring facets, of their length
+constexpr double flat = 1e-4;     ///< radial part of the normal below which a facet counts as a plane across the axis
+constexpr double resolution = 1e-9;  ///< smallest distance between two places of the surface, of the body's size
 
 Point edge_point(const core::Mesh& mesh, const core::BoundaryEdge& edge, double s) {
   const auto shape = core::edge_shape(s);
@@ -29,8 +29,7 @@ Section::Section(const core::Mesh& mesh, Geometry geometry)
     const core::BoundaryEdge& edge = mesh.boundary_edges()[e];
     std::array<Point, 3> x;
     for (int i = 0; i < 3; ++i) x[i] = edge_point(mesh, edge, 0.5 * i);
-    const bool on_axis =
-        geometry == Geometry::axisymmetric && std::max({x[0][0], x[1][0], x[2][0]}) < tiny_;
+    const bool on_axis = geometry == Geometry::axisymmetric && std::max({x[0][0], x[1][0], x[2][0]}) < tiny_;
     first_facet_.push_back(on_axis ? -1 : static_cast<Index>(facets_.size()));
     if (on_axis) continue;
     for (int i = 0; i < 2; ++i) {
@@ -100,10 +99,13 @@ void Section::meet(const Ray& ray, Index f, Index from_facet, std::optional<Hit>
   } else if (std::abs(nr) < flat) {
     if (g1 != 0) {
       roots[0] = -g0 / g1;
-      for (int i = 0; i < 2; ++i) roots[0] = (nr * std::sqrt(std::pow(o[0] + roots[0] * d[0], 2) + std::pow(o[1] + roots[0] * d[1], 2)) - g0) / g1;
+      for (int i = 0; i < 2; ++i)
+        roots[0] =
+            (nr * std::sqrt(std::pow(o[0] + roots[0] * d[0], 2) + std::pow(o[1] + roots[0] * d[1], 2)) - g0) / g1;
     }
   } else {
-    const double a = nr * nr * (d[0] * d[0] + d[1] * d[1]) - g1 * g1, b = nr * nr * (o[0] * d[0] + o[1] * d[1]) - g0 * g1,
+    const double a = nr * nr * (d[0] * d[0] + d[1] * d[1]) - g1 * g1,
+                 b = nr * nr * (o[0] * d[0] + o[1] * d[1]) - g0 * g1,
                  c = nr * nr * (o[0] * o[0] + o[1] * o[1]) - g0 * g0, square = b * b - a * c;
     if (square < 0) return;
     const double q = -(b + std::copysign(std::sqrt(square), b));
@@ -116,7 +118,8 @@ void Section::meet(const Ray& ray, Index f, Index from_facet, std::optional<Hit>
     const Point at = project(x);
     const double share = (at - facet.from).dot(facet.along) / length2;
     if (share < -overlap || share > 1 + overlap) continue;
-    if (std::abs((at - facet.from).dot(facet.normal)) > 1e-6 * std::sqrt(length2) + tiny_) continue;  // other half of the cone
+    if (std::abs((at - facet.from).dot(facet.normal)) > 1e-6 * std::sqrt(length2) + tiny_)
+      continue;  // other half of the cone
     if (facet_normal(f, x).dot(d) <= 0) continue;
     nearest = Hit{t, facet.edge, facet.s + 0.5 * std::clamp(share, 0.0, 1.0), f};
   }

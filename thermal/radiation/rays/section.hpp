@@ -53,8 +53,8 @@ class Section {
   };
   struct Box {
     Point low, high;
-    Index first, last;    ///< of its facets, without the last
-    Index left, right;    ///< boxes inside; none below a leaf
+    Index first, last;  ///< of its facets, without the last
+    Index left, right;  ///< boxes inside; none below a leaf
   };
   Index add_box(Index first, Index last);
   bool may_meet(const Ray& ray, const Box& box, double nearest) const;

@@ -9,8 +9,9 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr double sliver = 0.2;      ///< section area of a box that is joined with a neighbour, of a full one's
-constexpr double thinnest = 1e-4;   ///< second moment, of that of the box, below which a zone has no slope that way
+constexpr double sliver = 0.2;     ///< section area of a box that is joined with a neighbour, of a full one's
+constexpr int fewest_points = 6;   ///< of the mesh in a box that is not joined
+constexpr double thinnest = 1e-4;  ///< second moment, of that of the box, below which a zone has no slope that way
 
 }  // namespace
 
@@ -25,8 +26,12 @@ Zones::Zones(const std::vector<Point>& position, const std::vector<double>& volu
     low_[a] = 0.5 * (low_[a] + high[a] - boxes_[a] * h_);
   }
   std::vector<double> in_box(boxes_[0] * boxes_[1], 0.0);
-  for (std::size_t q = 0; q < position.size(); ++q) in_box[box_at(position[q])] += area[q];
-  join_slivers(in_box);
+  std::vector<int> points(in_box.size(), 0);
+  for (std::size_t q = 0; q < position.size(); ++q) {
+    in_box[box_at(position[q])] += area[q];
+    ++points[box_at(position[q])];
+  }
+  join_slivers(in_box, points);
   fill_gaps();
   const auto zones = static_cast<std::size_t>(*std::max_element(zone_of_box_.begin(), zone_of_box_.end()) + 1);
   zone_.assign(zones, {Point::Zero(), 0, {}});
@@ -70,24 +75,26 @@ Index Zones::at(const Point& x) const {
 }
 
 /// Numbers the boxes that are zones; a sliver has the number of its neighbour with the largest area.
-void Zones::join_slivers(const std::vector<double>& area) {
+void Zones::join_slivers(const std::vector<double>& area, const std::vector<int>& points) {
   const double least = sliver * h_ * h_;
+  const auto is_sliver = [&](Index box) { return area[box] < least || points[box] < fewest_points; };
   zone_of_box_.assign(area.size(), -1);
   std::vector<Index> joined(area.size(), -1);
   for (Index j = 0; j < boxes_[1]; ++j)
     for (Index i = 0; i < boxes_[0]; ++i) {
       const Index box = j * boxes_[0] + i;
-      if (area[box] == 0 || area[box] >= least) continue;
-      double most = least;
+      if (points[box] == 0 || !is_sliver(box)) continue;
+      double most = 0;
       for (const auto& [di, dj] : {std::pair<Index, Index>{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
         const Index i2 = i + di, j2 = j + dj;
-        if (i2 < 0 || j2 < 0 || i2 >= boxes_[0] || j2 >= boxes_[1] || area[j2 * boxes_[0] + i2] < most) continue;
+        if (i2 < 0 || j2 < 0 || i2 >= boxes_[0] || j2 >= boxes_[1]) continue;
+        if (is_sliver(j2 * boxes_[0] + i2) || area[j2 * boxes_[0] + i2] <= most) continue;
         most = area[joined[box] = j2 * boxes_[0] + i2];
       }
     }
   Index count = 0;
   for (std::size_t box = 0; box < area.size(); ++box)
-    if (area[box] > 0 && joined[box] < 0) zone_of_box_[box] = count++;
+    if (points[box] > 0 && joined[box] < 0) zone_of_box_[box] = count++;
   for (std::size_t box = 0; box < area.size(); ++box)
     if (joined[box] >= 0) zone_of_box_[box] = zone_of_box_[joined[box]];
 }

@@ -19,17 +19,17 @@ using ZoneValues = std::array<double, zone_functions>;
 /// The functions of each zone are orthonormal in the volume of the mesh's quadrature points.
 class Zones {
  public:
-  /// `count` boxes have the area of the section; `depth_volume` by quadrature point is its volume, `area` that in the
-  /// section, of points at `position`.
+  /// From the quadrature points of a mesh: place, m, volume, m3, and area in the section, m2. `count` boxes have the
+  /// area of the section.
   Zones(const std::vector<Point>& position, const std::vector<double>& volume, const std::vector<double>& area,
         int count);
 
-  Index size() const { return static_cast<Index>(zone_.size()); }       ///< of zones
+  Index size() const { return static_cast<Index>(zone_.size()); }  ///< of zones
   Index function_count() const { return zone_functions * size(); }
-  double box_size() const { return h_; }                                  ///< m
-  double volume(Index zone) const { return zone_[zone].volume; }          ///< m3
-  Index at(const Point& x) const;                                         ///< the zone of a point
-  ZoneValues values(Index zone, const Point& x) const;                    ///< of its functions, m^-3/2
+  double box_size() const { return h_; }                          ///< m
+  double volume(Index zone) const { return zone_[zone].volume; }  ///< m3
+  Index at(const Point& x) const;                                 ///< the zone of a point
+  ZoneValues values(Index zone, const Point& x) const;            ///< of its functions, m^-3/2
   /// Coefficients of the function 1.
   const Eigen::VectorXd& one() const { return one_; }
 
@@ -40,7 +40,7 @@ class Zones {
     std::array<double, 3> second;  ///< rows of the inverse Cholesky factor of the second moments
   };
   Index box_at(const Point& x) const;
-  void join_slivers(const std::vector<double>& area);
+  void join_slivers(const std::vector<double>& area, const std::vector<int>& points);
   void fill_gaps();
 
   double h_;

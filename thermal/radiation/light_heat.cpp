@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "thermal/radiation/p1_heat.hpp"
+#include "thermal/radiation/light_heat.hpp"
 
 #include <limits>
 
@@ -12,13 +12,13 @@ namespace {
 /// What lies outside of the surface and what group and temperatures send.
 struct GroupState {
   GroupSource source;
-  std::vector<double> surroundings;               ///< irradiation in equilibrium with them, W/m2, by boundary
-  std::vector<std::array<double, 3>> at_edges;    ///< the same with what lies outside of the points of the edges
-  Eigen::ArrayXd tool;                            ///< the same with the tool, by point of the interface
+  std::vector<double> surroundings;             ///< irradiation in equilibrium with them, W/m2, by boundary
+  std::vector<std::array<double, 3>> at_edges;  ///< the same with what lies outside of the points of the edges
+  Eigen::ArrayXd tool;                          ///< the same with the tool, by point of the interface
 };
 
 /// By boundary of the glass, K; zero where it sees none.
-std::vector<double> surroundings_at(const P1& light, const HeatSystem& system, double time) {
+std::vector<double> surroundings_at(const Light& light, const HeatSystem& system, double time) {
   std::vector<double> temperature;
   for (const auto& given : system.problem->bodies[light.body].light.surroundings)
     temperature.push_back(given ? (*given)(time) : 0);
@@ -27,7 +27,7 @@ std::vector<double> surroundings_at(const P1& light, const HeatSystem& system, d
 
 /// Irradiation in equilibrium with what lies outside of a point of an edge: the surroundings, or a black wall of the
 /// glass's temperature.
-double outside_of(const P1& light, const LightEdge& edge, int q, int group, const std::vector<double>& surroundings,
+double outside_of(const Light& light, const LightEdge& edge, int q, int group, const std::vector<double>& surroundings,
                   const Eigen::VectorXd& temperature) {
   if (!edge.black) return surroundings[edge.boundary];
   return light.laws()
@@ -35,7 +35,7 @@ double outside_of(const P1& light, const LightEdge& edge, int q, int group, cons
       .value;
 }
 
-Field emission_at(const P1& light, int group, const Field& temperature) {
+Field emission_at(const Light& light, int group, const Field& temperature) {
   Field emitted(temperature.size());
   const LightLaws& laws = light.laws();
   for (std::size_t g = 0; g < emitted.size(); ++g)
@@ -47,7 +47,7 @@ Field emission_at(const P1& light, int group, const Field& temperature) {
   return emitted;
 }
 
-GroupState state_of(const P1& light, const HeatSystem& system, int group, const std::vector<double>& surroundings,
+GroupState state_of(const Light& light, const HeatSystem& system, int group, const std::vector<double>& surroundings,
                     const Eigen::ArrayXd& tool_temperature, const Eigen::VectorXd& temperature, const Field& at_cells) {
   const LightLaws& laws = light.laws();
   GroupState state{{}, {}, {}, Eigen::ArrayXd(tool_temperature.size())};
@@ -73,7 +73,7 @@ GroupState state_of(const P1& light, const HeatSystem& system, int group, const 
 }
 
 /// Adds a group's flux out of the surface to the flows, and to the power into the tools.
-void add_group_flux(const P1& light, const HeatSystem& system, int group, const GroupState& state,
+void add_group_flux(const Light& light, const HeatSystem& system, int group, const GroupState& state,
                     const GroupLight& found, Flows& flows, Eigen::ArrayXd& to_tool) {
   for (std::size_t e = 0; e < light.edges.size(); ++e)
     for (int q = 0; q < 3; ++q)
@@ -89,7 +89,7 @@ void add_group_flux(const P1& light, const HeatSystem& system, int group, const 
 }
 
 /// Adds what the opaque bands give off at the surface.
-void add_opaque(const P1& light, const HeatSystem& system, const std::vector<double>& surroundings,
+void add_opaque(const Light& light, const HeatSystem& system, const std::vector<double>& surroundings,
                 const SideTemperatures& sides, const Eigen::VectorXd& temperature, Flows& flows,
                 Eigen::ArrayXd& to_tool, Eigen::VectorXd* power) {
   const LightLaws& laws = light.laws();
@@ -132,7 +132,7 @@ void add_to_tools(const HeatSystem& system, const Eigen::ArrayXd& to_tool, Flows
 
 }  // namespace
 
-Field at_cell_points(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {
+Field at_cell_points(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {
   return at_points(system.batches.data() + system.bodies[light.body].first_batch, light.batches.size(),
                    system.problem->order, temperature.data());
 }
@@ -140,7 +140,7 @@ Field at_cell_points(const P1& light, const HeatSystem& system, const Eigen::Vec
 namespace {
 
 /// Irradiation of a group by P1, by unknown, W/m2.
-Eigen::VectorXd solve_p1(const P1& light, int group, const GroupSource& source) {
+Eigen::VectorXd solve_p1(const Light& light, int group, const GroupSource& source) {
   if (!light.solvable) return Eigen::VectorXd::Constant(light.size, std::numeric_limits<double>::quiet_NaN());
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(light.size);
   for (std::size_t e = 0; e < light.edges.size(); ++e)
@@ -154,7 +154,7 @@ Eigen::VectorXd solve_p1(const P1& light, int group, const GroupSource& source) 
 
 }  // namespace
 
-GroupLight solve_group(const P1& light, int group, const GroupSource& source) {
+GroupLight solve_group(const Light& light, int group, const GroupSource& source) {
   if (light.rays) return ray_light(light, group, source);
   const Eigen::VectorXd G = solve_p1(light, group, source);
   GroupLight found{at_points(light.batches.data(), light.batches.size(), light.order, G.data()),
@@ -172,7 +172,7 @@ GroupLight solve_group(const P1& light, int group, const GroupSource& source) {
   return found;
 }
 
-void add_absorbed(const P1& light, const HeatSystem& system, const GroupSource& source, const GroupLight& found,
+void add_absorbed(const Light& light, const HeatSystem& system, const GroupSource& source, const GroupLight& found,
                   double factor, Eigen::VectorXd& power) {
   Field gained = found.absorbed;
   for (std::size_t g = 0; g < gained.size(); ++g)
@@ -181,8 +181,8 @@ void add_absorbed(const P1& light, const HeatSystem& system, const GroupSource& 
                   power.data());
 }
 
-void add_light(const P1& light, const HeatSystem& system, double time, const Eigen::VectorXd& temperature, Flows& flows,
-               Eigen::VectorXd* power) {
+void add_light(const Light& light, const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
+               Flows& flows, Eigen::VectorXd* power) {
   const std::vector<double> surroundings = surroundings_at(light, system, time);
   const SideTemperatures sides = side_temperatures(system.interface, temperature);
   const double to_air_before = flows.to_air[light.body];
@@ -199,7 +199,7 @@ void add_light(const P1& light, const HeatSystem& system, double time, const Eig
   flows.light_to_air[light.body] += flows.to_air[light.body] - to_air_before;
 }
 
-Eigen::MatrixXd irradiation(const P1& light, const HeatSystem& system, double time,
+Eigen::MatrixXd irradiation(const Light& light, const HeatSystem& system, double time,
                             const Eigen::VectorXd& temperature) {
   Eigen::MatrixXd G(light.size, light.laws().group_count());
   const SideTemperatures sides = side_temperatures(system.interface, temperature);

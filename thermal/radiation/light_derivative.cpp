@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "thermal/radiation/p1_heat.hpp"
+#include "thermal/radiation/light_heat.hpp"
 #include "thermal/system.hpp"
 #include "thermal/time/step_matrix.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 /// absorbed again, so the matrix is never off by more than half.
 constexpr double not_absorbed_again = 0.5;
 
-Field emission_slope(const P1& light, int group, const Field& temperature) {
+Field emission_slope(const Light& light, int group, const Field& temperature) {
   Field slope(temperature.size());
   const LightLaws& laws = light.laws();
   for (std::size_t g = 0; g < slope.size(); ++g)
@@ -32,7 +32,7 @@ Field changed_emission(const Field& slope, const Field& change) {
 }
 
 /// Derivatives of the surface, all but the emission of the cells.
-void linearise_surface(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
+void linearise_surface(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
                        LightDerivatives& result) {
   const LightLaws& laws = light.laws();
   const SideTemperatures sides = side_temperatures(system.interface, temperature);
@@ -59,7 +59,7 @@ void linearise_surface(const P1& light, const HeatSystem& system, const Eigen::V
 
 }  // namespace
 
-LightDerivatives linearise_light(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {
+LightDerivatives linearise_light(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {
   const auto points = static_cast<Eigen::Index>(light.contacts.size());
   LightDerivatives result;
   result.opaque_slave = result.opaque_master = result.opaque_open = Eigen::ArrayXd::Zero(points);
@@ -70,7 +70,7 @@ LightDerivatives linearise_light(const P1& light, const HeatSystem& system, cons
   return result;
 }
 
-void apply_light(const P1& light, const HeatSystem& system, const LightDerivatives& derivatives, double step,
+void apply_light(const Light& light, const HeatSystem& system, const LightDerivatives& derivatives, double step,
                  const Eigen::VectorXd& change, Eigen::VectorXd& result) {
   const SideTemperatures sides = side_temperatures(system.interface, change);
   const Field at_cells = at_cell_points(light, system, change);
@@ -106,7 +106,7 @@ namespace {
 
 /// Weighted mass matrix of the emission of each cell.
 template <int N>
-void add_cells(StepMatrix& matrix, const P1& light, const HeatSystem& system, const LightDerivatives& derivatives,
+void add_cells(StepMatrix& matrix, const Light& light, const HeatSystem& system, const LightDerivatives& derivatives,
                double step) {
   const auto& shapes = cell_shapes<N>().value;
   const BodyLaws& body = system.bodies[light.body];
@@ -126,8 +126,8 @@ void add_cells(StepMatrix& matrix, const P1& light, const HeatSystem& system, co
 
 }  // namespace
 
-void assemble_light(StepMatrix& matrix, const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
-                    double step) {
+void assemble_light(StepMatrix& matrix, const Light& light, const HeatSystem& system,
+                    const Eigen::VectorXd& temperature, double step) {
   const LightDerivatives derivatives = linearise_light(light, system, temperature);
   (system.problem->order == 2 ? add_cells<6> : add_cells<3>)(matrix, light, system, derivatives, step);
   for (std::size_t e = 0; e < light.edges.size(); ++e) {
