@@ -11,7 +11,7 @@ namespace parison::thermal {
 namespace {
 
 constexpr int most_zones = 80;    ///< boxes that have the area of the section
-constexpr int cells_of_zone = 5;  ///< of the mesh, at the least
+constexpr int cells_of_zone = 3;  ///< of the mesh, at the least
 constexpr int ray_count = 4000;
 constexpr double moved_far = 0.3;  ///< distance, of a box, that the glass moves before rays are traced anew
 
