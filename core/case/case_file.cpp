@@ -245,4 +245,11 @@ TimeFunction not_negative_over_time(const CaseNode& node, const Dimension& dimen
   return function;
 }
 
+TimeFunction positive_over_time(const CaseNode& node, const Dimension& dimension) {
+  if (node.kind != CaseNode::Kind::list) return positive(node, dimension);
+  TimeFunction function = quantity_over_time(node, dimension);
+  for (const auto& pair : node.items) positive(pair.items[1], dimension);
+  return function;
+}
+
 }  // namespace parison::core

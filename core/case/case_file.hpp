@@ -97,6 +97,8 @@ Table quantity_table(const CaseNode& node, const Dimension& x, const Dimension& 
 TimeFunction quantity_over_time(const CaseNode& node, const Dimension& dimension);
 /// The same with no value below zero.
 TimeFunction not_negative_over_time(const CaseNode& node, const Dimension& dimension);
+/// The same with every value above zero.
+TimeFunction positive_over_time(const CaseNode& node, const Dimension& dimension);
 
 /// The candidate with the smallest edit distance from a word, empty when none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace parison::core {
 
@@ -38,6 +39,45 @@ double Table::integral(double at) const {
   for (; i + 1 < x.size() && x[i + 1] <= at; ++i) sum += 0.5 * (y[i] + y[i + 1]) * (x[i + 1] - x[i]);
   if (i + 1 < x.size() && x[i] < at) sum += 0.5 * (y[i] + (*this)(at)) * (at - x[i]);
   return sum + y.back() * std::max(0.0, at - x.back());
+}
+
+double mean(const Table& table, double from, double to) {
+  double sum = 0, at = from, value = table(from);
+  const auto add_until = [&](double next) {
+    const double there = table(next);
+    sum += 0.5 * (value + there) * (next - at);
+    at = next, value = there;
+  };
+  for (const double x : table.x)
+    if (x > from && x < to) add_until(x);
+  add_until(to);
+  return sum / (to - from);
+}
+
+std::vector<double> corners(const Table& table, double share) {
+  if (table.x.size() == 1) return {};
+  const auto [low, high] = std::minmax_element(table.y.begin(), table.y.end());
+  const double most = share * (*high - *low);
+  std::vector<bool> kept(table.x.size(), false);
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, table.x.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    const Table chord{{table.x[first], table.x[last]}, {table.y[first], table.y[last]}};
+    std::size_t furthest = first;
+    double distance = most;
+    for (std::size_t i = first + 1; i < last; ++i)
+      if (const double off = std::abs(table.y[i] - chord(table.x[i])); off > distance) distance = off, furthest = i;
+    if (furthest == first) continue;
+    kept[furthest] = true;
+    open.push_back({first, furthest});
+    open.push_back({furthest, last});
+  }
+  std::vector<double> at;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (kept[i]) at.push_back(table.x[i]);
+  return at;
 }
 
 std::vector<double> kinks(const Table& table, double share) {

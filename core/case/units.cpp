@@ -57,6 +57,7 @@ constexpr NamedDimension named_dimensions[] = {
     {{2}, "an area", "4 cm2", 1e12},
     {dimension::volume, "a volume", "91.5 cm3", 1e18},
     {dimension::time, "a time", "0.9 s", 1e9},
+    {dimension::frequency, "a number in a time", "12 1/min", 1e9},
     {dimension::speed, "a speed", "150 mm/s", 1e6},
     {dimension::acceleration, "an acceleration", "9.81 m/s2", 1e6},
     {{0, 1}, "a mass", "220 g", 1e12},

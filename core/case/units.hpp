@@ -19,6 +19,7 @@ inline constexpr Dimension inverse_length{-1};
 inline constexpr Dimension area{2};
 inline constexpr Dimension volume{3};
 inline constexpr Dimension time{0, 0, 1};
+inline constexpr Dimension frequency{0, 0, -1};
 inline constexpr Dimension speed{1, 0, -1};
 inline constexpr Dimension acceleration{1, 0, -2};
 inline constexpr Dimension temperature{0, 0, 0, 1, true};

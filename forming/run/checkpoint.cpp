@@ -8,6 +8,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
+#include "core/io/mesh_hdf5.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/report/files/case_copy.hpp"
 #include "forming/run/resume/case_change.hpp"
@@ -20,55 +21,6 @@ using core::Hdf5Group;
 
 constexpr std::int64_t format_version = 8;
 
-void write_points(Hdf5Group& group, const std::string& name, const std::vector<Point>& points) {
-  std::vector<double> values;
-  for (const Point& x : points) values.insert(values.end(), x.data(), x.data() + core::dim);
-  group.write(name, values, core::dim);
-}
-
-std::vector<Point> read_points(const Hdf5Group& group, const std::string& name) {
-  const std::vector<double> values = group.read_doubles(name);
-  std::vector<Point> points(values.size() / core::dim);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = Eigen::Map<const Point>(values.data() + core::dim * i);
-  return points;
-}
-
-void write_mesh(Hdf5Group group, const core::Mesh& mesh) {
-  write_points(group, "nodes", mesh.nodes);
-  group.write("vertex_count", std::int64_t{mesh.vertex_count()});
-  std::vector<int> cells, boundary;
-  for (const auto& cell : mesh.cells()) cells.insert(cells.end(), cell.begin(), cell.end());
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
-    for (const Index value : {edge.nodes[0], edge.nodes[1], edge.nodes[2], edge.cell, edge.boundary_id})
-      boundary.push_back(value);
-  group.write("cells", cells, 6);
-  group.write("boundary", boundary, 5);
-  std::vector<int> kinds;
-  for (std::size_t i = 0; i < mesh.boundaries().size(); ++i) {
-    group.write(fmt::format("boundary_{}", i), mesh.boundaries()[i].name);
-    kinds.push_back(static_cast<int>(mesh.boundaries()[i].kind));
-  }
-  group.write("boundary_kinds", kinds);
-}
-
-core::Mesh read_mesh(const Hdf5Group& group) {
-  core::Mesh mesh;
-  core::Topology& topology = mesh.edit();
-  mesh.nodes = read_points(group, "nodes");
-  topology.vertex_count = static_cast<Index>(group.read_integer("vertex_count"));
-  const std::vector<int> cells = group.read_integers("cells"), boundary = group.read_integers("boundary");
-  topology.cells.resize(cells.size() / 6);
-  for (std::size_t i = 0; i < cells.size(); ++i) topology.cells[i / 6][i % 6] = cells[i];
-  for (std::size_t i = 0; i + 5 <= boundary.size(); i += 5)
-    topology.boundary_edges.push_back(
-        {{boundary[i], boundary[i + 1], boundary[i + 2]}, boundary[i + 3], boundary[i + 4]});
-  const std::vector<int> kinds = group.read_integers("boundary_kinds");
-  for (std::size_t i = 0; i < kinds.size(); ++i)
-    topology.boundaries.emplace_back(group.read_string(fmt::format("boundary_{}", i)),
-                                     static_cast<core::BoundaryKind>(kinds[i]));
-  return mesh;
-}
-
 struct Writer {
   Hdf5Group group;
   void operator()(const char* name, double value) { group.write(name, value); }
@@ -79,8 +31,8 @@ struct Writer {
   void operator()(const char* name, const std::vector<double>& value) { group.write(name, value); }
   void operator()(const char* name, const Eigen::VectorXd& value) { group.write(name, value); }
   void operator()(const char* name, const std::vector<int>& value) { group.write(name, value); }
-  void operator()(const char* name, const std::vector<Point>& value) { write_points(group, name, value); }
-  void operator()(const char* name, const core::Mesh& value) { write_mesh(group.create(name), value); }
+  void operator()(const char* name, const std::vector<Point>& value) { core::write_points(group, name, value); }
+  void operator()(const char* name, const core::Mesh& value) { core::write_mesh(group.create(name), value); }
   Writer part(const std::string& name) { return {group.create(name)}; }
 };
 
@@ -94,8 +46,8 @@ struct Reader {
   void operator()(const char* name, std::vector<double>& value) { value = group.read_doubles(name); }
   void operator()(const char* name, Eigen::VectorXd& value) { value = group.read_vector(name); }
   void operator()(const char* name, std::vector<int>& value) { value = group.read_integers(name); }
-  void operator()(const char* name, std::vector<Point>& value) { value = read_points(group, name); }
-  void operator()(const char* name, core::Mesh& value) { value = read_mesh(group.open(name)); }
+  void operator()(const char* name, std::vector<Point>& value) { value = core::read_points(group, name); }
+  void operator()(const char* name, core::Mesh& value) { value = core::read_mesh(group.open(name)); }
   Reader part(const std::string& name) { return {group.open(name)}; }
 };
 
@@ -223,6 +175,8 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     file.write("version", format_version);
     file.write("layout", state_layout());
     file.write("case", scene.name);
+    for (std::size_t i = 0; i < scene.tools.size(); ++i)
+      file.write(fmt::format("tool_name_{}", i), scene.tools[i].name);
     file.write("case_file", std::filesystem::absolute(scene.file).string());
     file.write("accuracy", scene.accuracy_name);
     write_overrides(file, scene.overrides);

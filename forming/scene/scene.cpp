@@ -36,11 +36,17 @@ void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
 void read_stages(const CaseTable& root, Scene& scene) {
   const auto& stages = root.get("stage");
   refuse_repeated_names(root.tables("stage"));
-  const CommonAir air{root.find("air"), root.find("trapped_air")};
+  const CommonAir air{root.find("air"), root.find("inner_air"), root.find("trapped_air")};
   if (air.trapped && !scene.has_flow())
     core::refuse(*air.trapped, "the glass does not flow, this key is allowed only where its material has a viscosity");
   for (const auto* stage : root.tables("stage")) scene.stages.push_back(read_stage(*stage, air, scene));
   if (scene.stages.empty()) core::refuse(stages, "no stage was found, allowed is at least one");
+  if (!air.inner) return;
+  Stage last = std::move(scene.stages.back());
+  scene.stages.pop_back();
+  name_inner_side(*air.inner, scene, last);
+  refuse_unknown_inner_side(*air.inner, scene, last);
+  scene.stages.push_back(std::move(last));
 }
 
 /// The case file, what was set, and the bundled materials that it uses.
@@ -53,6 +59,7 @@ std::string text_of(const Scene& scene, const std::vector<std::string>& library)
 /// Of the text of the case and of all outlines, which may be in other files.
 std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
   const auto add = [&](const Body& body) {
+    if (body.start_field) text += start_field_text(*body.start_field, body.profile);
     for (const core::Segment& s : body.profile.segments)
       text += fmt::format("{} {} {} {} {} {}\n", s.end[0], s.end[1], s.centre[0], s.centre[1], s.from, s.to);
   };
@@ -73,6 +80,26 @@ std::vector<bool> contact_boundaries(const Body& body) {
   return flags;
 }
 
+std::vector<const Air*> airs_of(const Stage& stage) {
+  if (stage.inner_air) return {&stage.air, &*stage.inner_air};
+  return {&stage.air};
+}
+
+namespace {
+
+/// Calls include(temperature) for what surrounds the bodies in a stage.
+template <typename Include>
+void include_surroundings(const Stage& stage, bool emits, const Include& include) {
+  for (const Air* air : airs_of(stage)) {
+    if (air->h.max() > 0) include(air->air_temperature);
+    if (emits) include(air->ambient_temperature);
+  }
+  for (const StageCooling& cooling : stage.cooling)
+    if (cooling.h.max() > 0) include(cooling.air_temperature);
+}
+
+}  // namespace
+
 TemperatureRange temperature_range(const Scene& scene) {
   TemperatureRange range{scene.glass.initial_temperature, scene.glass.initial_temperature};
   const auto include = [&](const core::TimeFunction& temperature) {
@@ -81,6 +108,10 @@ TemperatureRange temperature_range(const Scene& scene) {
   const auto include_body = [&](const Body& body) {
     if (!body.thermal) return;
     include(body.initial_temperature);
+    if (body.start_field) {
+      include(body.start_field->min);
+      include(body.start_field->max);
+    }
     for (const Boundary& boundary : body.boundaries) {
       if (boundary.kind == BoundaryKind::cooled) include(boundary.cooling.air_temperature);
       if (boundary.kind == BoundaryKind::temperature) include(boundary.temperature);
@@ -89,10 +120,8 @@ TemperatureRange temperature_range(const Scene& scene) {
   include_body(scene.glass);
   if (scene.glass.skin) include(scene.glass.skin->temperature);
   for (const Tool& tool : scene.tools) include_body(tool);
-  for (const Stage& stage : scene.stages) {
-    if (stage.air.h.max() > 0) include(stage.air.air_temperature);
-    if (scene.glass.emissivity > 0 || scene.has_light()) include(stage.air.ambient_temperature);
-  }
+  for (const Stage& stage : scene.stages)
+    include_surroundings(stage, scene.glass.emissivity > 0 || scene.has_light(), include);
   return range;
 }
 
@@ -108,10 +137,12 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   for (const auto& assignment : overrides) core::override_value(file, assignment);
   for (auto& name : add_library_materials(file)) library.push_back(std::move(name));
   const auto dimensions = core::read_dimensions(file);
-  const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "trapped_air",
-                                   "stage", "probe", "output", "numerics", "dimension"});
+  auto timing = read_timing(file, dimensions);
+  const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "inner_air",
+                                   "trapped_air", "stage", "timing", "probe", "output", "numerics", "dimension"});
   Scene scene;
   scene.dimensions = dimensions;
+  scene.timing = std::move(timing);
   scene.name = core::identifier(root.get("case"));
   scene.directory = file.directory;
   scene.file = file.path;

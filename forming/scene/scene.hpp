@@ -1,6 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,12 +45,23 @@ struct MeshSpec {
   std::optional<Mapped> mapped;
 };
 
+/// Temperatures of a body at the start that differ from place to place: a function, or those of another result, whose
+/// heat is handed over.
+struct StartField {
+  std::string source;                            ///< what it is, in words
+  std::function<double(const core::Point&)> at;  ///< K at a place in the body's frame; empty for a result
+  core::Mesh mesh;                               ///< of the result, in the body's frame
+  Eigen::VectorXd temperature;                   ///< at its nodes, K
+  double min = 0, max = 0;                       ///< K
+};
+
 struct Body {
   std::string name;
   core::Profile profile;             ///< in the body's own frame, m
   std::vector<Boundary> boundaries;  ///< one for each of profile.boundaries
   MeshSpec mesh;
-  double initial_temperature = 0;            ///< K
+  double initial_temperature = 0;            ///< K; the mean of a field
+  std::optional<StartField> start_field;     ///< none: the temperature is uniform, or has a skin
   std::optional<thermal::Material> thermal;  ///< none: the body carries no heat in this scene
   double emissivity = 0;                     ///< of its open surfaces; of glass with light in bands where it is opaque
   double position = 0;  ///< offset along the axis at the start, m (the profile is given at offset 0)
@@ -90,8 +103,8 @@ struct PositionMotion {
   core::Table offset;  ///< offset along the axis, m, over time since the stage's start, s
 };
 struct ForceMotion {
-  double force;        ///< N along +axis
-  double speed_limit;  ///< m/s, positive
+  core::TimeFunction force;        ///< N along +axis, over time since the stage's start, s
+  core::TimeFunction speed_limit;  ///< m/s, positive, likewise
 };
 using Motion = std::variant<std::monostate, PositionMotion, ForceMotion>;
 
@@ -106,6 +119,22 @@ struct NamedBoundary {
   std::string name;
   core::Point from = core::Point::Zero(), to = core::Point::Zero();
   std::optional<Index> touched = std::nullopt;  ///< index into Scene::tools
+};
+
+/// The name of the glass boundary that a plunger, a pin or a counter-blow has made.
+inline constexpr const char* inner_side = "inner";
+
+/// Air around open surfaces.
+struct Air : thermal::SurfaceExchange {
+  bool of_stage = false;  ///< its times count from the start of the stage, not from that of the run
+};
+
+/// Exchange of a tool's boundary in one stage, in place of its cooling or of the air.
+struct StageCooling {
+  Index tool;                          ///< index into Scene::tools
+  std::size_t boundary;                ///< index into the tool's boundaries
+  core::TimeFunction h;                ///< W/m2/K over time since the stage's start, s
+  core::TimeFunction air_temperature;  ///< K, likewise
 };
 
 /// What becomes of air that glass and tools seal.
@@ -130,16 +159,40 @@ struct EndCondition {
   double within = 0;  ///< m
 };
 
+/// When a section of the machine does what, in each of its cycles.
+struct Timing {
+  double cuts;   ///< of the shears, 1/s
+  int sections;  ///< of the machine; each gets one of so many cuts
+  double cycle;  ///< of a section, s: 360 deg
+  struct Event {
+    std::string name;
+    double angle;  ///< deg from 0 to 360
+  };
+  std::vector<Event> events;  ///< by angle
+};
+
+/// A stage in the machine's timing.
+struct TimedStage {
+  double from;  ///< deg since the start of the first stage's cycle; beyond 360 in the next cycle
+  std::string from_event, until_event;  ///< empty where the stage begins or ends at none
+};
+
 struct Stage {
   std::string name;
   double duration;  ///< s; the longest when an end condition is given
+  /// The event that ends the stage, s since the start of the run, wherever the stages before have ended.
+  std::optional<double> end_time;
+  std::optional<TimedStage> timed;
   std::optional<double>
       end_speed;  ///< the stage also ends when every force-driven tool is slower than this, m/s, having been faster
-  std::vector<EndCondition> ends;          ///< the stage also ends when any of these holds
-  double gravity = 0;                      ///< along +axis, m/s2
-  std::vector<StageTool> tools;            ///< active tools; the others are absent
-  std::map<std::string, double> pressure;  ///< over-pressure on open glass boundaries by boundary name, Pa
-  thermal::SurfaceExchange air;            ///< of open surfaces; emissivity is the body's own
+  std::vector<EndCondition> ends;  ///< the stage also ends when any of these holds
+  double gravity = 0;              ///< along +axis, m/s2
+  std::vector<StageTool> tools;    ///< active tools; the others are absent
+  /// Over-pressure on open glass boundaries by boundary name, Pa over time since the stage's start, s.
+  std::map<std::string, core::TimeFunction> pressure;
+  Air air;                            ///< of open surfaces; emissivity is the body's own
+  std::optional<Air> inner_air;       ///< of the glass boundary `inner_side`, where it is other air
+  std::vector<StageCooling> cooling;  ///< replaces that of tools
   std::vector<NamedBoundary> named_boundaries;
   std::optional<TrappedAirLaw> trapped_air;  ///< none: cavities are vented
 
@@ -182,6 +235,7 @@ struct Scene {
   std::vector<Stage> stages;
   std::vector<Probe> probes;
   Output output;
+  std::optional<Timing> timing;
   std::string accuracy_name;  ///< the text that was asked for
   AccuracyChoice accuracy_choice;
   Accuracy accuracy;
@@ -198,6 +252,9 @@ struct Scene {
 const Body& body_of(const Scene& scene, Index body);
 /// Flags of the boundaries of a body's outline that may touch other bodies.
 std::vector<bool> contact_boundaries(const Body& body);
+
+/// The air of a stage outside and, where it is other air, inside.
+std::vector<const Air*> airs_of(const Stage& stage);
 
 /// The coldest and the hottest of the bodies at the start, their cooling and the air, K.
 struct TemperatureRange {

@@ -2,11 +2,10 @@
 #include "forming/state/initial_state.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "core/mesh/tolerances.hpp"
 #include "forming/state/skin_size.hpp"
+#include "forming/state/start_temperature.hpp"
 #include "remesh/mesher/mesh_profile.hpp"
 #include "thermal/problem.hpp"
 
@@ -63,14 +62,14 @@ bool exists(const Scene& scene, Needs needs) {
   return false;
 }
 
-/// Temperature of glass with a skin at a point, K.
-double skin_temperature(const Glass& glass, const core::Point& x) {
-  double distance = std::numeric_limits<double>::infinity();
-  for (const core::Segment& segment : glass.profile.segments)
-    if (glass.boundaries[segment.boundary_id].kind != BoundaryKind::symmetry)
-      distance = core::distance(segment, x, distance);
-  const double core_temperature = glass.initial_temperature;
-  return core_temperature + (glass.skin->temperature - core_temperature) * std::exp(-distance / glass.skin->depth);
+/// The hottest node on the contact boundaries, K.
+double hottest_contact(const core::Mesh& mesh, const Eigen::VectorXd& temperature) {
+  const auto touches = core::boundaries_of_kind(mesh, BoundaryKind::contact);
+  double hottest = 0;
+  for (const auto& edge : mesh.boundary_edges())
+    for (const Index node : edge.nodes)
+      if (touches[edge.boundary_id]) hottest = std::max(hottest, temperature[node]);
+  return hottest;
 }
 
 GlassState initial_glass(const Scene& scene) {
@@ -86,10 +85,7 @@ GlassState initial_glass(const Scene& scene) {
     (glass.*field.values).resize(size);
     std::fill((glass.*field.values).begin(), (glass.*field.values).end(), field.at_rest());
   });
-  std::fill(glass.temperature.begin(), glass.temperature.end(), scene.glass.initial_temperature);
-  if (scene.glass.skin)
-    for (Index node = 0; node < glass.temperature.size(); ++node)
-      glass.temperature[node] = skin_temperature(scene.glass, glass.mesh.nodes[node]);
+  if (glass.temperature.size() > 0) glass.temperature = start_temperature(scene, glass_body, glass.mesh);
   glass.mass_nodes = glass.mesh.nodes;
   glass.density = scene.has_heat() ? scene.glass.thermal->density : scene.has_flow() ? scene.glass.flow->density : 0;
   glass.initial_volume = core::volume(glass.mesh, scene.geometry);
@@ -103,10 +99,11 @@ ToolState initial_tool(const Scene& scene, Index index) {
   const double factor = edge_factor(scene);
   state.mesh = mesh_of(scene, body_of_tool(index), core::tolerance::tool_edge * core::size(scene.glass.profile),
                        factor * accuracy.tool_contact_size, accuracy.tool_growth);
-  if (tool.thermal) state.temperature.setConstant(state.mesh.node_count(), tool.initial_temperature);
+  if (tool.thermal) state.temperature = start_temperature(scene, body_of_tool(index), state.mesh);
   state.heat_through.assign(state.mesh.boundaries().size(), 0);
   state.offset = tool.position;
-  state.max_surface_temperature = tool.initial_temperature;
+  state.max_surface_temperature =
+      tool.start_field ? hottest_contact(state.mesh, state.temperature) : tool.initial_temperature;
   return state;
 }
 

@@ -9,7 +9,7 @@ namespace parison::forming {
 /// run.
 inline constexpr double static_edge_factor = 0.5;
 
-/// Meshes every body of the scene and sets its start: time 0, first stage, uniform temperatures.
+/// Meshes every body of the scene and sets its start: time 0, first stage, the temperatures that the case gives.
 State initial_state(const Scene& scene);
 
 /// The glass mesh with its nodes where the mass was last distributed.

@@ -71,23 +71,44 @@ double glass_edge_at_tool(const Scene& scene, const Interface& interface, double
                                               active_time(scene, interface.tool), skin_tolerance));
 }
 
+namespace {
+
+/// The greatest h of what cools a boundary of a tool in the stages up to one, W/m2/K.
+double stage_cooling(const Scene& scene, Index body, std::size_t boundary, Index last_stage) {
+  double h = 0;
+  for (Index s = 0; s <= last_stage; ++s)
+    for (const StageCooling& cooling : scene.stages[s].cooling)
+      if (body_of_tool(cooling.tool) == body && cooling.boundary == boundary &&
+          differ(scene, body_of(scene, body).initial_temperature, cooling.air_temperature))
+        h = std::max(h, cooling.h.max());
+  return h;
+}
+
+/// Of air and radiation at the start, where they differ from the body, W/m2/K.
+double air_conductance(const Scene& scene, const Body& body, const Air& air) {
+  const double start = body.initial_temperature;
+  double h = differ(scene, start, air.air_temperature) ? air.h.max() : 0;
+  if (body.emissivity > 0 && differ(scene, start, air.ambient_temperature))
+    h = std::max(h, 4 * body.emissivity * thermal::stefan_boltzmann *
+                        std::pow(std::max(start, air.ambient_temperature.max()), 3));
+  return h;
+}
+
+}  // namespace
+
 double surroundings_conductance(const Scene& scene, Index body, std::size_t boundary, Index last_stage) {
   const Body& data = body_of(scene, body);
   const Boundary& given = data.boundaries[boundary];
   const double start = data.initial_temperature;
   if (given.kind == BoundaryKind::temperature)
     return differ(scene, start, given.temperature(0)) ? std::numeric_limits<double>::infinity() : 0;
+  double h = stage_cooling(scene, body, boundary, last_stage);
   if (given.kind == BoundaryKind::cooled)
-    return differ(scene, start, given.cooling.air_temperature) ? given.cooling.h.max() : 0;
-  double h = 0;
+    return differ(scene, start, given.cooling.air_temperature) ? std::max(h, given.cooling.h.max()) : h;
   if (given.kind != BoundaryKind::contact && given.kind != BoundaryKind::air) return h;
-  for (Index s = 0; s <= last_stage; ++s) {
-    const thermal::SurfaceExchange& air = scene.stages[s].air;
-    if (differ(scene, start, air.air_temperature)) h = std::max(h, air.h.max());
-    if (data.emissivity > 0 && differ(scene, start, air.ambient_temperature))
-      h = std::max(h, 4 * data.emissivity * thermal::stefan_boltzmann *
-                          std::pow(std::max(start, air.ambient_temperature.max()), 3));
-  }
+  for (Index s = 0; s <= last_stage; ++s)
+    for (const Air* air : airs_of(scene.stages[s]))
+      if (body == glass_body || air == &scene.stages[s].air) h = std::max(h, air_conductance(scene, data, *air));
   return h;
 }
 

@@ -50,14 +50,15 @@ struct DepthLimits {
 /// Steps no longer than this share of a stage's first step are accepted whatever the penetration.
 constexpr double min_step_ratio = 0.1;
 
-std::vector<flow::BoundaryCondition> boundary_conditions(const Scene& scene, const State& state) {
+std::vector<flow::BoundaryCondition> boundary_conditions(const Scene& scene, const State& state, double dt) {
   std::vector<flow::BoundaryCondition> conditions;
   const auto& pressure = scene.stages[state.stage].pressure;
   for (const auto& [name, kind] : state.glass.mesh.boundaries()) {
     flow::BoundaryCondition condition;
     if (kind == BoundaryKind::symmetry) condition.kind = flow::BoundaryCondition::Kind::symmetry;
     if (kind == BoundaryKind::fixed) condition.kind = flow::BoundaryCondition::Kind::fixed;
-    if (const auto found = pressure.find(name); found != pressure.end()) condition.pressure = found->second;
+    if (const auto found = pressure.find(name); found != pressure.end())
+      condition.pressure = found->second.mean(state.stage_time, state.stage_time + dt);
     conditions.push_back(condition);
   }
   return conditions;
@@ -86,7 +87,7 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
   problem.dilatation_rate =
       prescribed_dilatation_rate(scene, state, middle, predictor.trusted ? &predictor.velocity : nullptr, dt);
   problem.with_dilatation_mode = true;
-  problem.boundary_conditions = boundary_conditions(scene, state);
+  problem.boundary_conditions = boundary_conditions(scene, state, dt);
   problem.tools = tool_motions(scene, state, dt);
   problem.candidates = contact_candidates(scene, state, predictor.velocity, dt);
   keep_bounds(predictor.bounds, problem.candidates);

@@ -119,9 +119,14 @@ double time_to_rest(const Scene& scene, const State& state) {
   return latest;
 }
 
+double longest_stage_time(const Scene& scene, const State& state) {
+  const Stage& stage = scene.stages[state.stage];
+  return stage.end_time ? *stage.end_time - state.stage_start : stage.duration;
+}
+
 StageEnd stage_end(const Scene& scene, const State& state) {
   const Stage& stage = scene.stages[state.stage];
-  if (state.stage_time >= stage.duration - same_time) return StageEnd::duration;
+  if (state.stage_time >= longest_stage_time(scene, state) - same_time) return StageEnd::duration;
   if (time_to_rest(scene, state) <= rest_tolerance * state.last_step) return StageEnd::tools_at_rest;
   if (state.stage_time > 0)
     for (const EndCondition& end : stage.ends)

@@ -57,6 +57,42 @@ double next_kink(const Scene& scene, const State& state) {
   return next;
 }
 
+/// Calls visit(curve, of_stage) for what is given over time and acts in a stage: over the time of the stage or of the
+/// run.
+template <typename Visit>
+void for_each_curve(const Scene& scene, const Stage& stage, const Visit& visit) {
+  for (const auto& [name, pressure] : stage.pressure) visit(pressure, true);
+  for (const StageTool& tool : stage.tools)
+    if (const auto* driven = std::get_if<ForceMotion>(&tool.motion)) {
+      visit(driven->force, true);
+      visit(driven->speed_limit, true);
+    }
+  for (const StageCooling& cooling : stage.cooling) {
+    visit(cooling.h, true);
+    visit(cooling.air_temperature, true);
+  }
+  const auto visit_exchange = [&](const thermal::SurfaceExchange& exchange, bool of_stage) {
+    for (const auto* curve : {&exchange.h, &exchange.air_temperature, &exchange.ambient_temperature})
+      visit(*curve, of_stage);
+  };
+  for (const Air* air : airs_of(stage)) visit_exchange(*air, air->of_stage);
+  for (Index body = 0; body <= static_cast<Index>(scene.tools.size()); ++body)
+    for (const Boundary& boundary : body_of(scene, body).boundaries) {
+      visit_exchange(boundary.cooling, false);
+      visit(boundary.temperature, false);
+    }
+}
+
+/// The next time in the stage, s, at which something given over time bends; infinite for none.
+double next_corner(const Scene& scene, const State& state) {
+  double next = std::numeric_limits<double>::infinity();
+  for_each_curve(scene, scene.stages[state.stage], [&](const core::TimeFunction& curve, bool of_stage) {
+    const double start = of_stage ? 0 : state.stage_start;
+    next = std::min(next, curve.next_corner(start + state.stage_time + same_time) - start);
+  });
+  return next;
+}
+
 }  // namespace
 
 ProposedStep propose_step(const Scene& scene, const StepReport& report, double allowed) {
@@ -82,7 +118,8 @@ bool rejected_for_work(const Scene& scene, const StepReport& report) {
 }
 
 double clip_step_to_event(const Scene& scene, const State& state, double proposed) {
-  double left = std::min(scene.stages[state.stage].duration, next_kink(scene, state)) - state.stage_time;
+  double left = std::min({longest_stage_time(scene, state), next_kink(scene, state), next_corner(scene, state)}) -
+                state.stage_time;
   left = std::min(left, std::max(time_to_rest(scene, state), shortest_to_rest * proposed));
   if (!scene.has_flow()) left = std::min(left, next_output(scene, state.time) - state.time);
   if (left <= proposed * (1 + same_time)) return left;

@@ -42,6 +42,9 @@ inline constexpr double same_time = 1e-9;
 /// have been for some time, infinite where they do not fall or have not been faster yet.
 double time_to_rest(const Scene& scene, const State& state);
 
+/// How long the present stage lasts unless another condition ends it, s.
+double longest_stage_time(const Scene& scene, const State& state);
+
 /// Whether and by which condition the present stage is over: its duration has passed, or its driven tools have moved
 /// faster than the end speed and are all slower again, or a condition of the stage holds at the end of a step.
 StageEnd stage_end(const Scene& scene, const State& state);

@@ -15,18 +15,23 @@ using core::dim;
 
 namespace {
 
+/// Over-pressure of each boundary of the glass, the mean of a step, Pa.
+std::vector<double> mean_pressures(const Stage& stage, const State& start, double dt) {
+  std::vector<double> pressure;
+  for (const auto& boundary : start.glass.mesh.boundaries()) {
+    const auto given = stage.pressure.find(boundary.name);
+    pressure.push_back(given == stage.pressure.end() ? 0 : given->second.mean(start.stage_time, start.stage_time + dt));
+  }
+  return pressure;
+}
+
 /// Power of the over-pressures on the exposed edges of a mesh, W, and the area of those edges that are neither symmetry
 /// planes nor fixed, m2.
 struct ExposedSurface {
   double air_power = 0, area = 0;
 };
-ExposedSurface exposed_surface(const Scene& scene, const Stage& stage, const core::Mesh& mesh,
+ExposedSurface exposed_surface(const Scene& scene, const std::vector<double>& pressure, const core::Mesh& mesh,
                                const flow::Solution& flow) {
-  std::vector<double> pressure;
-  for (const auto& boundary : mesh.boundaries()) {
-    const auto given = stage.pressure.find(boundary.name);
-    pressure.push_back(given == stage.pressure.end() ? 0 : given->second);
-  }
   ExposedSurface surface;
   for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e) {
     const auto& edge = mesh.boundary_edges()[e];
@@ -57,8 +62,10 @@ void accumulate_work(const Scene& scene, const State& start, const flow::Solutio
     last.nodes[n] += dt * v;
   }
   for (const auto& tool : stage.tools) work.tools += dt * flow.tool_force[tool.tool] * flow.tool_velocity[tool.tool];
-  const auto before = exposed_surface(scene, stage, first, flow), between = exposed_surface(scene, stage, middle, flow),
-             after = exposed_surface(scene, stage, last, flow);
+  const std::vector<double> pressure = mean_pressures(stage, start, dt);
+  const auto before = exposed_surface(scene, pressure, first, flow),
+             between = exposed_surface(scene, pressure, middle, flow),
+             after = exposed_surface(scene, pressure, last, flow);
   work.air += dt / 6 * (before.air_power + 4 * between.air_power + after.air_power);  // Simpson's rule is exact
   work.surface += scene.glass.flow->surface_tension * (after.area - before.area);
   // Gravity acts on the mass where it was last distributed.
@@ -135,7 +142,7 @@ double work_error(const Scene& scene, const State& start, const Work& before, co
   constexpr double negligible =
       1e-3;  // of what pressures could do: glass that they hold at rest has round-off far below
   double pressure = 0;
-  for (const auto& [name, value] : scene.stages[start.stage].pressure) pressure = std::max(pressure, std::abs(value));
+  for (const auto& [name, value] : scene.stages[start.stage].pressure) pressure = std::max(pressure, value.max_size());
   const double weight = start.glass.density * start.glass.initial_volume * std::abs(scene.stages[start.stage].gravity);
   const double measure =
       std::max({lost(after), std::abs(after.tools), std::abs(after.air), std::abs(after.gravity),
@@ -157,7 +164,7 @@ double least_loss(const Scene& scene, const State& state) {
   for (Index s = 0; s <= state.stage; ++s) {
     const Stage& stage = scene.stages[s];
     loads += state.glass.density * volume * std::abs(stage.gravity) * size;
-    for (const auto& [name, pressure] : stage.pressure) loads += std::abs(pressure) * volume;
+    for (const auto& [name, pressure] : stage.pressure) loads += pressure.max_size() * volume;
   }
   return negligible * loads + work_of_no_motion(scene, state);
 }

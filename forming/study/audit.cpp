@@ -24,9 +24,9 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 std::string harmless_change(const Scene& scene, int sense) {
   constexpr double warmer = 1e-3;  // K
   for (const Tool& tool : scene.tools)
-    if (tool.thermal)
+    if (tool.thermal && !tool.start_field)
       return fmt::format("tool.{}.temperature={:.9g} K", tool.name, tool.initial_temperature + sense * warmer);
-  if (scene.has_heat())
+  if (scene.has_heat() && !scene.glass.start_field)
     return fmt::format("glass.temperature={:.9g} K", scene.glass.initial_temperature + sense * warmer);
   return fmt::format("numerics.initial_step={:.9g} s", (1 + 1e-3 * sense) * scene.accuracy.initial_step);
 }

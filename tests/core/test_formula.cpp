@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,6 +64,19 @@ TEST(Formula, functions_are_those_of_mathematics_with_units) {
   EXPECT_DOUBLE_EQ(length("h*tan(45 deg)"), 0.1);
 }
 
+TEST(Formula, whole_powers_bind_closer_than_products_and_signs) {
+  EXPECT_DOUBLE_EQ(length("h*(r/h)^2"), 0.00576);
+  EXPECT_DOUBLE_EQ(length("h - h*2^-3"), 0.0875);
+  EXPECT_DOUBLE_EQ(length("-h^2/(1 m)"), -0.01);
+  EXPECT_DOUBLE_EQ(length("(2 mm)^0*h"), 0.1);
+  EXPECT_DOUBLE_EQ(length("h*exp(-r/h)"), 0.1 * std::exp(-0.24));
+  for (const char* power : {"r^2.5", "r^r", "r^11", "r^-11", "r^2^2", "r^"})
+    EXPECT_EQ(problem(power),
+              fmt::format("\"{}\" is no quantity: allowed behind ^ is a whole number, -10 to 10", power));
+  EXPECT_EQ(problem("(2 mm ^2)/h"),
+            "\"(2 mm ^2)/h\" is no quantity: ^ follows a number with a unit, allowed are brackets around the two");
+}
+
 TEST(Formula, a_name_wins_over_the_unit_of_the_same_letter_but_not_behind_a_number) {
   EXPECT_DOUBLE_EQ(length("h"), 0.1);
   EXPECT_DOUBLE_EQ(parse_formula_as("2 h + 1 min", dimension::time, known).value, 7260);
@@ -99,7 +113,8 @@ TEST(Formula, mistakes_have_their_sentences) {
   EXPECT_EQ(problem("r/0"), "\"r/0\" is no quantity: it divides by zero");
   EXPECT_EQ(problem("3 furlong + r"), "\"3 furlong + r\" is no quantity: it has the unknown unit \"furlong\"");
   EXPECT_EQ(problem("cosh(r)"),
-            "\"cosh(r)\" is no quantity: there is no function \"cosh\", allowed are min, max, sqrt, sin, cos, tan");
+            "\"cosh(r)\" is no quantity: there is no function \"cosh\", allowed are min, max, sqrt, exp, sin, cos, "
+            "tan");
   EXPECT_EQ(problem("sin(r)"),
             "\"sin(r)\" is no quantity: sin of a length was found, allowed is that of a plain number or an angle");
   EXPECT_EQ(problem("sqrt(r)"),

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/case/table.hpp"
+#include "core/case/time_function.hpp"
 
 namespace parison::core {
 namespace {
@@ -34,6 +37,40 @@ TEST(Table, its_integral_is_exact_between_and_beyond_the_entries) {
   EXPECT_DOUBLE_EQ(table.integral(9), 35);
   EXPECT_DOUBLE_EQ((Table{{1, 2}, {10, 20}}).integral(5), 15 + 3 * 20);
   EXPECT_DOUBLE_EQ(constant(3).integral(2), 6);
+}
+
+TEST(Table, its_mean_is_exact_across_its_entries_and_beyond_its_ends) {
+  const Table table{{1, 2, 4}, {0, 6, 2}};
+  EXPECT_DOUBLE_EQ(mean(table, 0, 1), 0);
+  EXPECT_DOUBLE_EQ(mean(table, 1.5, 3), (0.5 * 4.5 + 5.0) / 1.5);
+  EXPECT_DOUBLE_EQ(mean(table, 0, 6), (3 + 8 + 4) / 6.0);
+  for (const auto& [from, to] : {std::pair{0.2, 1.3}, {1.2, 1.4}, {3.5, 9.0}})
+    EXPECT_NEAR(mean(table, from, to), (table.integral(to) - table.integral(from)) / (to - from), 1e-14);
+}
+
+TEST(Table, corners_are_few_on_a_smooth_curve_and_no_noise_but_every_pulse) {
+  Table noisy;
+  for (int i = 0; i <= 1000; ++i) {
+    noisy.x.push_back(0.001 * i);
+    noisy.y.push_back(std::sin(M_PI * 0.001 * i) + (i % 2 ? 0.004 : -0.004));
+  }
+  EXPECT_LT(corners(noisy, 0.02).size(), 12u);
+  noisy.y[500] += 1;
+  const auto at = corners(noisy, 0.02);
+  EXPECT_TRUE(std::count(at.begin(), at.end(), noisy.x[500])) << "the pulse";
+  const Table ramp{{0, 1, 2, 3}, {0, 1, 2, 2}};
+  EXPECT_EQ(corners(ramp, 0.02), (std::vector<double>{0, 2, 3}));
+  EXPECT_TRUE(corners(constant(3), 0.02).empty());
+}
+
+TEST(TimeFunction, a_constant_keeps_its_bits_in_the_mean_and_has_no_corner) {
+  const TimeFunction constant = 0.1 + 0.2;
+  EXPECT_EQ(constant.mean(0.3, 0.7), 0.1 + 0.2);
+  EXPECT_TRUE(std::isinf(constant.next_corner(0)));
+  const TimeFunction later = TimeFunction(Table{{0, 1}, {3, -5}}).later(2);
+  EXPECT_DOUBLE_EQ(later(2.5), -1);
+  EXPECT_DOUBLE_EQ(later.next_corner(2), 3);
+  EXPECT_DOUBLE_EQ(later.max_size(), 5);
 }
 
 }  // namespace

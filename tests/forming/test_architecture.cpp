@@ -42,15 +42,16 @@ TEST(Architecture, every_include_points_down_the_layers) {
        {"forming/study", "forming/run", "forming/report", "forming/state", "forming/scene", "contact", "core"}},
       {"tools/program", {"tools/program", "core"}},
       {"tools/tradeoff", {"tools/tradeoff", "tools/program", "forming/study", "forming/run", "forming/scene", "core"}},
+      {"tools/pictures", {"tools/pictures", "forming/scene", "core"}},
       {"tools/materials", {"tools/materials", "forming/scene", "core"}},
       {"tools/commands",
-       {"tools/commands", "tools/materials", "tools/tradeoff", "tools/program", "forming/study", "forming/run",
-        "forming/report", "forming/scene", "core"}}};
+       {"tools/commands", "tools/materials", "tools/pictures", "tools/tradeoff", "tools/program", "forming/study",
+        "forming/run", "forming/report", "forming/scene", "core"}}};
   const fs::path root = PARISON_SOURCE_DIR;
   const std::regex quoted("^\\s*#include \"([^\"]+)\"");
   int read = 0;
   for (const auto* folder : {"core", "thermal", "contact", "remesh", "forming", "tools/program", "tools/materials",
-                             "tools/tradeoff", "tools/commands"})
+                             "tools/pictures", "tools/tradeoff", "tools/commands"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const auto extension = entry.path().extension();
       if (extension != ".cpp" && extension != ".hpp") continue;

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "thermal/time/step_matrix.hpp"
@@ -171,6 +173,23 @@ void accumulate_until(Integration& run, double end) {
   run.accumulated_until = end;
 }
 
+/// The first time after `time`, s, at which a given curve bends; infinite for none.
+double next_corner(const Problem& problem, double time) {
+  constexpr double same_time = 1e-9;  // s
+  double next = std::numeric_limits<double>::infinity();
+  const auto include = [&](const core::TimeFunction& curve) {
+    next = std::min(next, curve.next_corner(time + same_time));
+  };
+  for (const BodyView& body : problem.bodies) {
+    include(body.source_factor);
+    for (const auto& exchange : body.exchange)
+      if (exchange) include(exchange->h), include(exchange->air_temperature), include(exchange->ambient_temperature);
+    for (const auto& prescribed : body.prescribed)
+      if (prescribed) include(*prescribed);
+  }
+  return next;
+}
+
 /// Accumulates the content change since the last call and returns the balance, leaving a zero one.
 HeatBalance finish_balance(Integration& run, const Eigen::VectorXd& content) {
   accumulate_content(run.balance, run.system, run.content, content);
@@ -205,6 +224,9 @@ IdaOutcome IdaIntegrator::advance_to(double time) {
   IDAGetCurrentTime(run.ida, &reached);
   if (reached > run.accumulated_until) accumulate_until(run, std::min(reached, end));
   while (reached < end) {
+    // A step over a bend could pass a short pulse without seeing it.
+    if (const double corner = next_corner(run.problem, run.start + reached) - run.start; std::isfinite(corner))
+      IDASetStopTime(run.ida, corner);
     const int flag = IDASolve(run.ida, end, &reached, run.temperature, run.rate, IDA_ONE_STEP);
     if (flag < 0) {
       outcome.reason = fmt::format("IDA stopped the heat integration at {:.6g} s: {}",

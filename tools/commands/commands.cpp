@@ -71,7 +71,8 @@ void add_check(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<RunRequest>();
   auto* command = add_command(app, "check", "read a case and say what it needs", chosen, request, check);
   add_case_options(*command, *request);
-  command->add_option("--picture", request->picture, "SVG file for the section with tools, glass and axis");
+  command->add_option("--picture", request->picture,
+                      "SVG file for the section with tools, glass and axis; FILE_timing.svg gets the timing");
 }
 
 void add_new(CLI::App& app, Command& chosen) {

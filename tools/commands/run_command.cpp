@@ -20,6 +20,7 @@
 #include "tools/commands/console.hpp"
 #include "tools/commands/controlled_run.hpp"
 #include "tools/commands/section_picture.hpp"
+#include "tools/pictures/timing_picture.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 
@@ -93,6 +94,7 @@ int check(const RunRequest& request) {
     if (std::filesystem::path(request.picture).extension() != ".svg")
       throw core::CaseError(fmt::format("--picture: \"{}\" was found, allowed is a file named .svg", request.picture));
     core::replace_file(request.picture, section_picture(scene));
+    core::replace_file(request.picture.substr(0, request.picture.size() - 4) + "_timing.svg", timing_picture(scene));
   }
   fmt::print("{}", forming::describe_scene(scene));
   std::fflush(stdout);

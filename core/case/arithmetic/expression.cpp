@@ -13,7 +13,8 @@ namespace parison::core {
 namespace {
 
 constexpr double pi = 3.14159265358979323846, celsius_zero = 273.15;
-constexpr int largest_exponent = 30;
+constexpr int largest_exponent = 30, largest_power = 10;
+constexpr const char* power_range = "allowed behind ^ is a whole number, -10 to 10";
 
 /// What is wrong with a formula; leaves the parser at once.
 struct Flaw {
@@ -131,10 +132,26 @@ class Formula {
   Measure factor() {
     bool negative = false;
     while (take('-')) negative = !negative;
-    Measure result = operand();
+    Measure result = power_of_operand();
     if (!negative) return result;
     if (result.dimension.absolute) fail("a temperature in degC is negated, allowed is \"-10 degC\" by itself");
     result.value = -result.value;
+    return result;
+  }
+
+  /// A value, or one to a whole power.
+  Measure power_of_operand() {
+    const Measure base = operand();
+    if (!take('^')) return base;
+    const bool negative = take('-');
+    int exponent = 0;
+    const auto read = std::from_chars(rest_.data(), rest_.data() + rest_.size(), exponent);
+    if (read.ec != std::errc{} || exponent > largest_power) fail(power_range);
+    rest_.remove_prefix(static_cast<std::size_t>(read.ptr - rest_.data()));
+    skip_blanks();
+    if (!rest_.empty() && (rest_.front() == '.' || rest_.front() == '^')) fail(power_range);
+    Measure result{1, {}};
+    for (int i = 0; i < exponent; ++i) result = product(result, base, negative ? -1 : 1);
     return result;
   }
 
@@ -159,6 +176,9 @@ class Formula {
     skip_blanks();
     if (rest_.empty() || !(is_letter(rest_.front()) || rest_.front() == '%')) return {value, {}};
     const std::string_view symbol = unit();
+    skip_blanks();
+    if (!rest_.empty() && rest_.front() == '^')
+      fail("^ follows a number with a unit, allowed are brackets around the two");
     if (symbol == "degC") return checked({value + celsius_zero, dimension::temperature});
     const Unit unit = *parse_unit(symbol);
     return checked({value * unit.factor, unit.dimension});
@@ -222,7 +242,8 @@ class Formula {
     if (name == "sin") return {std::sin(plain(first, name)), {}};
     if (name == "cos") return {std::cos(plain(first, name)), {}};
     if (name == "tan") return {std::tan(plain(first, name)), {}};
-    fail(fmt::format("there is no function \"{}\", allowed are min, max, sqrt, sin, cos, tan", name));
+    if (name == "exp") return checked({std::exp(plain(first, name)), {}});
+    fail(fmt::format("there is no function \"{}\", allowed are min, max, sqrt, exp, sin, cos, tan", name));
   }
 
   std::string_view rest_;

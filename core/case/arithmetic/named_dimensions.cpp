@@ -13,7 +13,9 @@ namespace {
 constexpr std::size_t most_entries = 500;
 constexpr int longest_chain = 32;  // of entries that use each other
 
-void check_name(const CaseNode& entry) {
+}  // namespace
+
+void check_formula_name(const CaseNode& entry) {
   const auto allowed = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); };
   const std::string& name = entry.name;
   const bool starts_well = !name.empty() && !std::isdigit(static_cast<unsigned char>(name.front()));
@@ -23,12 +25,14 @@ void check_name(const CaseNode& entry) {
                               name));
 }
 
+namespace {
+
 /// Finds the values of entries that use each other.
 class Entries {
  public:
   explicit Entries(const CaseNode& table) {
     for (const CaseNode& entry : entries(table)) {
-      check_name(entry);
+      check_formula_name(entry);
       nodes_[entry.name] = &entry;
       known_.names.push_back(entry.name);
     }
@@ -86,21 +90,27 @@ std::vector<NamedDimension> read_dimensions(CaseFile& file) {
   if (table == items.end()) return {};
   Entries all(*table);
   std::vector<NamedDimension> result;
-  std::map<std::string, Measure, std::less<>> measures;
-  auto known = std::make_shared<NamedQuantities>();
   for (const CaseNode& entry : table->items) {
     const Measure measure = *all.find(entry.name);
     result.push_back(
         {entry.name, entry.kind == CaseNode::Kind::text ? entry.text : fmt::format("{}", entry.number), measure});
-    measures[entry.name] = measure;
-    known->names.push_back(entry.name);
+  }
+  let_name(file, result);
+  return result;
+}
+
+void let_name(CaseFile& file, const std::vector<NamedDimension>& named) {
+  std::map<std::string, Measure, std::less<>> measures;
+  auto known = std::make_shared<NamedQuantities>();
+  for (const NamedDimension& one : named) {
+    measures[one.name] = one.measure;
+    known->names.push_back(one.name);
   }
   known->find = [measures](std::string_view name) -> std::optional<Measure> {
     const auto found = measures.find(name);
     return found == measures.end() ? std::nullopt : std::optional(found->second);
   };
   attach(file.root, known);
-  return result;
 }
 
 }  // namespace parison::core

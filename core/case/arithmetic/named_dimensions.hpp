@@ -15,4 +15,10 @@ struct NamedDimension {
 /// the names. Refuses names that a formula cannot have, circles, and more than 500 entries.
 std::vector<NamedDimension> read_dimensions(CaseFile& file);
 
+/// Lets every text of the case use these names, in place of those it could use before.
+void let_name(CaseFile& file, const std::vector<NamedDimension>& named);
+
+/// Refuses a name that a formula cannot have.
+void check_formula_name(const CaseNode& entry);
+
 }  // namespace parison::core

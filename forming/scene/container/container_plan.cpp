@@ -139,7 +139,8 @@ void plan_moved(Press& press, double end, ContainerPlan& plan) {
 /// The motion of a tool as the press, where it closes a cavity.
 void plan_motion(Press& press, const Motion& motion, const std::optional<double>& end, ContainerPlan& plan) {
   const double start = *press.placed.offset[press.tool];
-  if (const auto* force = std::get_if<ForceMotion>(&motion)) plan_driven(press, force->force > 0 ? 1 : -1, plan);
+  if (const auto* force = std::get_if<ForceMotion>(&motion))
+    plan_driven(press, force->force.max() >= -force->force.min() ? 1 : -1, plan);
   if (end && *end != start) plan_moved(press, *end, plan);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forming/scene/container/container_plan.hpp"
+#include "forming/scene/describe/describe_timing.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "thermal/properties.hpp"
@@ -98,6 +99,12 @@ std::string number_lines(const DimensionlessNumbers& numbers, core::Geometry geo
   return text + fmt::format("  {:<20}{:<12}dissipated over conducted heat\n", "Brinkman", shown(numbers.brinkman));
 }
 
+/// "8000", or "0 to 8000" of what changes with time, in units of 1/scale.
+std::string range_text(const core::TimeFunction& value, double scale = 1) {
+  if (value.min() == value.max()) return fmt::format("{:.4g}", scale * value.max());
+  return fmt::format("{:.4g} to {:.4g}", scale * value.min(), scale * value.max());
+}
+
 /// Whether a tool of the scene moves in any stage.
 bool has_moving_tool(const Scene& scene) {
   for (const Stage& stage : scene.stages)
@@ -132,7 +139,8 @@ std::string friction_lines(const Scene& scene, const DimensionlessNumbers& numbe
 std::string stage_tool_text(const Scene& scene, const StageTool& tool) {
   const std::string& name = scene.tools[tool.tool].name;
   if (const auto* force = std::get_if<ForceMotion>(&tool.motion))
-    return fmt::format("{} ({:.4g} N, at most {:.4g} mm/s)", name, force->force, 1e3 * force->speed_limit);
+    return fmt::format("{} ({} N, at most {} mm/s)", name, range_text(force->force),
+                       range_text(force->speed_limit, 1e3));
   return std::holds_alternative<PositionMotion>(tool.motion) ? name + " (moved)" : name;
 }
 
@@ -201,7 +209,7 @@ std::string describe_scene(const Scene& scene) {
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
          number_lines(numbers, scene.geometry) + friction_lines(scene, numbers) + describe_container(scene) +
-         stage_lines(scene) + accuracy_lines(scene);
+         stage_lines(scene) + describe_timing(scene) + accuracy_lines(scene);
 }
 
 std::string describe_scene_briefly(const Scene& scene) {

@@ -23,7 +23,7 @@ std::optional<double> flow_speed(const Scene& scene, double length, double visco
   double tool = 0, stress = 0;
   for (const Stage& stage : scene.stages) {
     for (const StageTool& stage_tool : stage.tools) tool = std::max(tool, fastest(stage_tool));
-    for (const auto& entry : stage.pressure) stress = std::max(stress, std::abs(entry.second));
+    for (const auto& entry : stage.pressure) stress = std::max(stress, entry.second.max_size());
     stress = std::max(stress, scene.glass.flow->density * std::abs(stage.gravity) * length);
   }
   if (tool > 0) return tool;
@@ -84,7 +84,7 @@ double outline_volume(const core::Profile& profile, core::Geometry geometry) {
 }
 
 double fastest(const StageTool& tool) {
-  if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) return force->speed_limit;
+  if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) return force->speed_limit.max();
   double speed = 0;
   if (const auto* position = std::get_if<PositionMotion>(&tool.motion))
     for (std::size_t i = 1; i < position->offset.x.size(); ++i)

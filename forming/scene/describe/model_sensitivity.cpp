@@ -31,7 +31,7 @@ double lasting(const Scene& scene) {
 
 double max_pressure(const Stage& stage) {
   double highest = 0;
-  for (const auto& entry : stage.pressure) highest = std::max(highest, std::abs(entry.second));
+  for (const auto& entry : stage.pressure) highest = std::max(highest, entry.second.max_size());
   return highest;
 }
 

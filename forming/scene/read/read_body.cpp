@@ -154,6 +154,22 @@ FilmLimit read_film(const CaseNode& node) {
   return film;
 }
 
+/// Uniform or a field, with a skin or without.
+void read_glass_temperature(const CaseTable& table, const BodyContext& context, Glass& glass) {
+  const bool needed = glass.thermal || !glass.flow->viscosity.constant;
+  const auto* item = needed ? &table.get("temperature") : table.find("temperature");
+  if (item) read_start_temperature(*item, context, glass);
+  const double coldest = glass.start_field ? glass.start_field->min : glass.initial_temperature;
+  if (item && glass.flow && !glass.flow->viscosity.constant && coldest <= glass.flow->viscosity.T0)
+    core::refuse(*item, fmt::format("{} was found, allowed are temperatures above T0 of the viscosity",
+                                    glass.start_field ? fmt::format("{:.4g} degC", coldest - 273.15)
+                                                      : fmt::format("\"{}\"", item->text)));
+  const auto* skin = table.find("skin");
+  if (skin && glass.start_field)
+    core::refuse(*skin, "a skin and a field of temperatures were found, allowed is one of them");
+  if (skin) glass.skin = read_skin(*skin, glass);
+}
+
 }  // namespace
 
 Glass read_glass(const CaseNode& node, const BodyContext& context) {
@@ -169,19 +185,12 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
                  fmt::format("\"{}\" has neither viscosity nor conductivity and heat_capacity, allowed is a material "
                              "that flows or carries heat",
                              material.name));
-  const bool needs_temperature = glass.thermal || !glass.flow->viscosity.constant;
-  if (const auto* item = needs_temperature ? &table.get("temperature") : table.find("temperature")) {
-    glass.initial_temperature = core::quantity(*item, dimension::temperature);
-    if (glass.flow && !glass.flow->viscosity.constant && glass.initial_temperature <= glass.flow->viscosity.T0)
-      core::refuse(*item,
-                   fmt::format("\"{}\" was found, allowed are temperatures above T0 of the viscosity", item->text));
-  }
   if (const auto* item = table.find("film")) glass.film = read_film(*item);
-  if (const auto* item = table.find("skin")) glass.skin = read_skin(*item, glass);
   const auto* gob = table.find("gob");
   if (!gob || table.find("boundary")) read_shape(table, context, glass);
   if (gob) read_gob(*gob, context.geometry, glass);
   if (const auto* mesh = table.find("mesh"); mesh && !table.find("boundary")) glass.mesh = read_mesh(*mesh, glass);
+  read_glass_temperature(table, context, glass);
   return glass;
 }
 
@@ -217,11 +226,12 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
                                material.name));
     tool.thermal = material.thermal;
     tool.emissivity = material.emissivity;
-    tool.initial_temperature = core::quantity(table.get("temperature"), dimension::temperature);
+    table.get("temperature");
   }
   if (context.with_flow) tool.friction = read_friction(table.get("friction"));
   if (const auto* item = table.find("position")) tool.position = core::quantity(*item, dimension::length);
   read_shape(table, context, tool);
+  if (tool.thermal) read_start_temperature(table.get("temperature"), context, tool);
   return tool;
 }
 

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "core/case/given_file.hpp"
+#include "forming/scene/read/curves/csv_points.hpp"
+#include "forming/scene/read/curves/mirror.hpp"
 #include "forming/scene/read/drawing/path_text.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/scene_reading.hpp"
@@ -90,55 +91,29 @@ std::vector<Segment> parse_path(const CaseNode& node) {
   return parts;
 }
 
-/// The unit of each column, behind the last '_' of its heading (r_mm).
-std::vector<std::string_view> units_of(const CaseNode& row, std::string_view line,
-                                       const std::vector<std::string_view>& headings) {
-  std::vector<std::string_view> units;
-  for (const auto heading : headings) {
-    if (heading.find('_') == heading.npos)
-      core::refuse(
-          row, fmt::format("the heading is missing (\"{}\" was found), allowed is a heading such as r_mm,z_mm", line));
-    units.push_back(heading.substr(heading.find_last_of('_') + 1));
-  }
-  return units;
+std::vector<Segment> read_path_parts(const CaseNode& node, const std::string& directory);
+
+/// The mirror image of a path about a line, drawn from its end to its start.
+std::vector<Segment> read_mirror(const CaseNode& node, const std::string& directory) {
+  const CaseTable table(node, {"mirror", "about"});
+  const CaseNode& about = table.get("about");
+  core::text(about);
+  const auto line = parse_points(about);
+  if (line.size() != 2 || line[0].end == line[1].end)
+    core::refuse(about,
+                 fmt::format("\"{}\" was found, allowed are two points of the line such as \"(0, 40) (10, 40) mm\"",
+                             about.text));
+  return mirrored(read_path_parts(table.get("mirror"), directory), line[0].end, line[1].end);
 }
 
-/// Points of a CSV file.
-std::vector<Segment> read_csv(const CaseNode& node, const std::string& directory) {
-  const auto path = std::filesystem::path(directory) / core::text(node);
-  const std::string content =
-      core::read_given_file(node, path.string(), "a CSV file with its path relative to the case file");
-  CaseNode row = node;
-  row.file = path.string();
-  std::vector<std::string_view> units;
-  std::vector<Segment> parts;
-  core::Lines lines(content);
-  for (std::string_view line; lines.next(line);) {
-    row.line = lines.number();
-    if (core::trimmed(line).empty()) continue;
-    auto cells = core::split_at_commas(line);
-    if (cells.size() == core::dim + 1 && core::trimmed(cells.back()).empty()) cells.pop_back();
-    if (cells.size() != core::dim)
-      core::refuse(row, fmt::format("\"{}\" has {} columns, allowed are {}", line, cells.size(), core::dim));
-    if (units.empty()) {
-      units = units_of(row, line, cells);
-      continue;
-    }
-    if (parts.size() == max_segments) core::refuse(row, fmt::format("allowed are up to {} points", max_segments));
-    parts.emplace_back();
-    for (std::size_t i = 0; i < core::dim; ++i)
-      parts.back().end[i] = part_quantity(row, fmt::format("{} {}", cells[i], units[i]), dimension::length);
-  }
-  if (parts.empty())
-    core::refuse(node, fmt::format("no points were found in \"{}\", allowed is a heading such as r_mm,z_mm and rows "
-                                   "of numbers",
-                                   path.string()));
-  return parts;
+bool is_mirror(const CaseNode& node) {
+  return std::any_of(node.items.begin(), node.items.end(), [](const CaseNode& item) { return item.name == "mirror"; });
 }
 
-/// Points, an arc, or a part of a drawing preceded by the point where it starts.
+/// Points, an arc, a mirror image, or a part of a drawing preceded by the point where it starts.
 std::vector<Segment> read_path_part(const CaseNode& node, const std::string& directory) {
   if (node.kind != CaseNode::Kind::table) return parse_path(node);
+  if (is_mirror(node)) return read_mirror(node, directory);
   std::vector<Segment> parts = read_section(node, directory);
   if (parts.empty())
     core::refuse(node, "the part of the drawing between from and to has no length, allowed are two different points");
@@ -147,16 +122,22 @@ std::vector<Segment> read_path_part(const CaseNode& node, const std::string& dir
   return parts;
 }
 
+std::vector<Segment> read_path_parts(const CaseNode& node, const std::string& directory) {
+  if (node.kind != CaseNode::Kind::list) return read_path_part(node, directory);
+  std::vector<Segment> parts;
+  for (const auto& item : core::list(node))
+    for (const auto& part : read_path_part(item, directory)) parts.push_back(part);
+  return parts;
+}
+
 std::vector<Segment> read_path(const CaseTable& boundary, const std::string& directory) {
   const auto *path = boundary.find("path"), *csv = boundary.find("csv");
   if (path && csv) core::refuse(*csv, "path and csv were found, allowed is one of them");
-  if (csv) return read_csv(*csv, directory);
-  const auto& node = boundary.get("path");
-  if (node.kind != CaseNode::Kind::list) return read_path_part(node, directory);
-  std::vector<Segment> parts;
-  for (const auto& item : core::list(*path))
-    for (const auto& part : read_path_part(item, directory)) parts.push_back(part);
-  return parts;
+  const auto* smooth = boundary.find("smooth");
+  if (smooth && !csv) core::refuse(*smooth, "found without csv, allowed is to smooth the points of a CSV file");
+  if (csv && smooth && core::flag(*smooth)) return smoothed(*smooth, read_csv_points(*csv, directory));
+  if (csv) return read_csv_points(*csv, directory);
+  return read_path_parts(boundary.get("path"), directory);
 }
 
 /// Draws segments one after the other, joining what does not meet by lines.
@@ -208,7 +189,7 @@ Profile draw(const std::vector<std::vector<Segment>>& paths, double joined) {
 }  // namespace
 
 CaseTable boundary_table(const CaseNode& node) {
-  return CaseTable(node, {"name", "path", "csv", "condition"});
+  return CaseTable(node, {"name", "path", "csv", "smooth", "condition"});
 }
 
 Point read_point(const CaseNode& node) {

@@ -25,6 +25,11 @@ struct BodyContext {
 Glass read_glass(const core::CaseNode& node, const BodyContext& context);
 Tool read_tool(const core::CaseNode& node, const BodyContext& context);
 
+/// The temperature of a body at the start, uniform or a field; `body` has its outline.
+void read_start_temperature(const core::CaseNode& node, const BodyContext& context, Body& body);
+/// Digits that change with the field, for the fingerprint of a case.
+std::string start_field_text(const StartField& field, const core::Profile& profile);
+
 /// Draws the glass as a capsule of a given mass, or scales its outline to the mass.
 void read_gob(const core::CaseNode& node, core::Geometry geometry, Glass& glass);
 GobSkin read_skin(const core::CaseNode& node, const Glass& glass);
@@ -44,15 +49,23 @@ void check_outline(const core::Profile& profile, core::Geometry geometry, const 
 std::vector<Interface> read_interfaces(const core::CaseNode& node, const Scene& scene);
 /// The top-level tables of air that a stage may replace, null where the case has none.
 struct CommonAir {
-  const core::CaseNode *air, *trapped;
+  const core::CaseNode *air, *inner, *trapped;
 };
 /// A stage. `scene` contains everything read before it; a stage read before gets the name of the inner side where this
 /// one loads it.
 Stage read_stage(const core::CaseNode& node, const CommonAir& common, Scene& scene);
+/// The machine's timing; every text of the case may name its events, as times, and the cycle.
+std::optional<Timing> read_timing(core::CaseFile& file, const std::vector<core::NamedDimension>& dimensions);
+/// How long a stage lasts: its duration, or from one event of the timing until another.
+void read_times(const core::CaseTable& table, const Scene& scene, Stage& stage);
 /// The boundaries that a stage names.
 void read_named_boundaries(const core::CaseTable& table, const Scene& scene, Stage& stage);
-/// Names the inner side, which nothing in the case does, by the tool that has made it: the one moved tool that has left
-/// the glass, or else the one tool that has. `load` is the entry that loads it.
+/// The air around a stage's surfaces and in its cavities, and what cools its tools.
+void read_surroundings(const core::CaseTable& table, const CommonAir& common, Scene& scene, Stage& stage);
+/// Refuses what acts on an inner side that the glass does not have.
+void refuse_unknown_inner_side(const core::CaseNode& node, const Scene& scene, const Stage& stage);
+/// Names the inner side, unless something in the case does, by the tool that has made it: the one moved tool that has
+/// left the glass, or else the one tool that has. `load` is the entry that loads it.
 void name_inner_side(const core::CaseNode& load, Scene& scene, Stage& stage);
 Probe read_probe(const core::CaseNode& node, const Scene& scene);
 Output read_output(const core::CaseNode& node);

@@ -16,6 +16,8 @@ inline constexpr double drawing_round_off = 1.5e-11;
 /// Distance of a point of the case file from the curves of a drawing on which it lies (10 um: coordinates that are
 /// given to hundredths of a millimetre).
 inline constexpr double on_drawing = 1.5e-4;
+/// Distance that the arcs which stand for a spline or an ellipse may have from it (1 um).
+inline constexpr double curve = 1.5e-5;
 /// Distance of two ends in a drawing that is reported as a gap and not as two outlines (1 mm).
 inline constexpr double drawing_gap = 1.5e-2;
 /// Distance of a probe from its body that counts as on the outline (1 um).

@@ -93,7 +93,7 @@ std::string unsupported_glass(const Scene& scene, const State& state) {
   const core::Mesh& mesh = state.glass.mesh;
   const auto pressure_of = [&](Index id) {
     const auto found = stage.pressure.find(mesh.boundaries()[id].name);
-    return found == stage.pressure.end() ? 0.0 : found->second;
+    return found == stage.pressure.end() ? 0.0 : found->second.max_size();
   };
   const bool is_loaded = stage.gravity != 0 || !has_one_pressure(mesh, pressure_of);
   if (!scene.has_flow() || !is_loaded || stage.trapped_air || is_held_along_axis(mesh)) return "";

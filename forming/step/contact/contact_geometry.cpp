@@ -182,8 +182,8 @@ std::vector<flow::ToolMotion> tool_motions(const Scene& scene, const State& stat
     if (const auto* position = std::get_if<PositionMotion>(&tool.motion))
       motion.velocity = (position->offset(state.stage_time + dt) - state.tools[tool.tool].offset) / dt;
     if (const auto* force = std::get_if<ForceMotion>(&tool.motion)) {
-      motion.force = force->force;
-      motion.speed_limit = force->speed_limit;
+      motion.force = force->force.mean(state.stage_time, state.stage_time + dt);
+      motion.speed_limit = force->speed_limit.mean(state.stage_time, state.stage_time + dt);
     }
   }
   return motions;

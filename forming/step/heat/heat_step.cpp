@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "forming/state/initial_state.hpp"
-#include "forming/state/skin_size.hpp"
 #include "forming/step/heat/contact_skin.hpp"
+#include "forming/step/heat/surroundings.hpp"
 #include "forming/step/heat/temperature_bounds.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
 #include "remesh/surface/wall_thickness.hpp"
@@ -15,53 +15,18 @@ namespace parison::forming {
 
 namespace {
 
-/// Beyond this the surface has the temperature of what cools it; a larger h would only lose digits.
-double perfect_cooling(const Scene& scene, Index body) {
-  const double edge = body == glass_body ? scene.accuracy.skin_size : scene.accuracy.tool_contact_size;
-  return thermal::perfect_conductance(skin_side(scene, body, edge).conductivity, edge);
-}
-
-/// Exchange of a boundary of a body's mesh with its cooling or the air. The boundaries of the outline come first in the
-/// mesh, before those that a stage names.
-std::optional<thermal::SurfaceExchange> exchange_of(const Body& body, const core::Mesh& mesh, std::size_t boundary,
-                                                    const Stage& stage) {
-  const BoundaryKind kind = mesh.boundaries()[boundary].kind;
-  if (kind == BoundaryKind::cooled) return body.boundaries[boundary].cooling;
-  if (kind != BoundaryKind::contact && kind != BoundaryKind::air) return std::nullopt;
-  thermal::SurfaceExchange exchange = stage.air;
-  exchange.emissivity = thermal::has_light(*body.thermal) ? 0 : body.emissivity;
-  if (exchange.h.max() == 0 && exchange.emissivity == 0) return std::nullopt;
-  return exchange;
-}
-
 std::optional<core::TimeFunction> prescribed_of(const Body& body, const core::Mesh& mesh, std::size_t boundary) {
   if (mesh.boundaries()[boundary].kind != BoundaryKind::temperature) return std::nullopt;
   return body.boundaries[boundary].temperature;
 }
 
-thermal::BodyView view_of(const Scene& scene, Index body, const core::Mesh& mesh, const Stage& stage) {
+thermal::BodyView view_of(const Scene& scene, const State& state, Index body, const core::Mesh& mesh) {
   const Body& data = body_of(scene, body);
   thermal::BodyView view{&mesh, &mesh, data.thermal->density, &*data.thermal, {}, {}};
-  const double perfect = perfect_cooling(scene, body);
-  for (std::size_t boundary = 0; boundary < mesh.boundaries().size(); ++boundary) {
-    view.exchange.push_back(exchange_of(data, mesh, boundary, stage));
-    if (auto& exchange = view.exchange.back(); exchange && exchange->h.max() > perfect)
-      exchange->h = exchange->h.limited(perfect);
+  view.exchange = surroundings(scene, state, body, mesh);
+  for (std::size_t boundary = 0; boundary < mesh.boundaries().size(); ++boundary)
     view.prescribed.push_back(prescribed_of(data, mesh, boundary));
-  }
   return view;
-}
-
-/// What the light of the glass meets at its surface. Surfaces that the air reaches see the surroundings of the stage.
-thermal::SurfaceLight light_of(const Body& body, const core::Mesh& mesh, const Stage& stage) {
-  thermal::SurfaceLight light{{}, body.emissivity};
-  if (!thermal::has_light(*body.thermal)) return light;
-  for (const core::MeshBoundary& boundary : mesh.boundaries())
-    if (boundary.kind == BoundaryKind::contact || boundary.kind == BoundaryKind::air)
-      light.surroundings.emplace_back(stage.air.ambient_temperature);
-    else
-      light.surroundings.emplace_back();
-  return light;
 }
 
 /// Local error of a step of IDA, as a fraction of that: where nothing moves it takes many small changes, whose errors
@@ -76,13 +41,12 @@ using Meshes = std::vector<const core::Mesh*>;  ///< by body
 /// The heat problem of the present stage; its bodies are numbered as in the state, glass_body and body_of_tool.
 thermal::Problem make_problem(const Scene& scene, const State& state, const Meshes& meshes,
                               const std::vector<core::InterfacePoint>& interface, long& clamped_lookups) {
-  const Stage& stage = scene.stages[state.stage];
   thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
-    problem.bodies.push_back(view_of(scene, b, *meshes[b], stage));
+    problem.bodies.push_back(view_of(scene, state, b, *meshes[b]));
   if (scene.has_light())
     for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
-      problem.bodies[b].light = light_of(body_of(scene, b), *meshes[b], stage);
+      problem.bodies[b].light = surface_light(scene, state, b, *meshes[b]);
   problem.bodies[glass_body].density = state.glass.density;
   problem.law = interface_law(scene, problem.interface, clamped_lookups);
   return problem;

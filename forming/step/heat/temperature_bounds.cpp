@@ -13,10 +13,13 @@ namespace parison::forming {
 namespace {
 
 /// Follows how far temperatures inside a body go beyond those that its surface and its start have had.
-void update_bounds(const core::Mesh& mesh, const Eigen::VectorXd& temperature, double initial, double heating,
+void update_bounds(const core::Mesh& mesh, const Eigen::VectorXd& temperature, const Body& body, double heating,
                    double tolerance, double dt, TemperatureBounds& bounds) {
   if (temperature.size() == 0) return;
-  if (bounds.hottest == 0) bounds.coldest = bounds.hottest = initial;
+  if (bounds.hottest == 0) {
+    bounds.coldest = body.start_field ? body.start_field->min : body.initial_temperature;
+    bounds.hottest = body.start_field ? body.start_field->max : body.initial_temperature;
+  }
   for (const auto& edge : mesh.boundary_edges()) {
     if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
     for (const Index node : edge.nodes) {
@@ -48,7 +51,7 @@ double viscous_heating(const Scene& scene, const State& state, const std::vector
 void update_temperature_bounds(const Scene& scene, const std::vector<double>& dissipation, double dt, State& state) {
   if (!dissipation.empty()) state.totals.viscous_heating += viscous_heating(scene, state, dissipation, dt);
   for (Index b = 0; b < body_count(state); ++b)
-    update_bounds(mesh_of(state, b), temperature_of(state, b), body_of(scene, b).initial_temperature,
+    update_bounds(mesh_of(state, b), temperature_of(state, b), body_of(scene, b),
                   b == glass_body ? state.totals.viscous_heating : 0, temperature_tolerance(scene), dt,
                   b == glass_body ? state.glass.bounds : state.tools[b - 1].bounds);
 }

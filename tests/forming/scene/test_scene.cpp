@@ -40,7 +40,7 @@ TEST(Scene, the_shell_flows_and_carries_no_heat) {
   EXPECT_FALSE(scene.has_heat());
   EXPECT_TRUE(scene.has_flow());
   EXPECT_TRUE(scene.tools.empty());
-  EXPECT_DOUBLE_EQ(scene.stages.at(0).pressure.at("inner"), 1e5);
+  EXPECT_DOUBLE_EQ(scene.stages.at(0).pressure.at("inner")(0), 1e5);
   EXPECT_NEAR(core::signed_area(scene.glass.profile), M_PI / 4 * (15e-3 * 15e-3 - 10e-3 * 10e-3), 1e-15);
 }
 
@@ -52,9 +52,9 @@ TEST(Scene, the_jar_is_a_gob_of_220_grams_among_five_tools) {
   EXPECT_EQ(scene.interfaces.size(), 5u);
   ASSERT_EQ(scene.stages.size(), 7u);
   const auto& press = scene.stages[1];
-  EXPECT_DOUBLE_EQ(std::get<ForceMotion>(press.tools.back().motion).force, 8000);
+  EXPECT_DOUBLE_EQ(std::get<ForceMotion>(press.tools.back().motion).force(0), 8000);
   EXPECT_EQ(scene.stages[3].named_boundaries.at(0).touched, std::optional<Index>(scene.stages[1].tools.back().tool));
-  EXPECT_DOUBLE_EQ(scene.stages[6].pressure.at("inner"), 0.35e5);
+  EXPECT_DOUBLE_EQ(scene.stages[6].pressure.at("inner")(0), 0.35e5);
   for (const auto& tool : scene.tools) EXPECT_GT(core::signed_area(tool.profile), 0) << tool.name;
   EXPECT_DOUBLE_EQ(temperature_range(scene).min_temperature, 50 + 273.15);
   EXPECT_DOUBLE_EQ(temperature_range(scene).max_temperature, 1150 + 273.15);

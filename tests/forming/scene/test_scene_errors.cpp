@@ -16,9 +16,10 @@ TEST(SceneErrors, the_small_scene_itself_is_fine) {
 }
 
 TEST(SceneErrors, unknown_key) {
-  expect_complaint("duration = \"2 s\"", "duraton = \"2 s\"",
-                   "stage.duraton: unknown key (did you mean \"duration\"?), allowed are name, duration, end_speed, "
-                   "gravity, tools, motion, pressure, end, air, trapped_air, name_boundary");
+  expect_complaint(
+      "duration = \"2 s\"", "duraton = \"2 s\"",
+      "stage.duraton: unknown key (did you mean \"duration\"?), allowed are name, duration, from, until, "
+      "end_speed, gravity, tools, motion, pressure, end, air, inner_air, trapped_air, cooling, name_boundary");
 }
 
 TEST(SceneErrors, navier_friction_without_its_coefficient) {

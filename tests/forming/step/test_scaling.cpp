@@ -49,7 +49,8 @@ Scene scaled(Scene scene, double by) {
     stage.gravity /= by;
     scale(stage.air, by);
     for (StageTool& tool : stage.tools)
-      if (auto* driven = std::get_if<ForceMotion>(&tool.motion)) driven->force *= by * by, driven->speed_limit *= by;
+      if (auto* driven = std::get_if<ForceMotion>(&tool.motion))
+        driven->force = driven->force(0) * by * by, driven->speed_limit = driven->speed_limit(0) * by;
   }
   for (double Accuracy::*length :
        {&Accuracy::surface_size, &Accuracy::skin_size, &Accuracy::tool_contact_size, &Accuracy::motion_tolerance})

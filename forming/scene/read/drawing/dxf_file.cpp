@@ -45,7 +45,10 @@ class Sections {
   /// False at the end of the file.
   bool take(const DxfGroup& group) {
     if (group.code == 0) return begin(group);
-    if (after_section_ && group.code == 2 && group.value == "ENTITIES") inside_ = true;
+    if (after_section_ && group.code == 2) {
+      blocks_ = group.value == "BLOCKS";
+      inside_ = blocks_ || group.value == "ENTITIES";
+    }
     after_section_ = false;
     if (!entity_.kind.empty()) entity_.groups.push_back(group);
     if (entity_.groups.size() > max_groups)
@@ -62,7 +65,7 @@ class Sections {
     if (!entity_.kind.empty()) use_(entity_);
     entity_ = {};
     if (group.value == "ENDSEC") inside_ = false;
-    if (inside_) entity_ = {std::string(group.value), {}, group.line};
+    if (inside_) entity_ = {std::string(group.value), {}, group.line, blocks_};
     after_section_ = group.value == "SECTION";
     return group.value != "EOF";
   }
@@ -70,7 +73,7 @@ class Sections {
   const DxfFile& file_;
   const std::function<void(const DxfEntity&)>& use_;
   DxfEntity entity_;
-  bool inside_ = false, after_section_ = false;
+  bool inside_ = false, blocks_ = false, after_section_ = false;
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ struct DxfEntity {
   std::string kind;
   std::vector<DxfGroup> groups;
   int line;
+  bool in_blocks = false;  ///< of the section BLOCKS
 };
 
 /// A DXF file and the value of the case that names it, for the sentence of an error.
@@ -34,8 +35,8 @@ struct DxfFile {
   double number(const DxfGroup& group) const;
 };
 
-/// Calls `use` with each entity of the section ENTITIES, in their order. Refuses a file that ends before its ENDSEC or
-/// its EOF, and lines that are no groups.
+/// Calls `use` with each entity of the sections BLOCKS and ENTITIES, in their order. Refuses a file that ends before
+/// its ENDSEC or its EOF, and lines that are no groups.
 void read_entities(const DxfFile& file, const std::string& content, const std::function<void(const DxfEntity&)>& use);
 
 }  // namespace parison::forming

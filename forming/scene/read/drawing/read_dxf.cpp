@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "core/case/given_file.hpp"
+#include "forming/scene/read/drawing/dxf_blocks.hpp"
+#include "forming/scene/read/drawing/dxf_curve.hpp"
 #include "forming/scene/read/drawing/dxf_file.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/tolerances.hpp"
@@ -38,6 +40,10 @@ class DxfCurves {
       add_arc(entity, number(entity, 50), number(entity, 51));
     else if (entity.kind == "CIRCLE")
       add_arc(entity, 0, 180), add_arc(entity, 180, 360);
+    else if (entity.kind == "ELLIPSE")
+      add_all(dxf_ellipse(file_, entity, unit_));
+    else if (entity.kind == "SPLINE")
+      add_all(dxf_spline(file_, entity, unit_));
     else if (entity.kind == "LWPOLYLINE")
       begin_polyline(entity), add_light_vertices(entity), end_polyline(entity);
     else if (entity.kind == "POLYLINE")
@@ -47,11 +53,18 @@ class DxfCurves {
     else if (entity.kind == "SEQEND")
       end_polyline(entity);
     else
-      refuse(
-          entity,
-          fmt::format("a {} was found, allowed are LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE (explode or convert it "
-                      "in the CAD program, or choose a layer without it)",
-                      entity.kind));
+      refuse(entity, fmt::format("a {} was found, allowed are LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE and "
+                                 "POLYLINE (explode or convert "
+                                 "it in the CAD program, or choose a layer without it)",
+                                 entity.kind));
+  }
+
+  /// Moves the curves from one on as a block is inserted.
+  void place(std::size_t first, const DxfPlacement& placement) {
+    for (std::size_t i = first; i < curves.size(); ++i) {
+      curves[i] = placement(curves[i]);
+      if (placement.mirrored) bulges[i] = -bulges[i];
+    }
   }
 
   /// Refuses a polyline whose end has not been read.
@@ -88,6 +101,10 @@ class DxfCurves {
     if (curves.size() > max_segments)
       core::refuse(file_.node, fmt::format("more than {} curves were found in \"{}\", allowed are so many",
                                            max_segments, file_.path));
+  }
+
+  void add_all(const std::vector<Segment>& arcs) {
+    for (const Segment& arc : arcs) add(arc, 0);
   }
 
   void add_line(const Point& start, const Point& end, double bulge = 0) {
@@ -180,30 +197,76 @@ Segment bent(const Segment& side, double bulge, double straight) {
 
 /// Texts, dimensions and the like, and everything in paper space.
 bool is_annotation(const Entity& entity) {
-  static const std::vector<std::string> kinds{"TEXT",  "MTEXT",    "DIMENSION", "LEADER",   "MULTILEADER",
-                                              "POINT", "VIEWPORT", "HATCH",     "TOLERANCE"};
+  static const std::vector<std::string> kinds{"TEXT",     "MTEXT", "DIMENSION", "LEADER", "MULTILEADER", "POINT",
+                                              "VIEWPORT", "HATCH", "TOLERANCE", "ATTRIB", "ATTDEF"};
   const auto on_paper = [](const Group& group) { return group.code == 67 && group.value == "1"; };
   return std::find(kinds.begin(), kinds.end(), entity.kind) != kinds.end() ||
          std::any_of(entity.groups.begin(), entity.groups.end(), on_paper);
 }
 
-bool on_layer(const Entity& entity, const std::string& layer) {
-  return std::any_of(entity.groups.begin(), entity.groups.end(),
-                     [&](const Group& group) { return group.code == 8 && group.value == layer; });
+std::string layer_of(const Entity& entity) {
+  for (const Group& group : entity.groups)
+    if (group.code == 8) return std::string(group.value);
+  return "0";
 }
+
+/// The wanted entities of a drawing, those of inserted blocks in their places.
+class Drawing {
+ public:
+  Drawing(const DxfFile& file, const std::string& layer, double unit)
+      : curves(file, unit), file_(file), layer_(layer), unit_(unit), blocks_(file) {}
+
+  void take(const Entity& entity) {
+    if (entity.in_blocks) return blocks_.take(entity);
+    add(entity, "", wanted_, 0);
+  }
+
+  DxfCurves curves;
+
+ private:
+  /// What lies on layer 0 of a block lies on that of its insertion; `wanted` is that of the entity before.
+  void add(const Entity& entity, const std::string& of_insertion, bool& wanted, int depth) {
+    const std::string own = layer_of(entity), layer = depth > 0 && own == "0" ? of_insertion : own;
+    const bool part = entity.kind == "VERTEX" || entity.kind == "SEQEND";  // of the polyline before
+    const bool inserts = entity.kind == "INSERT";
+    if (!part) wanted = !is_annotation(entity) && (layer_.empty() || layer == layer_);
+    if (inserts && !is_annotation(entity)) return insert(entity, layer, depth);
+    if (wanted) curves.add(entity);
+  }
+
+  void insert(const Entity& entity, const std::string& layer, int depth) {
+    constexpr int deepest = 8, most = 10000;
+    if (depth == deepest || ++insertions_ > most)
+      file_.refuse(entity.line,
+                   fmt::format("blocks within blocks over more than {} levels or more than {} of them were "
+                               "found, allowed are fewer",
+                               deepest, most));
+    const DxfBlock& block = blocks_.inserted(entity);
+    const DxfPlacement placement = placement_of(file_, entity, block, unit_);
+    curves.require_end_of_polyline();
+    const std::size_t first = curves.curves.size();
+    bool wanted = false;
+    for (const Entity& inside : block.entities) add(inside, layer, wanted, depth + 1);
+    curves.require_end_of_polyline();
+    curves.place(first, placement);
+  }
+
+  const DxfFile& file_;
+  const std::string& layer_;
+  double unit_;
+  DxfBlocks blocks_;
+  bool wanted_ = false;
+  int insertions_ = 0;
+};
 
 }  // namespace
 
 std::vector<Segment> read_dxf(const CaseNode& node, const std::string& path, const std::string& layer, double unit) {
   const std::string content = core::read_given_file(node, path, "a drawing with its path relative to the case file");
   const DxfFile file{node, path};
-  DxfCurves curves(file, unit);
-  bool wanted = false;
-  read_entities(file, content, [&](const Entity& entity) {
-    const bool part = entity.kind == "VERTEX" || entity.kind == "SEQEND";  // of the polyline before
-    if (!part) wanted = !is_annotation(entity) && (layer.empty() || on_layer(entity, layer));
-    if (wanted) curves.add(entity);
-  });
+  Drawing drawing(file, layer, unit);
+  read_entities(file, content, [&](const Entity& entity) { drawing.take(entity); });
+  DxfCurves& curves = drawing.curves;
   curves.require_end_of_polyline();
   const double straight = tolerance::joined * size_of(curves.curves);
   for (std::size_t i = 0; i < curves.curves.size(); ++i)

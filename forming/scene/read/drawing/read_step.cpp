@@ -10,6 +10,7 @@
 #include "core/case/given_file.hpp"
 #include "core/process/child_work.hpp"
 #include "core/process/gmsh_session.hpp"
+#include "forming/scene/read/curves/curve_arcs.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -23,11 +24,14 @@ using Space = std::array<double, 3>;
 
 constexpr double step_unit = 1e-3;  // what the reader of STEP files converts every file to, m
 
-/// A curve as the CAD kernel has it, at three values of its parameter.
+/// A curve as the CAD kernel has it, at three values of its parameter; of a part of a spline and the like also the
+/// derivatives at its ends, with respect to a parameter from 0 to 1.
 struct Curve {
-  bool is_arc;
+  enum class Kind { line, arc, part } kind;
   Space start, mid, end;
+  Space start_rate{}, end_rate{};
 };
+constexpr std::array kinds{"line", "arc", "part"};
 
 Space place(int tag, double parameter) {
   std::vector<double> x;
@@ -35,18 +39,31 @@ Space place(int tag, double parameter) {
   return {step_unit * x[0], step_unit * x[1], step_unit * x[2]};
 }
 
-/// A circle comes as two halves, so that every arc has two ends.
-void add_curve(int tag, bool is_arc, std::vector<Curve>& curves) {
+Space rate(int tag, double parameter, double scale) {
+  std::vector<double> derivative;
+  gmsh::model::getDerivative(1, tag, {parameter}, derivative);
+  return {scale * step_unit * derivative[0], scale * step_unit * derivative[1], scale * step_unit * derivative[2]};
+}
+
+/// A circle comes as two halves, so that every arc has two ends; splines and other curves come in parts so short that
+/// cubics stand for them.
+void add_curve(int tag, const std::string& type, std::vector<Curve>& curves) {
+  constexpr int cubics = 64;
+  const auto kind = type == "Line" ? Curve::Kind::line : type == "Circle" ? Curve::Kind::arc : Curve::Kind::part;
   std::vector<double> low, high;
   gmsh::model::getParametrizationBounds(1, tag, low, high);
-  const int parts = is_arc && high[0] - low[0] > M_PI ? 2 : 1;
+  const double range = high[0] - low[0];
+  const int parts = kind == Curve::Kind::part ? cubics : kind == Curve::Kind::arc && range > M_PI ? 2 : 1;
   for (int i = 0; i < parts; ++i) {
-    const auto at = [&](double fraction) { return place(tag, low[0] + (i + fraction) / parts * (high[0] - low[0])); };
-    curves.push_back({is_arc, at(0), at(0.5), at(1)});
+    const auto at = [&](double fraction) { return low[0] + (i + fraction) / parts * range; };
+    curves.push_back({kind, place(tag, at(0)), place(tag, at(0.5)), place(tag, at(1))});
+    if (kind != Curve::Kind::part) continue;
+    curves.back().start_rate = rate(tag, at(0), range / parts);
+    curves.back().end_rate = rate(tag, at(1), range / parts);
   }
 }
 
-/// What the CAD kernel finds in a file, as text: a line "refuse ..." or a line for each curve, "line" or "arc" and nine
+/// What the CAD kernel finds in a file, as text: a line "refuse ..." or a line for each curve, its kind and fifteen
 /// coordinates in m.
 std::string text_of_curves(const std::string& path) {
   gmsh::vectorpair found;
@@ -64,17 +81,13 @@ std::string text_of_curves(const std::string& path) {
   for (const auto& [dimension, tag] : found) {
     std::string kind;
     gmsh::model::getType(dimension, tag, kind);
-    if (kind != "Line" && kind != "Circle")
-      return fmt::format(
-          "refuse \"{}\" contains a curve of type {}, allowed are lines and circular arcs (convert it in "
-          "the CAD program, or give its points as CSV)",
-          path, kind);
-    add_curve(tag, kind == "Circle", curves);
+    add_curve(tag, kind, curves);
   }
   std::string text;
   for (const Curve& curve : curves) {
-    text += curve.is_arc ? "arc" : "line";
-    for (const Space& x : {curve.start, curve.mid, curve.end}) text += fmt::format(" {} {} {}", x[0], x[1], x[2]);
+    text += kinds[static_cast<std::size_t>(curve.kind)];
+    for (const Space& x : {curve.start, curve.mid, curve.end, curve.start_rate, curve.end_rate})
+      text += fmt::format(" {} {} {}", x[0], x[1], x[2]);
     text += '\n';
   }
   return text;
@@ -83,9 +96,11 @@ std::string text_of_curves(const std::string& path) {
 /// A line of `text_of_curves`; false where a coordinate is missing or not finite.
 bool parse_curve(std::string_view line, Curve& curve) {
   const auto blank = std::min(line.find(' '), line.size());
-  curve.is_arc = line.substr(0, blank) == "arc";
+  const auto kind = std::find(kinds.begin(), kinds.end(), line.substr(0, blank)) - kinds.begin();
+  if (kind == static_cast<std::ptrdiff_t>(kinds.size())) return false;
+  curve.kind = static_cast<Curve::Kind>(kind);
   line.remove_prefix(blank);
-  for (Space* x : {&curve.start, &curve.mid, &curve.end})
+  for (Space* x : {&curve.start, &curve.mid, &curve.end, &curve.start_rate, &curve.end_rate})
     for (double& component : *x) {
       if (line.empty()) return false;
       const auto read = std::from_chars(line.data() + 1, line.data() + line.size(), component);
@@ -168,17 +183,27 @@ std::vector<Segment> read_step(const CaseNode& file, const std::string& path) {
                              path));
   const auto curves = read_curves(file, path);
   const auto [first, second] = find_plane(file, path, curves);
+  const auto flat = [first = first, second = second](const Space& x) { return Point(x[first], x[second]); };
+  double size = 0;
+  for (const Curve& curve : curves) size = std::max(size, (flat(curve.end) - flat(curves.front().start)).norm());
   std::vector<Segment> segments;
   for (const Curve& curve : curves) {
-    const Point start(curve.start[first], curve.start[second]), end(curve.end[first], curve.end[second]);
-    if (curve.is_arc) {
-      segments.push_back(arc_through(start, {curve.mid[first], curve.mid[second]}, end));
+    const Point start = flat(curve.start), end = flat(curve.end);
+    if (curve.kind == Curve::Kind::part) {
+      const auto part =
+          arcs_of(cubic({start, flat(curve.start_rate)}, {end, flat(curve.end_rate)}), 0, 1, tolerance::curve * size);
+      segments.insert(segments.end(), part.begin(), part.end());
+    } else if (curve.kind == Curve::Kind::arc) {
+      segments.push_back(arc_through(start, flat(curve.mid), end));
     } else {
       segments.emplace_back();
       segments.back().start = start;
       segments.back().end = end;
     }
   }
+  if (segments.size() > max_segments)
+    core::refuse(
+        file, fmt::format("\"{}\" gives {} lines and arcs, allowed are up to {}", path, segments.size(), max_segments));
   return segments;
 }
 

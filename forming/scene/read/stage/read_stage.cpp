@@ -13,53 +13,6 @@ using core::CaseNode;
 using core::CaseTable;
 namespace dimension = core::dimension;
 
-thermal::SurfaceExchange read_air(const CaseNode& node) {
-  const CaseTable table(node, {"temperature", "h", "ambient"});
-  thermal::SurfaceExchange air;
-  air.h = core::not_negative_over_time(table.get("h"), dimension::conductance);
-  air.air_temperature = core::quantity_over_time(table.get("temperature"), dimension::temperature);
-  air.ambient_temperature = core::quantity_over_time(table.get("ambient"), dimension::temperature);
-  return air;
-}
-
-/// None where the cavities are vented.
-std::optional<TrappedAirLaw> read_trapped_air(const CaseNode& node) {
-  const CaseTable table(node, {"law", "temperature", "ambient", "vent_area", "seal_gap"});
-  const auto& law = table.get("law");
-  const Index which = core::choice(law, {"vented", "isothermal", "adiabatic"});
-  if (which == 0) {
-    for (const auto* key : {"temperature", "ambient", "vent_area", "seal_gap"})
-      if (const auto* item = table.find(key))
-        core::refuse(*item, "found with the law \"vented\", allowed with \"isothermal\" and \"adiabatic\"");
-    return std::nullopt;
-  }
-  TrappedAirLaw air{which == 1 ? 1.0 : 1.4, core::quantity(table.get("temperature"), dimension::temperature)};
-  if (const auto* item = table.find("ambient")) air.ambient = core::positive(*item, dimension::pressure);
-  if (const auto* item = table.find("vent_area")) air.vent_area = core::positive(*item, dimension::area);
-  if (const auto* item = table.find("seal_gap")) air.seal_gap = core::positive(*item, dimension::length);
-  return air;
-}
-
-bool needs_air(const Body& body) {
-  const auto open = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::air; };
-  return body.thermal && (body.emissivity > 0 || thermal::has_light(*body.thermal) ||
-                          std::any_of(body.boundaries.begin(), body.boundaries.end(), open));
-}
-
-/// Tools that are not active are in the air too.
-void refuse_missing_air(const CaseNode& stage, const Scene& scene) {
-  const Body* body = needs_air(scene.glass) ? &scene.glass : nullptr;
-  for (const Tool& tool : scene.tools)
-    if (needs_air(tool)) body = &tool;
-  if (!body) return;
-  CaseNode place = stage;
-  place.key += ".air";
-  core::refuse(place,
-               fmt::format("missing, but \"{}\" exchanges heat with the air; allowed is [air] for the case or air "
-                           "in each stage",
-                           body->name));
-}
-
 Motion read_motion(const CaseNode& node, const Scene& scene) {
   const CaseTable table(node, {"offset", "force", "speed_limit"});
   if (const auto* offset = table.find("offset")) {
@@ -70,10 +23,13 @@ Motion read_motion(const CaseNode& node, const Scene& scene) {
   if (!scene.has_flow())
     core::refuse(table.get("force"), "a force was found but the glass does not flow, allowed is offset");
   const auto& force = table.get("force");
-  if (core::quantity(force, dimension::force) == 0)
-    core::refuse(force, fmt::format("\"{}\" was found, allowed is a force other than zero", force.text));
-  return ForceMotion{core::quantity(force, dimension::force),
-                     core::positive(table.get("speed_limit"), dimension::speed)};
+  const ForceMotion motion{core::quantity_over_time(force, dimension::force),
+                           core::positive_over_time(table.get("speed_limit"), dimension::speed)};
+  if (motion.force.max_size() == 0)
+    core::refuse(force, force.text.empty()
+                            ? "no force but zero was found, allowed is one other than zero"
+                            : fmt::format("\"{}\" was found, allowed is a force other than zero", force.text));
+  return motion;
 }
 
 bool is_driven(const StageTool& tool) {
@@ -164,11 +120,9 @@ void read_loads(const CaseTable& table, Scene& scene, Stage& stage) {
   read_named_boundaries(table, scene, stage);
   if (const auto* pressures = table.find("pressure"))
     for (const auto& item : core::entries(*pressures)) {
-      const auto names = open_boundaries(scene, stage);
-      if (item.name == "inner" && std::find(names.begin(), names.end(), item.name) == names.end())
-        name_inner_side(item, scene, stage);
+      if (item.name == inner_side) name_inner_side(item, scene, stage);
       core::choice(core::key_of(item), open_boundaries(scene, stage));
-      stage.pressure[item.name] = core::quantity(item, dimension::pressure);
+      stage.pressure[item.name] = core::quantity_over_time(item, dimension::pressure);
     }
   if (const auto* item = table.find("end_speed")) {
     stage.end_speed = core::positive(*item, dimension::speed);
@@ -180,19 +134,15 @@ void read_loads(const CaseTable& table, Scene& scene, Stage& stage) {
 }  // namespace
 
 Stage read_stage(const CaseNode& node, const CommonAir& common, Scene& scene) {
-  const CaseTable table(node, {"name", "duration", "end_speed", "gravity", "tools", "motion", "pressure", "end", "air",
-                               "trapped_air", "name_boundary"});
+  const CaseTable table(node, {"name", "duration", "from", "until", "end_speed", "gravity", "tools", "motion",
+                               "pressure", "end", "air", "inner_air", "trapped_air", "cooling", "name_boundary"});
   Stage stage;
   stage.name = core::identifier(table.get("name"));
-  stage.duration = core::positive(table.get("duration"), dimension::time);
+  read_times(table, scene, stage);
   stage.tools = read_stage_tools(table, scene);
   read_loads(table, scene, stage);
   if (const auto* item = table.find("end")) stage.ends = read_ends(*item, scene, stage);
-  const auto *own = table.find("air"), *own_trapped = table.find("trapped_air");
-  const CaseNode *air = own ? own : common.air, *trapped = own_trapped ? own_trapped : common.trapped;
-  if (trapped) stage.trapped_air = read_trapped_air(*trapped);
-  if (air) stage.air = read_air(*air);
-  if (!air) refuse_missing_air(node, scene);
+  read_surroundings(table, common, scene, stage);
   return stage;
 }
 

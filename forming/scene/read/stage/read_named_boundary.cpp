@@ -55,6 +55,17 @@ std::vector<Index> tools_that_left(const Scene& scene, const Stage& stage) {
   return moved.empty() ? left : moved;
 }
 
+bool names_inner_side(const Stage& stage) {
+  const auto& named = stage.named_boundaries;
+  return std::any_of(named.begin(), named.end(), [](const NamedBoundary& one) { return one.name == inner_side; });
+}
+
+bool knows_inner_side(const Scene& scene, const Stage& stage) {
+  const auto& given = scene.glass.boundaries;
+  return names_inner_side(stage) || std::any_of(scene.stages.begin(), scene.stages.end(), names_inner_side) ||
+         std::any_of(given.begin(), given.end(), [](const Boundary& one) { return one.name == inner_side; });
+}
+
 }  // namespace
 
 void read_named_boundaries(const CaseTable& table, const Scene& scene, Stage& stage) {
@@ -77,6 +88,7 @@ void read_named_boundaries(const CaseTable& table, const Scene& scene, Stage& st
 }
 
 void name_inner_side(const CaseNode& load, Scene& scene, Stage& stage) {
+  if (knows_inner_side(scene, stage)) return;
   const std::vector<Index> left = tools_that_left(scene, stage);
   if (left.empty()) return;
   if (left.size() > 1) {
@@ -88,9 +100,17 @@ void name_inner_side(const CaseNode& load, Scene& scene, Stage& stage) {
   }
   std::size_t after = scene.stages.size();
   while (!is_active(scene.stages[after - 1], left.front())) --after;
-  NamedBoundary inner{"inner"};
+  NamedBoundary inner{inner_side};
   inner.touched = left.front();
   (after == scene.stages.size() ? stage : scene.stages[after]).named_boundaries.push_back(inner);
+}
+
+void refuse_unknown_inner_side(const CaseNode& node, const Scene& scene, const Stage& stage) {
+  if (!knows_inner_side(scene, stage))
+    core::refuse(
+        node,
+        "the glass has no inner side up to this stage, allowed where a plunger or a pin has left it or a stage "
+        "names a boundary \"inner\"");
 }
 
 }  // namespace parison::forming

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/read/curves/curve_arcs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace parison::forming {
+namespace {
+
+using core::Point;
+using core::Segment;
+
+double cross(const Point& a, const Point& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/// From start to end, turning by an angle, positive to the left; a line where it leaves that by less than `straight`,
+/// m.
+Segment arc_of(const Point& start, const Point& end, double turn, double straight) {
+  Segment arc;
+  arc.start = start;
+  arc.end = end;
+  const Point along = end - start;
+  if (std::abs(turn) * along.norm() / 8 < straight) return arc;
+  const Point left(-along[1], along[0]);
+  arc.is_arc = true;
+  arc.centre = 0.5 * (start + end) + left / (2 * std::tan(0.5 * turn));
+  arc.radius = (start - arc.centre).norm();
+  arc.from = std::atan2(start[1] - arc.centre[1], start[0] - arc.centre[0]);
+  arc.to = arc.from + turn;
+  return arc;
+}
+
+/// Where the two arcs of a biarc meet: both of their tangents have the same length.
+Point joint(const CurvePoint& a, const CurvePoint& b) {
+  const Point chord = b.x - a.x, sum = a.derivative + b.derivative;
+  const double across = 2 * (1 - a.derivative.dot(b.derivative)), along = chord.dot(sum);
+  const double root = std::sqrt(along * along + across * chord.squaredNorm());
+  const double tangent = chord.squaredNorm() / (along + root);
+  return 0.5 * (a.x + b.x + tangent * (a.derivative - b.derivative));
+}
+
+/// Two arcs between places with unit tangents.
+std::array<Segment, 2> biarc(const CurvePoint& a, const CurvePoint& b, double straight) {
+  const Point middle = joint(a, b), first = middle - a.x, second = b.x - middle;
+  return {arc_of(a.x, middle, 2 * std::atan2(cross(a.derivative, first), a.derivative.dot(first)), straight),
+          arc_of(middle, b.x, 2 * std::atan2(cross(second, b.derivative), second.dot(b.derivative)), straight)};
+}
+
+/// With a unit tangent; where the derivative vanishes, that towards a place nearby.
+CurvePoint with_tangent(const PlaneCurve& curve, double at, double nearby) {
+  CurvePoint place = curve(at);
+  if (place.derivative.norm() == 0) place.derivative = (curve(at + 1e-6 * (nearby - at)).x - place.x) * (nearby - at);
+  if (place.derivative.norm() > 0) place.derivative.normalize();
+  return place;
+}
+
+struct Fit {
+  const PlaneCurve& curve;
+  double tolerance;
+  std::vector<Segment> segments;
+
+  bool is_near(const std::array<Segment, 2>& arcs, double from, double to) const {
+    constexpr int samples = 8;
+    for (int i = 1; i < samples; ++i) {
+      const Point x = curve(from + (to - from) * i / samples).x;
+      double distance = std::numeric_limits<double>::infinity();
+      for (const Segment& arc : arcs) distance = core::distance(arc, x, distance);
+      if (!(distance <= tolerance)) return false;
+    }
+    return true;
+  }
+
+  void add(double from, double to, int depth) {
+    constexpr std::size_t too_many = 20'000;  // more than any outline may have
+    if (segments.size() > too_many) return;
+    constexpr int deepest = 14;
+    constexpr double most = M_PI / 2;  // turned by a pair of arcs
+    const CurvePoint a = with_tangent(curve, from, to), b = with_tangent(curve, to, from);
+    const double turn = std::abs(std::atan2(cross(a.derivative, b.derivative), a.derivative.dot(b.derivative)));
+    const auto arcs = biarc(a, b, 1e-2 * tolerance);
+    if (depth < deepest && (turn > most || !is_near(arcs, from, to))) {
+      const double middle = 0.5 * (from + to);
+      add(from, middle, depth + 1);
+      add(middle, to, depth + 1);
+      return;
+    }
+    if (!arcs[0].end.allFinite()) return segments.push_back(arc_of(a.x, b.x, 0, tolerance));
+    for (const Segment& arc : arcs)
+      if ((arc.end - arc.start).norm() > 0) segments.push_back(arc);
+  }
+};
+
+/// The slopes of the cubics through values over rising places: continuous second derivative, end slopes of the parabola
+/// through three.
+std::vector<Point> slopes(const std::vector<double>& at, const std::vector<Point>& x) {
+  const std::size_t last = x.size() - 1;
+  const auto width = [&](std::size_t i) { return at[i + 1] - at[i]; };
+  const auto chord = [&](std::size_t i) -> Point { return (x[i + 1] - x[i]) / width(i); };
+  std::vector<Point> slope(x.size());
+  slope[0] = chord(0) - (chord(1) - chord(0)) * width(0) / (width(0) + width(1));
+  slope[last] =
+      chord(last - 1) + (chord(last - 1) - chord(last - 2)) * width(last - 1) / (width(last - 1) + width(last - 2));
+  std::vector<double> factor(x.size(), 0);
+  for (std::size_t i = 1; i < last; ++i) {
+    const double before = 1 / width(i - 1), after = 1 / width(i),
+                 diagonal = 2 * (before + after) - before * factor[i - 1];
+    factor[i] = after / diagonal;
+    slope[i] = (3 * (before * chord(i - 1) + after * chord(i)) - before * slope[i - 1]) / diagonal;
+  }
+  for (std::size_t i = last - 1; i > 0; --i) slope[i] -= factor[i] * slope[i + 1];
+  return slope;
+}
+
+}  // namespace
+
+std::vector<Segment> arcs_of(const PlaneCurve& curve, double from, double to, double tolerance) {
+  Fit fit{curve, tolerance, {}};
+  fit.add(from, to, 0);
+  return std::move(fit.segments);
+}
+
+PlaneCurve cubic(const CurvePoint& start, const CurvePoint& end) {
+  return [start, end](double t) -> CurvePoint {
+    const double s = 1 - t;
+    return {s * s * (1 + 2 * t) * start.x + t * t * (1 + 2 * s) * end.x + s * s * t * start.derivative -
+                t * t * s * end.derivative,
+            6 * s * t * (end.x - start.x) + s * (s - 2 * t) * start.derivative + t * (t - 2 * s) * end.derivative};
+  };
+}
+
+std::vector<Segment> smooth_through(const std::vector<Point>& points, double tolerance) {
+  std::vector<double> at{0};
+  for (std::size_t i = 1; i < points.size(); ++i) at.push_back(at.back() + (points[i] - points[i - 1]).norm());
+  const auto slope = slopes(at, points);
+  std::vector<Segment> segments;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double width = at[i + 1] - at[i];
+    const auto arcs =
+        arcs_of(cubic({points[i], width * slope[i]}, {points[i + 1], width * slope[i + 1]}), 0, 1, tolerance);
+    segments.insert(segments.end(), arcs.begin(), arcs.end());
+  }
+  return segments;
+}
+
+}  // namespace parison::forming

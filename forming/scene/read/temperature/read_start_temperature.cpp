@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "core/io/hdf5.hpp"
+#include "core/io/mesh_hdf5.hpp"
+#include "core/mesh/element.hpp"
+#include "forming/scene/read/scene_reading.hpp"
+#include "forming/scene/read/temperature/temperature_table.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+using core::CaseTable;
+using core::Point;
+namespace dimension = core::dimension;
+
+struct Box {
+  Point low, high;
+};
+
+Box box_of(const std::vector<Point>& points) {
+  Box box{points.front(), points.front()};
+  for (const Point& x : points) box = {box.low.cwiseMin(x), box.high.cwiseMax(x)};
+  return box;
+}
+
+/// Places inside and on an outline.
+std::vector<Point> places(const core::Profile& profile) {
+  constexpr int across = 40;
+  const double size = core::size(profile);
+  std::vector<Point> points = core::polyline(profile, size / across, 1e-3 * size);
+  const Box box = box_of(points);
+  for (int i = 0; i < across; ++i)
+    for (int k = 0; k < across; ++k) {
+      const Point x = box.low + Point(i + 0.5, k + 0.5).cwiseProduct(box.high - box.low) / across;
+      if (core::contains(profile, x)) points.push_back(x);
+    }
+  return points;
+}
+
+/// The temperature of "1150 degC - 80 K*r/(26 mm)" at a place, by its r and z.
+double value_of(const CaseNode& formula, const Point& x) {
+  core::NamedQuantities known;
+  if (formula.known) known.names = formula.known->names;
+  known.names.insert(known.names.end(), {"r", "z"});
+  known.find = [&](std::string_view name) -> std::optional<core::Measure> {
+    if (name == "r") return core::Measure{x[0], dimension::length};
+    if (name == "z") return core::Measure{x[1], dimension::length};
+    return formula.known ? formula.known->find(name) : std::nullopt;
+  };
+  const auto parsed = core::parse_formula_as(formula.text, dimension::temperature, known);
+  const std::string place = fmt::format(" at ({:g}, {:g}) mm", 1e3 * x[0], 1e3 * x[1]);
+  if (!parsed.problem.empty()) core::refuse(formula, parsed.problem + place);
+  if (parsed.value <= 0)
+    core::refuse(formula, fmt::format("{:g} K was found{}, allowed are temperatures above zero", parsed.value, place));
+  return parsed.value;
+}
+
+StartField read_formula(const CaseNode& node) {
+  StartField field;
+  field.source = fmt::format("\"{}\"", core::text(node));
+  field.at = [node](const Point& x) { return value_of(node, x); };
+  return field;
+}
+
+/// Looked for beside the case file, then in the working folder.
+std::string result_folder(const CaseNode& node, const std::string& directory) {
+  const auto beside = std::filesystem::path(directory) / core::text(node);
+  std::error_code unreadable;
+  return std::filesystem::exists(beside, unreadable) ? beside.string() : node.text;
+}
+
+/// The group of a body in a checkpoint.
+std::string group_of(const core::Hdf5Group& file, const CaseNode& place, const std::string& body) {
+  if (body == "glass") return "glass";
+  std::vector<std::string> names{"glass"};
+  for (int i = 0; file.has(fmt::format("tool_name_{}", i)); ++i) {
+    names.push_back(file.read_string(fmt::format("tool_name_{}", i)));
+    if (names.back() == body) return fmt::format("tool_{}", i);
+  }
+  core::refuse(place, fmt::format("that result has no body \"{}\"{}, allowed are {}", body,
+                                  core::did_you_mean(body, names), fmt::join(names, ", ")));
+}
+
+std::string text_of(const Box& box) {
+  return fmt::format("({:g}, {:g}) to ({:g}, {:g}) mm", 1e3 * box.low[0], 1e3 * box.low[1], 1e3 * box.high[0],
+                     1e3 * box.high[1]);
+}
+
+/// Temperatures are handed over between bodies of one shape.
+void refuse_other_shape(const CaseNode& node, const core::Profile& profile, const core::Mesh& mesh) {
+  constexpr double allowed = 0.02;
+  const Box here = box_of(core::polyline(profile, core::size(profile), 1e-3 * core::size(profile))),
+            there = box_of(mesh.nodes);
+  const double off = std::max((here.low - there.low).norm(), (here.high - there.high).norm());
+  if (off > allowed * core::size(profile))
+    core::refuse(node,
+                 fmt::format("the body lies from {} at the end of that result but from {} here, allowed is one that "
+                             "lies in the same place within 2 % of its size",
+                             text_of(there), text_of(here)));
+}
+
+StartField read_result(const CaseTable& table, const BodyContext& context, const Body& body) {
+  const CaseNode& from = *table.find("from");
+  const std::string folder = result_folder(from, context.directory), path = folder + "/checkpoint.h5";
+  const auto* name = table.find("body");
+  if (const std::string problem = core::read_hdf5(path).problem; !problem.empty())
+    core::refuse(from, fmt::format("{} {}; allowed is the folder of a result", path, problem));
+  const core::Hdf5Group file = core::open_hdf5(path);
+  const core::Hdf5Group state = file.open("state");
+  const std::string which = name ? core::text(*name) : body.name;
+  const core::Hdf5Group group = state.open(group_of(file, name ? *name : from, which));
+  StartField field;
+  field.source = fmt::format("{} at {:.4g} s of {}", which, state.read_double("time"), folder);
+  field.mesh = core::read_mesh(group.open("mesh"));
+  field.temperature = group.read_vector("temperature");
+  if (field.temperature.size() != field.mesh.node_count())
+    core::refuse(from,
+                 fmt::format("\"{}\" of that result has no temperatures, allowed is one that carries heat", which));
+  refuse_other_shape(from, body.profile, field.mesh);
+  return field;
+}
+
+/// Sets the range of a field and its mean by volume.
+double complete(StartField& field, const core::Profile& profile, core::Geometry geometry) {
+  if (!field.at) {
+    field.min = field.temperature.minCoeff();
+    field.max = field.temperature.maxCoeff();
+    double sum = 0, volume = 0;
+    for (Index c = 0; c < field.mesh.cell_count(); ++c)
+      for (const auto& rule : core::triangle_rule(4)) {
+        const auto at = core::map_cell_point(field.mesh, c, geometry, rule);
+        volume += at.volume;
+        for (int i = 0; i < 6; ++i) sum += at.volume * at.shape[i] * field.temperature[field.mesh.cells()[c][i]];
+      }
+    return sum / volume;
+  }
+  field.min = std::numeric_limits<double>::infinity();
+  field.max = 0;
+  double sum = 0, weights = 0;
+  for (const Point& x : places(profile)) {
+    const double T = field.at(x), weight = geometry == core::Geometry::planar ? 1 : x[0];
+    field.min = std::min(field.min, T);
+    field.max = std::max(field.max, T);
+    sum += weight * T;
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+}  // namespace
+
+void read_start_temperature(const CaseNode& node, const BodyContext& context, Body& body) {
+  if (node.kind != CaseNode::Kind::table) {
+    body.initial_temperature = core::quantity(node, dimension::temperature);
+    return;
+  }
+  const CaseTable table(node, {"formula", "csv", "from", "body"});
+  const auto *formula = table.find("formula"), *csv = table.find("csv"), *from = table.find("from");
+  if (!body.thermal) core::refuse(node, "a field of temperatures was found, allowed only where the glass carries heat");
+  if ((formula != nullptr) + (csv != nullptr) + (from != nullptr) != 1)
+    core::refuse(node, "allowed is one of formula, csv and from");
+  if (const auto* other = table.find("body"); other && !from)
+    core::refuse(*other, "a body was found, allowed only together with \"from\"");
+  StartField field = formula ? read_formula(*formula)
+                     : csv   ? read_temperature_table(*csv, context.directory)
+                             : read_result(table, context, body);
+  body.initial_temperature = complete(field, body.profile, context.geometry);
+  body.start_field = std::move(field);
+}
+
+std::string start_field_text(const StartField& field, const core::Profile& profile) {
+  std::string text = field.source + "\n";
+  if (field.at)
+    for (const Point& x : places(profile)) text += fmt::format("{} ", field.at(x));
+  for (Index i = 0; i < field.temperature.size(); ++i) text += fmt::format("{} ", field.temperature[i]);
+  return text;
+}
+
+}  // namespace parison::forming
