@@ -15,31 +15,38 @@ constexpr int cells_of_zone = 3;  ///< of the mesh, at the least
 constexpr int ray_count = 4000;
 constexpr double moved_far = 0.3;  ///< distance, of a box, that the glass moves before rays are traced anew
 
-/// Parts of the boundary as long as a box or, where they are longer, edges; mirrors where the boundary is neither open
-/// nor black nor touched.
-std::vector<RaySurface> divide_surface(const Light& light, const HeatSystem& system, double length, Index& patches) {
+/// By boundary of the glass: a mirror where it is neither open nor black nor touched.
+std::vector<SurfaceKind> surface_kinds(const Light& light, const HeatSystem& system) {
   const BodyView& body = system.problem->bodies[light.body];
-  const core::Mesh& mesh = *body.mesh;
-  std::vector<char> lit(mesh.boundaries().size(), 0);
-  for (std::size_t b = 0; b < lit.size(); ++b) lit[b] = bool(body.light.surroundings[b]);
-  for (const LightContact& contact : light.contacts) lit[contact.boundary] = 1;
+  std::vector<SurfaceKind> kinds;
+  for (std::size_t b = 0; b < body.mesh->boundaries().size(); ++b)
+    kinds.push_back(!body.prescribed.empty() && body.prescribed[b] ? SurfaceKind::black
+                    : body.light.surroundings[b]                   ? SurfaceKind::open
+                                                                   : SurfaceKind::mirror);
+  for (const LightContact& contact : light.contacts)
+    if (kinds[contact.boundary] == SurfaceKind::mirror) kinds[contact.boundary] = SurfaceKind::open;
+  return kinds;
+}
+
+/// Patches as long as a box or, where edges are longer, as those.
+std::vector<RaySurface> divide_surface(const core::Mesh& mesh, const std::vector<SurfaceKind>& kinds, double length,
+                                       Index& patches) {
   std::vector<RaySurface> surface;
   double so_far = 0;
   Index last = -1;
   patches = 0;
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
-    const Index b = edge.boundary_id;
-    const bool black = !body.prescribed.empty() && body.prescribed[b];
-    if (!lit[b] && !black) {
+    const SurfaceKind kind = kinds[edge.boundary_id];
+    if (kind == SurfaceKind::mirror) {
       surface.push_back({-1, false});
       last = -1;
       continue;
     }
     const double own = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
-    if (last != b || so_far + 0.5 * own > length) ++patches, so_far = 0;
+    if (last != edge.boundary_id || so_far + 0.5 * own > length) ++patches, so_far = 0;
     so_far += own;
-    last = b;
-    surface.push_back({patches - 1, black});
+    last = edge.boundary_id;
+    surface.push_back({patches - 1, kind == SurfaceKind::black});
   }
   return surface;
 }
@@ -69,12 +76,13 @@ Zones make_zones(const Light& light, const core::Mesh& mesh, Geometry geometry) 
   return {position, volume, area, std::clamp(mesh.cell_count() / cells_of_zone, 1, most_zones)};
 }
 
-std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& system) {
+std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& system,
+                                        const std::vector<SurfaceKind>& kinds) {
   const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
   const Geometry geometry = system.problem->geometry;
   auto traced = std::make_shared<TracedRays>(
-      TracedRays{mesh.nodes, mesh.cells(), make_zones(light, mesh, geometry), {}, 0, {}, {}, {}});
-  traced->surface = divide_surface(light, system, traced->zones.box_size(), traced->patches);
+      TracedRays{mesh.nodes, mesh.cells(), kinds, make_zones(light, mesh, geometry), {}, 0, {}, {}, {}});
+  traced->surface = divide_surface(mesh, kinds, traced->zones.box_size(), traced->patches);
   traced->zone.assign(light.volumes.size(), {});
   traced->values.assign(light.volumes.size(), {});
   for_each_point(mesh, [&](Index b, int q, int lane, const Point& x) {
@@ -165,7 +173,8 @@ void set_surface(RayExchange& rays, const Light& light, const HeatSystem& system
 
 RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, std::shared_ptr<const TracedRays>& traced) {
   const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
-  if (!traced || !is_near(*traced, mesh)) traced = trace(light, system);
+  const std::vector<SurfaceKind> kinds = surface_kinds(light, system);
+  if (!traced || traced->kinds != kinds || !is_near(*traced, mesh)) traced = trace(light, system, kinds);
   RayExchange rays{traced, {}, {}, {}, {}, {}};
   set_surface(rays, light, system);
   const Eigen::VectorXd functions = to_zones(*traced, light.volumes);

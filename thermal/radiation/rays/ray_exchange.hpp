@@ -15,10 +15,14 @@ struct GroupSource;
 struct GroupLight;
 struct HeatSystem;
 
+/// What a boundary is to light: a patch of the surface through which it goes, a black wall, or a mirror.
+enum class SurfaceKind { open, black, mirror };
+
 /// What was traced, and the mesh that it was traced on. The zones move with the glass.
 struct TracedRays {
   std::vector<Point> nodes;
   std::vector<std::array<Index, 6>> cells;
+  std::vector<SurfaceKind> kinds;  ///< by boundary
   Zones zones;
   std::vector<RaySurface> surface;  ///< by boundary edge
   Index patches;

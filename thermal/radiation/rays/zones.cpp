@@ -9,20 +9,22 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr double sliver = 0.2;     ///< section area of a box that is joined with a neighbour, of a full one's
-constexpr int fewest_points = 6;   ///< of the mesh in a box that is not joined
-constexpr double thinnest = 1e-4;  ///< second moment, of that of the box, below which a zone has no slope that way
+constexpr double sliver = 0.2;      ///< section area of a box that is joined with a neighbour, of a full one's
+constexpr int fewest_points = 6;    ///< of the mesh in a box that is not joined
+constexpr double most_boxes = 400;  ///< along either axis, for meshes that have gone wild
+constexpr double thinnest = 1e-4;   ///< second moment, of that of the box, below which a zone has no slope that way
 
 }  // namespace
 
 Zones::Zones(const std::vector<Point>& position, const std::vector<double>& volume, const std::vector<double>& area,
              int count) {
   h_ = std::sqrt(std::accumulate(area.begin(), area.end(), 0.0) / count);
+  if (!(h_ > 0)) h_ = 1;  // the mesh is inside out
   low_ = position.front();
   Point high = low_;
   for (const Point& x : position) low_ = low_.cwiseMin(x), high = high.cwiseMax(x);
   for (int a = 0; a < 2; ++a) {
-    boxes_[a] = std::max<Index>(1, static_cast<Index>(std::ceil((high[a] - low_[a]) / h_)));
+    boxes_[a] = static_cast<Index>(std::clamp(std::ceil((high[a] - low_[a]) / h_), 1.0, most_boxes));
     low_[a] = 0.5 * (low_[a] + high[a] - boxes_[a] * h_);
   }
   std::vector<double> in_box(boxes_[0] * boxes_[1], 0.0);
