@@ -198,7 +198,7 @@ class Tracer {
 
   /// What is left goes where the rest went; after a partial reflection it is absorbed where it came from.
   static void finish(BandOnRay& band, ExchangeFactors& factors, double weight) {
-    const double rest = band.least == trapped ? 1 - band.left : 1;
+    const double rest = band.least == trapped ? std::max(1e-6, 1 - band.left) : 1;
     for (const Index to : band.sink.index) {
       const double taken = weight * band.sink.value[to] / rest;
       for (const Index from : band.source.index) factors(from, to) += taken * band.source.value[from];
