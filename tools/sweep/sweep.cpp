@@ -45,8 +45,8 @@ std::size_t sharing(const SweepPlan& plan) {
 }
 
 void print_opening(const SweepPlan& plan, const std::vector<SweepState>& states, int jobs) {
-  fmt::print("{} at {} accuracy: {} runs, {} at once, in {}\n", plan.sweep.case_path,
-             plan.sweep.accuracy, plan.runs.size(), jobs, plan.output);
+  fmt::print("{} at {} accuracy: {} runs, {} at once, in {}\n", plan.sweep.case_path, plan.sweep.accuracy,
+             plan.runs.size(), jobs, plan.output);
   if (const std::size_t some = sharing(plan); some > 0)
     fmt::print("  {} of them start from the end of a stage that another one has made\n", some);
   if (const std::size_t done = plan.runs.size() - count(states, Status::waiting); done > 0)
