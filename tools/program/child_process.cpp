@@ -91,7 +91,7 @@ int start_work(const std::function<int()>& work, const std::string& log) {
   });
 }
 
-void keep_children_waiting() {
+void expect_children() {
   const sigset_t ends = end_of_child();
   sigprocmask(SIG_BLOCK, &ends, nullptr);
 }

@@ -11,11 +11,11 @@ namespace parison::tools {
 int start_self(const std::vector<std::string>& arguments, const std::string& log);
 
 /// Does work in a copy of this process, like start_self without the start of a program; what it returns is the exit
-/// code. This process must have no other threads and have called keep_children_waiting. Returns the id of the copy.
+/// code. This process must have no other threads and have called expect_children. Returns the id of the copy.
 int start_work(const std::function<int()>& work, const std::string& log);
 
-/// Lets a process wait for the end of its children; once, before it starts any.
-void keep_children_waiting();
+/// Holds back the signal of their end (SIGCHLD), for which ended_child waits; once, before the first start_work.
+void expect_children();
 
 /// A child that has ended, after waiting for one so long at most, s; 0 where none has.
 int ended_child(double seconds);

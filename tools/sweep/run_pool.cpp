@@ -148,7 +148,7 @@ void collect(Pool& pool, int child) {
 }  // namespace
 
 bool run_sweep(const SweepPlan& plan, std::vector<SweepState>& states, int jobs) {
-  keep_children_waiting();
+  expect_children();
   Pool pool = open_pool(plan, states);
   bool passed_on = false;
   for (;;) {
