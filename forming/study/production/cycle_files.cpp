@@ -140,12 +140,11 @@ std::string periodic_table(const Scene& scene, const PeriodicState& state) {
     const CycleHeat& heat = state.settled.heat[t];
     double out = 0;
     for (const double part : heat.through) out += part;
-    text += fmt::format(
-        "  {:<14}{:>16}{:>34}{:>12.1f}{:>12.3f}{:>12.1f}\n", scene.tools[t].name,
-        fmt::format("{:.4g} to {:.4g}", state.cycle.uses[t].begin, state.cycle.uses[t].end),
-        fmt::format("{:.1f}  {:.1f}  {:.1f}", range.min - zero_celsius, range.mean - zero_celsius,
-                    range.max - zero_celsius),
-        range.hottest - zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds);
+    text += fmt::format("  {:<14}{:>16}{:>34}{:>12.1f}{:>12.3f}{:>12.1f}\n", scene.tools[t].name,
+                        fmt::format("{:.4g} to {:.4g}", state.cycle.uses[t].begin, state.cycle.uses[t].end),
+                        fmt::format("{:.1f}  {:.1f}  {:.1f}", range.min - zero_celsius, range.mean - zero_celsius,
+                                    range.max - zero_celsius),
+                        range.hottest - zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds);
   }
   return text;
 }

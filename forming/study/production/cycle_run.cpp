@@ -70,9 +70,9 @@ class CycleObserver : public RunObserver {
       sample.tools.push_back(surfaces_[t].temperatures(state.tools[t], std::numeric_limits<double>::infinity()));
     for (std::size_t p = 0; p < scene_.probes.size(); ++p) {
       const Index body = scene_.probes[p].body;
-      sample.probes.push_back(body == glass_body ? std::numeric_limits<double>::quiet_NaN()
-                                                 : forming::sample(mesh_of(state, body), temperature_of(state, body),
-                                                                   state.probes[p]));
+      sample.probes.push_back(
+          body == glass_body ? std::numeric_limits<double>::quiet_NaN()
+                             : forming::sample(mesh_of(state, body), temperature_of(state, body), state.probes[p]));
     }
     samples.push_back(std::move(sample));
   }

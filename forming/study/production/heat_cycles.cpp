@@ -20,8 +20,7 @@ std::vector<double> HeatCycles::surface_means(const Eigen::VectorXd& temperature
   set_tool_temperatures(temperatures, state);
   std::vector<double> means;
   for (std::size_t t = 0; t < state.tools.size(); ++t)
-    means.push_back(
-        surfaces_[t].temperatures(state.tools[t], std::numeric_limits<double>::infinity()).surface_mean);
+    means.push_back(surfaces_[t].temperatures(state.tools[t], std::numeric_limits<double>::infinity()).surface_mean);
   return means;
 }
 
@@ -64,9 +63,10 @@ std::optional<Eigen::VectorXd> HeatCycles::next(const Eigen::VectorXd& temperatu
 
 std::optional<Eigen::VectorXd> HeatCycles::settled(const Eigen::VectorXd& start, double tolerance) const {
   constexpr int depth = 5, most = 200;
-  const FixedPointOptions options{
-      tolerance, depth, most, [](const Eigen::VectorXd& change) { return change.lpNorm<Eigen::Infinity>(); }};
-  auto found = find_fixed_point(start, [this](const Eigen::VectorXd& x) { return next(x); }, options);
+  const FixedPointOptions options{tolerance, depth, most,
+                                  [](const Eigen::VectorXd& change) { return change.lpNorm<Eigen::Infinity>(); }};
+  auto found = find_fixed_point(
+      start, [this](const Eigen::VectorXd& x) { return next(x); }, options);
   if (!found.converged) return std::nullopt;
   return std::move(found.value);
 }

@@ -58,10 +58,10 @@ void refuse_short(const Scene& scene, const MachineCycle& cycle) {
     const auto& [begin, end] = cycle.uses[t];
     const double allowed = cycle.seconds * (1 + round_off);
     if (end - begin > allowed)
-      throw core::CaseError(
-          fmt::format("{}: a machine cycle of {:.4g} s was found, but each container uses the tool \"{}\" for {:.4g} "
-                      "s; allowed is a longer cycle; where sets of a tool take turns, the time between two uses of one set",
-                      scene.file, cycle.seconds, scene.tools[t].name, end - begin));
+      throw core::CaseError(fmt::format(
+          "{}: a machine cycle of {:.4g} s was found, but each container uses the tool \"{}\" for {:.4g} "
+          "s; allowed is a longer cycle; where sets of a tool take turns, the time between two uses of one set",
+          scene.file, cycle.seconds, scene.tools[t].name, end - begin));
     if (end > allowed)
       throw core::CaseError(
           fmt::format("{}: a machine cycle of {:.4g} s was found, but the tool \"{}\" is in use until {:.4g} s after "

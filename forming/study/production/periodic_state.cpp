@@ -63,8 +63,8 @@ std::optional<Eigen::VectorXd> settle(Search& search, const Eigen::VectorXd& tem
     result.failure = "the tools alone do not settle with the heat of this run";
     return next;
   }
-  result.search.push_back({surface_changes(search.initial, run.end - run.start),
-                           surface_changes(search.initial, *next - run.start)});
+  result.search.push_back(
+      {surface_changes(search.initial, run.end - run.start), surface_changes(search.initial, *next - run.start)});
   search.progress(fmt::format("forming run {}: tool surfaces change by {} in the cycle, {} to go", result.search.size(),
                               largest_text(search.scene, result.search.back().change),
                               largest_text(search.scene, result.search.back().distance)));
