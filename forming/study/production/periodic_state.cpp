@@ -31,7 +31,7 @@ struct Search {
   const Progress& progress;
   State initial;  ///< meshes and probes
   HeatCycles heat_cycles;
-  PeriodicState result;
+  PeriodicState& result;
 };
 
 /// A cycle from these tool temperatures; false where it failed.
@@ -125,24 +125,24 @@ bool PeriodicState::is_confirmed(double tolerance) const {
 PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
                                   const StopRequest& stop, const Progress& progress) {
   const State initial = initial_state(scene);
-  Search search{scene, request, stop, progress, initial, HeatCycles(scene, cycle, initial), {}};
-  search.result.cycle = cycle;
+  PeriodicState result;
+  result.cycle = cycle;
+  Search search{scene, request, stop, progress, initial, HeatCycles(scene, cycle, initial), result};
   const FixedPointOptions options{request.tolerance, anderson_depth, request.max_runs,
                                   [&](const Eigen::VectorXd& change) { return surface_change(initial, change); }};
   const auto found = find_fixed_point(
       tool_temperatures(initial), [&](const Eigen::VectorXd& x) { return settle(search, x); }, options);
-  auto& result = search.result;
-  if (!result.failure.empty()) return std::move(result);
+  if (!result.failure.empty()) return result;
   result.found = found.converged;
   if (!found.converged) {
     result.failure = fmt::format("after {} forming runs the tool surfaces are still {:.3g} K from where they settle",
                                  found.evaluations, found.change);
-    return std::move(result);
+    return result;
   }
   write_tools(search, found.value);
   start_up(search, found.value);
   confirm(search, found.value);
-  return std::move(result);
+  return result;
 }
 
 }  // namespace parison::forming
