@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/state/sample.hpp"
 #include "forming/step/idle/idle_tools.hpp"
@@ -110,6 +111,7 @@ CycleRun run_cycle(const Scene& scene, const MachineCycle& cycle, const std::str
   CycleRun result;
   result.forming =
       directory.empty() ? run(scene, {&observer}, stop) : run_in_folder(scene, directory, {&observer}, stop);
+  if (!directory.empty()) write_summary(directory, scene, result.forming.state, result.forming.facts);
   result.stopped = result.forming.facts.stopped;
   result.failure = result.forming.facts.completed ? "" : result.forming.facts.reason;
   result.start = observer.start;

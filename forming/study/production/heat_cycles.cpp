@@ -2,7 +2,6 @@
 #include "forming/study/production/heat_cycles.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "forming/step/idle/idle_tools.hpp"
 #include "forming/study/production/fixed_point.hpp"
@@ -11,18 +10,7 @@
 namespace parison::forming {
 
 HeatCycles::HeatCycles(const Scene& scene, const MachineCycle& cycle, const State& initial)
-    : scene_(scene), cycle_(cycle), tools_(tools_of(initial)) {
-  for (const ToolState& tool : tools_.tools) surfaces_.emplace_back(tool.mesh, scene.geometry);
-}
-
-std::vector<double> HeatCycles::surface_means(const Eigen::VectorXd& temperatures) const {
-  State state = tools_;
-  set_tool_temperatures(temperatures, state);
-  std::vector<double> means;
-  for (std::size_t t = 0; t < state.tools.size(); ++t)
-    means.push_back(surfaces_[t].temperatures(state.tools[t], std::numeric_limits<double>::infinity()).surface_mean);
-  return means;
-}
+    : scene_(scene), cycle_(cycle), tools_(tools_of(initial)) {}
 
 std::optional<Eigen::VectorXd> HeatCycles::without_glass(const Eigen::VectorXd& temperatures) const {
   State state = tools_;
@@ -41,23 +29,20 @@ bool HeatCycles::learn(const CycleRun& run) {
   const auto alone = without_glass(run.start);
   if (!alone) return false;
   imprint_ = run.end - *alone;
+  start_ = run.start;
   met_ = run.met;
-  surface_ = surface_means(run.start);
   return true;
 }
 
 std::optional<Eigen::VectorXd> HeatCycles::next(const Eigen::VectorXd& temperatures) const {
   auto after = without_glass(temperatures);
   if (!after) return after;
-  const auto means = surface_means(temperatures);
-  Eigen::Index at = 0;
-  for (std::size_t t = 0; t < tools_.tools.size(); ++t) {
-    const Eigen::Index size = tools_.tools[t].temperature.size();
-    const double excess = met_[t] - surface_[t];
-    const double factor = excess > 0 ? (met_[t] - means[t]) / excess : 1;
-    after->segment(at, size) += factor * imprint_.segment(at, size);
-    at += size;
-  }
+  Eigen::Index node = 0;
+  for (std::size_t t = 0; t < tools_.tools.size(); ++t)
+    for (const Eigen::Index end = node + tools_.tools[t].temperature.size(); node < end; ++node) {
+      const double excess = met_[t] - start_[node];
+      (*after)[node] += imprint_[node] * (excess > 0 ? (met_[t] - temperatures[node]) / excess : 1);
+    }
   return after;
 }
 

@@ -7,8 +7,8 @@
 namespace parison::forming {
 
 /// Machine cycles of the tools alone, without forming: what one forming run has left in them, field by field, is added
-/// to a cycle in which no glass touches them. The heat from the glass is in proportion to its excess of temperature
-/// over the surface of the tool. At the temperatures of the run itself this is the run.
+/// to a cycle in which no glass touches them. It is in proportion to the excess of the glass, when it first meets the
+/// tool, over the temperature of the place at the cycle's start. At the temperatures of the run itself this is the run.
 class HeatCycles {
  public:
   HeatCycles(const Scene& scene, const MachineCycle& cycle, const State& initial);
@@ -22,15 +22,12 @@ class HeatCycles {
 
  private:
   std::optional<Eigen::VectorXd> without_glass(const Eigen::VectorXd& temperatures) const;
-  /// By tool, K.
-  std::vector<double> surface_means(const Eigen::VectorXd& temperatures) const;
 
   const Scene& scene_;
   const MachineCycle& cycle_;
   State tools_;
-  std::vector<ToolSurface> surfaces_;
-  Eigen::VectorXd imprint_;  ///< K, by node of all tools
-  std::vector<double> met_, surface_;
+  Eigen::VectorXd start_, imprint_;  ///< of the run: temperatures at its start and what it has left, K, by node
+  std::vector<double> met_;          ///< K, by tool
 };
 
 }  // namespace parison::forming

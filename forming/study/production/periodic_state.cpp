@@ -34,12 +34,10 @@ struct Search {
   PeriodicState& result;
 };
 
-/// A cycle from these tool temperatures; false where it failed.
-bool cycle_from(Search& search, const Eigen::VectorXd& temperatures, const std::string& folder, CycleRun& run) {
+/// A cycle of a scene, in a folder of that name unless it is empty; false where it failed.
+bool cycle_of(Search& search, const Scene& scene, const std::string& folder, CycleRun& run) {
   const std::string directory = folder.empty() ? "" : search.request.directory + '/' + folder;
-  const bool is_case = temperatures == tool_temperatures(search.initial);
-  run = run_cycle(is_case ? search.scene : with_tools_at(search.scene, search.initial, temperatures),
-                  search.result.cycle, directory, search.stop);
+  run = run_cycle(scene, search.result.cycle, directory, search.stop);
   search.result.stopped = run.stopped;
   search.result.failure = run.failure;
   return run.failure.empty();
@@ -55,7 +53,8 @@ std::optional<Eigen::VectorXd> settle(Search& search, const Eigen::VectorXd& tem
   auto& result = search.result;
   CycleRun run;
   const bool is_first = result.search.empty();
-  if (!cycle_from(search, temperatures, is_first ? "first_gob" : "", run)) return std::nullopt;
+  const Scene scene = is_first ? search.scene : with_tools_at(search.scene, search.initial, temperatures);
+  if (!cycle_of(search, scene, is_first ? "first_gob" : "", run)) return std::nullopt;
   auto next = search.heat_cycles.learn(run)
                   ? search.heat_cycles.settled(run.end, heat_only_share * search.request.tolerance)
                   : std::nullopt;
@@ -72,6 +71,19 @@ std::optional<Eigen::VectorXd> settle(Search& search, const Eigen::VectorXd& tem
   return next;
 }
 
+double largest(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+/// How far the last state that heat-only cycles settled to may be from the periodic one, K: its distances to those
+/// before fall as a geometric series. No less than the cycle itself changed a surface.
+double unsettled(const std::vector<SearchRun>& search) {
+  const double change = largest(search.back().change), distance = largest(search.back().distance);
+  if (search.size() == 1) return std::max(change, distance);
+  const double ratio = distance / largest(search[search.size() - 2].distance);
+  return std::max(change, ratio < 0.5 ? distance * ratio / (1 - ratio) : distance);
+}
+
 /// A folder that other cases can take the temperatures of the tools from.
 void write_tools(const Search& search, const Eigen::VectorXd& temperatures) {
   Checkpoint checkpoint{{search.initial, {}}, {}};
@@ -81,13 +93,27 @@ void write_tools(const Search& search, const Eigen::VectorXd& temperatures) {
   write_checkpoint(directory, search.scene, checkpoint);
 }
 
-/// Two plain cycles, the first with result files.
+/// The case with its tools as in the folder that write_tools has made.
+Scene settled_case(const Search& search) {
+  const std::string folder = std::filesystem::absolute(search.request.directory + "/tools").string();
+  std::vector<std::string> overrides = search.scene.overrides;
+  for (const Tool& tool : search.scene.tools)
+    overrides.push_back(fmt::format("tool.{}.temperature={{ from = \"{}\" }}", tool.name, folder));
+  Scene scene = read_scene(search.scene.file, search.scene.accuracy_name, overrides);
+  // Sizes of first meshes depend on this mean; the tools keep their meshes throughout the search.
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    scene.tools[t].initial_temperature = search.scene.tools[t].initial_temperature;
+  return scene;
+}
+
+/// Two plain cycles, the first as a case of its own with result files.
 void confirm(Search& search, const Eigen::VectorXd& settled) {
   auto& result = search.result;
   Eigen::VectorXd temperatures = settled;
   for (int k = 0; k < 2; ++k) {
     CycleRun run;
-    if (!cycle_from(search, temperatures, k == 0 ? "settled" : "", run)) return;
+    const Scene scene = k == 0 ? settled_case(search) : with_tools_at(search.scene, search.initial, temperatures);
+    if (!cycle_of(search, scene, k == 0 ? "settled" : "", run)) return;
     result.confirmed.push_back(surface_change(search.initial, run.end - run.start));
     search.progress(fmt::format("plain cycle {}: tool surfaces change by {}", k + 1,
                                 largest_text(search.scene, surface_changes(search.initial, run.end - run.start))));
@@ -119,7 +145,7 @@ void start_up(Search& search, const Eigen::VectorXd& settled) {
 }  // namespace
 
 bool PeriodicState::is_confirmed(double tolerance) const {
-  return confirmed.size() == 2 && *std::max_element(confirmed.begin(), confirmed.end()) <= tolerance;
+  return confirmed.size() == 2 && largest(confirmed) <= tolerance;
 }
 
 PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
@@ -129,13 +155,13 @@ PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle,
   result.cycle = cycle;
   Search search{scene, request, stop, progress, initial, HeatCycles(scene, cycle, initial), result};
   const FixedPointOptions options{request.tolerance, anderson_depth, request.max_runs,
-                                  [&](const Eigen::VectorXd& change) { return surface_change(initial, change); }};
+                                  [&](const Eigen::VectorXd&) { return unsettled(result.search); }};
   const auto found = find_fixed_point(
       tool_temperatures(initial), [&](const Eigen::VectorXd& x) { return settle(search, x); }, options);
   if (!result.failure.empty()) return result;
   result.found = found.converged;
   if (!found.converged) {
-    result.failure = fmt::format("after {} forming runs the tool surfaces are still {:.3g} K from where they settle",
+    result.failure = fmt::format("after {} forming runs the tool surfaces are settled to {:.3g} K only",
                                  found.evaluations, found.change);
     return result;
   }

@@ -11,7 +11,7 @@ namespace parison::forming {
 
 /// What is asked of a search for the periodic state of production.
 struct PeriodicRequest {
-  double tolerance = 0.5;  ///< of any tool-surface temperature, K
+  double tolerance = 0.5;  ///< of any tool-surface temperature, K: its change in a cycle, its distance
   int max_runs = 12;       ///< forming runs of the search
   std::string directory;   ///< new folder: the first gob, the settled container and the state of the tools
 };
@@ -46,8 +46,9 @@ struct PeriodicState {
 using Progress = std::function<void(const std::string&)>;
 
 /// Looks for tool temperatures that a machine cycle gives back. Between forming runs heat-only cycles (HeatCycles) go
-/// on to where they settle; that map is iterated with Anderson's acceleration until it moves no tool surface by more
-/// than the tolerance. Two plain cycles from there confirm it.
+/// on to where they settle; that map is iterated with Anderson's acceleration until a cycle changes no tool surface by
+/// more than the tolerance and none is further from the periodic state, as the falling distances say. Two plain cycles
+/// from there confirm it.
 PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
                                   const StopRequest& stop, const Progress& progress);
 
