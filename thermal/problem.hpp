@@ -13,14 +13,14 @@ namespace parison::thermal {
 
 using core::Index;
 
-/// What the light of a body with Radiation::Model::p1 meets at its surface, and how a body answers light that comes
+/// What the light of a body that has it meets at its surface, and how a body answers light that comes
 /// across an interface.
 struct SurfaceLight {
   /// Temperature of the black surroundings that an open boundary sees, K, by boundary of the mesh. A boundary without
   /// reflects all light, but one of prescribed temperature is black, of that temperature and in optical contact. Empty:
   /// none.
   std::vector<std::optional<core::TimeFunction>> surroundings;
-  double emissivity = 0;  ///< hemispherical: of the opaque bands of a body with p1, of the grey surface of any other
+  double emissivity = 0;  ///< hemispherical: of the opaque bands of a body with light, of the grey surface of any other
 };
 
 /// One body of a heat problem, with its boundary values over time. Everything pointed to must outlive the problem. The

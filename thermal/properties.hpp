@@ -19,14 +19,14 @@ struct Band {
 /// Internal radiation. Rosseland (1924): it adds to the conductivity k_r = 16/3 n^2 sigma T^3 / kappa, T in K, which
 /// holds where the wall is optically thick, kappa w >> 1. P1: an equation for the light of each band (see
 /// radiation/README.md); beyond the last band the glass is opaque. P1 in cones: two equations, for the directions that
-/// total reflection keeps inside and for those that leave.
+/// total reflection keeps inside and for those that leave. Transfer: the radiative transfer equation along rays.
 struct Radiation {
-  enum class Model { rosseland, p1, p1_cones };
+  enum class Model { rosseland, p1, p1_cones, transfer };
   double refractive_index;
   double absorption;      ///< rosseland: mean absorption coefficient kappa, 1/m
   bool thin_wall = true;  ///< rosseland: multiply k_r by thin_wall_factor of the local wall thickness
   Model model = Model::rosseland;
-  std::vector<Band> bands = {};  ///< p1, p1_cones: wavelengths rise
+  std::vector<Band> bands = {};  ///< of all but rosseland: wavelengths rise
 };
 
 /// Thermal properties of a body; tables over temperature in K.

@@ -66,7 +66,7 @@ void add_light(HeatSystem& system, const std::vector<Index>& first_boundary_edge
     if (!has_light(*system.problem->bodies[b].material)) continue;
     std::shared_ptr<KeptLight> none;
     system.light.push_back(
-        make_p1(system, static_cast<Index>(b), first_boundary_edge[b], kept ? (*kept)[b].light : none));
+        make_light(system, static_cast<Index>(b), first_boundary_edge[b], kept ? (*kept)[b].light : none));
   }
 }
 
@@ -236,7 +236,7 @@ Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& 
   Response response{Eigen::VectorXd::Zero(system.size()), source_power(system, time), source_flows(system, time)};
   add_cells(system, temperature, rate, response);
   add_exchange(system, time, temperature, response.flows, &response.power);
-  for (const P1& light : system.light) add_light(light, system, time, temperature, response.flows, &response.power);
+  for (const Light& light : system.light) add_light(light, system, time, temperature, response.flows, &response.power);
   return response;
 }
 
@@ -254,7 +254,7 @@ Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& 
 Flows evaluate_flows(const HeatSystem& system, double time, const Eigen::VectorXd& temperature) {
   Flows flows = source_flows(system, time);
   add_exchange(system, time, temperature, flows, nullptr);
-  for (const P1& light : system.light) add_light(light, system, time, temperature, flows, nullptr);
+  for (const Light& light : system.light) add_light(light, system, time, temperature, flows, nullptr);
   return flows;
 }
 

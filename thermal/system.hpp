@@ -12,7 +12,7 @@
 #include "thermal/heat_balance.hpp"
 #include "thermal/problem.hpp"
 #include "thermal/properties.hpp"
-#include "thermal/radiation/p1.hpp"
+#include "thermal/radiation/light.hpp"
 
 namespace parison::thermal {
 
@@ -51,7 +51,7 @@ struct HeatSystem {
   std::vector<HeatEdge> edges;
   HeatInterface interface;
   std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body of each pair of bodies in contact
-  std::vector<P1> light;                       ///< of the bodies with Radiation::Model::p1
+  std::vector<Light> light;                    ///< of the bodies that have it
   std::vector<PrescribedUnknown> prescribed;
   std::vector<char> is_prescribed;  ///< by unknown
 

@@ -69,11 +69,13 @@ void add_heat_parts(Parts& parts) {
       return std::vector<std::string>{parts.of_glass(fmt::format("radiation.model={}", model)),
                                       parts.of_glass(fmt::format("emissivity={}", scene.glass.emissivity))};
     };
-    parts.add("no_radiation", "radiation inside the glass (P1 in bands): opaque glass", without("none"));
+    parts.add("no_radiation", "radiation inside the glass (light in bands): opaque glass", without("none"));
+    if (radiation->model == thermal::Radiation::Model::transfer)
+      parts.add("p1_cones", "radiative transfer: P1 in cones in its place", without("p1_cones"));
     if (radiation->model == thermal::Radiation::Model::p1_cones)
       parts.add("no_cones", "cones of directions: P1 without them", without("p1"));
     if (radiation->absorption > 0)
-      parts.add("rosseland", "radiation inside the glass as conduction (Rosseland) in place of P1",
+      parts.add("rosseland", "radiation inside the glass as conduction (Rosseland) in place of light in bands",
                 without("rosseland"));
   } else {
     // An opaque glass carries no heat by radiation.

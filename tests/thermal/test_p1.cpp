@@ -2,71 +2,13 @@
 // Light in bands by P1: its balance, its derivative, and its exact solutions.
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <random>
-
 #include "figure.hpp"
-#include "thermal/bodies.hpp"
+#include "thermal/radiation/glass_on_tool.hpp"
 #include "thermal/time/ida.hpp"
 #include "thermal/time/tr_bdf2.hpp"
 
 namespace parison::thermal::test {
 namespace {
-
-using core::Geometry;
-
-constexpr double everything = std::numeric_limits<double>::infinity();
-
-using Model = Radiation::Model;
-
-Material glass_with(std::vector<Band> bands, double index = 1.518, double conductivity = 1.3, Model model = Model::p1) {
-  return {2400, core::constant(1300), core::constant(conductivity),
-          Radiation{index, 0, false, model, std::move(bands)}};
-}
-
-/// Body whose every boundary sees black surroundings.
-BodyView open_body(const core::Mesh& mesh, const Material& material, double surroundings, double emissivity = 0.9) {
-  BodyView view = body(mesh, material);
-  view.light.surroundings.assign(mesh.boundaries().size(), core::TimeFunction(surroundings));
-  view.light.emissivity = emissivity;
-  return view;
-}
-
-/// Glass on a grey tool, both with air; part of the contact is closed.
-struct GlassOnTool {
-  Material glass, iron{7200, core::constant(500), core::constant(40), {}};
-  core::Mesh upper = rectangle(divide(0, 0.02, 5), divide(0, 0.006, 6, 1.2)), lower;
-  Problem problem;
-  std::vector<Eigen::VectorXd> start;
-
-  GlassOnTool(Geometry geometry, int order, std::vector<Band> bands, double surroundings = 320, double opaque = 0.9,
-              Model model = Model::p1_cones)
-      : glass(glass_with(std::move(bands), 1.518, 1.3, model)) {
-    std::vector<double> below = divide(0, -0.01, 5, 1.3);
-    std::reverse(below.begin(), below.end());
-    lower = rectangle(divide(0, 0.02, 5), below);
-    problem = {geometry, {open_body(upper, glass, surroundings, opaque), body(lower, iron)}, {}, {}, order};
-    problem.bodies[0].light.surroundings[left].reset();
-    problem.bodies[0].exchange = {SurfaceExchange{40, 320, 0, 320}, {}, SurfaceExchange{40, 320, 0, 320}, {}};
-    problem.bodies[1].exchange[top] = SurfaceExchange{40, 320, 0.8, 320};
-    problem.bodies[1].light.emissivity = 0.8;
-    problem.interface = stack(upper, lower, geometry);
-    for (auto& point : problem.interface) point.contact_weight = 0.7;
-    problem.law = constant_conductance(2000);
-    start = {Eigen::VectorXd::Constant(upper.node_count(), 1400), Eigen::VectorXd::Constant(lower.node_count(), 740)};
-  }
-  GlassOnTool(const GlassOnTool&) = delete;
-};
-
-Eigen::VectorXd scattered(const HeatSystem& system, const std::vector<Eigen::VectorXd>& start) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  Eigen::VectorXd T = join(system, start);
-  for (Index i = 0; i < system.size(); ++i) T[i] += 150 * unit(random);
-  return T;
-}
-
-const std::vector<Band> flint{{2.75e-6, 30}, {4.3e-6, 450}};
 
 /// What the sources of a band in the glass differ by from its light through the surface, over what glass and surface
 /// send.

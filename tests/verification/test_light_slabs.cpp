@@ -194,5 +194,20 @@ TEST(LightSlabs, P1_in_cones_gives_the_temperatures_and_heats_of_radiative_trans
   }
 }
 
+TEST(LightSlabs, transfer_gives_the_temperatures_and_heats_of_the_reference) {
+  for (const Glass& glass : glasses) {
+    Difference model(
+        fmt::format("slabs of {} glass, transfer by rays at standard against discrete ordinates", glass.name));
+    for (int i = 0; i < 4; ++i) {
+      const End found = run_slab(slabs[i], with_model("transfer", glass));
+      print(slabs[i], glass, found);
+      model.add(found, glass.transfer[i]);
+    }
+    model.mean.at_most(3);
+    model.skin.at_most(5);
+    model.heat.at_most(4);
+  }
+}
+
 }  // namespace
 }  // namespace parison::forming

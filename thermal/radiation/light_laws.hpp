@@ -24,7 +24,7 @@ struct LightGroup {
   int band;
   double absorption;  ///< kappa, 1/m
   double share;       ///< of all directions
-  double diffusion;   ///< mean of mu^2 over the cone, over kappa, m; of all directions 1/(3 kappa)
+  double diffusion;   ///< mean of mu^2 over the cone, over kappa, m; of all directions 1/(3 kappa); unused by rays
   double open;        ///< c of the flux out of the glass behind Fresnel's reflection; 0 where all is reflected
   double black;       ///< of that to a black wall in optical contact, without reflection (Marshak)
 };
@@ -55,6 +55,7 @@ class LightLaws {
   std::vector<BandEmission> emission_;  ///< by band
   std::optional<BandEmission> opaque_;
   double square_;
+  bool rays_;
 };
 
 /// Exchange factor of opaque bands between two parallel grey surfaces: 1/(1/a + 1/b - 1), zero where either is.

@@ -13,7 +13,7 @@ Linearisation linearise(const HeatSystem& system, double time, const Eigen::Vect
   Linearisation result;
   linearise_cells(system, temperature, result.batches);
   linearise_exchange(system, time, temperature, result);
-  for (const P1& light : system.light) result.light.push_back(linearise_light(light, system, temperature));
+  for (const Light& light : system.light) result.light.push_back(linearise_light(light, system, temperature));
   return result;
 }
 
@@ -117,7 +117,7 @@ bool factorise(StepMatrix& matrix, const HeatSystem& system, double time, const 
   std::fill(values.value.begin(), values.value.end(), 0.0);
   assemble_cells(matrix, system, temperature, step);
   assemble_exchange(matrix, system, time, temperature, step);
-  for (const P1& light : system.light) assemble_light(matrix, light, system, temperature, step);
+  for (const Light& light : system.light) assemble_light(matrix, light, system, temperature, step);
   matrix.diagonal.resize(values.size);
   for (Index k = 0; k < values.size; ++k) {
     double& diagonal = values.value[values.column_start[k + 1] - 1];

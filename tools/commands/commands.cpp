@@ -21,6 +21,7 @@
 #include "tools/program/bundled_cases.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/watch.hpp"
+#include "tools/sweep/sweep.hpp"
 #include "tools/tradeoff/tradeoff.hpp"
 
 namespace parison::tools {
@@ -203,6 +204,18 @@ void add_what_if(CLI::App& app, Command& chosen) {
   });
 }
 
+void add_sweep(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<SweepRequest>();
+  auto* command = add_command(app, "sweep", "run a case with many values of its keys: table of the results", chosen,
+                              request, sweep);
+  command->add_option("file", request->file, "TOML file with the case, the design and [[variable]] tables")->required();
+  command->add_option("--output", request->output,
+                      "folder of the runs; those already there are used [results/sweep_FILE]");
+  command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--list", request->list, "read and check all runs, print them and run none");
+}
+
 void add_fit_law(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<FitLawRequest>();
   auto* command =
@@ -277,6 +290,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_tradeoff(app, chosen);
   add_compare(app, chosen);
   add_what_if(app, chosen);
+  add_sweep(app, chosen);
   add_fit_law(app, chosen);
   add_export(app, chosen);
   add_report(app, chosen);

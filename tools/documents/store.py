@@ -16,6 +16,7 @@ CALIBRATION = ROOT / "forming/scene/calibration.json"
 BARS = ROOT / "tests/bars/measured.json"
 DIFFERENCE_BARS = ROOT / "tests/bars/what_ifs_measured.json"
 DIFFERENCE_COSTS = ROOT / "tests/bars/what_if_costs.json"
+SWEEP_COSTS = ROOT / "tests/sweeps/costs.json"
 VERIFICATION = ROOT / "tests/figures.json"
 PERFECT = '"1e9 W/m2/K"'
 

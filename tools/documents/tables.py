@@ -75,6 +75,11 @@ def difference_costs():
     return table(["what", "measured"], [[line["what"], line["measured"]] for line in found])
 
 
+def sweep_costs():
+    found = store.read(store.SWEEP_COSTS, "tests/sweep_costs --store")
+    return table(["what", "wanted", "measured"], [[line["what"], line["wanted"], line["measured"]] for line in found])
+
+
 def preset_orders():
     found = store.read(store.BARS, "tests/error_bars --store")["presets"]
     rows = [[line["scene"]] + [f"{digits(100 * error)} %" for error in line["errors"]] + [digits(line["order"])] for line in found]
@@ -269,5 +274,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, preset_orders, parts, model, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, parts, model, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, sagging, shell, bands)}

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -23,6 +24,33 @@ std::vector<char*> as_arguments(std::vector<std::string>& words) {
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   return arguments;
+}
+
+/// Does something in a copy of this process that ends with the code which that gives.
+template <typename Work>
+int start_child(const std::string& log, const Work& work) {
+  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file < 0) throw core::RunError(fmt::format("{}: cannot be written: {}", log, std::strerror(errno)));
+  std::fflush(nullptr);
+  const pid_t parent = getpid(), child = fork();
+  if (child < 0) throw core::RunError(fmt::format("no process can be started: {}", std::strerror(errno)));
+  if (child == 0) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // it stops where this process is killed
+    if (getppid() != parent) _exit(127);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+    _exit(work());
+  }
+  close(file);
+  return child;
+}
+
+sigset_t end_of_child() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGCHLD);
+  return signals;
 }
 
 }  // namespace
@@ -43,25 +71,40 @@ bool run_program(std::vector<std::string> words) {
 }
 
 int start_self(const std::vector<std::string>& arguments, const std::string& log) {
-  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file < 0) throw core::RunError(fmt::format("{}: cannot be written: {}", log, std::strerror(errno)));
   std::vector<std::string> words = {"parison"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const std::vector<char*> argv = as_arguments(words);
-  const pid_t parent = getpid(), child = fork();
-  if (child < 0) throw core::RunError(fmt::format("no process can be started: {}", std::strerror(errno)));
-  if (child == 0) {
-    setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGTERM);  // it stops where this process is killed
-    if (getppid() != parent) _exit(127);
-    dup2(file, STDOUT_FILENO);
-    dup2(file, STDERR_FILENO);
+  return start_child(log, [&] {
     for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"}) setenv(name, "1", 1);
     execv("/proc/self/exe", argv.data());
-    _exit(127);
-  }
-  close(file);
-  return child;
+    return 127;
+  });
+}
+
+int start_work(const std::function<int()>& work, const std::string& log) {
+  return start_child(log, [&] {
+    const sigset_t ends = end_of_child();
+    sigprocmask(SIG_UNBLOCK, &ends, nullptr);
+    const int code = work();
+    std::fflush(nullptr);
+    return code;
+  });
+}
+
+void keep_children_waiting() {
+  const sigset_t ends = end_of_child();
+  sigprocmask(SIG_BLOCK, &ends, nullptr);
+}
+
+int ended_child(double seconds) {
+  int child = waitpid(-1, nullptr, WNOHANG);
+  if (child > 0) return child;
+  const sigset_t ends = end_of_child();
+  const auto whole = static_cast<time_t>(seconds);
+  const timespec wait{whole, static_cast<long>(1e9 * (seconds - static_cast<double>(whole)))};
+  sigtimedwait(&ends, nullptr, &wait);
+  child = waitpid(-1, nullptr, WNOHANG);
+  return child > 0 ? child : 0;
 }
 
 bool has_ended(int child) {

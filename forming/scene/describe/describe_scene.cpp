@@ -55,10 +55,12 @@ std::string flow_parts(const Scene& scene) {
 std::string radiation_text(const Scene& scene) {
   if (!scene.has_light()) return "Rosseland conductivity";
   const thermal::Radiation& radiation = *scene.glass.thermal->radiation;
-  const bool cones = radiation.model == thermal::Radiation::Model::p1_cones;
+  using Model = thermal::Radiation::Model;
+  const char* model = radiation.model == Model::transfer   ? "radiative transfer along rays"
+                      : radiation.model == Model::p1_cones ? "P1 in cones"
+                                                           : "P1";
   const double last = radiation.bands.back().up_to;
-  return fmt::format("P1{}, {} band{}{}", cones ? " in cones" : "", radiation.bands.size(),
-                     radiation.bands.size() == 1 ? "" : "s",
+  return fmt::format("{}, {} band{}{}", model, radiation.bands.size(), radiation.bands.size() == 1 ? "" : "s",
                      std::isfinite(last) ? fmt::format(", opaque beyond {:g} um", 1e6 * last) : "");
 }
 

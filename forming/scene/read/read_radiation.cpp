@@ -51,9 +51,9 @@ std::vector<thermal::Band> read_bands(const CaseNode& node) {
 
 std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
   const CaseTable table(node, {"model", "refractive_index", "absorption", "thin_wall", "bands"});
-  enum { none, rosseland, p1, p1_cones };
+  enum { none, rosseland, p1, p1_cones, transfer };
   const auto* named = table.find("model");
-  const int model = named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones"}) : rosseland;
+  const int model = named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones", "transfer"}) : rosseland;
   // What another model needs may stand beside it, so that a case can be run with each; it is read all the same.
   const auto wanted = [&](const char* key, bool needed) { return needed ? &table.get(key) : table.find(key); };
   thermal::Radiation radiation{1, 0, false};
@@ -70,6 +70,7 @@ std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
   if (model == none) return {};
   if (model == p1) radiation.model = thermal::Radiation::Model::p1;
   if (model == p1_cones) radiation.model = thermal::Radiation::Model::p1_cones;
+  if (model == transfer) radiation.model = thermal::Radiation::Model::transfer;
   return radiation;
 }
 

@@ -55,6 +55,7 @@ std::optional<FinishedRun> read_run(const std::string& directory) {
   run.completed = summary.flag_of("completed");
   run.trustworthy = !summary.find("trustworthy") || summary.flag_of("trustworthy");
   run.reason = summary.text_of("reason");
+  run.cpu_seconds = summary.number_of("cpu_seconds");
   run.quantities = read_quantities(summary);
   run.stages = read_stages(summary);
   if (const core::JsonValue* overrides = summary.find("overrides"))

@@ -32,6 +32,7 @@ struct FinishedRun {
   std::vector<std::string> overrides;
   bool completed = false, trustworthy = true;
   std::string reason;  ///< why it has not completed
+  double cpu_seconds = 0;
   Quantities quantities;
   std::vector<StageMark> stages;
   std::vector<Twin> twins;

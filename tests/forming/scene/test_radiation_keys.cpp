@@ -55,6 +55,7 @@ TEST(RadiationKeys, without_a_model_radiation_is_that_of_Rosseland_and_none_is_n
   const std::string both = keys + R"(, bands = [{ absorption = "150 1/m" }])";
   EXPECT_TRUE(scene_of(text_with("model = \"p1\", " + both)).has_light());
   EXPECT_TRUE(scene_of(text_with("model = \"p1_cones\", " + both)).has_light());
+  EXPECT_TRUE(scene_of(text_with("model = \"transfer\", " + both)).has_light());
   EXPECT_FALSE(scene_of(text_with("model = \"rosseland\", " + both)).has_light());
 }
 
@@ -99,6 +100,33 @@ TEST(RadiationKeys, light_needs_surroundings) {
   const std::string dark =
       replaced("air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n", "", lit);
   EXPECT_NE(complaint_about(dark).find("stage.air: missing"), std::string::npos) << complaint_about(dark);
+}
+
+TEST(RadiationKeys, check_names_transfer_and_the_audit_puts_the_cheaper_model_in_its_place) {
+  const std::string text = text_with(
+      R"(model = "transfer", refractive_index = 1.5, bands = [{ up_to = "2.75 um", absorption = "30 1/m" }])");
+  const Scene scene = scene_of(text);
+  EXPECT_NE(describe_scene(scene).find("radiative transfer along rays, 1 band, opaque beyond 2.75 um"),
+            std::string::npos);
+  int found = 0;
+  for (const Variant& variant : model_variants(scene)) {
+    if (variant.name != "p1_cones") continue;
+    ++found;
+    const Scene changed = read_scene(write_scene(text), "draft", variant.overrides);
+    EXPECT_TRUE(changed.glass.thermal->radiation->model == thermal::Radiation::Model::p1_cones);
+  }
+  EXPECT_EQ(found, 1);
+}
+
+TEST(RadiationKeys, transfer_is_refused_without_its_index_bands_and_emissivity_of_the_tools) {
+  const std::string band = R"(bands = [{ absorption = "150 1/m" }])";
+  EXPECT_NE(complaint("model = \"transfer\", " + band).find("refractive_index"), std::string::npos);
+  EXPECT_NE(complaint("model = \"transfer\", refractive_index = 1.5").find("bands"), std::string::npos);
+  EXPECT_NE(complaint("model = \"transfer\", refractive_index = 0.9, " + band)
+                .find("0.9 was found, allowed are refractive indices from 1"),
+            std::string::npos);
+  EXPECT_NE(complaint("model = \"transfer\", refractive_index = 1.5, " + band, "").find("has no emissivity"),
+            std::string::npos);
 }
 
 TEST(RadiationKeys, check_names_the_model_and_the_audit_takes_it_out) {

@@ -8,6 +8,7 @@
 #include "core/linear/cholesky.hpp"
 #include "thermal/radiation/light_cells.hpp"
 #include "thermal/radiation/light_laws.hpp"
+#include "thermal/radiation/rays/ray_exchange.hpp"
 
 namespace parison::thermal {
 
@@ -20,6 +21,7 @@ struct StepMatrix;
 struct LightEdge {
   std::array<Index, 3> temperature, light;  ///< unknowns, in the system and in the light's equations
   Index boundary_edge;                      ///< counted through all bodies
+  Index mid_node;                           ///< of the mesh
   Index boundary;                           ///< of the glass
   bool black;                               ///< a black wall of the glass's own temperature; else open
   std::array<double, 3> area;               ///< at the points of edge_rule(3), m2
@@ -42,17 +44,18 @@ struct KeptLight {
   LightLaws laws;
   int order;
   std::vector<std::array<Index, 6>> cells;
-  core::Assembly assembly;             ///< cliques: the cells, then the boundary edges
-  std::vector<core::Cholesky> factor;  ///< by group
+  core::Assembly assembly;                 ///< cliques: the cells, then the boundary edges
+  std::vector<core::Cholesky> factor;      ///< by group
+  std::shared_ptr<const TracedRays> rays;  ///< of the model transfer
 
   KeptLight(const Radiation& given, int its_order) : radiation(given), laws(given), order(its_order) {}
 };
 
-/// The light in a glass in the P1 approximation on the present meshes: for each group of band and directions the
-/// irradiation G with
-///   - div(diffusion grad G) + kappa G = kappa share 4 n^2 E(T),
-/// its flux to the surroundings and to the tools, and what the opaque bands exchange at the surface.
-struct P1 {
+/// The light in a glass on the present meshes: that of each group of band and directions, its flux to the surroundings
+/// and to the tools, and what the opaque bands exchange at the surface. By rays, or in the P1 approximation, where the
+/// irradiation G of a group is the solution of
+///   - div(diffusion grad G) + kappa G = kappa share 4 n^2 E(T).
+struct Light {
   Index body;
   Index size;                            ///< unknowns of G
   int order;                             ///< polynomial degree of G
@@ -60,6 +63,7 @@ struct P1 {
   Field volumes;                         ///< m3
   std::vector<LightEdge> edges;
   std::vector<LightContact> contacts;  ///< by point of the interface
+  std::optional<RayExchange> rays;     ///< of the model transfer, which needs no G in the glass
   std::shared_ptr<KeptLight> kept;
   bool solvable;  ///< false where a factorisation failed, on a mesh with cells inverted: all heat by light is NaN
 
@@ -73,14 +77,14 @@ struct P1 {
   double to_tool(int group, const LightContact& contact) const { return laws().to_tool(group, contact.emissivity); }
 };
 
-/// Prepares the light of a body with P1, in cones or not, factors included; reuses what `kept` has.
-P1 make_p1(const HeatSystem& system, Index body, Index first_boundary_edge, std::shared_ptr<KeptLight>& kept);
+/// Prepares the light of a body, factors or rays included; reuses what `kept` has.
+Light make_light(const HeatSystem& system, Index body, Index first_boundary_edge, std::shared_ptr<KeptLight>& kept);
 
 /// Adds the heat that light brings at a time, s, and temperatures of the unknowns, K, to the flows and, unless null, to
 /// the power into each unknown, W. In each group the sources in the glass are what enters through its surface, to
 /// round-off.
-void add_light(const P1& light, const HeatSystem& system, double time, const Eigen::VectorXd& temperature, Flows& flows,
-               Eigen::VectorXd* power);
+void add_light(const Light& light, const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
+               Flows& flows, Eigen::VectorXd* power);
 
 /// Derivatives of that heat with respect to temperature.
 struct LightDerivatives {
@@ -90,19 +94,20 @@ struct LightDerivatives {
   Eigen::ArrayXd opaque_slave, opaque_master;      ///< of what glass and tool send each other through a point, W/K
   Eigen::ArrayXd opaque_open;                      ///< of what the glass would send the surroundings there, W/K
 };
-LightDerivatives linearise_light(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature);
+LightDerivatives linearise_light(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature);
 
 /// Adds to `result`, J, the step, s, times the change of the heat flowing out by light when the temperatures change by
 /// `change`, K.
-void apply_light(const P1& light, const HeatSystem& system, const LightDerivatives& derivatives, double step,
+void apply_light(const Light& light, const HeatSystem& system, const LightDerivatives& derivatives, double step,
                  const Eigen::VectorXd& change, Eigen::VectorXd& result);
 
 /// Adds the step times a symmetric positive part of these derivatives to the matrix: half of the emission in the glass,
 /// as between none and all of it is absorbed again, and the emission of each surface.
-void assemble_light(StepMatrix& matrix, const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
-                    double step);
+void assemble_light(StepMatrix& matrix, const Light& light, const HeatSystem& system,
+                    const Eigen::VectorXd& temperature, double step);
 
-/// Irradiation of each group, W/m2, a column for each: what `add_light` finds.
-Eigen::MatrixXd irradiation(const P1& light, const HeatSystem& system, double time, const Eigen::VectorXd& temperature);
+/// Irradiation of each group by P1, W/m2, a column for each: what `add_light` finds.
+Eigen::MatrixXd irradiation(const Light& light, const HeatSystem& system, double time,
+                            const Eigen::VectorXd& temperature);
 
 }  // namespace parison::thermal

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "thermal/radiation/p1.hpp"
+#include "thermal/radiation/light.hpp"
 
 #include <cassert>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int light_order = 2;  ///< polynomial degree of the irradiation
 
-const core::Mesh& mesh_of(const P1& light, const HeatSystem& system) {
+const core::Mesh& mesh_of(const Light& light, const HeatSystem& system) {
   return *system.problem->bodies[light.body].mesh;
 }
 
@@ -42,7 +42,7 @@ void analyse(KeptLight& kept, const core::Mesh& mesh, Index size) {
   }
 }
 
-void add_edges(P1& light, const HeatSystem& system, Index first_boundary_edge) {
+void add_edges(Light& light, const HeatSystem& system, Index first_boundary_edge) {
   const BodyView& body = system.problem->bodies[light.body];
   const auto& rule = core::edge_rule(3);
   for (std::size_t e = 0; e < body.mesh->boundary_edges().size(); ++e) {
@@ -52,6 +52,7 @@ void add_edges(P1& light, const HeatSystem& system, Index first_boundary_edge) {
     LightEdge edge{edge_unknowns(system, light.body, boundary.nodes),
                    light_unknowns(boundary.nodes, light.order),
                    first_boundary_edge + static_cast<Index>(e),
+                   boundary.nodes[2],
                    boundary.boundary_id,
                    black,
                    {},
@@ -73,7 +74,7 @@ std::vector<Index> boundaries_of_mid_nodes(const core::Mesh& mesh) {
   return boundary;
 }
 
-void add_contacts(P1& light, const HeatSystem& system) {
+void add_contacts(Light& light, const HeatSystem& system) {
   if (system.problem->interface.empty()) return;
   const auto& bodies = system.problem->bodies;
   const SurfaceLight& own = bodies[light.body].light;
@@ -96,7 +97,7 @@ void add_contacts(P1& light, const HeatSystem& system) {
 
 /// Adds coefficients times shape functions of the surface to a group's matrix. The points of the interface lie on edges
 /// of the glass, whose cliques follow the cells'.
-void assemble_surface(const P1& light, int group, const HeatSystem& system, Index first_boundary_edge,
+void assemble_surface(const Light& light, int group, const HeatSystem& system, Index first_boundary_edge,
                       core::SymmetricMatrix& matrix) {
   const core::Scatter& scatter = light.kept->assembly.scatter;
   const core::Mesh& mesh = mesh_of(light, system);
@@ -127,7 +128,7 @@ void assemble_surface(const P1& light, int group, const HeatSystem& system, Inde
   }
 }
 
-void factorise(P1& light, const HeatSystem& system, Index first_boundary_edge) {
+void factorise(Light& light, const HeatSystem& system, Index first_boundary_edge) {
   KeptLight& kept = *light.kept;
   const auto& cells = *system.bodies[light.body].cells;
   for (int k = 0; k < kept.laws.group_count(); ++k) {
@@ -143,21 +144,26 @@ void factorise(P1& light, const HeatSystem& system, Index first_boundary_edge) {
 
 }  // namespace
 
-P1 make_p1(const HeatSystem& system, Index body, Index first_boundary_edge, std::shared_ptr<KeptLight>& kept) {
+Light make_light(const HeatSystem& system, Index body, Index first_boundary_edge, std::shared_ptr<KeptLight>& kept) {
   const BodyView& view = system.problem->bodies[body];
   const core::Mesh& mesh = *view.mesh;
   assert(view.light.surroundings.size() == mesh.boundaries().size());
   if (!kept || !same_laws(kept->radiation, *view.material->radiation))
     kept = std::make_shared<KeptLight>(*view.material->radiation, light_order);
-  P1 light{body, light_order == 2 ? mesh.node_count() : mesh.vertex_count(), light_order, {}, {}, {}, {}, kept, true};
-  if (kept->cells != mesh.cells()) analyse(*kept, mesh, light.size);
+  Light light{body, light_order == 2 ? mesh.node_count() : mesh.vertex_count(), light_order, {}, {}, {}, {}, {}, kept,
+              true};
   light.batches.resize(core::batch_count(mesh.cell_count()));
   for (std::size_t b = 0; b < light.batches.size(); ++b)
     core::set_nodes(mesh.cells(), static_cast<Index>(b), light.batches[b]);
   light.volumes = make_volumes(view, system.problem->geometry);
   add_edges(light, system, first_boundary_edge);
   add_contacts(light, system);
-  factorise(light, system, first_boundary_edge);
+  if (view.material->radiation->model == Radiation::Model::transfer) {
+    light.rays = make_ray_exchange(light, system, kept->rays);
+  } else {
+    if (kept->cells != mesh.cells()) analyse(*kept, mesh, light.size);
+    factorise(light, system, first_boundary_edge);
+  }
   return light;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "thermal/radiation/p1_heat.hpp"
+#include "thermal/radiation/light_heat.hpp"
 #include "thermal/system.hpp"
 #include "thermal/time/step_matrix.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 /// absorbed again, so the matrix is never off by more than half.
 constexpr double not_absorbed_again = 0.5;
 
-Field emission_slope(const P1& light, int group, const Field& temperature) {
+Field emission_slope(const Light& light, int group, const Field& temperature) {
   Field slope(temperature.size());
   const LightLaws& laws = light.laws();
   for (std::size_t g = 0; g < slope.size(); ++g)
@@ -32,7 +32,7 @@ Field changed_emission(const Field& slope, const Field& change) {
 }
 
 /// Derivatives of the surface, all but the emission of the cells.
-void linearise_surface(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
+void linearise_surface(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
                        LightDerivatives& result) {
   const LightLaws& laws = light.laws();
   const SideTemperatures sides = side_temperatures(system.interface, temperature);
@@ -59,7 +59,7 @@ void linearise_surface(const P1& light, const HeatSystem& system, const Eigen::V
 
 }  // namespace
 
-LightDerivatives linearise_light(const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {
+LightDerivatives linearise_light(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {
   const auto points = static_cast<Eigen::Index>(light.contacts.size());
   LightDerivatives result;
   result.opaque_slave = result.opaque_master = result.opaque_open = Eigen::ArrayXd::Zero(points);
@@ -70,30 +70,24 @@ LightDerivatives linearise_light(const P1& light, const HeatSystem& system, cons
   return result;
 }
 
-void apply_light(const P1& light, const HeatSystem& system, const LightDerivatives& derivatives, double step,
+void apply_light(const Light& light, const HeatSystem& system, const LightDerivatives& derivatives, double step,
                  const Eigen::VectorXd& change, Eigen::VectorXd& result) {
   const SideTemperatures sides = side_temperatures(system.interface, change);
   const Field at_cells = at_cell_points(light, system, change);
-  std::vector<Eigen::VectorXd> G;
-  std::vector<Field> emitted;
   Eigen::ArrayXd to_tool = derivatives.opaque_slave * sides.slave - derivatives.opaque_master * sides.master;
   const Eigen::ArrayXd opaque = to_tool - derivatives.opaque_open * sides.slave;
   for (int k = 0; k < light.laws().group_count(); ++k) {
-    emitted.push_back(changed_emission(derivatives.emission[k], at_cells));
     const Eigen::ArrayXd from_tool = derivatives.from_tool[k] * sides.master;
-    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(light.size);
-    for (std::size_t i = 0; i < light.contacts.size(); ++i)
-      add_at_point(from_tool[static_cast<Index>(i)], light.contacts[i].light, light.contacts[i].shape.data(), rhs);
-    G.push_back(solve_group(light, k, emitted.back(), std::move(rhs)));
+    const GroupSource source{changed_emission(derivatives.emission[k], at_cells),
+                             std::vector<std::array<double, 3>>(light.edges.size(), {0, 0, 0}), from_tool};
+    const GroupLight found = solve_group(light, k, source);
     for (std::size_t i = 0; i < light.contacts.size(); ++i) {
-      const LightContact& contact = light.contacts[i];
       const auto at = static_cast<Index>(i);
-      to_tool[at] += light.to_tool(k, contact) * system.interface.area[at] *
-                         at_point(G.back(), contact.light, contact.shape.data()) -
-                     from_tool[at];
+      to_tool[at] +=
+          light.to_tool(k, light.contacts[i]) * system.interface.area[at] * found.contacts[at] - from_tool[at];
     }
+    add_absorbed(light, system, source, found, -step, result);
   }
-  add_absorbed(light, system, G, emitted, -step, result);
   for (std::size_t e = 0; e < light.edges.size(); ++e) {
     const LightEdge& edge = light.edges[e];
     for (int q = 0; q < 3; ++q) {
@@ -112,7 +106,7 @@ namespace {
 
 /// Weighted mass matrix of the emission of each cell.
 template <int N>
-void add_cells(StepMatrix& matrix, const P1& light, const HeatSystem& system, const LightDerivatives& derivatives,
+void add_cells(StepMatrix& matrix, const Light& light, const HeatSystem& system, const LightDerivatives& derivatives,
                double step) {
   const auto& shapes = cell_shapes<N>().value;
   const BodyLaws& body = system.bodies[light.body];
@@ -132,8 +126,8 @@ void add_cells(StepMatrix& matrix, const P1& light, const HeatSystem& system, co
 
 }  // namespace
 
-void assemble_light(StepMatrix& matrix, const P1& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
-                    double step) {
+void assemble_light(StepMatrix& matrix, const Light& light, const HeatSystem& system,
+                    const Eigen::VectorXd& temperature, double step) {
   const LightDerivatives derivatives = linearise_light(light, system, temperature);
   (system.problem->order == 2 ? add_cells<6> : add_cells<3>)(matrix, light, system, derivatives, step);
   for (std::size_t e = 0; e < light.edges.size(); ++e) {

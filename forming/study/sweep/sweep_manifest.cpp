@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "core/io/json.hpp"
+#include "core/io/json_read.hpp"
+#include "forming/scene/accuracy.hpp"
+#include "forming/study/coarse_run.hpp"
+#include "forming/study/sweep/sweep_plan.hpp"
+
+namespace parison::forming {
+namespace {
+
+namespace fs = std::filesystem;
+using Status = SweepState::Status;
+
+constexpr std::array kept_files{"summary.json", "thickness.csv"};
+
+/// Of one folder, without its coarser runs.
+SweepState state_of_folder(const std::string& folder) {
+  const std::string path = folder + "/summary.json";
+  if (!fs::exists(path)) return {};
+  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  if (summary.flag_of("stopped")) return {};
+  if (summary.flag_of("completed")) return {Status::done};
+  return {Status::failed, summary.text_of("reason")};
+}
+
+std::vector<std::string> coarser_folders(const SweepPlan& plan, const std::string& folder) {
+  std::vector<std::string> folders;
+  if (!plan.sweep.error_bars) return folders;
+  const double own = read_accuracy(plan.sweep.accuracy).coarsening_factor;
+  for (std::size_t i = 0; i < coarse_folders.size(); ++i)
+    if (coarser_factors[i] * own <= max_coarsening) folders.push_back(folder + '/' + coarse_folders[i]);
+  return folders;
+}
+
+std::string manifest_path(const SweepPlan& plan) {
+  return plan.output + "/sweep.json";
+}
+
+std::string manifest_text(const SweepPlan& plan) {
+  core::JsonWriter json;
+  json.add("case", plan.sweep.case_path);
+  json.add("accuracy", plan.sweep.accuracy);
+  json.add("error_bars", plan.sweep.error_bars);
+  json.open_list("variables");
+  for (const SweepVariable& variable : plan.sweep.variables) json.add("", variable.key);
+  json.close();
+  json.open_list("runs");
+  for (const SweepRun& run : plan.runs) {
+    json.open_object("");
+    json.add("run", run.name);
+    json.add("case_fingerprint", run.fingerprint);
+    json.open_list("values");
+    for (const std::string& value : run.values) json.add("", value);
+    json.close();
+    if (run.start) {
+      json.add("starts_after", run.start->stage);
+      json.add("of", plan.runs[run.start->run].name);
+    }
+    json.close();
+  }
+  return json.finish();
+}
+
+/// Rows may be added, and the manifest of a killed sweep may lack those that never began; none may be another.
+void require_same_runs(const SweepPlan& plan, const core::JsonValue& before) {
+  const auto refuse = [&](const std::string& found) {
+    throw core::CaseError(
+        fmt::format("{}: {} was found there, allowed is the same sweep with more rows, or another "
+                    "--output",
+                    plan.output, found));
+  };
+  if (before.text_of("accuracy") != plan.sweep.accuracy)
+    refuse(fmt::format("a sweep at {} accuracy", before.text_of("accuracy")));
+  const core::JsonValue* runs = before.find("runs");
+  if (!runs) refuse("a list of runs that cannot be read");
+  if (runs->items.size() > plan.runs.size()) refuse(fmt::format("a sweep of {} runs", runs->items.size()));
+  for (std::size_t i = 0; i < runs->items.size(); ++i)
+    if (runs->items[i].text_of("case_fingerprint") != plan.runs[i].fingerprint)
+      refuse(fmt::format("another case or other values in row {}", i + 1));
+}
+
+}  // namespace
+
+SweepState state_of(const SweepPlan& plan, const SweepRun& run) {
+  const std::string folder = plan.folder(run);
+  const SweepState own = state_of_folder(folder);
+  if (own.status != Status::done) return own;
+  for (const std::string& coarser : coarser_folders(plan, folder))
+    if (state_of_folder(coarser).status == Status::waiting) return {};
+  return own;
+}
+
+void write_manifest(const SweepPlan& plan) {
+  const std::string path = manifest_path(plan);
+  if (fs::exists(path))
+    require_same_runs(plan, core::read_json(core::read_text(path), path));
+  else if (fs::exists(plan.output + "/summary.json") || fs::exists(plan.output + "/" + plan.runs.front().name))
+    throw core::CaseError(
+        fmt::format("{}: other results were found, allowed is a folder of its own for a sweep", plan.output));
+  core::replace_file(path, manifest_text(plan));
+}
+
+void keep_summary(const std::string& folder) {
+  std::vector<fs::path> removed;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (std::count(coarse_folders.begin(), coarse_folders.end(), name))
+      keep_summary(entry.path().string());
+    else if (!std::count(kept_files.begin(), kept_files.end(), name))
+      removed.push_back(entry.path());
+  }
+  for (const fs::path& path : removed) fs::remove_all(path);
+}
+
+}  // namespace parison::forming

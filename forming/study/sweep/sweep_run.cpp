@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+
+#include "forming/run/checkpoint.hpp"
+#include "forming/study/coarse_run.hpp"
+#include "forming/study/comparison/what_if.hpp"
+#include "forming/study/sweep/sweep_plan.hpp"
+
+namespace parison::forming {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The run itself and the coarser ones of its error bars; below the folder of the run with `folder`.
+std::vector<CoarseCase> cases_of(const SweepPlan& plan, const SweepRun& run, const std::string& folder) {
+  const Scene scene = read_scene(plan.sweep.case_path, plan.sweep.accuracy, run.overrides);
+  std::vector<CoarseCase> cases{{scene.file, scene.accuracy_name, folder, scene.overrides, 1}};
+  if (!plan.sweep.error_bars) return cases;
+  for (CoarseCase& coarse : coarse_cases(scene, folder)) cases.push_back(std::move(coarse));
+  return cases;
+}
+
+/// Begins it with what the other run had at the end of the shared stages, where that one still has it.
+void take_over(const SweepPlan& plan, const SweepRun& run, const CoarseCase& one) {
+  const std::string below = one.directory.substr(plan.folder(run).size());
+  const std::string source = plan.folder(plan.runs[run.start->run]) + below, &stage = run.start->stage;
+  fs::remove_all(one.directory);
+  if (fs::exists(source + "/checkpoint_after_" + stage + ".h5"))
+    make_branch({run.name, one.directory, one.accuracy, one.overrides, BranchPoint{source, stage}, ""});
+}
+
+}  // namespace
+
+void make_run(const SweepPlan& plan, const SweepRun& run, bool (*stop)()) {
+  for (const CoarseCase& one : cases_of(plan, run, plan.folder(run))) {
+    if (!has_ended(one)) {
+      if (run.start && !has_checkpoint(one.directory)) take_over(plan, run, one);
+      if (!finish(one, {}, stop)) return;
+    }
+    if (state_of(plan, run).status == SweepState::Status::failed) return;
+  }
+}
+
+}  // namespace parison::forming

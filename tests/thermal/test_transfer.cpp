@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light by rays: emission of bodies against exact solutions.
+#include <gtest/gtest.h>
+
+#include "figure.hpp"
+#include "thermal/radiation/exact_emission.hpp"
+#include "thermal/radiation/exact_tube.hpp"
+#include "thermal/radiation/glass_on_tool.hpp"
+#include "thermal/radiation/light_heat.hpp"
+#include "thermal/time/tr_bdf2.hpp"
+
+namespace parison::thermal::test {
+namespace {
+
+TEST(Transfer, isothermal_bodies_emit_as_the_integral_over_their_chords_says) {
+  for (const Shape shape : {Shape::slab, Shape::cylinder, Shape::sphere})
+    for (const double index : {1.0, 1.518}) {
+      tests::Figure off(fmt::format("transfer: emission of isothermal {} of optical size 0.1 to 10, n = {}: off by",
+                                    name_of(shape), index),
+                        "%");
+      for (const double optical : {0.1, 0.45, 1.2, 5.0, 10.0}) {
+        const double found = emissivity(shape, Model::transfer, optical, index, shape == Shape::sphere ? 16 : 40),
+                     wanted = exact(shape, optical, index);
+        off.add(100 * std::abs(found / wanted - 1));
+        std::printf("n = %g, %s of optical size %g: %.5f, exact %.5f\n", index, name_of(shape), optical, found, wanted);
+      }
+      off.at_most(1);
+    }
+}
+
+TEST(Transfer, a_wall_bent_to_a_tube_emits_as_its_rays_do) {
+  for (const double inner : {0.003, 0.03}) {
+    tests::Figure off(fmt::format("transfer: emission of an isothermal tube of glass, wall 3 mm, inner radius {} mm, "
+                                  "optical thickness 0.09 to 2.1: off by",
+                                  1e3 * inner),
+                      "%");
+    for (const double absorption : {30.0, 150.0, 450.0, 700.0}) {
+      const double found = tube_emissivity(Model::transfer, inner, absorption), wanted = exact_tube(inner, absorption);
+      off.add(100 * std::abs(found / wanted - 1));
+      std::printf("inner radius %g mm, %g 1/m: %.4f, exact %.4f\n", 1e3 * inner, absorption, found, wanted);
+    }
+    off.at_most(4);
+  }
+}
+
+/// Light out of a boundary of a body of one group, W/m2, that sees surroundings of a temperature there.
+double flux_through(Index boundary, const HeatSystem& system, const Eigen::VectorXd& T,
+                    const std::vector<double>& surroundings) {
+  const Light& light = system.light[0];
+  const LightGroup& group = light.laws().group(0);
+  GroupSource source{at_cell_points(light, system, T), {}, Eigen::ArrayXd()};
+  for (std::size_t b = 0; b < source.cells.size(); ++b)
+    for (int q = 0; q < core::cell_points; ++q)
+      for (int lane = 0; lane < core::batch_size; ++lane)
+        source.cells[b][q][lane] =
+            group.absorption * light.volumes[b][q][lane] * light.laws().irradiation(0, source.cells[b][q][lane]).value;
+  for (const LightEdge& edge : light.edges) {
+    auto& sent = source.edges.emplace_back();
+    for (int q = 0; q < 3; ++q)
+      sent[q] = group.open * edge.area[q] * light.laws().irradiation(0, surroundings[edge.boundary]).value;
+  }
+  const GroupLight found = solve_group(light, 0, source);
+  double flux = 0, area = 0;
+  for (std::size_t e = 0; e < light.edges.size(); ++e)
+    for (int q = 0; q < 3 && light.edges[e].boundary == boundary; ++q) {
+      flux += group.open * light.edges[e].area[q] * found.edges[e][q] - source.edges[e][q];
+      area += light.edges[e].area[q];
+    }
+  return flux / area;
+}
+
+TEST(Transfer, a_grey_slab_in_radiative_equilibrium_between_black_walls_carries_the_exact_flux) {
+  tests::Figure off(
+      "transfer: grey slab in radiative equilibrium between black walls, optical thickness 0.1, 1, 10: flux off by",
+      "%");
+  const std::pair<double, double> exact_flux[] = {{0.1, 0.9157}, {1, 0.5532}, {10, 0.1167}};
+  for (const auto& [thickness, wanted] : exact_flux) {
+    const Material material = glass_with({{everything, thickness / 0.01}}, 1, 1e-9, Model::transfer);
+    const core::Mesh mesh = rectangle(divide(0, 0.01, 30), {0, 0.01 / 30});
+    Problem problem{Geometry::planar, {open_body(mesh, material, 800, 0)}, {}, {}};
+    problem.bodies[0].light.surroundings = {{}, core::TimeFunction(800), {}, core::TimeFunction(1500)};
+    StepMatrix matrix;
+    StepOptions options;
+    options.tolerance = 1;
+    const StepOutcome outcome =
+        advance(problem, 0, {Eigen::VectorXd::Constant(mesh.node_count(), 1200)}, 1e6, options, matrix);
+    ASSERT_TRUE(outcome.converged) << outcome.reason;
+    const HeatSystem system = make_heat_system(problem);
+    const double flux = flux_through(right, system, join(system, outcome.temperature), {0, 800, 0, 1500}),
+                 share = flux / (stefan_boltzmann * (std::pow(1500, 4) - std::pow(800, 4)));
+    std::printf("optical thickness %g: %.4f, exact %.4f\n", thickness, share, wanted);
+    off.add(100 * std::abs(share / wanted - 1));
+  }
+  off.at_most(1);
+}
+
+/// What the sources of a band in the glass differ by from its light through the surface, over what crosses that.
+double imbalance_of_band(const Band& band, Geometry geometry, int order) {
+  const GlassOnTool pair(geometry, order, {band}, 320, 0, Model::transfer);
+  const HeatSystem system = make_heat_system(pair.problem);
+  const Eigen::VectorXd T = scattered(system, pair.start);
+  Eigen::VectorXd power = Eigen::VectorXd::Zero(system.size());
+  Flows flows = evaluate_flows(system, 0, T);
+  for (auto* flow : {&flows.to_air, &flows.light_to_air, &flows.across, &flows.received, &flows.radiated})
+    flow->setZero();
+  add_light(system.light[0], system, 0, T, flows, &power);
+  EXPECT_NE(flows.radiated[0], 0);
+  EXPECT_GT(flows.light_to_air[0], 0);
+  EXPECT_NEAR(power.tail(system.size() - system.first_unknown[1]).sum() / flows.across[0], 1, 1e-13);
+  const double in_glass = power.head(system.first_unknown[1]).sum();
+  return std::abs(in_glass + flows.to_air[0] + flows.across[0]) / (flows.to_air[0] + std::abs(flows.across[0]));
+}
+
+TEST(Transfer, the_sources_of_each_band_are_what_crosses_the_surface_in_it) {
+  tests::Figure off("transfer: sources of a band in the glass against its light through the surface: off by");
+  for (const Geometry geometry : {Geometry::planar, Geometry::axisymmetric})
+    for (const int order : {1, 2})
+      for (const Band& band : {Band{2.75e-6, 30}, Band{everything, 150}, Band{everything, 2000}, Band{4e-6, 1}})
+        off.add(imbalance_of_band(band, geometry, order));
+  off.at_most(1e-12);
+}
+
+TEST(Transfer, nothing_flows_where_all_is_at_one_temperature) {
+  GlassOnTool pair(Geometry::axisymmetric, 2, flint, 1400, 0.9, Model::transfer);
+  const HeatSystem system = make_heat_system(pair.problem);
+  Eigen::VectorXd power = Eigen::VectorXd::Zero(system.size());
+  Flows flows = evaluate_flows(system, 0, Eigen::VectorXd::Constant(system.size(), 1400));
+  const double scale = flows.to_air.cwiseAbs().maxCoeff();
+  flows.to_air.setZero(), flows.across.setZero();
+  add_light(system.light[0], system, 0, Eigen::VectorXd::Constant(system.size(), 1400), flows, &power);
+  EXPECT_LT(power.lpNorm<Eigen::Infinity>(), 1e-11 * scale);
+  EXPECT_NEAR(flows.to_air[0] / scale, 0, 1e-11);
+  EXPECT_NEAR(flows.across[0] / scale, 0, 1e-11);
+}
+
+TEST(Transfer, the_derivative_is_that_of_finite_differences) {
+  const double step = 0.5, small = 1e-2;
+  for (const int order : {1, 2}) {
+    const GlassOnTool pair(Geometry::axisymmetric, order, flint, 320, 0.9, Model::transfer);
+    const HeatSystem system = make_heat_system(pair.problem);
+    const Eigen::VectorXd T = scattered(system, pair.start);
+    std::mt19937 random(2);
+    Eigen::VectorXd direction(system.size());
+    for (double& d : direction) d = std::uniform_real_distribution<double>(-1, 1)(random);
+    const auto residual = [&](double shift) -> Eigen::VectorXd {
+      const Response response = evaluate(system, 0, T + shift * direction);
+      return response.content - step * response.power;
+    };
+    const Eigen::VectorXd difference = (residual(small) - residual(-small)) / (2 * small);
+    Linearisation derivatives = linearise(system, 0, T);
+    const Eigen::VectorXd product = apply(system, derivatives, step, direction);
+    const double size = difference.lpNorm<Eigen::Infinity>();
+    EXPECT_LT((product - difference).lpNorm<Eigen::Infinity>(), 1e-7 * size);
+    derivatives.light[0].emission[0] = Field(derivatives.light[0].emission[0].size());
+    EXPECT_GT((apply(system, derivatives, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-5 * size);
+    derivatives.light[0].from_tool[1].setZero();
+    EXPECT_GT((apply(system, derivatives, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-5 * size);
+  }
+}
+
+TEST(Transfer, a_step_of_ten_seconds_converges_and_is_balanced) {
+  tests::Figure open("heat balance of a step of 10 s with light by rays, over the content's change: open by");
+  const GlassOnTool pair(Geometry::axisymmetric, 2, {{2.75e-6, 400}, {4.3e-6, 700}}, 320, 0.9, Model::transfer);
+  StepMatrix matrix;
+  StepOptions options;
+  options.tolerance = 1e9;
+  const StepOutcome outcome = advance(pair.problem, 0, pair.start, 10, options, matrix);
+  ASSERT_TRUE(outcome.converged) << outcome.reason;
+  EXPECT_EQ(outcome.substeps, 1);
+  EXPECT_LT(outcome.temperature[0].maxCoeff(), 1401);
+  for (const Index b : {0, 1})
+    open.add(std::abs(imbalance(outcome.balance, b) / outcome.balance.bodies[b].content_change));
+  open.at_most(1e-9);
+}
+
+TEST(Transfer, the_order_in_time_is_two) {
+  const GlassOnTool pair(Geometry::axisymmetric, 2, flint, 320, 0.9, Model::transfer);
+  std::vector<Eigen::VectorXd> found;
+  for (const int substeps : {8, 16, 32, 128}) {
+    StepMatrix matrix;
+    StepOptions options;
+    options.tolerance = 1e9;
+    options.initial_substep = options.max_substep = 0.5 / substeps;
+    const StepOutcome outcome = advance(pair.problem, 0, pair.start, 0.5, options, matrix);
+    ASSERT_TRUE(outcome.converged) << outcome.reason;
+    found.push_back(outcome.temperature[0]);
+  }
+  const auto error = [&](int i) { return (found[i] - found[3]).lpNorm<Eigen::Infinity>(); };
+  tests::expect_at_least("heat with light by rays: order in time of TR-BDF2", std::log2(error(1) / error(2)), 1.8);
+}
+
+TEST(Transfer, light_in_thick_glass_is_Rosseland_s_conduction) {
+  const double absorption = 1500, length = 0.05;
+  const core::Mesh mesh = rectangle(divide(0, length, 100), {0, length / 100});
+  const auto T = sample(mesh, [&](const Point& x) { return 1200 + 150 * std::cos(M_PI * x[0] / length); });
+  const Material light = glass_with({{everything, absorption}}, 1.518, 1.3, Model::transfer);
+  Problem by_light{Geometry::planar, {open_body(mesh, light, 1200, 0)}, {}, {}};
+  by_light.bodies[0].light.surroundings = {{}, core::TimeFunction(1050), {}, core::TimeFunction(1350)};
+  Material conducting = light;
+  conducting.radiation = Radiation{1.518, absorption, false};
+  Problem by_conduction{Geometry::planar, {body(mesh, conducting)}, {}, {}};
+  // Heat into a half, which far from the walls is the flux through the middle.
+  const auto gained = [&](const Eigen::VectorXd& power) {
+    double sum = 0;
+    for (Index i = 0; i < mesh.node_count(); ++i)
+      if (mesh.nodes[i][0] > 0.25 * length && mesh.nodes[i][0] < 0.75 * length)
+        sum += power[i] * (mesh.nodes[i][0] - 0.5 * length);
+    return sum;
+  };
+  const double a = gained(evaluate(make_heat_system(by_light), 0, T).power),
+               b = gained(evaluate(make_heat_system(by_conduction), 0, T).power);
+  tests::expect_at_most("transfer: heat moved inside glass of 75 free paths against Rosseland's conduction: off by",
+                        100 * std::abs(a / b - 1), 1, "%");
+}
+
+/// Heat rates of a disc between cold and hot, by a mesh of its own.
+Flows disc_flows(int across, int high) {
+  const Material material = glass_with(flint, 1.518, 1.3, Model::transfer);
+  const core::Mesh mesh = rectangle(divide(0, 0.02, across), divide(0, 0.008, high, 1.07));
+  Problem problem{Geometry::axisymmetric, {open_body(mesh, material, 320)}, {}, {}};
+  problem.bodies[0].light.surroundings[left].reset();
+  const HeatSystem system = make_heat_system(problem);
+  const auto T = sample(mesh, [](const Point& x) { return 1300 - 2e6 * (x[1] - 0.003) * (x[1] - 0.003) - 4e3 * x[0]; });
+  return evaluate_flows(system, 0, T);
+}
+
+TEST(Transfer, another_mesh_changes_the_heat_rates_by_little) {
+  tests::Figure off("transfer: light out of a disc by four meshes: off from that of the finest by", "%");
+  const double reference = disc_flows(40, 20).light_to_air[0];
+  for (const auto& [across, high] : {std::pair<int, int>{12, 6}, {17, 9}, {23, 8}})
+    off.add(100 * std::abs(disc_flows(across, high).light_to_air[0] / reference - 1));
+  off.at_most(0.3);
+}
+
+}  // namespace
+}  // namespace parison::thermal::test

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/radiation/rays/ray_exchange.hpp"
+
+#include <algorithm>
+
+#include "thermal/radiation/light_heat.hpp"
+#include "thermal/system.hpp"
+
+namespace parison::thermal {
+
+namespace {
+
+constexpr int most_zones = 80;    ///< boxes that have the area of the section
+constexpr int cells_of_zone = 3;  ///< of the mesh, at the least
+constexpr int ray_count = 4000;
+constexpr double moved_far = 0.3;  ///< distance, of a box, that the glass moves before rays are traced anew
+
+/// By boundary of the glass: a mirror where it is neither open nor black nor touched.
+std::vector<SurfaceKind> surface_kinds(const Light& light, const HeatSystem& system) {
+  const BodyView& body = system.problem->bodies[light.body];
+  std::vector<SurfaceKind> kinds;
+  for (std::size_t b = 0; b < body.mesh->boundaries().size(); ++b)
+    kinds.push_back(!body.prescribed.empty() && body.prescribed[b] ? SurfaceKind::black
+                    : body.light.surroundings[b]                   ? SurfaceKind::open
+                                                                   : SurfaceKind::mirror);
+  for (const LightContact& contact : light.contacts)
+    if (kinds[contact.boundary] == SurfaceKind::mirror) kinds[contact.boundary] = SurfaceKind::open;
+  return kinds;
+}
+
+/// Patches as long as a box or, where edges are longer, as those.
+std::vector<RaySurface> divide_surface(const core::Mesh& mesh, const std::vector<SurfaceKind>& kinds, double length,
+                                       Index& patches) {
+  std::vector<RaySurface> surface;
+  double so_far = 0;
+  Index last = -1;
+  patches = 0;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
+    const SurfaceKind kind = kinds[edge.boundary_id];
+    if (kind == SurfaceKind::mirror) {
+      surface.push_back({-1, false});
+      last = -1;
+      continue;
+    }
+    const double own = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
+    if (last != edge.boundary_id || so_far + 0.5 * own > length) ++patches, so_far = 0;
+    so_far += own;
+    last = edge.boundary_id;
+    surface.push_back({patches - 1, kind == SurfaceKind::black});
+  }
+  return surface;
+}
+
+/// Calls what(batch, point, lane, shape functions, cell) for each quadrature point.
+template <typename What>
+void for_each_point(const core::Mesh& mesh, What&& what) {
+  for (Index b = 0; b < core::batch_count(mesh.cell_count()); ++b)
+    for (int lane = 0; lane < core::filled_lanes(mesh.cell_count(), b); ++lane)
+      for (int q = 0; q < core::cell_points; ++q) {
+        Point x = Point::Zero();
+        const auto& nodes = mesh.cells()[b * core::batch_size + lane];
+        for (int i = 0; i < 6; ++i) x += cell_shapes<6>().value(q, i) * mesh.nodes[nodes[i]];
+        what(b, q, lane, x);
+      }
+}
+
+Zones make_zones(const Light& light, const core::Mesh& mesh, Geometry geometry) {
+  std::vector<Point> position;
+  std::vector<double> volume, area;
+  for_each_point(mesh, [&](Index b, int q, int lane, const Point& x) {
+    position.push_back(x);
+    volume.push_back(light.volumes[b][q][lane]);
+    const double depth = core::depth(geometry, x);
+    area.push_back(depth > 0 ? volume.back() / depth : 0);
+  });
+  return {position, volume, area, std::clamp(mesh.cell_count() / cells_of_zone, 1, most_zones)};
+}
+
+std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& system,
+                                        const std::vector<SurfaceKind>& kinds) {
+  const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
+  const Geometry geometry = system.problem->geometry;
+  auto traced = std::make_shared<TracedRays>(
+      TracedRays{mesh.nodes, mesh.cells(), kinds, make_zones(light, mesh, geometry), {}, 0, {}, {}, {}});
+  traced->surface = divide_surface(mesh, kinds, traced->zones.box_size(), traced->patches);
+  traced->zone.assign(light.volumes.size(), {});
+  traced->values.assign(light.volumes.size(), {});
+  for_each_point(mesh, [&](Index b, int q, int lane, const Point& x) {
+    const Index zone = traced->zone[b][q][lane] = traced->zones.at(x);
+    const ZoneValues values = traced->zones.values(zone, x);
+    for (int i = 0; i < zone_functions; ++i) traced->values[b][i][q][lane] = values[i];
+  });
+  std::vector<double> absorption;
+  for (int k = 0; k < light.laws().group_count(); ++k) absorption.push_back(light.laws().group(k).absorption);
+  traced->factors = trace_exchange(mesh, geometry, traced->zones, traced->surface, traced->patches,
+                                   light.kept->radiation.refractive_index, absorption, ray_count);
+  return traced;
+}
+
+bool is_near(const TracedRays& traced, const core::Mesh& mesh) {
+  if (traced.cells != mesh.cells()) return false;
+  const double far = moved_far * traced.zones.box_size();
+  const Point shift = mesh.nodes.front() - traced.nodes.front();
+  const Point along(0, shift[1]);
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    if (!((mesh.nodes[i] - traced.nodes[i] - along).squaredNorm() < far * far)) return false;
+  return true;
+}
+
+/// Adds the numbers at the quadrature points times the functions of the zones.
+Eigen::VectorXd to_zones(const TracedRays& traced, const Field& values) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(traced.zones.function_count());
+  for (std::size_t b = 0; b < values.size(); ++b)
+    for (int q = 0; q < core::cell_points; ++q)
+      for (int lane = 0; lane < core::batch_size; ++lane) {
+        double* zone = &sum[zone_functions * traced.zone[b][q][lane]];
+        for (int i = 0; i < zone_functions; ++i) zone[i] += traced.values[b][i][q][lane] * values[b][q][lane];
+      }
+  return sum;
+}
+
+/// Adds a correction to the constant of each zone and to each patch so that a body in equilibrium stays in it. As the
+/// factors are symmetric, it then also balances.
+void close(ExchangeFactors& factors, const Eigen::VectorXd& one, const Eigen::VectorXd& functions,
+           const Eigen::ArrayXd& area, double emission) {
+  const Eigen::Index zones = functions.size(), patches = area.size();
+  Eigen::VectorXd in_equilibrium(zones + patches), wanted(zones + patches);
+  in_equilibrium << functions, Eigen::VectorXd::Ones(patches);
+  wanted << emission * one, area.matrix();
+  const Eigen::VectorXd missing = wanted - factors * in_equilibrium;
+  for (Eigen::Index z = 0; z < zones; z += zone_functions) {
+    double rest = missing[z];
+    for (int i = 1; i < zone_functions; ++i) {
+      const double slope = missing[z + i] / functions[z];
+      factors(z + i, z) += slope;
+      factors(z, z + i) += slope;
+      rest -= slope * functions[z + i];
+    }
+    factors(z, z) += rest / functions[z];
+  }
+  for (Eigen::Index p = zones; p < zones + patches; ++p) factors(p, p) += missing[p];
+}
+
+/// Areas of the patches and what of the light out of them comes back.
+void set_surface(RayExchange& rays, const Light& light, const HeatSystem& system) {
+  const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
+  const TracedRays& traced = *rays.traced;
+  rays.area.setZero(traced.patches);
+  std::vector<Index> patch_of(mesh.nodes.size(), -1);  // by mid-side node
+  for (std::size_t e = 0; e < traced.surface.size(); ++e) {
+    const Index patch = traced.surface[e].patch;
+    const auto& nodes = mesh.boundary_edges()[e].nodes;
+    patch_of[nodes[2]] = patch;
+    if (patch < 0) continue;
+    for (const auto& at : core::edge_rule(3))
+      rays.area[patch] += core::map_edge_point(mesh, nodes, system.problem->geometry, at).area;
+  }
+  Eigen::ArrayXd covered = Eigen::ArrayXd::Zero(traced.patches);
+  std::vector<char> open(traced.patches, 0);
+  rays.returned.setZero(traced.patches);
+  for (const LightEdge& edge : light.edges) open[rays.edge_patch.emplace_back(patch_of[edge.mid_node])] = 1;
+  for (std::size_t i = 0; i < light.contacts.size(); ++i) {
+    const Index patch = rays.contact_patch.emplace_back(patch_of[system.problem->interface[i].slave_nodes[2]]);
+    const double area = system.interface.area[static_cast<Index>(i)];
+    covered[patch] += area;
+    rays.returned[patch] += (1 - light.contacts[i].emissivity) * area;
+  }
+  for (Index p = 0; p < traced.patches; ++p)
+    rays.returned[p] = (rays.returned[p] + (open[p] ? 0 : std::max(0.0, rays.area[p] - covered[p]))) / rays.area[p];
+}
+
+}  // namespace
+
+RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, std::shared_ptr<const TracedRays>& traced) {
+  const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
+  const std::vector<SurfaceKind> kinds = surface_kinds(light, system);
+  if (!traced || traced->kinds != kinds || !is_near(*traced, mesh)) traced = trace(light, system, kinds);
+  RayExchange rays{traced, {}, {}, {}, {}, {}};
+  set_surface(rays, light, system);
+  const Eigen::VectorXd functions = to_zones(*traced, light.volumes);
+  const double square = std::pow(light.kept->radiation.refractive_index, 2);
+  const Eigen::Index patches = traced->patches;
+  for (std::size_t k = 0; k < traced->factors.size(); ++k) {
+    RayBand band{traced->factors[k], {}};
+    close(band.factors, traced->zones.one(), functions, rays.area,
+          4 * square * light.laws().group(static_cast<int>(k)).absorption);
+    if ((rays.returned > 0).any()) {
+      const Eigen::MatrixXd back =
+          (rays.returned / rays.area).matrix().asDiagonal() * band.factors.bottomRightCorner(patches, patches);
+      band.from_outside.emplace(Eigen::MatrixXd::Identity(patches, patches) - back);
+    }
+    rays.bands.push_back(std::move(band));
+  }
+  return rays;
+}
+
+GroupLight ray_light(const Light& light, int k, const GroupSource& source) {
+  const RayExchange& rays = *light.rays;
+  const TracedRays& traced = *rays.traced;
+  const ExchangeFactors& factors = rays.bands[k].factors;
+  const Eigen::Index zones = traced.zones.function_count(), patches = traced.patches;
+  const double scale = 4 * std::pow(light.kept->radiation.refractive_index, 2);  // from emissive power to irradiation
+  Eigen::VectorXd sent(zones + patches);
+  sent.head(zones) = to_zones(traced, source.cells) / (scale * light.laws().group(k).absorption);
+  auto outside = sent.tail(patches);
+  outside.setZero();
+  for (std::size_t e = 0; e < light.edges.size(); ++e)
+    for (const double value : source.edges[e]) outside[rays.edge_patch[e]] += value;
+  for (std::size_t i = 0; i < light.contacts.size(); ++i)
+    outside[rays.contact_patch[i]] += source.contacts[static_cast<Index>(i)];
+  outside.array() /= rays.area;
+  if (rays.bands[k].from_outside) {
+    const Eigen::VectorXd out = factors.bottomLeftCorner(patches, zones) * sent.head(zones);
+    outside =
+        rays.bands[k].from_outside->solve(outside + (rays.returned / rays.area).matrix().cwiseProduct(out)).eval();
+  }
+  const Eigen::VectorXd taken = factors * sent;
+  GroupLight result{Field(light.volumes.size()), {}, Eigen::ArrayXd(source.contacts.size())};
+  for (std::size_t b = 0; b < result.absorbed.size(); ++b)
+    for (int q = 0; q < core::cell_points; ++q) {
+      PointValues& values = result.absorbed[b];
+      values[q] = VectorizedArray{};
+      for (int lane = 0; lane < core::batch_size; ++lane) {
+        const double* zone = &taken[zone_functions * traced.zone[b][q][lane]];
+        for (int i = 0; i < zone_functions; ++i) values[q][lane] += traced.values[b][i][q][lane] * zone[i];
+      }
+      values[q] *= light.volumes[b][q];
+    }
+  const Eigen::ArrayXd at_surface = scale * taken.tail(patches).array() / rays.area;
+  for (const Index patch : rays.edge_patch)
+    result.edges.push_back({at_surface[patch], at_surface[patch], at_surface[patch]});
+  for (std::size_t i = 0; i < light.contacts.size(); ++i)
+    result.contacts[static_cast<Index>(i)] = at_surface[rays.contact_patch[i]];
+  return result;
+}
+
+}  // namespace parison::thermal

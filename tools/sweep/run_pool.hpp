@@ -1,0 +1,14 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "forming/study/sweep/sweep_plan.hpp"
+
+namespace parison::tools {
+
+/// Makes the runs of a sweep that are not done, so many at once, each in a copy of this process; a run that takes over
+/// the first stages of another one waits for that. Prints how far it is. False where stopped on request; then some
+/// states are still `waiting`.
+bool run_sweep(const forming::SweepPlan& plan, std::vector<forming::SweepState>& states, int jobs);
+
+}  // namespace parison::tools
