@@ -9,7 +9,6 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
-#include "core/process/clock.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/production/cycle_files.hpp"
