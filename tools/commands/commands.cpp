@@ -14,6 +14,7 @@
 #include "tools/commands/new_case.hpp"
 #include "tools/commands/run/run_command.hpp"
 #include "tools/commands/study/audit.hpp"
+#include "tools/commands/study/cycle.hpp"
 #include "tools/commands/study/fit_law.hpp"
 #include "tools/comparison/compare.hpp"
 #include "tools/materials/materials.hpp"
@@ -92,6 +93,25 @@ void add_audit(CLI::App& app, Command& chosen) {
       add_command(app, "audit", "run a case coarsely with each part of its model in and out", chosen, request, audit);
   command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
   command->add_option("--accuracy", request->accuracy, "of all runs; coarse ones take seconds")->capture_default_str();
+  command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
+}
+
+void add_cycle(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<CycleRequest>();
+  auto* command = add_command(app, "cycle", "find the tool temperatures to which production settles, and its container",
+                              chosen, request, cycle);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("--accuracy", request->accuracy, "of all runs")->capture_default_str();
+  command->add_option("--cycle-time", request->cycle_time,
+                      "time from one container to the next with the same tools, \"12 s\" [that of the case's timing]");
+  command
+      ->add_option("--tolerance", request->tolerance,
+                   "by which no tool surface may differ from the settled one, nor change in a plain cycle")
+      ->capture_default_str();
+  command->add_option("--max-runs", request->max_runs, "forming runs of the search at most")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--output", request->output, "new folder for the results [results/cycle_NAME]");
   command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
 }
 
@@ -266,6 +286,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_check(app, chosen);
   add_new(app, chosen);
   add_audit(app, chosen);
+  add_cycle(app, chosen);
   add_tradeoff(app, chosen);
   add_compare(app, chosen);
   add_what_if(app, chosen);

@@ -20,15 +20,6 @@ std::optional<core::TimeFunction> prescribed_of(const Body& body, const core::Me
   return body.boundaries[boundary].temperature;
 }
 
-thermal::BodyView view_of(const Scene& scene, const State& state, Index body, const core::Mesh& mesh) {
-  const Body& data = body_of(scene, body);
-  thermal::BodyView view{&mesh, &mesh, data.thermal->density, &*data.thermal, {}, {}};
-  view.exchange = surroundings(scene, state, body, mesh);
-  for (std::size_t boundary = 0; boundary < mesh.boundaries().size(); ++boundary)
-    view.prescribed.push_back(prescribed_of(data, mesh, boundary));
-  return view;
-}
-
 /// Local error of a step of IDA, as a fraction of that: where nothing moves it takes many small changes, whose errors
 /// add up, and costs little.
 constexpr double integrator_fraction = 0.2;
@@ -43,7 +34,7 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
                               const std::vector<core::InterfacePoint>& interface, long& clamped_lookups) {
   thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
-    problem.bodies.push_back(view_of(scene, state, b, *meshes[b]));
+    problem.bodies.push_back(body_view(scene, state, b, *meshes[b]));
   if (scene.has_light())
     for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
       problem.bodies[b].light = surface_light(scene, state, b, *meshes[b]);
@@ -199,6 +190,15 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
 }
 
 }  // namespace
+
+thermal::BodyView body_view(const Scene& scene, const State& state, Index body, const core::Mesh& mesh) {
+  const Body& data = body_of(scene, body);
+  thermal::BodyView view{&mesh, &mesh, data.thermal->density, &*data.thermal, {}, {}};
+  view.exchange = surroundings(scene, state, body, mesh);
+  for (std::size_t boundary = 0; boundary < mesh.boundaries().size(); ++boundary)
+    view.prescribed.push_back(prescribed_of(data, mesh, boundary));
+  return view;
+}
 
 double temperature_tolerance(const Scene& scene) {
   constexpr double of_span = 2e-3;

@@ -21,6 +21,9 @@ struct HeatOutcome {
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace);
 
+/// A body with what its boundaries exchange heat with in the present stage, on one of its meshes, which it points to.
+thermal::BodyView body_view(const Scene& scene, const State& state, Index body, const core::Mesh& mesh);
+
 /// Local error that a heat step may have, K: that of the accuracy, or less where all temperatures differ by little.
 double temperature_tolerance(const Scene& scene);
 

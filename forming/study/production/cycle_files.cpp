@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/production/cycle_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/io/files.hpp"
+#include "core/io/json.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double zero_celsius = 273.15;
+
+/// Temperatures of the surface of a tool over a machine cycle, K.
+struct SurfaceRange {
+  double min = std::numeric_limits<double>::infinity(), mean = 0, max = 0;  ///< of its mean
+  double hottest = 0;                                                       ///< point
+};
+
+SurfaceRange range_of(const std::vector<CycleSample>& samples, std::size_t tool) {
+  SurfaceRange range;
+  double time = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const ToolTemperatures& now = samples[i].tools[tool];
+    range.min = std::min(range.min, now.surface_mean);
+    range.max = std::max(range.max, now.surface_mean);
+    range.hottest = std::max(range.hottest, now.surface_max);
+    if (i == 0) continue;
+    const double dt = samples[i].time - samples[i - 1].time;
+    range.mean += 0.5 * dt * (now.surface_mean + samples[i - 1].tools[tool].surface_mean);
+    time += dt;
+  }
+  range.mean = time > 0 ? range.mean / time : range.max;
+  return range;
+}
+
+void add_search(core::JsonWriter& json, const Scene& scene, const PeriodicState& state) {
+  json.open_list("forming_runs");
+  for (const SearchRun& run : state.search) {
+    json.open_object("");
+    json.open_object("surface_change_K");
+    for (std::size_t t = 0; t < scene.tools.size(); ++t) json.add(scene.tools[t].name, run.change[t]);
+    json.close();
+    json.open_object("distance_K");
+    for (std::size_t t = 0; t < scene.tools.size(); ++t) json.add(scene.tools[t].name, run.distance[t]);
+    json.close();
+    json.close();
+  }
+  json.close();
+  json.open_list("plain_cycles_change_K");
+  for (const double change : state.confirmed) json.add("", change);
+  json.close();
+}
+
+void add_tool(core::JsonWriter& json, const Scene& scene, const PeriodicState& state, std::size_t t) {
+  const Tool& tool = scene.tools[t];
+  const CycleHeat& heat = state.settled.heat[t];
+  const SurfaceRange range = range_of(state.settled.samples, t);
+  json.open_object(tool.name);
+  json.add("use_begin_s", state.cycle.uses[t].begin);
+  json.add("use_end_s", state.cycle.uses[t].end);
+  json.add("surface_min_degC", range.min - zero_celsius);
+  json.add("surface_mean_degC", range.mean - zero_celsius);
+  json.add("surface_max_degC", range.max - zero_celsius);
+  json.add("hottest_point_degC", range.hottest - zero_celsius);
+  json.add("heat_received_J", heat.received);
+  json.open_object("power_W");
+  for (std::size_t b = 0; b < tool.boundaries.size(); ++b)
+    json.add(tool.boundaries[b].name, heat.through[b] / state.cycle.seconds);
+  json.close();
+  json.close();
+}
+
+std::string json_text(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state) {
+  core::JsonWriter json;
+  json.add("case", scene.name);
+  json.add("accuracy", scene.accuracy_name);
+  json.add("cycle_s", state.cycle.seconds);
+  json.add("tolerance_K", request.tolerance);
+  json.add("settled", state.found);
+  json.add("confirmed", state.is_confirmed(request.tolerance));
+  json.add("reason", state.failure);
+  add_search(json, scene, state);
+  json.add("start_up_cycles", static_cast<long>(state.start_up.size()));
+  json.open_object("tools");
+  if (!state.settled.samples.empty())
+    for (std::size_t t = 0; t < scene.tools.size(); ++t) add_tool(json, scene, state, t);
+  json.close();
+  return json.finish();
+}
+
+std::string cycle_text(const Scene& scene, const PeriodicState& state) {
+  std::string text = "time_s,stage";
+  for (const Tool& tool : scene.tools)
+    text += ',' + core::csv_text(tool.name + "_surface_mean_degC") + ',' +
+            core::csv_text(tool.name + "_surface_max_degC") + ',' + core::csv_text(tool.name + "_mean_degC");
+  for (const Probe& probe : scene.probes)
+    if (probe.body != glass_body) text += ',' + core::csv_text(probe.name + "_degC");
+  text += '\n';
+  for (const CycleSample& sample : state.settled.samples) {
+    text += fmt::format("{:.10g},{}", sample.time, core::csv_text(sample.stage));
+    for (const ToolTemperatures& tool : sample.tools)
+      text += fmt::format(",{:.10g},{:.10g},{:.10g}", tool.surface_mean - zero_celsius, tool.surface_max - zero_celsius,
+                          tool.mean - zero_celsius);
+    for (std::size_t p = 0; p < scene.probes.size(); ++p)
+      if (scene.probes[p].body != glass_body) text += fmt::format(",{:.10g}", sample.probes[p] - zero_celsius);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string start_up_text(const Scene& scene, const PeriodicState& state) {
+  std::string text = "cycle";
+  for (const Tool& tool : scene.tools) text += ',' + core::csv_text(tool.name + "_surface_mean_degC");
+  text += ",distance_K\n";
+  for (std::size_t k = 0; k < state.start_up.size(); ++k) {
+    text += fmt::format("{}", k);
+    for (const double mean : state.start_up[k].mean) text += fmt::format(",{:.10g}", mean - zero_celsius);
+    text += fmt::format(",{:.6g}\n", state.start_up[k].distance);
+  }
+  return text;
+}
+
+}  // namespace
+
+void write_periodic_state(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state) {
+  core::write_text(request.directory + "/cycle.json", json_text(scene, request, state));
+  if (!state.start_up.empty()) core::write_text(request.directory + "/start_up.csv", start_up_text(scene, state));
+  if (!state.settled.samples.empty()) core::write_text(request.directory + "/cycle.csv", cycle_text(scene, state));
+}
+
+std::string periodic_table(const Scene& scene, const PeriodicState& state) {
+  std::string text = fmt::format("\n  {:<14}{:>16}{:>34}{:>12}{:>12}{:>12}\n", "tool", "in use, s",
+                                 "surface min, mean, max, degC", "hottest", "heat, kJ", "cooling, W");
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    const SurfaceRange range = range_of(state.settled.samples, t);
+    const CycleHeat& heat = state.settled.heat[t];
+    double out = 0;
+    for (const double part : heat.through) out += part;
+    text += fmt::format("  {:<14}{:>16}{:>34}{:>12.1f}{:>12.3f}{:>12.1f}\n", scene.tools[t].name,
+                        fmt::format("{:.4g} to {:.4g}", state.cycle.uses[t].begin, state.cycle.uses[t].end),
+                        fmt::format("{:.1f}  {:.1f}  {:.1f}", range.min - zero_celsius, range.mean - zero_celsius,
+                                    range.max - zero_celsius),
+                        range.hottest - zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds);
+  }
+  return text;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,42 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "forming/report/process/tool_surface.hpp"
+#include "forming/run/run.hpp"
+#include "forming/study/production/machine_cycle.hpp"
+
+namespace parison::forming {
+
+/// The tools at one moment of a machine cycle.
+struct CycleSample {
+  double time;        ///< s since the start of the container
+  std::string stage;  ///< "idle" after the container has left
+  std::vector<ToolTemperatures> tools;
+  std::vector<double> probes;  ///< of the tools, K, in the order of the scene; NaN for those of the glass
+};
+
+/// Heat of a tool over a machine cycle, J.
+struct CycleHeat {
+  double received;              ///< from the glass
+  std::vector<double> through;  ///< out through each boundary
+};
+
+/// A machine cycle as it went: one container, and the tools until the next one starts.
+struct CycleRun {
+  std::string failure;  ///< why it has no end; empty where it has
+  bool stopped = false;
+  RunOutcome forming;
+  Eigen::VectorXd start, end;  ///< tool_temperatures at both ends, K
+  std::vector<double> met;     ///< mean temperature of the glass when the use of each tool begins, K
+  std::vector<CycleHeat> heat;
+  std::vector<CycleSample> samples;
+};
+
+/// Forms one container in the machine cycle. The results of the forming go into a new folder unless that is empty. From
+/// the end of the last stage on the tools exchange heat with the air and their cooling as that stage has them.
+CycleRun run_cycle(const Scene& scene, const MachineCycle& cycle, const std::string& directory,
+                   const StopRequest& stop);
+
+}  // namespace parison::forming

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/production/fixed_point.hpp"
+
+#include <kinsol/kinsol.h>
+#include <nvector/nvector_serial.h>
+
+#include <limits>
+#include <utility>
+
+namespace parison::forming {
+namespace {
+
+Eigen::Map<Eigen::VectorXd> view(N_Vector vector) {
+  return {N_VGetArrayPointer(vector), static_cast<Eigen::Index>(N_VGetLength(vector))};
+}
+
+/// What the callback of KINSOL works with.
+struct Search {
+  const VectorMap& map;
+  const FixedPointOptions& options;
+  FixedPointOutcome outcome;
+};
+
+/// The map at `at`. What is negative ends KINSOL: the tolerance is met, or nothing more can be evaluated.
+int evaluate(N_Vector at, N_Vector image, void* data) {
+  constexpr int enough = -1;
+  auto& search = *static_cast<Search*>(data);
+  if (search.outcome.evaluations == search.options.max_evaluations) return enough;
+  const Eigen::VectorXd x = view(at);
+  auto value = search.map(x);
+  if (!value) return enough;
+  ++search.outcome.evaluations;
+  view(image) = *value;
+  search.outcome.change = search.options.size(*value - x);
+  search.outcome.value = std::move(*value);
+  search.outcome.converged = search.outcome.change <= search.options.tolerance;
+  return search.outcome.converged ? enough : 0;
+}
+
+void say_nothing(int, const char*, const char*, char*, void*) {}
+
+}  // namespace
+
+FixedPointOutcome find_fixed_point(const Eigen::VectorXd& start, const VectorMap& map,
+                                   const FixedPointOptions& options) {
+  Search search{map, options, {}};
+  search.outcome.value = start;
+  SUNContext context = nullptr;
+  SUNContext_Create(nullptr, &context);
+  N_Vector x = N_VNew_Serial(start.size(), context), scale = N_VClone(x);
+  view(x) = start;
+  N_VConst(1, scale);
+  void* solver = KINCreate(context);
+  KINSetErrHandlerFn(solver, say_nothing, nullptr);
+  KINSetMAA(solver, options.depth);
+  KINSetNumMaxIters(solver, options.max_evaluations + 1);
+  KINInit(solver, evaluate, x);
+  KINSetUserData(solver, &search);
+  KINSetFuncNormTol(solver, std::numeric_limits<double>::min());  // the callback says when it is enough
+  KINSol(solver, x, KIN_FP, scale, scale);
+  KINFree(&solver);
+  N_VDestroy(scale);
+  N_VDestroy(x);
+  SUNContext_Free(&context);
+  return std::move(search.outcome);
+}
+
+}  // namespace parison::forming

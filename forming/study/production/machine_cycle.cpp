@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/production/machine_cycle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/case/case_error.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/heat/surroundings.hpp"
+
+namespace parison::forming {
+namespace {
+
+bool uses(const Stage& stage, std::size_t tool) {
+  return std::any_of(stage.tools.begin(), stage.tools.end(),
+                     [&](const StageTool& one) { return static_cast<std::size_t>(one.tool) == tool; });
+}
+
+ToolUse use_of(const Scene& scene, std::size_t tool) {
+  ToolUse use{0, 0};
+  double time = 0;
+  bool begun = false;
+  for (const Stage& stage : scene.stages) {
+    if (uses(stage, tool)) {
+      if (!begun) use.begin = time;
+      begun = true;
+      use.end = time + stage.duration;
+    }
+    time += stage.duration;
+  }
+  return use;
+}
+
+double time_of(const Scene& scene, const std::optional<double>& seconds) {
+  if (seconds) return *seconds;
+  if (scene.timing) return scene.timing->cycle;
+  throw core::CaseError(
+      fmt::format("{}: nothing says how long a machine cycle takes, allowed is a table [timing] or --cycle-time \"12 "
+                  "s\"",
+                  scene.file));
+}
+
+/// Whether the tool gives heat to anything but glass in any stage.
+bool is_cooled(const Scene& scene, State& state, Index tool) {
+  const core::Mesh& mesh = state.tools[tool].mesh;
+  for (const auto& boundary : mesh.boundaries())
+    if (boundary.kind == BoundaryKind::temperature) return true;
+  for (state.stage = 0; state.stage < static_cast<Index>(scene.stages.size()); ++state.stage)
+    for (const auto& exchange : surroundings(scene, state, body_of_tool(tool), mesh))
+      if (exchange && (exchange->h.max() > 0 || exchange->emissivity > 0)) return true;
+  return false;
+}
+
+void refuse_short(const Scene& scene, const MachineCycle& cycle) {
+  constexpr double round_off = 1e-9;
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    const auto& [begin, end] = cycle.uses[t];
+    const double allowed = cycle.seconds * (1 + round_off);
+    if (end - begin > allowed)
+      throw core::CaseError(fmt::format(
+          "{}: a machine cycle of {:.4g} s was found, but each container uses the tool \"{}\" for {:.4g} "
+          "s; allowed is a longer cycle; where sets of a tool take turns, the time between two uses of one set",
+          scene.file, cycle.seconds, scene.tools[t].name, end - begin));
+    if (end > allowed)
+      throw core::CaseError(
+          fmt::format("{}: a machine cycle of {:.4g} s was found, but the tool \"{}\" is in use until {:.4g} s after "
+                      "the start of its container; allowed is a cycle in which all tools are free before the next gob",
+                      scene.file, cycle.seconds, scene.tools[t].name, end));
+  }
+}
+
+void refuse_uncooled(const Scene& scene, const MachineCycle& cycle) {
+  State state = initial_state(scene);
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    if (cycle.uses[t].end > 0 && !is_cooled(scene, state, static_cast<Index>(t)))
+      throw core::CaseError(
+          fmt::format("{}: the tool \"{}\" has no cooling and loses no heat to air, so that its temperature rises from "
+                      "cycle to cycle; allowed are tools with a cooled boundary, a given temperature or air around",
+                      scene.file, scene.tools[t].name));
+}
+
+}  // namespace
+
+MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seconds) {
+  if (!scene.has_heat() || scene.tools.empty())
+    throw core::CaseError(
+        fmt::format("{}: a cycle of production was asked for, allowed only for a case whose glass and tools carry heat",
+                    scene.file));
+  MachineCycle cycle{time_of(scene, seconds), {}};
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) cycle.uses.push_back(use_of(scene, t));
+  refuse_short(scene, cycle);
+  refuse_uncooled(scene, cycle);
+  return cycle;
+}
+
+}  // namespace parison::forming

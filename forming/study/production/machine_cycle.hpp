@@ -1,0 +1,27 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// When a tool serves one container, s since its gob was loaded, by the planned durations of the stages.
+struct ToolUse {
+  double begin, end;  ///< both 0 for a tool that no stage uses
+};
+
+/// The cycle of a machine that makes one container after another with the same tools. At the time `seconds` after a
+/// container's start the next one starts; the tools begin it as they are then.
+struct MachineCycle {
+  double seconds;
+  std::vector<ToolUse> uses;  ///< by tool
+};
+
+/// The cycle of a scene, of the time given or else that of its [timing]. Throws core::CaseError where there is no time,
+/// where it is too short for a tool, and where the state of the tools cannot be periodic.
+MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seconds);
+
+}  // namespace parison::forming

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/production/periodic_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "forming/report/summary.hpp"
+#include "forming/run/checkpoint.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/study/production/fixed_point.hpp"
+#include "forming/study/production/heat_cycles.hpp"
+#include "forming/study/production/tool_fields.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr int anderson_depth = 2;
+
+/// Heat-only cycles settle to this share of the tolerance.
+constexpr double heat_only_share = 0.02;
+
+/// The search and what it has so far.
+struct Search {
+  const Scene& scene;
+  const PeriodicRequest& request;
+  const StopRequest& stop;
+  const Progress& progress;
+  State initial;  ///< meshes and probes
+  HeatCycles heat_cycles;
+  PeriodicState& result;
+};
+
+/// A cycle of a scene, in a folder of that name unless it is empty; false where it failed.
+bool cycle_of(Search& search, const Scene& scene, const std::string& folder, CycleRun& run) {
+  const std::string directory = folder.empty() ? "" : search.request.directory + '/' + folder;
+  run = run_cycle(scene, search.result.cycle, directory, search.stop);
+  search.result.stopped = run.stopped;
+  search.result.failure = run.failure;
+  return run.failure.empty();
+}
+
+std::string largest_text(const Scene& scene, const std::vector<double>& values) {
+  const auto largest = std::max_element(values.begin(), values.end());
+  return fmt::format("{:.3g} K ({})", *largest, scene.tools[static_cast<std::size_t>(largest - values.begin())].name);
+}
+
+/// The state that heat-only cycles with the heat of a forming run from `temperatures` settle to.
+std::optional<Eigen::VectorXd> settle(Search& search, const Eigen::VectorXd& temperatures) {
+  auto& result = search.result;
+  CycleRun run;
+  const bool is_first = result.search.empty();
+  const Scene scene = is_first ? search.scene : with_tools_at(search.scene, search.initial, temperatures);
+  if (!cycle_of(search, scene, is_first ? "first_gob" : "", run)) return std::nullopt;
+  auto next = search.heat_cycles.learn(run)
+                  ? search.heat_cycles.settled(run.end, heat_only_share * search.request.tolerance)
+                  : std::nullopt;
+  if (!next) {
+    result.failure = "the tools alone do not settle with the heat of this run";
+    return next;
+  }
+  result.search.push_back(
+      {surface_changes(search.initial, run.end - run.start), surface_changes(search.initial, *next - run.start)});
+  search.progress(fmt::format("forming run {}: tool surfaces change by {} in the cycle, {} to go", result.search.size(),
+                              largest_text(search.scene, result.search.back().change),
+                              largest_text(search.scene, result.search.back().distance)));
+  if (is_first) result.first = std::move(run);
+  return next;
+}
+
+double largest(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+/// How far the last state that heat-only cycles settled to may be from the periodic one, K: its distances to those
+/// before fall as a geometric series. No less than the cycle itself changed a surface.
+double unsettled(const std::vector<SearchRun>& search) {
+  const double change = largest(search.back().change), distance = largest(search.back().distance);
+  if (search.size() == 1) return std::max(change, distance);
+  const double ratio = distance / largest(search[search.size() - 2].distance);
+  return std::max(change, ratio < 0.5 ? distance * ratio / (1 - ratio) : distance);
+}
+
+/// A folder that other cases can take the temperatures of the tools from.
+void write_tools(const Search& search, const Eigen::VectorXd& temperatures) {
+  Checkpoint checkpoint{{search.initial, {}}, {}};
+  set_tool_temperatures(temperatures, checkpoint.outcome.state);
+  const std::string directory = search.request.directory + "/tools";
+  std::filesystem::create_directories(directory);
+  write_checkpoint(directory, search.scene, checkpoint);
+}
+
+/// The case with its tools as in the folder that write_tools has made.
+Scene settled_case(const Search& search) {
+  const std::string folder = std::filesystem::absolute(search.request.directory + "/tools").string();
+  std::vector<std::string> overrides = search.scene.overrides;
+  for (const Tool& tool : search.scene.tools)
+    overrides.push_back(fmt::format("tool.{}.temperature={{ from = \"{}\" }}", tool.name, folder));
+  Scene scene = read_scene(search.scene.file, search.scene.accuracy_name, overrides);
+  // Sizes of first meshes depend on this mean; the tools keep their meshes throughout the search.
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    scene.tools[t].initial_temperature = search.scene.tools[t].initial_temperature;
+  return scene;
+}
+
+/// Two plain cycles, the first as a case of its own with result files.
+void confirm(Search& search, const Eigen::VectorXd& settled) {
+  auto& result = search.result;
+  Eigen::VectorXd temperatures = settled;
+  for (int k = 0; k < 2; ++k) {
+    CycleRun run;
+    const Scene scene = k == 0 ? settled_case(search) : with_tools_at(search.scene, search.initial, temperatures);
+    if (!cycle_of(search, scene, k == 0 ? "settled" : "", run)) return;
+    result.confirmed.push_back(surface_change(search.initial, run.end - run.start));
+    search.progress(fmt::format("plain cycle {}: tool surfaces change by {}", k + 1,
+                                largest_text(search.scene, surface_changes(search.initial, run.end - run.start))));
+    temperatures = run.end;
+    if (k == 0) result.settled = std::move(run);
+  }
+}
+
+/// Heat-only cycles from the start of the case until they are as close to the settled state as was asked for.
+void start_up(Search& search, const Eigen::VectorXd& settled) {
+  constexpr int most = 1000;
+  auto& cycles = search.result.start_up;
+  std::vector<ToolSurface> surfaces;
+  for (const ToolState& tool : search.initial.tools) surfaces.emplace_back(tool.mesh, search.scene.geometry);
+  State state = tools_of(search.initial);
+  std::optional<Eigen::VectorXd> now = search.result.first.start;
+  while (now && static_cast<int>(cycles.size()) < most) {
+    set_tool_temperatures(*now, state);
+    StartUpCycle cycle{{}, surface_change(state, *now - settled)};
+    for (std::size_t t = 0; t < state.tools.size(); ++t)
+      cycle.mean.push_back(
+          surfaces[t].temperatures(state.tools[t], std::numeric_limits<double>::infinity()).surface_mean);
+    cycles.push_back(std::move(cycle));
+    if (cycles.back().distance <= search.request.tolerance) return;
+    now = search.heat_cycles.next(*now);
+  }
+}
+
+}  // namespace
+
+bool PeriodicState::is_confirmed(double tolerance) const {
+  return confirmed.size() == 2 && largest(confirmed) <= tolerance;
+}
+
+PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
+                                  const StopRequest& stop, const Progress& progress) {
+  const State initial = initial_state(scene);
+  PeriodicState result;
+  result.cycle = cycle;
+  Search search{scene, request, stop, progress, initial, HeatCycles(scene, cycle, initial), result};
+  const FixedPointOptions options{request.tolerance, anderson_depth, request.max_runs,
+                                  [&](const Eigen::VectorXd&) { return unsettled(result.search); }};
+  const auto found = find_fixed_point(
+      tool_temperatures(initial), [&](const Eigen::VectorXd& x) { return settle(search, x); }, options);
+  if (!result.failure.empty()) return result;
+  result.found = found.converged;
+  if (!found.converged) {
+    result.failure = fmt::format("after {} forming runs the tool surfaces are settled to {:.3g} K only",
+                                 found.evaluations, found.change);
+    return result;
+  }
+  write_tools(search, found.value);
+  start_up(search, found.value);
+  confirm(search, found.value);
+  return result;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,55 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forming/study/production/cycle_run.hpp"
+
+namespace parison::forming {
+
+/// What is asked of a search for the periodic state of production.
+struct PeriodicRequest {
+  double tolerance = 0.5;  ///< of any tool-surface temperature, K: its change in a cycle, its distance
+  int max_runs = 12;       ///< forming runs of the search
+  std::string directory;   ///< new folder: the first gob, the settled container and the state of the tools
+};
+
+/// A forming run of the search.
+struct SearchRun {
+  std::vector<double> change;    ///< of the surface of each tool over this cycle, K
+  std::vector<double> distance;  ///< to the state that heat-only cycles with the heat of this run settle to, K
+};
+
+/// A cycle of the start of production, by heat-only cycles.
+struct StartUpCycle {
+  std::vector<double> mean;  ///< temperature of the surface of each tool at the gob, K
+  double distance;           ///< largest of any tool surface to the settled state, K
+};
+
+/// Production of one container after another with the same tools.
+struct PeriodicState {
+  MachineCycle cycle;
+  std::string failure;  ///< why the search or a run did not end well; empty where all did
+  bool stopped = false;
+  bool found = false;
+  std::vector<SearchRun> search;  ///< the first is that of the first gob
+  CycleRun first, settled;        ///< cycles from the temperatures of the case and from the state found
+  std::vector<double> confirmed;  ///< change of any tool surface in each of two plain cycles from the state found, K
+  std::vector<StartUpCycle> start_up;
+
+  bool is_confirmed(double tolerance) const;
+};
+
+/// Told after each forming run, in words.
+using Progress = std::function<void(const std::string&)>;
+
+/// Looks for tool temperatures that a machine cycle gives back. Between forming runs heat-only cycles (HeatCycles) go
+/// on to where they settle; that map is iterated with Anderson's acceleration until a cycle changes no tool surface by
+/// more than the tolerance and none is further from the periodic state, as the falling distances say. Two plain cycles
+/// from there confirm it.
+PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
+                                  const StopRequest& stop, const Progress& progress);
+
+}  // namespace parison::forming

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/commands/study/cycle.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "core/case/case_error.hpp"
+#include "core/case/units.hpp"
+#include "forming/scene/accuracy.hpp"
+#include "forming/study/comparison/comparison.hpp"
+#include "forming/study/production/cycle_files.hpp"
+#include "tools/program/exit_codes.hpp"
+#include "tools/program/stop_request.hpp"
+
+namespace parison::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using forming::PeriodicState;
+
+/// A positive quantity of the command line.
+double positive(const std::string& option, const std::string& text, const core::Dimension& dimension,
+                const char* example) {
+  const auto parsed = core::parse_quantity(text, dimension);
+  if (!parsed.problem.empty()) throw core::CaseError(fmt::format("{}: {}", option, parsed.problem));
+  if (parsed.value <= 0)
+    throw core::CaseError(
+        fmt::format("{}: \"{}\" was found, allowed are values above zero such as \"{}\"", option, text, example));
+  return parsed.value;
+}
+
+std::string new_folder(const CycleRequest& request, const forming::Scene& scene) {
+  const std::string folder = request.output.empty() ? "results/cycle_" + scene.name : request.output;
+  std::error_code error;
+  if (fs::exists(folder, error) && (!fs::is_directory(folder, error) || !fs::is_empty(folder, error)))
+    throw core::CaseError(fmt::format("{}: it exists and is not empty, allowed is a new folder", folder));
+  return folder;
+}
+
+/// The container of the first gob beside that of settled production.
+void print_containers(const std::string& folder) {
+  const auto comparison = forming::compare_folders(folder + "/first_gob", {folder + "/settled"});
+  fmt::print("{}", forming::comparison_tables(comparison));
+  forming::write_comparison(comparison, folder);
+}
+
+void print_result(const forming::Scene& scene, const forming::PeriodicRequest& asked, const PeriodicState& state) {
+  fmt::print("{}", forming::periodic_table(scene, state));
+  fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; production reaches it {} cycles after ",
+             state.search.size(), state.start_up.size() - 1);
+  fmt::print("its start\n");
+  print_containers(asked.directory);
+  const std::string from = fs::absolute(asked.directory + "/tools").string();
+  fmt::print("\n  results in {}; a case starts from these tools by temperature = {{ from = \"{}\" }}\n",
+             asked.directory, from);
+}
+
+}  // namespace
+
+int cycle(const CycleRequest& request) {
+  catch_signals();
+  if (forming::read_accuracy(request.accuracy).target)
+    throw core::CaseError(fmt::format(
+        "--accuracy: {} was found, allowed are draft, standard, fine, coarser or finer ones", request.accuracy));
+  std::optional<double> seconds;
+  if (!request.cycle_time.empty())
+    seconds = positive("--cycle-time", request.cycle_time, core::dimension::time, "12 s");
+  const forming::Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
+  forming::PeriodicRequest asked;
+  asked.tolerance = positive("--tolerance", request.tolerance, core::dimension::temperature_difference, "0.5 K");
+  asked.max_runs = request.max_runs;
+  const forming::MachineCycle machine = forming::machine_cycle(scene, seconds);
+  asked.directory = new_folder(request, scene);
+  fmt::print("{} at {} accuracy: a machine cycle of {:.4g} s\n", scene.name, scene.accuracy_name, machine.seconds);
+  std::fflush(stdout);
+  const PeriodicState state =
+      forming::find_periodic_state(scene, machine, asked, stop_requested, [](const std::string& text) {
+        fmt::print("  {}\n", text);
+        std::fflush(stdout);
+      });
+  forming::write_periodic_state(scene, asked, state);
+  if (!state.failure.empty()) {
+    fmt::print(stderr, "parison: {}\n", state.failure);
+    return run_failed;
+  }
+  print_result(scene, asked, state);
+  if (state.is_confirmed(asked.tolerance)) return 0;
+  fmt::print(stderr, "parison: two plain cycles from the state found change a tool surface by more than {:g} K\n",
+             asked.tolerance);
+  return run_failed;
+}
+
+}  // namespace parison::tools

@@ -1,0 +1,19 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+namespace parison::tools {
+
+/// What `parison cycle` is asked for.
+struct CycleRequest {
+  std::string case_path, accuracy = "standard", output, cycle_time, tolerance = "0.5 K";
+  std::vector<std::string> overrides;
+  int max_runs = 12;
+};
+
+/// Looks for the tool temperatures of settled production and prints what the container becomes there. Returns the exit
+/// code.
+int cycle(const CycleRequest& request);
+
+}  // namespace parison::tools
