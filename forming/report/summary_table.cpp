@@ -171,7 +171,8 @@ std::string summary_table(const Scene& scene, const State& state, const Summary&
 }
 
 std::string verdict_line(const Summary& summary) {
-  return line("verdict", verdict_sentence(summary.run.checks));
+  return line("verdict", (summary.run.completed ? "" : "stopped before its end; until then ") +
+                             verdict_sentence(summary.run.checks));
 }
 
 }  // namespace parison::forming

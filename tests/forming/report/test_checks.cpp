@@ -10,6 +10,7 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "forming/report/checks/checks.hpp"
+#include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/run/run.hpp"
 
@@ -27,6 +28,16 @@ TEST(Checks, a_number_is_inside_beyond_or_far_beyond_and_no_number_is_the_worst)
   EXPECT_EQ(some_check(std::numeric_limits<double>::quiet_NaN()).verdict(), Verdict::not_trustworthy);
   EXPECT_FALSE(trustworthy({some_check(0), some_check(0.2)}));
   EXPECT_TRUE(trustworthy({some_check(0), some_check(0.02)}));
+}
+
+TEST(Checks, the_verdict_of_a_run_that_stopped_early_says_so) {
+  Summary summary{};
+  summary.run.checks = {some_check(0)};
+  summary.run.completed = true;
+  EXPECT_EQ(verdict_line(summary), "  verdict               all 1 checks inside their limits\n");
+  summary.run.completed = false;
+  EXPECT_EQ(verdict_line(summary),
+            "  verdict               stopped before its end; until then all 1 checks inside their limits\n");
 }
 
 TEST(Checks, the_verdict_counts_or_names_them_and_a_complaint_has_number_limit_and_advice) {
