@@ -129,7 +129,7 @@ bool ActiveSetIteration::advance() {
   if (!constrain_nodes())
     return fail(
         "the glass is not constrained: no tool, symmetry plane or fixed boundary supports it (free fall is not "
-        "computed; the glass must touch a tool)");
+        "computed; a tool must hold the glass against gravity and pressure)");
   if (!solve_linearised()) return fail("the flow matrix is singular: the glass is not constrained");
   balance_driven_tools();
   const bool steady = linearise_viscosity();

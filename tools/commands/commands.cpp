@@ -52,7 +52,8 @@ void add_run(CLI::App& app, Command& chosen) {
   auto* command = add_command(app, "run", "run a case", chosen, request, run);
   add_case_options(*command, *request);
   command->add_option("--output", request->output, "new folder for the results [results/NAME]");
-  command->add_flag("--keep-going", request->keep_going, "exit code 0 also where the results are not trustworthy");
+  command->add_flag("--keep-going", request->keep_going,
+                    "exit code 0 also where a check is far beyond its limit: results not trustworthy");
   command->add_flag("-v,--verbose", request->verbose, "first say all that `parison check` says");
   command->add_flag("--error-bars", request->error_bars, "estimate the error of each result by two coarser runs");
 }
@@ -68,7 +69,8 @@ void add_resume(CLI::App& app, Command& chosen) {
       ->add_option("--set", request->overrides, "KEY=VALUE as for run, in stages that are still to come or in output")
       ->take_all()
       ->allow_extra_args(false);
-  command->add_flag("--keep-going", request->keep_going, "exit code 0 also where the results are not trustworthy");
+  command->add_flag("--keep-going", request->keep_going,
+                    "exit code 0 also where a check is far beyond its limit: results not trustworthy");
   command->add_flag("--error-bars", request->error_bars, "as for run; also for a run that has completed");
 }
 
