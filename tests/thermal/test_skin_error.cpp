@@ -72,5 +72,31 @@ TEST(SkinError, a_fitting_cell_keeps_the_tolerance_and_is_not_refined_without_ne
   EXPECT_LE(std::abs(skin_error(side, 1e9, 1e-3)), 3e-3);
 }
 
+/// Highest temperature in a slab of glass a time after it met air, less that of the start, of the drop at the surface.
+double overshoot(double cell, double h, double time) {
+  const Material material{density, core::constant(heat_capacity), core::constant(conductivity), {}};
+  const core::Mesh mesh = rectangle({0, cell, 2 * cell}, divide(0, 40 * cell, 40));
+  Problem problem{core::Geometry::planar, {body(mesh, material)}, {}, {}};
+  problem.bodies[0].exchange.assign(4, std::nullopt);
+  problem.bodies[0].exchange[bottom] = SurfaceExchange{h, air};
+  StepOptions options;
+  options.tolerance = 1e-2;
+  StepMatrix matrix;
+  const StepOutcome outcome =
+      advance(problem, 0, {Eigen::VectorXd::Constant(mesh.node_count(), start)}, time, options, matrix);
+  EXPECT_TRUE(outcome.converged) << outcome.reason;
+  const Eigen::VectorXd& temperature = outcome.temperature[0];
+  return (temperature.maxCoeff() - start) / (start - temperature.minCoeff());
+}
+
+TEST(SkinError, glass_behind_the_skin_is_too_hot_only_until_the_skin_is_a_third_of_the_first_cell) {
+  const double diffusivity = conductivity / (density * heat_capacity), cell = 0.7e-3;
+  for (const double fourier : {0.001, 0.01, 0.03, 0.1, 0.3, 1.0}) {
+    const double time = fourier * cell * cell / diffusivity, found = overshoot(cell, 2e4, time);
+    std::printf("Fo %g, %.3f s: %.2f %% of the drop at the surface\n", fourier, time, 100 * found);
+    EXPECT_LT(found, fourier < 0.1 ? 0.4 : 0.01);
+  }
+}
+
 }  // namespace
 }  // namespace parison::thermal::test
