@@ -87,7 +87,8 @@ std::string as_sentence(std::string text) {
 void refuse(const CaseNode& at, const std::string& message) {
   const std::string place = at.line > 0 ? fmt::format("{}:{}", at.file, at.line) : at.file;
   throw CaseError(at.key.empty() ? fmt::format("{}: {}", place, as_sentence(message))
-                                 : fmt::format("{}: {}: {}", place, as_sentence(at.key), as_sentence(message)));
+                                 : fmt::format("{}: {}: {}", place, as_sentence(at.key), as_sentence(message)),
+                  at.file, static_cast<int>(at.line), at.key);
 }
 
 CaseTable::CaseTable(const CaseNode& node, std::vector<std::string> keys) : node_(&node), keys_(std::move(keys)) {

@@ -9,4 +9,12 @@ void use_one_blas_thread() {
   openblas_set_num_threads(1);
 }
 
+OneBlasThread::OneBlasThread() : before_(openblas_get_num_threads()) {
+  openblas_set_num_threads(1);
+}
+
+OneBlasThread::~OneBlasThread() {
+  openblas_set_num_threads(before_);
+}
+
 }  // namespace parison::tools
