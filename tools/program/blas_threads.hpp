@@ -6,16 +6,14 @@ namespace parison::tools {
 /// Keeps the linear algebra to one thread: at these sizes a second gains nothing and changes round-off from run to run.
 void use_one_blas_thread();
 
-/// The same while it lives; then the number that was before comes back.
+/// The same while one of these lives, in any thread of the program; after the last the number that was before comes
+/// back.
 class OneBlasThread {
  public:
   OneBlasThread();
   ~OneBlasThread();
   OneBlasThread(const OneBlasThread&) = delete;
   OneBlasThread& operator=(const OneBlasThread&) = delete;
-
- private:
-  int before_;
 };
 
 }  // namespace parison::tools

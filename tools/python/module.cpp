@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "core/case/case_error.hpp"
@@ -115,7 +116,9 @@ class Callback : public forming::RunObserver {
     const py::gil_scoped_acquire python;
     try {
       const py::object answer = function_(Snapshot{scene_, std::make_shared<State>(run.state)});
-      stop_ = py::isinstance<py::bool_>(answer) && answer.cast<bool>();
+      const int truth = PyObject_IsTrue(answer.ptr());  // also of numpy's own True
+      if (truth < 0) throw py::error_already_set();
+      stop_ = truth == 1;
     } catch (py::error_already_set& error) {
       raised_ = std::make_unique<py::error_already_set>(error);
       stop_ = true;
@@ -223,6 +226,9 @@ void define_errors(py::module_&) {
       PyErr_SetObject(type.ptr(), type(error.what(), error.file, error.line, error.key).ptr());
     } catch (const core::RunError& error) {
       const py::object type = py::module_::import("parison.errors").attr("RunError");
+      PyErr_SetObject(type.ptr(), type(error.what()).ptr());
+    } catch (const std::system_error& error) {  // of std::filesystem
+      const py::object type = py::module_::import("parison.errors").attr("Error");
       PyErr_SetObject(type.ptr(), type(error.what()).ptr());
     }
   });

@@ -1,4 +1,4 @@
-from typing import Callable, Optional
+from typing import Any, Callable, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -19,7 +19,7 @@ class Body:
     def boundary(self) -> list[tuple[int, int, int, str]]:
         """Edges: first, last and middle node, and the name of the boundary."""
     @property
-    def fields(self) -> dict[str, npt.NDArray]:
+    def fields(self) -> dict[str, npt.NDArray[Any]]:
         """(nodes,) or (nodes, 2) by name; `units` has their units."""
     @property
     def units(self) -> dict[str, str]: ...
@@ -57,4 +57,4 @@ class Scene:
     def first_stage_failure(self) -> str: ...
 
 def read(path: str, accuracy: str, overrides: list[str]) -> Scene: ...
-def run(scene: Scene, directory: str, callback: Optional[Callable[[State], Optional[bool]]], resume: bool) -> tuple[State, dict]: ...
+def run(scene: Scene, directory: str, callback: Optional[Callable[[State], Any]], resume: bool) -> tuple[State, dict[str, Any]]: ...

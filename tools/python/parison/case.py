@@ -3,16 +3,20 @@
 import numbers
 import os
 import tempfile
+import tomllib
 from pathlib import Path
+from typing import Any, Callable, Mapping, Optional, Union
 
 from . import _core
 from .errors import CaseError, RunError
 from .result import Result
 
+StepCallback = Callable[[_core.State], Any]
+PathLike = Union[str, "os.PathLike[str]"]
 PACKAGE = Path(__file__).absolute().parent  # not where a link of a build folder leads
 
 
-def bundled_cases():
+def bundled_cases() -> dict[str, Path]:
     """Folder of the cases that come with Parison, by name: {"jar": Path(...), ...}; empty where none is found."""
     for folder in PACKAGE.parents:
         cases = folder / "share/parison/cases"
@@ -21,7 +25,7 @@ def bundled_cases():
     return {}
 
 
-def _place_of(given):
+def _place_of(given: str) -> str:
     """A path as it is; a bare name that is no path is a bundled case."""
     if os.path.exists(given) or os.path.dirname(given) or str(given).endswith(".toml"):
         return str(given)
@@ -32,7 +36,7 @@ def _place_of(given):
                     f" ({', '.join(known) or 'none was found'})", file=str(given))
 
 
-def _as_toml(value):
+def _as_toml(value: Any) -> str:
     """A value as `--set` takes it after the sign of equality."""
     if isinstance(value, bool):
         return "true" if value else "false"
@@ -53,21 +57,21 @@ class Case:
     checks everything: a mistake raises CaseError with `file`, `line` and `key`.
     """
 
-    def __init__(self, source, accuracy="standard", changes=None):
+    def __init__(self, source: PathLike, accuracy: str = "standard", changes: Optional[Mapping[str, Any]] = None) -> None:
         self._path = _place_of(os.fspath(source))
         self._accuracy = accuracy
-        self._changes = {}
-        self._scene = None
+        self._changes: dict[str, str] = {}
+        self._scene: Optional[_core.Scene] = None
         for key, value in (changes or {}).items():
             self._changes[key] = _as_toml(value)
         self._read()
 
-    def _read(self):
+    def _read(self) -> _core.Scene:
         if self._scene is None:
             self._scene = _core.read(self._path, self._accuracy, [f"{k}={v}" for k, v in self._changes.items()])
         return self._scene
 
-    def __setitem__(self, key, value):
+    def __setitem__(self, key: str, value: Any) -> None:
         """Changes the value of a key or of a named dimension; one that the case refuses leaves it as it was."""
         before = dict(self._changes), self._scene
         self._changes[key], self._scene = _as_toml(value), None
@@ -77,53 +81,75 @@ class Case:
             self._changes, self._scene = before
             raise
 
+    def __getitem__(self, key: str) -> Any:
+        """The value of a key: the change made to it, as text, or what the case file has. KeyError where neither says it."""
+        if key in self._changes:
+            return self._changes[key]
+        path = Path(self._path)
+        found: Any = tomllib.loads((path / "case.toml" if path.is_dir() else path).read_text(encoding="utf-8"))
+        for word in key.split("."):
+            if isinstance(found, list) and word.isdecimal():
+                found = found[int(word)] if int(word) < len(found) else None
+            elif isinstance(found, list):
+                found = next((table for table in found if isinstance(table, dict) and table.get("name") == word), None)
+            else:
+                found = found.get(word) if isinstance(found, dict) else None
+            if found is None:
+                raise KeyError(key)
+        return found
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (os.path.abspath(self._path), self._accuracy, dict(self._changes))
+
     @property
-    def name(self):
+    def name(self) -> str:
         """Name of the case."""
         return self._read().name
 
     @property
-    def accuracy(self):
+    def accuracy(self) -> str:
         """The accuracy it is read at."""
         return self._accuracy
 
     @property
-    def changes(self):
+    def changes(self) -> dict[str, str]:
         """The changes made so far, by key, as text."""
         return dict(self._changes)
 
-    def at(self, accuracy):
+    def at(self, accuracy: str) -> "Case":
         """The same case with the same changes at another accuracy."""
         other = Case.__new__(Case)
         other._path, other._accuracy, other._changes, other._scene = self._path, accuracy, dict(self._changes), None
         other._read()
         return other
 
-    def check(self):
+    def check(self) -> str:
         """What `parison check` says of the case, a text. Raises RunError where its first stage cannot begin."""
         reason = self._read().first_stage_failure()
         if reason:
             raise RunError(f"{self.name}: the first stage cannot begin: {reason}")
         return self._read().describe()
 
-    def run(self, output=None, callback=None):
+    def run(self, output: Optional[PathLike] = None, callback: Optional[StepCallback] = None) -> Result:
         """Runs the case and returns its Result.
 
         `output`: a new or empty folder for the results; None for one that is removed with the Result. `callback(state)` is
-        called after each step with the State; where it returns True the run stops there. What it raises stops the run
+        called after each step with the State; where it returns a true value the run stops there. What it raises stops the run
         too and is raised here, and so is an interrupt from the keyboard; the results so far stay in `output`. A run that
         cannot continue raises RunError with the reason, with its Result as `result`.
         """
         return self._run(output, callback, resume=False)
 
-    def resume(self, output, callback=None):
+    def resume(self, output: PathLike, callback: Optional[StepCallback] = None) -> Result:
         """Continues a run in its folder from the last checkpoint, as if it had never stopped."""
         return self._run(output, callback, resume=True)
 
-    def _run(self, output, callback, resume):
+    def _run(self, output: Optional[PathLike], callback: Optional[StepCallback], resume: bool) -> Result:
+        if callback is not None and not callable(callback):
+            raise TypeError(f"callback: a {type(callback).__name__} was found, allowed is a function of the State")
         scene = self._read()
         kept = tempfile.TemporaryDirectory(prefix="parison-") if output is None else None
-        folder = os.path.join(kept.name, "run") if kept else os.fspath(output)
+        folder = os.path.join(kept.name, "run") if kept else os.fspath(output or "")
         state, facts = _core.run(scene, folder, callback, resume)
         result = Result(folder, state=state, kept=kept)
         if facts["completed"] or facts["stopped"]:

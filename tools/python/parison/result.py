@@ -3,18 +3,25 @@
 import json
 import os
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 
+from . import _core
 from .errors import Error
 
+if TYPE_CHECKING:
+    from tempfile import TemporaryDirectory
 
-def _table(path):
+    import pandas
+
+
+def _table(path: Path) -> dict[str, Any]:
     """Columns of a CSV file by their headings; those that hold text as lists."""
     with open(path, encoding="utf-8") as file:
         headings = file.readline().rstrip("\n").split(",")
         rows = [line.rstrip("\n").split(",") for line in file if line.strip()]
-    columns = {}
+    columns: dict[str, Any] = {}
     for place, heading in enumerate(headings):
         words = [row[place] for row in rows]
         try:
@@ -24,10 +31,10 @@ def _table(path):
     return columns
 
 
-class Table(dict):
+class Table(dict[str, Any]):
     """Columns by their headings, which carry the units: numpy arrays, lists where they hold text."""
 
-    def frame(self):
+    def frame(self) -> "pandas.DataFrame":
         """The same as a pandas DataFrame; raises ImportError without pandas."""
         import pandas
 
@@ -37,43 +44,56 @@ class Table(dict):
 class Result:
     """Results of a run in a folder.
 
-    `state` is the state at the end where the run was made in this process, else None.
+    `state` is the state at the end where the run was made in this process, else None. To other processes a Result goes as
+    its folder.
     """
 
-    def __init__(self, folder, state=None, kept=None):
+    def __init__(self, folder: "Union[str, os.PathLike[str]]", state: Optional[_core.State] = None,
+                 kept: "Optional[TemporaryDirectory[str]]" = None) -> None:
         self.folder = Path(os.fspath(folder))
         self.state = state
         self._kept = kept  # a temporary folder, which goes with this object
-        self._read = {}
+        self._read: dict[str, Any] = {}
         if not (self.folder / "summary.json").is_file():
             raise Error(f"{self.folder}: no summary.json was found, allowed is a result folder of a run that has ended")
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Result('{self.folder}', {self.verdict})"
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self.is_temporary:
+            raise Error("results in a temporary folder cannot go to another process; allowed are those of a run with `output`")
+        return type(self), (str(self.folder.resolve()),)
+
     @property
-    def summary(self):
+    def is_temporary(self) -> bool:
+        """Whether the folder goes with this object."""
+        return self._kept is not None
+
+    @property
+    def summary(self) -> dict[str, Any]:
         """summary.json as a dictionary; tools/README.md says what each key means."""
         if "summary" not in self._read:
             self._read["summary"] = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
-        return self._read["summary"]
+        found: dict[str, Any] = self._read["summary"]
+        return found
 
     @property
-    def completed(self):
+    def completed(self) -> bool:
         """Whether the run came to its end."""
-        return self.summary["completed"]
+        return bool(self.summary["completed"])
 
     @property
-    def verdict(self):
+    def verdict(self) -> str:
         """What the checks of the run say together, a sentence."""
-        return self.summary["verdict"]
+        return str(self.summary["verdict"])
 
     @property
-    def quantities(self):
+    def quantities(self) -> dict[str, float]:
         """Numbers by the names of `parison compare`: {"thickness_min_mm": 1.44, ...}."""
         return {name: quantity["value"] for name, quantity in self.summary["quantities"].items()}
 
-    def table(self, name):
+    def table(self, name: str) -> Table:
         """A CSV file of the folder by its name without ending: "history", "thickness", "contour", "heights", "tools" or
         "interface". Returns a Table; raises Error where the run wrote none."""
         if name not in self._read:
@@ -82,14 +102,15 @@ class Result:
                 there = ", ".join(sorted(p.stem for p in self.folder.glob("*.csv")))
                 raise Error(f"{path}: no such table, the folder has {there}")
             self._read[name] = Table(_table(path))
-        return self._read[name]
+        found: Table = self._read[name]
+        return found
 
     @property
-    def history(self):
+    def history(self) -> Table:
         """history.csv: time, stage, step, volume, heats, forces, positions at each step."""
         return self.table("history")
 
     @property
-    def wall(self):
+    def wall(self) -> Table:
         """thickness.csv: the wall's thickness against height and arc."""
         return self.table("thickness")
