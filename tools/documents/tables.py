@@ -28,7 +28,7 @@ def percent(key, count=2):
     return f"{digits(benchmark(key), count)} %"
 
 
-# --- README.md, tools/README.md -----------------------------------------------------------------------------------------
+# --- README.md, READMEs of tools -----------------------------------------------------------------------------------------
 
 def speed():
     reference = store.read(store.REFERENCES, "tools/bench --update-references")["jar"]
