@@ -221,14 +221,11 @@ const std::vector<CaseNode>& entries(const CaseNode& table) {
   return table.items;
 }
 
-void refuse_choice(const CaseNode& node, const std::vector<std::string>& allowed) {
-  refuse(node, fmt::format("\"{}\" was found{}, allowed {}", node.text, did_you_mean(node.text, allowed),
-                           allowed.empty() ? "is nothing here" : fmt::format("are {}", fmt::join(allowed, ", "))));
-}
-
 int choice(const CaseNode& node, const std::vector<std::string>& allowed) {
   const auto at = std::find(allowed.begin(), allowed.end(), text(node));
-  if (at == allowed.end()) refuse_choice(node, allowed);
+  if (at == allowed.end())
+    refuse(node, fmt::format("\"{}\" was found{}, allowed {}", node.text, did_you_mean(node.text, allowed),
+                             allowed.empty() ? "is nothing here" : fmt::format("are {}", fmt::join(allowed, ", "))));
   return static_cast<int>(at - allowed.begin());
 }
 

@@ -91,8 +91,6 @@ const std::vector<CaseNode>& list(const CaseNode& node);
 const std::vector<CaseNode>& entries(const CaseNode& table);
 /// Index of a text among the allowed ones.
 int choice(const CaseNode& node, const std::vector<std::string>& allowed);
-/// Refuses a text that is none of the allowed ones, with the nearest of them.
-[[noreturn]] void refuse_choice(const CaseNode& node, const std::vector<std::string>& allowed);
 /// A constant, or pairs [["20 degC", "850 J/kg/K"], ...] with rising first members.
 Table quantity_table(const CaseNode& node, const Dimension& x, const Dimension& y);
 /// A constant, or pairs [["0 s", "50 degC"], ...] with rising times.
@@ -102,8 +100,7 @@ TimeFunction not_negative_over_time(const CaseNode& node, const Dimension& dimen
 /// The same with every value above zero.
 TimeFunction positive_over_time(const CaseNode& node, const Dimension& dimension);
 
-/// The candidate with the smallest edit distance from a word, or one that is a whole part of it as `flint` is of
-/// `flint_glass`; empty when none is near.
+/// The candidate with the smallest edit distance from a word, empty when none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 /// The same as part of a sentence: ` (did you mean "tools"?)`.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);

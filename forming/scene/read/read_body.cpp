@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -130,10 +130,13 @@ std::vector<std::string> fitting_names(const BodyContext& context, bool flows) {
 }
 
 const NamedMaterial& find_material(const CaseNode& node, const BodyContext& context, bool flows) {
+  const std::string name = core::text(node);
   const auto found = std::find_if(context.materials.begin(), context.materials.end(),
-                                  [&](const auto& material) { return material.name == core::text(node); });
-  if (found == context.materials.end()) core::refuse_choice(node, fitting_names(context, flows));
-  return *found;
+                                  [&](const auto& material) { return material.name == name; });
+  if (found != context.materials.end()) return *found;
+  const auto names = fitting_names(context, flows);
+  core::refuse(node, fmt::format("\"{}\" was found{}, allowed are {}", name, core::did_you_mean(name, names),
+                                 fmt::join(names, ", ")));
 }
 
 flow::Friction read_friction(const CaseNode& node) {
