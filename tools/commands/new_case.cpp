@@ -50,10 +50,12 @@ std::size_t after_line(const std::string& text, std::size_t from, const std::str
   return at == text.npos ? text.npos : at + end.size() + 2;
 }
 
-/// Takes away the comments with figures, which hold for the dimensions of the old case alone.
-void drop_old_figures(std::string& text) {
+/// Takes away the comments with figures, which hold for the dimensions of the old case alone; whether there were some.
+bool drop_old_figures(std::string& text) {
   static const std::regex line(R"(\n[ \t]*#[^"\n]*[0-9][^"\n]*(?=\n))"), end(R"([ \t]*#[^"\n]*[0-9][^"\n]*(?=\n))");
+  const auto before = text.size();
   text = std::regex_replace(std::regex_replace(text, line, ""), end, "");
+  return text.size() < before;
 }
 
 /// Gives a capsule by its mass; the line that it put in place of the outline, empty where it did not.
@@ -81,7 +83,7 @@ int new_case(const NewRequest& request) {
   while (!text.empty() && text.front() == '#') text.erase(0, text.find('\n') + 1);
   const std::string old = fmt::format("case = \"{}\"", scene.name);
   if (const auto at = text.find(old); at != text.npos) text.replace(at, old.size(), fmt::format("case = \"{}\"", name));
-  drop_old_figures(text);
+  const bool had_figures = drop_old_figures(text);
   const std::string gob = give_gob_by_mass(scene, text);
   const std::string head = fmt::format(
       "# {0}: begun like the bundled case {1}. Change the paths of the tools, the mass of the gob and the times.\n"
@@ -99,7 +101,7 @@ int new_case(const NewRequest& request) {
   fmt::print("{}\n", (folder / "case.toml").string());
   if (!gob.empty())
     fmt::print("  the outline of the glass was replaced by the same capsule given by its mass:\n  {}", gob);
-  fmt::print("  all else is that of {}; its comments with figures were left out\n", scene.name);
+  if (had_figures) fmt::print("  comments with figures of {} were left out\n", scene.name);
   return 0;
 }
 
