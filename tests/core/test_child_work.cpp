@@ -73,9 +73,9 @@ TEST(ChildWork, a_child_that_waits_or_computes_without_end_is_ended) {
 }
 
 TEST(ChildWork, what_the_program_does_at_a_crash_of_its_own_is_not_done_in_the_child) {
-  const auto before = std::signal(SIGSEGV, [](int) { ::_exit(0); });
+  const auto before = ::signal(SIGSEGV, [](int) { ::_exit(0); });
   EXPECT_EQ(death_of(crash), "it was ended by \"Segmentation fault\"");
-  std::signal(SIGSEGV, before);
+  ::signal(SIGSEGV, before);
 }
 
 TEST(ChildWork, a_child_that_takes_too_much_memory_is_told_so) {
