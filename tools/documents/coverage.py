@@ -18,7 +18,7 @@ def files(report):
     """Lines and those that ran, by the path of each file in the repository."""
     found = {}
     for file in json.loads(Path(report).read_text())["data"][0]["files"]:
-        path, lines = Path(file["filename"]), file["summary"]["lines"]
+        path, lines = Path(file["filename"]).resolve(), file["summary"]["lines"]
         if path.is_relative_to(store.ROOT):
             found[path.relative_to(store.ROOT)] = (lines["count"], lines["covered"])
     return found
