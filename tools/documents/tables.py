@@ -80,6 +80,12 @@ def sweep_costs():
     return table(["what", "wanted", "measured"], [[line["what"], line["wanted"], line["measured"]] for line in found])
 
 
+def coverage():
+    rows = [[f"`{row['module']}`", str(row["lines"]), f"{100 * row['ran'] / row['lines']:.1f} %"]
+            for row in store.read(store.COVERAGE, "tools/coverage --save")]
+    return table(["module", "lines", "ran in the fast suite"], rows)
+
+
 def preset_orders():
     found = store.read(store.BARS, "tests/error_bars --store")["presets"]
     rows = [[line["scene"]] + [f"{digits(100 * error)} %" for error in line["errors"]] + [digits(line["order"])] for line in found]
@@ -274,5 +280,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, parts, model, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, coverage, parts, model, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, sagging, shell, bands)}
