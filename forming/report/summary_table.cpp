@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forming/report/cavity_report.hpp"
+#include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/summary.hpp"
@@ -171,8 +172,7 @@ std::string summary_table(const Scene& scene, const State& state, const Summary&
 }
 
 std::string verdict_line(const Summary& summary) {
-  return line("verdict", (summary.run.completed ? "" : "stopped before its end; until then ") +
-                             verdict_sentence(summary.run.checks));
+  return line("verdict", verdict_of_run(summary.run.checks, summary.run.completed));
 }
 
 }  // namespace parison::forming
