@@ -52,13 +52,13 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
 std::string tool_lines(const Summary& summary) {
   if (summary.tools.empty()) return {};
   const bool light = summary.tools.front().radiated.has_value();
-  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>12}{}\n", "tool", "heat, kJ", "max, degC", "at, mm",
+  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>16}{}\n", "tool", "heat, kJ", "max, degC", "moved in z, mm",
                                  light ? "   as light, kJ" : "");
   for (const ToolSummary& tool : summary.tools) {
     const std::string max_temperature =
         std::isnan(tool.max_surface_temperature) ? "-" : fmt::format("{:.0f}", celsius(tool.max_surface_temperature));
     const std::string as_light = tool.radiated ? fmt::format("{:>15.2f}", 1e-3 * *tool.radiated) : "";
-    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>12.2f}{}\n", tool.name, 1e-3 * tool.heat_received, max_temperature,
+    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>16.2f}{}\n", tool.name, 1e-3 * tool.heat_received, max_temperature,
                         1e3 * tool.position, as_light);
   }
   return text;
