@@ -166,7 +166,7 @@ void draw_wall(const UncertaintyResult& result, Page& page) {
   for (int i = 0; i <= 4; ++i) {
     const double at = 0.25 * i * frame.highest;
     page.svg += segment(frame.x(0), frame.y(at), frame.x(1), frame.y(at), "stroke=\"#e4e4e4\"");
-    page.svg += text_at(frame.x(0) - 8, frame.y(at) + 4, "end", fmt::format("{:.2g}", at));
+    page.svg += text_at(frame.x(0) - 8, frame.y(at) + 4, "end", fmt::format("{:.3g}", at));
   }
   for (int i = 0; i <= 10; i += 2)
     page.svg += text_at(frame.x(0.1 * i), frame.y(0) + 16, "middle", fmt::format("{:.1f}", 0.1 * i));
