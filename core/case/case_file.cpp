@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "core/case/arithmetic/expression.hpp"
+#include "core/case/tolerance.hpp"
 
 namespace parison::core {
 namespace {
@@ -17,7 +18,8 @@ namespace {
 std::string found(const CaseNode& node) {
   switch (node.kind) {
     case CaseNode::Kind::text:
-      return fmt::format("the text \"{}\"", node.text);
+      return node.given.empty() ? fmt::format("the text \"{}\"", node.text)
+                                : fmt::format("the tolerance \"{}\"", node.given);
     case CaseNode::Kind::number:
       return fmt::format("the number {}", node.number);
     case CaseNode::Kind::flag:
@@ -137,12 +139,21 @@ std::vector<const CaseNode*> CaseTable::tables(const std::string& key) const {
 }
 
 double text_quantity(const CaseNode& node, std::string_view text, const Dimension& dimension, std::string_view unit) {
+  refuse_tolerance_of_formula(node);
   const auto simple = parse_quantity(unit.empty() ? std::string(text) : fmt::format("{} {}", text, unit), dimension);
   if (simple.problem.empty()) return simple.value;
   const auto formula = parse_formula_as(text, dimension, node.known ? *node.known : NamedQuantities{}, unit);
   if (formula.problem.empty()) return formula.value;
   const bool is_formula = node.known || text.find_first_of("+*(") != text.npos;
   refuse(node, is_formula ? formula.problem : simple.problem);
+}
+
+void refuse_tolerance_of_formula(const CaseNode& node) {
+  if (find_tolerance(node.text) != std::string::npos)
+    refuse(node,
+           fmt::format("\"{}\" has a tolerance, allowed is one behind a single number, such as \"460 +- 10 degC\"; "
+                       "in a formula or a path, name the quantity in [dimension] and give that the tolerance",
+                       node.text));
 }
 
 double quantity(const CaseNode& node, const Dimension& dimension) {
@@ -191,6 +202,7 @@ bool flag(const CaseNode& node) {
 
 const std::string& text(const CaseNode& node) {
   require_kind(node, CaseNode::Kind::text, "a text in quotes");
+  if (!node.given.empty()) refuse(node, fmt::format("{} was found, allowed are tolerances of quantities", found(node)));
   if (node.text.empty()) refuse(node, "an empty text was found, allowed is a name");
   return node.text;
 }

@@ -23,6 +23,7 @@ struct CaseNode {
   std::string key;   ///< with the keys that lead to it, "glass.mesh.size"
   std::string name;  ///< the last of them
   std::string text;
+  std::string given;  ///< the text with the tolerance that was taken out of it; empty without one
   double number = 0;
   bool flag = false;
   std::vector<CaseNode> items;                   ///< of a list in its order, of a table by name
@@ -75,6 +76,8 @@ double quantity(const CaseNode& node, const Dimension& dimension);
 /// `unit` where there is one.
 double text_quantity(const CaseNode& node, std::string_view text, const Dimension& dimension,
                      std::string_view unit = "");
+/// Refuses a text with a tolerance behind more than a number.
+void refuse_tolerance_of_formula(const CaseNode& node);
 /// A quantity above zero.
 double positive(const CaseNode& node, const Dimension& dimension);
 /// A quantity not below zero.

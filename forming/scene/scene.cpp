@@ -136,12 +136,14 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   auto library = add_library_materials(file);  // before the overrides, which may change their values
   for (const auto& assignment : overrides) core::override_value(file, assignment);
   for (auto& name : add_library_materials(file)) library.push_back(std::move(name));
+  auto tolerances = core::take_tolerances(file);
   const auto dimensions = core::read_dimensions(file);
   auto timing = read_timing(file, dimensions);
   const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "inner_air",
                                    "trapped_air", "stage", "timing", "probe", "output", "numerics", "dimension"});
   Scene scene;
   scene.dimensions = dimensions;
+  scene.tolerances = std::move(tolerances);
   scene.timing = std::move(timing);
   scene.name = core::identifier(root.get("case"));
   scene.directory = file.directory;

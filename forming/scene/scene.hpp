@@ -12,6 +12,7 @@
 #include "contact/conductance/conductance.hpp"
 #include "core/case/arithmetic/named_dimensions.hpp"
 #include "core/case/table.hpp"
+#include "core/case/tolerance.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/profile.hpp"
 #include "forming/flow/material.hpp"
@@ -227,7 +228,8 @@ struct Scene {
   std::string file, directory;    ///< the case file and its folder
   std::uint64_t fingerprint = 0;  ///< of the case file's text, the overrides and all outlines
   std::vector<core::NamedDimension> dimensions;
-  std::vector<std::string> overrides;  ///< values that replace those of the case file, "path=value"
+  std::vector<core::Tolerance> tolerances;  ///< of its values, in the order of the keys
+  std::vector<std::string> overrides;       ///< values that replace those of the case file, "path=value"
   core::Geometry geometry;
   Glass glass;
   std::vector<Tool> tools;

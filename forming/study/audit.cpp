@@ -20,17 +20,6 @@ namespace {
 constexpr const char* noise_group = "noise";
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// An assignment that changes what cannot matter, in the sense given.
-std::string harmless_change(const Scene& scene, int sense) {
-  constexpr double warmer = 1e-3;  // K
-  for (const Tool& tool : scene.tools)
-    if (tool.thermal && !tool.start_field)
-      return fmt::format("tool.{}.temperature={:.9g} K", tool.name, tool.initial_temperature + sense * warmer);
-  if (scene.has_heat() && !scene.glass.start_field)
-    return fmt::format("glass.temperature={:.9g} K", scene.glass.initial_temperature + sense * warmer);
-  return fmt::format("numerics.initial_step={:.9g} s", (1 + 1e-3 * sense) * scene.accuracy.initial_step);
-}
-
 /// The surface of the glass, without symmetry planes, as polylines with the nodes as corners.
 std::vector<std::vector<Point>> surface_of(const core::Mesh& mesh) {
   std::vector<std::vector<Point>> lines;
@@ -90,6 +79,16 @@ void find_most_changed(const AuditRun& run, const AuditRun& base, AuditChange& c
 }
 
 }  // namespace
+
+std::string harmless_change(const Scene& scene, int thousandths) {
+  constexpr double warmer = 1e-3;  // K
+  for (const Tool& tool : scene.tools)
+    if (tool.thermal && !tool.start_field)
+      return fmt::format("tool.{}.temperature={:.9g} K", tool.name, tool.initial_temperature + thousandths * warmer);
+  if (scene.has_heat() && !scene.glass.start_field)
+    return fmt::format("glass.temperature={:.9g} K", scene.glass.initial_temperature + thousandths * warmer);
+  return fmt::format("numerics.initial_step={:.9g} s", (1 + 1e-3 * thousandths) * scene.accuracy.initial_step);
+}
 
 std::vector<Variant> audit_variants(const Scene& scene) {
   std::vector<Variant> variants{

@@ -29,9 +29,12 @@ struct AuditChange {
   double most_change = 0;    ///< that share
 };
 
-/// The runs of an audit at an accuracy: the case as it is, the same with a tool (the glass, where no tool carries heat)
-/// 0.001 K warmer and colder, or with its first step a thousandth longer and shorter where there is no heat, and a
-/// variant for each part of the model.
+/// An assignment that changes what cannot matter: a tool (the glass, where no tool carries heat) by so many thousandths
+/// of a kelvin, or its first step by so many thousandths where there is no heat.
+std::string harmless_change(const Scene& scene, int thousandths);
+
+/// The runs of an audit at an accuracy: the case as it is, the same with a harmless change of one thousandth up and
+/// down, and a variant for each part of the model.
 std::vector<Variant> audit_variants(const Scene& scene);
 /// Whether a variant changes what cannot matter, so that it shows the noise.
 bool is_noise(const Variant& variant);

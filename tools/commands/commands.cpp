@@ -23,6 +23,7 @@
 #include "tools/report/watch.hpp"
 #include "tools/sweep/sweep.hpp"
 #include "tools/tradeoff/tradeoff.hpp"
+#include "tools/uncertainty/uncertainty.hpp"
 
 namespace parison::tools {
 namespace {
@@ -218,6 +219,26 @@ void add_sweep(CLI::App& app, Command& chosen) {
   command->add_flag("--list", request->list, "read and check all runs, print them and run none");
 }
 
+void add_uncertainty(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<UncertaintyRequest>();
+  auto* command =
+      add_command(app, "uncertainty", "run a case with values drawn from its tolerances: bars, Sobol indices", chosen,
+                  request, uncertainty);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("--accuracy", request->accuracy, "draft, standard or fine")->capture_default_str();
+  command->add_option("--set", request->overrides, "KEY=VALUE, also with a tolerance; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--runs", request->runs, "with drawn values [eight a tolerance, 32 at least]")
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--seed", request->seed, "of the drawn values")->capture_default_str();
+  command->add_option("--output", request->output,
+                      "folder of the runs; those already there are used [results/uncertainty_NAME]");
+  command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--list", request->list, "read and check all runs, print them and run none");
+}
+
 void add_fit_law(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<FitLawRequest>();
   auto* command =
@@ -293,6 +314,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_compare(app, chosen);
   add_what_if(app, chosen);
   add_sweep(app, chosen);
+  add_uncertainty(app, chosen);
   add_fit_law(app, chosen);
   add_export(app, chosen);
   add_report(app, chosen);

@@ -65,7 +65,8 @@ class Entries {
                          "belong to it up to the next heading",
                          entry.kind == CaseNode::Kind::table ? "table" : "list"));
     if (entry.kind == CaseNode::Kind::number) return {quantity(entry, dimension::none), {}};
-    const auto parsed = parse_formula(text(entry), known_);
+    refuse_tolerance_of_formula(entry);
+    const auto parsed = parse_formula(entry.given.empty() ? text(entry) : entry.text, known_);
     if (!parsed.problem.empty()) refuse(entry, parsed.problem);
     return parsed.measure;
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/case/case_file.hpp"
+#include "core/case/tolerance.hpp"
 
 namespace parison::forming {
 namespace {
@@ -86,9 +87,11 @@ void add_differences(const CaseNode& before, const CaseNode& now, const std::str
   if (!same) found.push_back({path, shown(before), shown(now)});
 }
 
+/// A case without its tolerances, which no run uses.
 CaseFile case_with(const std::string& path, const std::vector<std::string>& overrides) {
   CaseFile file = core::read_case_file(path);
   for (const std::string& assignment : overrides) core::override_value(file, assignment);
+  core::take_tolerances(file);
   return file;
 }
 

@@ -206,6 +206,8 @@ std::string describe_scene(const Scene& scene) {
   for (const auto& assignment : scene.overrides) head += fmt::format("  {:<20}{}\n", "override", assignment);
   for (const auto& dimension : scene.dimensions)
     head += fmt::format("  {:<20}{} = {}\n", "dimension", dimension.name, dimension.given);
+  for (const auto& tolerance : scene.tolerances)
+    head += fmt::format("  {:<20}{} = {}\n", "tolerance", tolerance.key, tolerance.given);
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
          number_lines(numbers, scene.geometry) + friction_lines(scene, numbers) + describe_container(scene) +
