@@ -13,6 +13,7 @@
 #include "forming/remeshing/mesh_smoothing.hpp"
 #include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_criteria.hpp"
+#include "forming/remeshing/surface_transfer.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
@@ -131,6 +132,8 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
     if constexpr (std::is_same_v<std::decay_t<decltype(values)>, std::vector<Index>>) {
       if (field.transfer == TransferRule::nearest_contact) values = contact;
     } else {
+      if (field.transfer == TransferRule::along_surface && values.size() > 0)
+        values = carry_along_surface(old, state.glass.*field.values, mesh);
       const bool in_contact = field.transfer == TransferRule::interpolate_in_contact;
       if (values.size() == 0 || (field.transfer != TransferRule::interpolate && !in_contact)) return;
       values = interpolate_components(old, transfer, state.glass.*field.values, field.components);
