@@ -40,7 +40,7 @@ Eigen::Vector3d usable_normal(const Section& section, const Hit& hit, const Ray&
 Optics optics_of(const Material& material) {
   const double everything = std::numeric_limits<double>::infinity();
   if (!material.radiation) return {1.5, {}};
-  if (is_rosseland(material))
+  if (material.radiation->bands.empty())
     return {material.radiation->refractive_index, {{everything, material.radiation->absorption}}};
   return {material.radiation->refractive_index, material.radiation->bands};
 }

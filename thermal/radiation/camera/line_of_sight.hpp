@@ -20,7 +20,7 @@ struct Optics {
   double refractive_index;
   std::vector<Band> bands;
 };
-/// Of a material: its bands, or with Rosseland's model its mean absorption at all wavelengths; without radiation it is
+/// Of a material: its bands where it has any, else the mean absorption at all wavelengths; without radiation it is
 /// opaque with the index 1.5.
 Optics optics_of(const Material& material);
 
