@@ -24,7 +24,7 @@ namespace {
 const std::string gap_law = R"(law = "gap"
 touch_gap = "0.25 um"
 open_gap = "40 um"
-opening_time = "0.2 s"
+opening_time = "0.25 s"
 closing = 1
 accommodation = 0.9
 )";
@@ -211,7 +211,7 @@ TEST(GapContact, is_of_second_order_in_time_where_pressure_and_softness_close_th
   };
   for (int i = 0; i < 2; ++i)
     std::printf("orders: heat %.2f, opening %.2f\n", order(&End::heat, i), order(&End::opening, i));
-  EXPECT_LT(end[3].opening, 0.9 * 39.75e-6 * (1 - std::exp(-0.32 / 0.2))) << "pressure has not closed the gap";
+  EXPECT_LT(end[3].opening, 0.9 * 39.75e-6 * (1 - std::exp(-0.32 / 0.25))) << "pressure has not closed the gap";
   tests::expect_at_least("order in time of contact by the gap: opening", order(&End::opening, 1), 1.8);
   tests::expect_at_least("order in time of contact by the gap: heat into the tools", order(&End::heat, 1), 1.8);
 }
