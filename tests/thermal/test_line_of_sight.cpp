@@ -109,7 +109,8 @@ struct Tube {
 
 TEST(LineOfSight, crosses_both_walls_of_a_tube) {
   const double absorption = 60;
-  const auto view = Tube().view({1.0, {{everything, absorption}}}, 1200);
+  const Tube tube;
+  const auto view = tube.view({1.0, {{everything, absorption}}}, 1200);
   tests::Figure error("camera: both walls of a tube without refraction against the exact chord, relative");
   for (const double beside : {0.0, 0.007, 0.0193, 0.022, 0.0245}) {
     const auto half = [&](double r) { return std::sqrt(std::max(0.0, r * r - beside * beside)); };
@@ -122,7 +123,8 @@ TEST(LineOfSight, crosses_both_walls_of_a_tube) {
 }
 
 TEST(LineOfSight, refraction_and_reflection_keep_an_isothermal_enclosure_black) {
-  const auto view = Tube().view({1.518, {{everything, 60}}}, cold);
+  const Tube tube;
+  const auto view = tube.view({1.518, {{everything, 60}}}, cold);
   for (const double beside : {0.0, 0.01, 0.0195, 0.021, 0.0249})
     for (const double z : {0.01, 0.05})
       EXPECT_NEAR(view.radiance(Tube::line(beside, z)) / black(cold), 1, 1e-12) << beside;

@@ -68,7 +68,7 @@ struct Raster {
   std::size_t columns, rows;
 
   thermal::Ray line(std::size_t column, std::size_t row, double away) const {
-    return {{away, (column + 0.5) * pixel, low + row * pixel}, {-1, 0, 0}};
+    return {{away, (static_cast<double>(column) + 0.5) * pixel, low + static_cast<double>(row) * pixel}, {-1, 0, 0}};
   }
 };
 
@@ -113,7 +113,7 @@ std::string profile_text(const std::vector<InfraredImage>& images, const LineOfS
   const double away = 10 * raster.pixel * static_cast<double>(raster.columns + raster.rows);
   for (std::size_t row = 0; row < raster.rows; ++row) {
     const double surface = view.surface_temperature(raster.line(0, row, away)) - zero_celsius;
-    text += fmt::format("{:.4g},{:.6g}", images[0].low + images[0].pixel * row, surface);
+    text += fmt::format("{:.4g},{:.6g}", images[0].low + images[0].pixel * static_cast<double>(row), surface);
     for (const InfraredImage& image : images) text += fmt::format(",{:.6g}", image.rows[row][0]);
     text += "\n";
   }

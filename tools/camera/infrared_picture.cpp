@@ -21,11 +21,12 @@ constexpr int shades = 64;
 std::string colour(int shade) {
   constexpr std::array<std::array<double, 3>, 5> stops{
       {{12, 8, 38}, {110, 22, 95}, {205, 62, 58}, {248, 158, 42}, {252, 250, 210}}};
-  const double at = (stops.size() - 1) * double(shade) / (shades - 1);
+  const double at = (static_cast<double>(stops.size()) - 1) * shade / (shades - 1);
   const auto first = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   std::array<int, 3> rgb{};
   for (int i = 0; i < 3; ++i)
-    rgb[i] = static_cast<int>(std::lround(stops[first][i] + (at - first) * (stops[first + 1][i] - stops[first][i])));
+    rgb[i] = static_cast<int>(
+        std::lround(stops[first][i] + (at - static_cast<double>(first)) * (stops[first + 1][i] - stops[first][i])));
   return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
@@ -63,8 +64,8 @@ std::string row_of(const std::vector<double>& row, const Span& span, double axis
     std::size_t end = i + 1;
     while (end < row.size() && shade_at(end) == shade_at(i)) ++end;
     if (const int shade = shade_at(i); shade >= 0)
-      for (const double from : {axis + size * i, axis - size * end})
-        text += rectangle(from, y, size * (end - i) + 0.05, size + 0.05, colour(shade));
+      for (const double from : {axis + size * static_cast<double>(i), axis - size * static_cast<double>(end)})
+        text += rectangle(from, y, size * static_cast<double>(end - i) + 0.05, size + 0.05, colour(shade));
     i = end;
   }
   return text;

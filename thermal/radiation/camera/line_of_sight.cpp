@@ -13,7 +13,7 @@ namespace parison::thermal {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double least_share = 2e-3;  ///< of a beam that is still followed; what is left sees what it left
+constexpr double least_share = 1e-4;  ///< of a beam that is still followed; what is left sees what it left
 constexpr int most_surfaces = 24;     ///< that a beam meets
 constexpr int intervals = 24;         ///< of a path through the glass, shortest at its ends, where the skins are
 

@@ -25,7 +25,8 @@ struct Optics {
 Optics optics_of(const Material& material);
 
 /// Glass as a camera sees it. Lines of sight are followed backwards: refracted and reflected at each surface by Snell
-/// and Fresnel, with the emission of the glass along the way and that of black surroundings where they leave.
+/// and Fresnel, with the emission of the glass along the way and that of black surroundings where they leave. The mesh
+/// has to live as long.
 class LineOfSight {
  public:
   LineOfSight(const core::Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& temperature, const Optics& optics,
