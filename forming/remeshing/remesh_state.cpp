@@ -247,7 +247,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   for_each_glass_field([&](const auto& field) {
     auto& values = next.glass.*field.values;
     if (field.stage_start == StageStart::reset) std::fill(values.begin(), values.end(), field.at_rest());
-    if (field.stage_start == StageStart::reset_without_tool)
+    if (field.stage_start == StageStart::reset_without_tool && values.size() > 0)
       for (const Index n : left) values[n] = field.at_rest();
   });
   next.glass.active_contacts = {};
