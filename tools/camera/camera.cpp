@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
@@ -134,8 +135,8 @@ void tell(const InfraredImage& image) {
 
 int camera(const CameraRequest& request) {
   const auto bands = bands_of(request);
-  const double time = request.time.empty() ? std::numeric_limits<double>::max() / 4
-                                           : read("--time", request.time, core::dimension::time);
+  std::optional<double> time;
+  if (!request.time.empty()) time = read("--time", request.time, core::dimension::time);
   const double pixel = read("--pixel", request.pixel, core::dimension::length);
   const SceneOfRun of = read_scene_of(request.results);
   if (!of.scene) throw core::CaseError(of.problem);

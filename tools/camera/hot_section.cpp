@@ -43,15 +43,16 @@ core::Mesh mesh_of(const VtuFile& file, std::vector<std::size_t>& node) {
 
 }  // namespace
 
-HotSection read_hot_section(const std::string& folder, double time) {
+HotSection read_hot_section(const std::string& folder, std::optional<double> time) {
   const auto entries = read_pvd(folder + "/glass.pvd");
   if (entries.empty())
     throw core::CaseError(
         fmt::format("{}: no glass.pvd with outputs was found, allowed is the folder of a run", folder));
+  const double wanted = time.value_or(entries.back().time);
   const auto nearest = std::min_element(entries.begin(), entries.end(), [&](const PvdEntry& a, const PvdEntry& b) {
-    return std::abs(a.time - time) < std::abs(b.time - time);
+    return std::abs(a.time - wanted) < std::abs(b.time - wanted);
   });
-  const VtuFile file = read_vtu(folder + "/" + nearest->path);
+  const VtuFile file = read_vtu(nearest->path);
   const auto field = file.nodal.find("temperature_degC");
   if (field == file.nodal.end())
     throw core::CaseError(
