@@ -102,7 +102,8 @@ std::string infrared_picture(const std::vector<InfraredImage>& images, const std
   }
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+      "font-family=\"sans-serif\" shape-rendering=\"crispEdges\">\n<rect width=\"100%\" height=\"100%\" "
+      "fill=\"white\"/>\n"
       "<text x=\"{2:.0f}\" y=\"28\" font-size=\"16\">{3}</text>\n{4}</svg>\n",
       x, height + margin, margin, caption, text);
 }
