@@ -13,7 +13,7 @@ struct Surface {
 };
 
 /// Each surface is one patch, in as many edges.
-inline std::vector<ViewEdge> view_edges(const std::vector<Surface>& surfaces, core::Geometry geometry, int count = 40) {
+inline std::vector<ViewEdge> view_edges(const std::vector<Surface>& surfaces, core::Geometry geometry, int count = 1) {
   std::vector<ViewEdge> edges;
   for (std::size_t p = 0; p < surfaces.size(); ++p)
     for (int i = 0; i < count; ++i) {

@@ -114,6 +114,7 @@ Views closed(Views views, const Eigen::ArrayXd& area) {
   for (Eigen::Index i = 0; i < area.size(); ++i)
     for (Eigen::Index j = 0; j < area.size(); ++j) views.between(i, j) *= std::min(share[i], share[j]);
   views.open.array() *= share;
+  views.between = (0.5 * (views.between + views.between.transpose())).eval();  // to the last bit
   views.between.diagonal().array() += area - views.between.rowwise().sum().array() - views.open.array();
   return views;
 }
