@@ -10,15 +10,15 @@ struct ControlledRun {
   double factor;           ///< edges and steps, in units of those of the draft preset
   double cpu_seconds = 0;  ///< of the run
   bool completed = true;   ///< whether it came to its end
-  double difference = std::numeric_limits<double>::quiet_NaN();  ///< from the run before, a share; NaN for none
-  double estimate = std::numeric_limits<double>::infinity();     ///< error of this run, a share
+  double estimate = std::numeric_limits<double>::infinity();  ///< error of this run, a share
+  bool confirmed = false;  ///< whether enough runs take part in the estimate to rest on it
 };
 
 /// How an accuracy that was asked for was reached, or was not.
 struct AccuracyRecord {
   double target;  ///< share of the wall in the mean and of the heat into the tools
   std::vector<ControlledRun> runs;
-  bool reached() const { return !runs.empty() && runs.back().completed && runs.back().estimate <= target; }
+  bool reached() const { return !runs.empty() && runs.back().confirmed && runs.back().estimate <= target; }
 };
 
 }  // namespace parison::forming

@@ -16,8 +16,9 @@ double difference_of_runs(const Quantities& run, const Quantities& reference);
 
 /// Finds how fine a scene has to be run for an error that is asked for, by runs of the scene itself: from the
 /// difference of two of them follows the error of the finer one (L. F. Richardson, Phil. Trans. R. Soc. A 210 (1911)
-/// 307-357), from that the edges and steps of the next. The order is 1.6 between two runs, and among three the one that
-/// they show, from 1 to 2.5.
+/// 307-357), from that the edges and steps of the next. The larger of the estimates by the two runs before counts, and
+/// at least three runs are made. The order is 1.6 between two runs, and among three the one that they show, from 1.2
+/// to 1.6.
 class AccuracyControl {
  public:
   explicit AccuracyControl(double target);
@@ -34,13 +35,13 @@ class AccuracyControl {
   std::vector<CoarserRun> coarser() const;
 
  private:
+  /// Error of the last completed run, a share.
+  double estimate(double order) const;
   double order() const;
 
   AccuracyRecord record_;
   double factor_;
-  std::optional<Quantities> last_, partner_;
   std::vector<CoarserRun> completed_;  ///< factors in units of draft
-  double last_factor_ = 0, partner_factor_ = 0, before_factor_ = 0, before_difference_ = 0;
 };
 
 }  // namespace parison::forming

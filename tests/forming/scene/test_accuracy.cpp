@@ -302,7 +302,18 @@ TEST(AccuracyControl, reaches_what_is_asked_for_whatever_the_error_of_the_scene)
       }
   EXPECT_GE(reached, 0.9 * double(costs.size()));
   std::sort(costs.begin(), costs.end());
-  EXPECT_LT(costs[costs.size() / 2], 3.5);
+  EXPECT_LT(costs[costs.size() / 2], 5);
+}
+
+TEST(AccuracyControl, two_runs_that_agree_by_chance_are_not_enough) {
+  AccuracyControl control(0.01);
+  const double first = control.factor();
+  control.add(off_by(0.05, 1, 1), 1);
+  control.add(off_by(0.05, 1, 1), 1);
+  EXPECT_FALSE(control.record().reached());
+  ASSERT_FALSE(control.finished());
+  control.add(off_by(0.05, 1, control.factor() / first), 1);
+  EXPECT_FALSE(control.record().reached()) << "the third is far from both";
 }
 
 TEST(AccuracyControl, refines_after_a_run_that_stopped_and_gives_up_after_seven) {
