@@ -62,7 +62,10 @@ void add_enclosure(const HeatSystem& system, double time, const Eigen::VectorXd&
   const Eigen::ArrayXd emitted =
       patch_means(enclosure, [&](std::size_t i) { return emission(value_at(enclosure.points[i], temperature)); });
   const Eigen::ArrayXd absorbed = grey_absorbed(enclosure, emitted, surroundings_of(enclosure, time, emission));
+  const Eigen::VectorXd before = flows.to_air;
   add_excess(enclosure, system, absorbed, flows, power);
+  for (const Light& light : system.light)
+    flows.light_to_air[light.body] += flows.to_air[light.body] - before[light.body];
 }
 
 Eigen::ArrayXd linearise_enclosure(const HeatSystem& system, const Eigen::VectorXd& temperature) {
