@@ -21,15 +21,6 @@ VERIFICATION = ROOT / "tests/figures.json"
 PERFECT = '"1e9 W/m2/K"'
 
 # Runs whose figures a README quotes: a name, the accuracy, and what replaces the case's own values.
-# Flint as its bands of 30 and 450 1/m (a size, not a measurement) say, on tools of oxidised iron.
-BANDS = '[{up_to="2.75 um",absorption="30 1/m"},{up_to="4.3 um",absorption="450 1/m"}]'
-LIGHT = [f"material.flint.radiation.bands={BANDS}", "material.grey_iron.emissivity=0.8", "material.H13.emissivity=0.8"]
-OF_RADIATION = {
-    "light_none": ("draft", ["material.flint.radiation.model=none"]),
-    "light_p1": ("draft", [*LIGHT, "material.flint.radiation.model=p1"]),
-    "light_transfer": ("draft", [*LIGHT, "material.flint.radiation.model=transfer"]),
-    "light_enclosure": ("draft", [*LIGHT, "material.flint.radiation.model=transfer", "enclosure=true"]),
-}
 RUNS = {
     "jar": {
         "draft": ("draft", []),
@@ -39,10 +30,9 @@ RUNS = {
         "dwell_8kN": ("draft", ["stage.dwell.motion.plunger.force=8 kN"]),
         "perfect": ("standard", [f"interface.0.h0={PERFECT}", f"interface.0.h1={PERFECT}"]),
         "mould_perfect": ("standard", [f"interface.blow_mould.h0={PERFECT}", f"interface.blow_mould.h1={PERFECT}"]),
-        **OF_RADIATION,
     },
-    "bottle": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", []), **OF_RADIATION},
-    "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", []), **OF_RADIATION},
+    "bottle": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
+    "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
     "nnpb": {"draft": ("draft", []), "standard": ("standard", [])},
     "flute": {"draft": ("draft", []), "standard": ("standard", [])},
     "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.2 s", "dimension.reheat=1.8 s", "dimension.run=0.5 s"])},
@@ -53,7 +43,7 @@ RUNS = {
 KEPT = ("accuracy", "overrides", "time_s", "cpu_seconds", "steps", "remeshes", "timing", "volume_drift", "max_volume_drift",
         "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "max_reynolds", "outer_within_0.2mm_of_tools",
         "temperature_overshoot_K", "remeshing", "glass", "tools", "thickness", "quantities")
-OF_STAGE_END = ("glass_mean_degC", "heat_to_tools_J", "heat_to_air_J", "skin_mean_degC")
+OF_STAGE_END = ("glass_mean_degC", "heat_to_tools_J", "heat_to_air_J")
 
 
 class Missing(Exception):

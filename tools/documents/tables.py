@@ -235,29 +235,6 @@ def dwell(case):
     return table(["load in the dwell", "heat out of the glass by its end"], rows)
 
 
-MODELS = {"draft": "Rosseland (the case)", "light_none": "none: opaque glass", "light_p1": "P1 in bands", "light_transfer": "transfer",
-          "light_enclosure": "transfer, enclosure"}
-
-
-def radiation(*cases):
-    """What the model of the radiation changes, at draft: wall against the first model, heat of the tools, skins at the ends of stages."""
-    rows = []
-    for case in cases:
-        reference = store.run(case, "draft")["thickness_profile_mm"]
-        mean = sum(reference) / len(reference)
-        for name, label in MODELS.items():
-            run = store.run(case, name)
-            off = [abs(a - b) / mean for a, b in zip(run["thickness_profile_mm"], reference)]
-            wall = f"{digits(100 * sum(off) / len(off))} %, {digits(100 * max(off))} %" if name != "draft" else ""
-            kinds = ("heat_received_J", "heat_radiated_J", "heat_from_enclosure_J")
-            heat = [sum(tool.get(kind, 0) for tool in run["tools"].values()) for kind in kinds]
-            skins = ", ".join(f"{stage['name']} {stage['skin_mean_degC']:.0f}" for stage in run["stages"]
-                              if stage.get("skin_mean_degC") and stage["name"] in ("press", "dwell", "reheat"))
-            rows.append([case, label, wall] + [f"{1e-3 * each:.2f}" if each else "" for each in heat] + [skins, f"{run['cpu_seconds']:.1f}"])
-    return table(["case", "radiation", "wall against the first: mean, largest", "heat through the contact, kJ", "of it light",
-                  "to open surfaces of tools, kJ", "mean skin at the end of, degC", "CPU, s"], rows)
-
-
 def perfect(case):
     """Heat of each tool of the jar over that with perfect contact; the blow mould's alone perfect."""
     real = store.run(case, "standard")["tools"]
@@ -298,4 +275,4 @@ def shell(case, *names):
 
 
 BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, parts, model, bench, calculix, verification, expectations)}
-CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, perfect, press, laps, sagging, shell, bands)}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, sagging, shell, bands)}
