@@ -47,8 +47,9 @@ void add_excess(const Enclosure& enclosure, const HeatSystem& system, const Eige
     const double heat = point.area * absorbed[point.patch];
     flows.to_air[patch.body] -= heat;
     flows.from_enclosure[patch.body] += heat;
+    if (patch.body == but) continue;
     flows.exchanged[system.first_boundary[static_cast<std::size_t>(patch.body)] + patch.boundary] -= heat;
-    if (power && patch.body != but)
+    if (power)
       for (int i = 0; i < 3; ++i) (*power)[point.unknowns[i]] += point.shape[i] * heat;
   }
 }
