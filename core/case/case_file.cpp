@@ -53,6 +53,16 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+/// Whether one word is a part of the other between its signs, as `flint` is of `flint_glass`.
+bool is_part(const std::string& part, const std::string& word) {
+  const auto ends = [&](std::size_t at) {
+    return at >= word.size() || !std::isalnum(static_cast<unsigned char>(word[at]));
+  };
+  for (auto at = word.find(part); !part.empty() && at != word.npos; at = word.find(part, at + 1))
+    if ((at == 0 || ends(at - 1)) && ends(at + part.size())) return true;
+  return false;
+}
+
 }  // namespace
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
@@ -63,7 +73,10 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
       best = candidate;
       limit = apart - (apart > 0);
     }
-  return best;
+  if (!best.empty()) return best;
+  const auto related = [&](const auto& candidate) { return is_part(candidate, word) || is_part(word, candidate); };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), related);
+  return found == candidates.end() ? "" : *found;
 }
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {

@@ -42,10 +42,11 @@ void limit(decltype(RLIMIT_CORE) resource, std::size_t amount) {
 
 void confine(const ChildLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // What the program does at a crash of its own, such as asking the user or writing a report, is not for the child.
+  for (const int crash : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGXCPU}) ::signal(crash, SIG_DFL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<std::size_t>(limits.seconds));
-  constexpr std::size_t of_sanitizers = std::size_t{1} << 40;  // which reserve most of the address space
-  if (address_space() < of_sanitizers) limit(RLIMIT_AS, address_space() + limits.memory_bytes);
+  limit(RLIMIT_AS, address_space() + limits.memory_bytes);
   const int nothing = ::open("/dev/null", O_RDWR);
   for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, standard);
 }

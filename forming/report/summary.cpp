@@ -213,7 +213,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_cavities(json, scene, state);
   add_thickness(json, summary);
   add_flags(json, summary.flags);
-  add_checks(json, summary.run.checks);
+  add_checks(json, summary.run.checks, summary.run.completed);
   add_container(json, scene, state);
   if (bars) add_errors(json, *bars);
   if (bars && bars->control) add_control(json, *bars->control);

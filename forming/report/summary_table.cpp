@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forming/report/cavity_report.hpp"
+#include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/summary.hpp"
@@ -51,13 +52,13 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
 std::string tool_lines(const Summary& summary) {
   if (summary.tools.empty()) return {};
   const bool light = summary.tools.front().radiated.has_value();
-  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>12}{}\n", "tool", "heat, kJ", "max, degC", "at, mm",
+  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>16}{}\n", "tool", "heat, kJ", "max, degC", "moved in z, mm",
                                  light ? "   as light, kJ" : "");
   for (const ToolSummary& tool : summary.tools) {
     const std::string max_temperature =
         std::isnan(tool.max_surface_temperature) ? "-" : fmt::format("{:.0f}", celsius(tool.max_surface_temperature));
     const std::string as_light = tool.radiated ? fmt::format("{:>15.2f}", 1e-3 * *tool.radiated) : "";
-    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>12.2f}{}\n", tool.name, 1e-3 * tool.heat_received, max_temperature,
+    text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>16.2f}{}\n", tool.name, 1e-3 * tool.heat_received, max_temperature,
                         1e3 * tool.position, as_light);
   }
   return text;
@@ -171,8 +172,7 @@ std::string summary_table(const Scene& scene, const State& state, const Summary&
 }
 
 std::string verdict_line(const Summary& summary) {
-  return line("verdict", (summary.run.completed ? "" : "stopped before its end; until then ") +
-                             verdict_sentence(summary.run.checks));
+  return line("verdict", verdict_of_run(summary.run.checks, summary.run.completed));
 }
 
 }  // namespace parison::forming

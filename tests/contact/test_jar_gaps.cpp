@@ -39,13 +39,17 @@ Nearest brute_force(const std::vector<Point>& points, const Point& x) {
   return {(points[best] - x).norm(), best < 2 || best + 2 >= points.size()};
 }
 
-/// Random points within `off` of the contact boundaries.
+/// Random points within `off` of the contact boundaries, none beyond the axis; the same with every compiler.
 std::vector<Point> points_near(const std::vector<Point>& surface, int count, double off) {
   std::mt19937 random(11);
   std::uniform_int_distribution<std::size_t> place(0, surface.size() - 1);
   std::uniform_real_distribution<double> offset(-off, off);
   std::vector<Point> points;
-  for (int i = 0; i < count; ++i) points.push_back(surface[place(random)] + Point(offset(random), offset(random)));
+  while (static_cast<int>(points.size()) < count) {
+    const double z = offset(random), r = offset(random);
+    const Point x = surface[place(random)] + Point(r, z);
+    if (x[0] >= 0) points.push_back(x);
+  }
   return points;
 }
 

@@ -191,6 +191,13 @@ TEST(CaseFile, the_nearest_word_is_found_and_a_far_one_is_not) {
   EXPECT_EQ(nearest("colour", words), "");
 }
 
+TEST(CaseFile, a_word_with_a_known_one_as_a_whole_part_is_near_it) {
+  const std::vector<std::string> words = {"grey_iron", "flint", "float"};
+  EXPECT_EQ(nearest("flint_glass", words), "flint");
+  EXPECT_EQ(nearest("iron", words), "grey_iron");
+  EXPECT_EQ(nearest("flintstone_wall", words), "");
+}
+
 /// The words joined by dots.
 std::string dotted(int count) {
   std::string key = "a";

@@ -131,6 +131,21 @@ def solver(options):
     yield Figure("solver.solving", "  share of back-substitution", 100 * solving / whole, unit="%")
 
 
+def checks(options):
+    for accuracy in accuracies(options):
+        build("check_share")
+        log = new_path("check_share.log")
+        done = run([BUILD / "tools/benchmarks/programs/check_share", CASE, accuracy, new_path("run")], log)
+        last = log.read_text().split("\n")[-2].split()
+        if done.code or last[:1] != ["whole"]:
+            raise RuntimeError(f"check_share ended with {done.code}:\n" + log.read_text()[-800:])
+        spent = dict(zip(last[::2], map(float, last[1::2])))
+        whole = spent.pop("whole")
+        yield Figure(f"checks.{accuracy}", f"share of all checks in the jar's run at {accuracy}", 100 * sum(spent.values()) / whole, 2, unit="%")
+        for what, seconds in spent.items():
+            yield Figure(f"checks.{accuracy}.{what}", f"  share of {what}", 100 * seconds / whole, unit="%")
+
+
 def threads(options):
     if len(os.sched_getaffinity(0)) < 2:
         raise Skipped("one core only: OpenBLAS takes no second thread.")

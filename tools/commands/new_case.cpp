@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <regex>
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
@@ -49,15 +50,25 @@ std::size_t after_line(const std::string& text, std::size_t from, const std::str
   return at == text.npos ? text.npos : at + end.size() + 2;
 }
 
-void give_gob_by_mass(const forming::Scene& scene, std::string& text) {
+/// Takes away the comments with figures, which hold for the dimensions of the old case alone; whether there were some.
+bool drop_old_figures(std::string& text) {
+  static const std::regex line(R"(\n[ \t]*#[^"\n]*[0-9][^"\n]*(?=\n))"), end(R"([ \t]*#[^"\n]*[0-9][^"\n]*(?=\n))");
+  const auto before = text.size();
+  text = std::regex_replace(std::regex_replace(text, line, ""), end, "");
+  return text.size() < before;
+}
+
+/// Gives a capsule by its mass; the line that it put in place of the outline, empty where it did not.
+std::string give_gob_by_mass(const forming::Scene& scene, std::string& text) {
   const std::string gob = gob_line(scene);
   const auto glass = text.find("\n[glass]");
-  if (gob.empty() || glass == text.npos) return;
+  if (gob.empty() || glass == text.npos) return "";
   const auto next = text.find("\n[", glass + 1), boundary = text.find("\nboundary = [", glass);
   const auto end = after_line(text, boundary, "]");
-  if (boundary == text.npos || end == text.npos || next < boundary) return;  // the case has a gob itself
+  if (boundary == text.npos || end == text.npos || next < boundary) return "";  // the case has a gob itself
   text.replace(boundary + 1, end - boundary - 1, gob);
   text.replace(glass + 1, text.find('\n', glass + 1) - glass - 1, "[glass]");
+  return gob;
 }
 
 }  // namespace
@@ -72,7 +83,8 @@ int new_case(const NewRequest& request) {
   while (!text.empty() && text.front() == '#') text.erase(0, text.find('\n') + 1);
   const std::string old = fmt::format("case = \"{}\"", scene.name);
   if (const auto at = text.find(old); at != text.npos) text.replace(at, old.size(), fmt::format("case = \"{}\"", name));
-  give_gob_by_mass(scene, text);
+  const bool had_figures = drop_old_figures(text);
+  const std::string gob = give_gob_by_mass(scene, text);
   const std::string head = fmt::format(
       "# {0}: begun like the bundled case {1}. Change the paths of the tools, the mass of the gob and the times.\n"
       "#   parison check {2} --picture {0}.svg    draws it and says weight, capacity and where the plunger stops\n"
@@ -87,6 +99,9 @@ int new_case(const NewRequest& request) {
   core::replace_file((folder / "case.toml").string(), head + text);
   forming::read_scene(folder.string(), "draft");
   fmt::print("{}\n", (folder / "case.toml").string());
+  if (!gob.empty())
+    fmt::print("  the outline of the glass was replaced by the same capsule given by its mass:\n  {}", gob);
+  if (had_figures) fmt::print("  comments with figures of {} were left out\n", scene.name);
   return 0;
 }
 

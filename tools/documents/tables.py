@@ -28,7 +28,7 @@ def percent(key, count=2):
     return f"{digits(benchmark(key), count)} %"
 
 
-# --- README.md, tools/README.md -----------------------------------------------------------------------------------------
+# --- README.md, READMEs of tools -----------------------------------------------------------------------------------------
 
 def speed():
     reference = store.read(store.REFERENCES, "tools/bench --update-references")["jar"]
@@ -78,6 +78,12 @@ def difference_costs():
 def sweep_costs():
     found = store.read(store.SWEEP_COSTS, "tests/sweep_costs --store")
     return table(["what", "wanted", "measured"], [[line["what"], line["wanted"], line["measured"]] for line in found])
+
+
+def coverage():
+    rows = [[f"`{row['module']}`", str(row["lines"]), f"{100 * row['ran'] / row['lines']:.1f} %"]
+            for row in store.read(store.COVERAGE, "tools/coverage --save")]
+    return table(["module", "lines", "ran in the fast suite"], rows)
 
 
 def preset_orders():
@@ -274,5 +280,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, parts, model, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, coverage, parts, model, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, sagging, shell, bands)}

@@ -10,9 +10,13 @@ Checks checks(const Scene& scene, const State& state, const RunFacts& facts) {
   return all;
 }
 
-void add_checks(core::JsonWriter& json, const Checks& checks) {
+std::string verdict_of_run(const Checks& checks, bool completed) {
+  return (completed ? "" : "stopped before its end; until then ") + verdict_sentence(checks);
+}
+
+void add_checks(core::JsonWriter& json, const Checks& checks, bool completed) {
   json.add("trustworthy", trustworthy(checks));
-  json.add("verdict", verdict_sentence(checks));
+  json.add("verdict", verdict_of_run(checks, completed));
   json.open_list("checks");
   for (const Check& check : checks) {
     json.open_object("");

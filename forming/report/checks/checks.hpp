@@ -15,6 +15,8 @@ void add_heat_checks(const Scene& scene, const State& state, Checks& checks);
 void add_flow_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks);
 
 /// The list `checks` and the verdict as keys of summary.json.
-void add_checks(core::JsonWriter& json, const Checks& checks);
+void add_checks(core::JsonWriter& json, const Checks& checks, bool completed);
+/// What the checks say together, of a run that came to its end or did not.
+std::string verdict_of_run(const Checks& checks, bool completed);
 
 }  // namespace parison::forming

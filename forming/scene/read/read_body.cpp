@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -118,12 +118,25 @@ void read_shape(const CaseTable& table, const BodyContext& context, Body& body) 
   if (core::signed_area(body.profile) < 0) body.profile = core::reversed(body.profile);
 }
 
-const NamedMaterial& find_material(const CaseNode& node, const BodyContext& context) {
+/// Names for a message: the case's own materials, and of the bundled ones the glasses or those of tools.
+std::vector<std::string> fitting_names(const BodyContext& context, bool flows) {
   std::vector<std::string> names;
-  for (const auto& material : context.materials) names.push_back(material.name);
-  for (const auto& name : library_names())
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  return context.materials[core::choice(node, names)];
+  const auto bundled = library_names();
+  for (const auto& material : context.materials)
+    if (std::find(bundled.begin(), bundled.end(), material.name) == bundled.end()) names.push_back(material.name);
+  for (const auto& material : library_materials())
+    if (material.flow.has_value() == flows) names.push_back(material.name);
+  return names;
+}
+
+const NamedMaterial& find_material(const CaseNode& node, const BodyContext& context, bool flows) {
+  const std::string name = core::text(node);
+  const auto found = std::find_if(context.materials.begin(), context.materials.end(),
+                                  [&](const auto& material) { return material.name == name; });
+  if (found != context.materials.end()) return *found;
+  const auto names = fitting_names(context, flows);
+  core::refuse(node, fmt::format("\"{}\" was found{}, allowed are {}", name, core::did_you_mean(name, names),
+                                 fmt::join(names, ", ")));
 }
 
 flow::Friction read_friction(const CaseNode& node) {
@@ -176,7 +189,7 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
   const CaseTable table(node, {"material", "temperature", "skin", "gob", "mesh", "film", "boundary"});
   Glass glass;
   glass.name = "glass";
-  const auto& material = find_material(table.get("material"), context);
+  const auto& material = find_material(table.get("material"), context, true);
   glass.thermal = material.thermal;
   glass.flow = material.flow;
   glass.emissivity = material.emissivity;
@@ -202,7 +215,7 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
     core::refuse(table.get("name"), "\"glass\" was found, allowed is any other name for a tool");
   if (context.with_heat) {
     const auto& item = table.get("material");
-    const auto& material = find_material(item, context);
+    const auto& material = find_material(item, context, false);
     if (!material.thermal)
       core::refuse(item,
                    fmt::format("\"{}\" has no conductivity and heat_capacity, allowed is a material that carries heat, "

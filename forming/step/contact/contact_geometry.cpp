@@ -215,9 +215,11 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       const bool touched = state.glass.contact_tool[node] == tool;
       const auto constraint =
           touched ? along_path(at_end, dt * relative, placed.touched(state, tool, glass.nodes[node])) : at_end;
-      const bool tied = touched && scene.tools[tool].friction.law == flow::Friction::Law::grip;
       const double approach = constraint.normal.dot(relative);
       const double gap = constraint.gap - dt * approach;  // at the step's start
+      // Glass that is drawn on a tool that grips is held from the run's first step, whichever way it is pulled.
+      const bool drawn_on = state.totals.steps == 0 && std::abs(gap) <= placed.coincident;
+      const bool tied = (touched || drawn_on) && scene.tools[tool].friction.law == flow::Friction::Law::grip;
       // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew
       // there, because next to a corner the linearised gap can be negative for a node that is outside; but a wall that
       // is extended past a joint has no tool behind it.

@@ -101,6 +101,13 @@ TEST(Materials, set_changes_a_value_of_a_bundled_one_and_the_glass_itself) {
   EXPECT_NE(green.fingerprint, read_scene(folder, "draft").fingerprint);
 }
 
+TEST(Materials, only_glasses_are_named_where_a_glass_is_unknown) {
+  const auto said = complaint_about(replaced("material = \"soft\"", "material = \"flint_glass\""));
+  EXPECT_NE(said.find("\"flint_glass\" was found (did you mean \"flint\"?), allowed are"), said.npos) << said;
+  EXPECT_NE(said.find("borosilicate"), said.npos) << said;
+  EXPECT_EQ(said.find("aluminium_bronze"), said.npos) << said;
+}
+
 TEST(Materials, mistakes_have_their_sentence) {
   const auto unknown = complaint_about(replaced("material = \"soft\"", "material = \"flnt\""));
   EXPECT_NE(unknown.find("glass.material: \"flnt\" was found (did you mean \"flint\"?), allowed are"), unknown.npos)

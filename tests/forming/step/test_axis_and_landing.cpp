@@ -127,5 +127,42 @@ TEST(Landing, of_a_blown_tube_goes_on_by_less_than_three_edges_in_a_step) {
   EXPECT_GT(free, 2 * controlled);
 }
 
+/// A capped tube that hangs or stands in a ring that is drawn on its side.
+const std::string held_tube = R"(case = "held_tube"
+geometry = "axisymmetric"
+stage = [ { name = "hold", duration = "0.05 s", tools = ["ring"], gravity = "GRAVITY m/s2" } ]
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e4 Pa.s" }
+[material.iron]
+density = "7200 kg/m3"
+[glass]
+material = "liquid"
+boundary = [
+  { name = "outer", condition = "contact", path = ["arc centre (0, 0) mm radius 14 mm from -90 deg to 0 deg", "(14, 50) mm"] },
+  { name = "inner", condition = "contact", path = ["(11, 50) (11, 0) mm", "arc centre (0, 0) mm radius 11 mm from 0 deg to -90 deg"] },
+  { name = "axis", condition = "symmetry", path = "(0, -14) mm" },
+]
+[[tool]]
+name = "ring"
+material = "iron"
+friction = "grip"
+boundary = [
+  { name = "inner", condition = "contact", path = "(14, 35) (14, 50) mm" },
+  { name = "rest", condition = "insulated", path = "(30, 50) (30, 35) (14, 35) mm" },
+]
+)";
+
+TEST(Grip, holds_the_glass_drawn_on_it_whichever_way_gravity_pulls) {
+  for (const char* gravity : {"-9.81", "9.81"}) {
+    std::string text = held_tube;
+    text.replace(text.find("GRAVITY"), 7, gravity);
+    const Scene scene = scene_of(text, "draft");
+    const RunOutcome outcome = run(scene, {});
+    EXPECT_TRUE(outcome.facts.completed) << gravity << ": " << outcome.facts.reason;
+    EXPECT_EQ(outcome.facts.stages.back().end_reason, "duration") << gravity;
+  }
+}
+
 }  // namespace
 }  // namespace parison::forming

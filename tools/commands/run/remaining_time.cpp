@@ -65,7 +65,7 @@ void RemainingTime::stage_begins(const forming::RunView& run) {
   steps_at_stage_ = run.state.totals.steps;
 }
 
-double RemainingTime::fraction_done(const forming::RunView& run) const {
+double RemainingTime::fraction_done(const forming::RunView& run) {
   const auto stage = static_cast<std::size_t>(run.state.stage);
   const double here = run.state.totals.steps - steps_at_stage_, before = steps_at_stage_ - steps_at_start_;
   // A first short stage says little of the others: what is expected of a fifth of the run counts beside what was seen.
@@ -77,7 +77,8 @@ double RemainingTime::fraction_done(const forming::RunView& run) const {
   ratio = std::max(ratio, seen_over_expected(before + here, expected_of_done_ + expected_[stage]));
   double to_come = whole_stage - here;
   for (std::size_t i = stage + 1; i < expected_.size(); ++i) to_come += ratio * expected_[i];
-  return (before + here) / std::max(before + here + to_come, 1.0);
+  fraction_ = std::max(fraction_, (before + here) / std::max(before + here + to_come, 1.0));
+  return fraction_;
 }
 
 }  // namespace parison::tools
