@@ -44,6 +44,7 @@ void add(HeatBalance& balance, const HeatBalance& step) {
     balance.bodies[b].content_change += step.bodies[b].content_change;
     balance.bodies[b].to_air += step.bodies[b].to_air;
     balance.bodies[b].light_to_air += step.bodies[b].light_to_air;
+    balance.bodies[b].from_enclosure += step.bodies[b].from_enclosure;
     balance.bodies[b].from_source += step.bodies[b].from_source;
     balance.bodies[b].from_prescribed += step.bodies[b].from_prescribed;
   }

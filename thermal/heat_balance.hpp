@@ -13,6 +13,7 @@ struct BodyBalance {
   double content_change = 0;
   double to_air = 0;           ///< out by convection and radiation to the surroundings, cooling included
   double light_to_air = 0;     ///< the part of `to_air` that is light of a model with bands
+  double from_enclosure = 0;   ///< light from other surfaces than the surroundings, by which `to_air` is less
   double from_source = 0;      ///< in from the volume source
   double from_prescribed = 0;  ///< in through boundaries of prescribed temperature
 };

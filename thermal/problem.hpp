@@ -21,6 +21,8 @@ struct SurfaceLight {
   /// none.
   std::vector<std::optional<core::TimeFunction>> surroundings;
   double emissivity = 0;  ///< hemispherical: of the opaque bands of a body with light, of the grey surface of any other
+  bool in_place = true;   ///< in an enclosure: whether the body is there at all
+  double offset = 0;      ///< in an enclosure: of the body's mesh from where the body is, along the axis, m
 };
 
 /// One body of a heat problem, with its boundary values over time. Everything pointed to must outlive the problem. The
@@ -64,6 +66,7 @@ struct Problem {
   std::vector<core::InterfacePoint> interface;  ///< slave_body and master_body index `bodies`
   InterfaceLaw law;                             ///< unused without an interface
   int order = 2;  ///< polynomial degree of the temperature: 2, or 1, where a mid-side node has the mean of its ends
+  bool enclosure = false;  ///< whether open surfaces see each other; all bodies then have their `surroundings`
 };
 
 /// Heat content of a body relative to `content_reference`, J, from its nodal temperatures, K.

@@ -20,7 +20,7 @@ std::shared_ptr<const Batches> batches_of(const BodyView& body, core::Geometry g
       kept->nodes != mesh.nodes || kept->mass_nodes != mass.nodes)
     *kept = {mesh.nodes,   mass.nodes, mesh.cells(),
              body.density, geometry,   std::make_shared<const Batches>(make_batches(body, geometry)),
-             kept->light};
+             kept->light,  kept->views};
   return kept->batches;
 }
 
@@ -121,6 +121,10 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
     add_prescribed(system, body, static_cast<Index>(b));
   }
   add_interface(system);
+  if (problem.enclosure) {
+    std::shared_ptr<const TracedViews> none;
+    system.enclosure = make_enclosure(system, kept ? kept->front().views : none);
+  }
   add_light(system, first_boundary_edge, kept);
   return system;
 }
@@ -168,6 +172,7 @@ void accumulate(HeatBalance& balance, const Flows& flows, double duration) {
   for (std::size_t b = 0; b < balance.bodies.size(); ++b) {
     balance.bodies[b].to_air += duration * flows.to_air[b];
     balance.bodies[b].light_to_air += duration * flows.light_to_air[b];
+    balance.bodies[b].from_enclosure += duration * flows.from_enclosure[b];
     balance.bodies[b].from_source += duration * flows.from_source[b];
   }
   for (std::size_t i = 0; i < balance.through_boundary.size(); ++i)
@@ -217,7 +222,7 @@ Flows source_flows(const HeatSystem& system, double time) {
   for (Eigen::Index b = 0; b < source.size(); ++b) source[b] *= system.problem->bodies[b].source_factor(time);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(pairs);
   const Eigen::VectorXd no_air = Eigen::VectorXd::Zero(source.size());
-  return {no_air, source, no_air, none, none, none, Eigen::VectorXd::Zero(system.first_boundary.back())};
+  return {no_air, source, no_air, none, none, none, Eigen::VectorXd::Zero(system.first_boundary.back()), no_air};
 }
 
 /// Power of the volume source into each unknown, W.
@@ -237,6 +242,7 @@ Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& 
   add_cells(system, temperature, rate, response);
   add_exchange(system, time, temperature, response.flows, &response.power);
   for (const Light& light : system.light) add_light(light, system, time, temperature, response.flows, &response.power);
+  if (system.enclosure) add_enclosure(system, time, temperature, response.flows, &response.power);
   return response;
 }
 
@@ -255,6 +261,7 @@ Flows evaluate_flows(const HeatSystem& system, double time, const Eigen::VectorX
   Flows flows = source_flows(system, time);
   add_exchange(system, time, temperature, flows, nullptr);
   for (const Light& light : system.light) add_light(light, system, time, temperature, flows, nullptr);
+  if (system.enclosure) add_enclosure(system, time, temperature, flows, nullptr);
   return flows;
 }
 

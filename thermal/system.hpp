@@ -51,6 +51,7 @@ struct HeatSystem {
   std::vector<HeatEdge> edges;
   HeatInterface interface;
   std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body of each pair of bodies in contact
+  std::shared_ptr<const Enclosure> enclosure;  ///< null: surfaces do not see each other
   std::vector<Light> light;                    ///< of the bodies that have it
   std::vector<PrescribedUnknown> prescribed;
   std::vector<char> is_prescribed;  ///< by unknown
@@ -66,6 +67,7 @@ struct KeptCells {
   core::Geometry geometry;
   std::shared_ptr<const std::vector<CellBatch>> batches;
   std::shared_ptr<KeptLight> light;
+  std::shared_ptr<const TracedViews> views;  ///< of the enclosure of all bodies, with the first body
 };
 /// Prepares the equations of a problem, which must outlive them. `kept`, by body, reuses what has not changed since the
 /// last call; null computes all anew.
@@ -78,6 +80,7 @@ struct Flows {
   Eigen::VectorXd across, received;     ///< by pair: out of the slave's nodes, into the master's nodes
   Eigen::VectorXd radiated;             ///< by pair: the part of `across` that is light
   Eigen::VectorXd exchanged;            ///< to_air by boundary, counted through all bodies
+  Eigen::VectorXd from_enclosure;       ///< by body: light from other surfaces, by which `to_air` is less
 };
 /// Terms of the heat equations at a time and temperatures.
 struct Response {

@@ -109,6 +109,7 @@ void add_balance(JsonWriter& json, const Scene& scene, const State& state, const
   json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
   json.add("heat_to_air_J", state.totals.to_air);
   if (scene.has_light()) json.add("light_to_surroundings_J", state.totals.light_to_air);
+  if (scene.enclosure) json.add("light_from_enclosure_J", state.totals.from_enclosure);
   json.add("dissipation_J", state.totals.dissipation);
   json.add("max_reynolds", state.totals.max_reynolds);
   json.add("max_flux_mismatch", state.totals.max_flux_mismatch);
@@ -153,6 +154,7 @@ void add_bodies(JsonWriter& json, const Summary& summary) {
     json.open_object(tool.name);
     json.add("heat_received_J", tool.heat_received);
     if (tool.radiated) json.add("heat_radiated_J", *tool.radiated);
+    if (tool.from_enclosure) json.add("heat_from_enclosure_J", *tool.from_enclosure);
     json.add("surface_temperature_max_degC", celsius(tool.max_surface_temperature));
     json.add("hottest_time_s", tool.hottest.time);
     json.add("hottest_r_mm", 1e3 * tool.hottest.at[0]);
@@ -248,6 +250,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
     const auto radiated = scene.has_light() ? std::optional(body.heat_radiated) : std::nullopt;
     summary.tools.push_back({scene.tools[i].name,
                              body.heat_received,
+                             scene.enclosure ? std::optional(body.heat_from_enclosure) : std::nullopt,
                              radiated,
                              max_temperature,
                              i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{},

@@ -21,12 +21,29 @@ BodyContext read_context(const CaseTable& root, const std::string& directory) {
           root.find("material") ? read_materials(*root.find("material")) : std::vector<NamedMaterial>{}};
 }
 
+/// Whether open surfaces see each other.
+bool read_enclosure(const core::CaseNode& node, const Scene& scene) {
+  if (!core::flag(node)) return false;
+  using Model = thermal::Radiation::Model;
+  if (!scene.has_heat()) core::refuse(node, "true was found, allowed only where the glass carries heat");
+  if (const auto& radiation = scene.glass.thermal->radiation;
+      radiation && (radiation->model == Model::p1 || radiation->model == Model::p1_cones))
+    core::refuse(
+        node,
+        "true was found with the radiation of the glass by P1, allowed with the models transfer, rosseland and "
+        "none");
+  if (!(scene.glass.emissivity > 0) && !scene.has_light())
+    core::refuse(node, "true was found with a glass that has no emissivity, allowed is a material with one");
+  return true;
+}
+
 void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
   scene.geometry = context.geometry;
   scene.glass = read_glass(root.get("glass"), context);
   context.with_heat = scene.has_heat();
   context.with_flow = scene.has_flow();
-  context.with_light = scene.has_light();
+  if (const auto* enclosure = root.find("enclosure")) scene.enclosure = read_enclosure(*enclosure, scene);
+  context.with_light = scene.has_light() || scene.enclosure;
   refuse_repeated_names(root.tables("tool"));
   for (const auto* tool : root.tables("tool")) scene.tools.push_back(read_tool(*tool, context));
   for (const auto* node : root.tables("interface"))
@@ -145,8 +162,9 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   auto tolerances = core::take_tolerances(file);
   const auto dimensions = core::read_dimensions(file);
   auto timing = read_timing(file, dimensions);
-  const CaseTable root(file.root, {"case", "geometry", "material", "glass", "tool", "interface", "air", "inner_air",
-                                   "trapped_air", "stage", "timing", "probe", "output", "numerics", "dimension"});
+  const CaseTable root(file.root,
+                       {"case", "geometry", "material", "glass", "tool", "interface", "air", "inner_air", "trapped_air",
+                        "enclosure", "stage", "timing", "probe", "output", "numerics", "dimension"});
   Scene scene;
   scene.dimensions = dimensions;
   scene.tolerances = std::move(tolerances);

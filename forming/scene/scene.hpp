@@ -235,6 +235,7 @@ struct Scene {
   Glass glass;
   std::vector<Tool> tools;
   std::vector<Interface> interfaces;
+  bool enclosure = false;  ///< open surfaces of glass and tools see each other by radiation
   std::vector<Stage> stages;
   std::vector<Probe> probes;
   Output output;

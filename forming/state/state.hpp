@@ -62,6 +62,7 @@ struct ToolState {
   double peak_force = 0;               ///< largest so far without sign while a force drove it or it moved, N
   double heat_received = 0;            ///< through interfaces since the start, J
   double heat_radiated = 0;            ///< the part of it that came as light, with light in bands, J
+  double heat_from_enclosure = 0;      ///< light that came to its open surface from others, with an enclosure, J
   std::vector<double> heat_through;    ///< out through each boundary by cooling, air or given temperature, J
   double max_surface_temperature = 0;  ///< highest temperature so far on its contact boundaries, K
   ContactSkin skin;
@@ -101,10 +102,11 @@ struct RemeshStatistics {
 
 /// Sums since the start.
 struct Totals {
-  double to_air = 0;        ///< heat lost by the glass to air, J
-  double light_to_air = 0;  ///< the part of it that went as light to the surroundings, with light in bands, J
-  double to_tools = 0;      ///< heat that crossed from glass to tools, J
-  double dissipation = 0;   ///< viscous, into the glass, J
+  double to_air = 0;          ///< heat lost by the glass to air, J
+  double light_to_air = 0;    ///< the part of it that went as light to the surroundings, with light in bands, J
+  double from_enclosure = 0;  ///< light from other surfaces, by which `to_air` is less, with an enclosure, J
+  double to_tools = 0;        ///< heat that crossed from glass to tools, J
+  double dissipation = 0;     ///< viscous, into the glass, J
   Index steps = 0, rejected = 0;
   long clamped_lookups = 0;         ///< evaluations of h outside its table
   double max_penetration = 0;       ///< max penetration of a glass node into a tool at any step, m

@@ -39,6 +39,7 @@ void visit_tool(Visitor visit, Tool& tool) {
   visit("peak_force", tool.peak_force);
   visit("heat_received", tool.heat_received);
   visit("heat_radiated", tool.heat_radiated);
+  visit("heat_from_enclosure", tool.heat_from_enclosure);
   visit("heat_through", tool.heat_through);
   visit("max_surface_temperature", tool.max_surface_temperature);
   visit_skin(visit.part("skin"), tool.skin);
@@ -93,6 +94,7 @@ template <typename Visitor, typename Sums>
 void visit_totals(Visitor visit, Sums& totals) {
   visit("to_air", totals.to_air);
   visit("light_to_air", totals.light_to_air);
+  visit("from_enclosure", totals.from_enclosure);
   visit("to_tools", totals.to_tools);
   visit("dissipation", totals.dissipation);
   visit("steps", totals.steps);

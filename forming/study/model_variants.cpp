@@ -86,6 +86,8 @@ void add_heat_parts(Parts& parts) {
   }
   if (scene.glass.emissivity > 0 && !scene.has_light())
     parts.add("no_emission", "radiation of the glass to its surroundings", {parts.of_glass("emissivity=0")});
+  if (scene.enclosure)
+    parts.add("no_enclosure", "light between surfaces: each sees the surroundings alone", {"enclosure=false"});
   const bool blows =
       std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) { return stage.air.h.max() > 0; });
   if (blows && !parts.still_air.empty()) parts.add("no_air_cooling", "cooling by moving air", parts.still_air);

@@ -150,8 +150,9 @@ Light make_light(const HeatSystem& system, Index body, Index first_boundary_edge
   assert(view.light.surroundings.size() == mesh.boundaries().size());
   if (!kept || !same_laws(kept->radiation, *view.material->radiation))
     kept = std::make_shared<KeptLight>(*view.material->radiation, light_order);
-  Light light{body, light_order == 2 ? mesh.node_count() : mesh.vertex_count(), light_order, {}, {}, {}, {}, {}, kept,
-              true};
+  Light light{
+      body, light_order == 2 ? mesh.node_count() : mesh.vertex_count(), light_order, {}, {}, {}, {}, {}, {}, kept,
+      true};
   light.batches.resize(core::batch_count(mesh.cell_count()));
   for (std::size_t b = 0; b < light.batches.size(); ++b)
     core::set_nodes(mesh.cells(), static_cast<Index>(b), light.batches[b]);
@@ -160,6 +161,7 @@ Light make_light(const HeatSystem& system, Index body, Index first_boundary_edge
   add_contacts(light, system);
   if (view.material->radiation->model == Radiation::Model::transfer) {
     light.rays = make_ray_exchange(light, system, kept->rays);
+    if (system.enclosure) light.enclosure = make_ray_enclosure(light, system);
   } else {
     if (kept->cells != mesh.cells()) analyse(*kept, mesh, light.size);
     factorise(light, system, first_boundary_edge);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/linear/cholesky.hpp"
+#include "thermal/radiation/enclosure/ray_enclosure.hpp"
 #include "thermal/radiation/light_cells.hpp"
 #include "thermal/radiation/light_laws.hpp"
 #include "thermal/radiation/rays/ray_exchange.hpp"
@@ -62,8 +63,9 @@ struct Light {
   std::vector<BatchIndices<6>> batches;  ///< unknowns of G of the batches of cells
   Field volumes;                         ///< m3
   std::vector<LightEdge> edges;
-  std::vector<LightContact> contacts;  ///< by point of the interface
-  std::optional<RayExchange> rays;     ///< of the model transfer, which needs no G in the glass
+  std::vector<LightContact> contacts;     ///< by point of the interface
+  std::optional<RayExchange> rays;        ///< of the model transfer, which needs no G in the glass
+  std::optional<RayEnclosure> enclosure;  ///< of that model: what lies outside is not the surroundings alone
   std::shared_ptr<KeptLight> kept;
   bool solvable;  ///< false where a factorisation failed, on a mesh with cells inverted: all heat by light is NaN
 
@@ -89,6 +91,7 @@ void add_light(const Light& light, const HeatSystem& system, double time, const 
 /// Derivatives of that heat with respect to temperature.
 struct LightDerivatives {
   std::vector<Field> emission;                     ///< by group, of what the quadrature points emit, W/K
+  std::vector<Eigen::ArrayXd> from_surfaces;       ///< by group, of a black body at the points of the enclosure, W/m2/K
   std::vector<Eigen::ArrayXd> from_tool;           ///< by group, of what the tool sends through a point, W/K
   std::vector<std::array<double, 3>> opaque_edge;  ///< of the flux of opaque bands to the surroundings, W/K
   Eigen::ArrayXd opaque_slave, opaque_master;      ///< of what glass and tool send each other through a point, W/K

@@ -31,6 +31,24 @@ Field changed_emission(const Field& slope, const Field& change) {
   return emitted;
 }
 
+/// Emissive powers of the patches when the temperatures change.
+PatchEmission changed_patches(const Enclosure& enclosure, const Eigen::ArrayXd& slope, const Eigen::VectorXd& change) {
+  const Eigen::ArrayXd emitted = patch_means(enclosure, [&](std::size_t i) {
+    const EnclosurePoint& point = enclosure.points[i];
+    return slope[static_cast<Eigen::Index>(i)] * interpolate(change, point.unknowns.data(), point.shape);
+  });
+  return {emitted, Eigen::ArrayXd::Zero(emitted.size())};
+}
+
+void add_excess_change(const Light& light, const HeatSystem& system, const GroupLight& found, double step,
+                       Eigen::VectorXd& result) {
+  const Eigen::ArrayXd absorbed = absorbed_excess(light, system, found);
+  for (const EnclosurePoint& point : system.enclosure->points) {
+    if (system.enclosure->patches[static_cast<std::size_t>(point.patch)].body == light.body) continue;
+    for (int i = 0; i < 3; ++i) result[point.unknowns[i]] -= step * point.shape[i] * point.area * absorbed[point.patch];
+  }
+}
+
 /// Derivatives of the surface, all but the emission of the cells.
 void linearise_surface(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature,
                        LightDerivatives& result) {
@@ -67,6 +85,14 @@ LightDerivatives linearise_light(const Light& light, const HeatSystem& system, c
   const Field at_cells = at_cell_points(light, system, temperature);
   for (int k = 0; k < light.laws().group_count(); ++k) result.emission.push_back(emission_slope(light, k, at_cells));
   linearise_surface(light, system, temperature, result);
+  for (int k = 0; light.enclosure && k < light.laws().group_count(); ++k) {
+    auto& slope = result.from_surfaces.emplace_back(static_cast<Eigen::Index>(system.enclosure->points.size()));
+    for (Eigen::Index i = 0; i < slope.size(); ++i) {
+      const EnclosurePoint& point = system.enclosure->points[static_cast<std::size_t>(i)];
+      slope[i] =
+          light.laws().emissive_power(k, interpolate(temperature, point.unknowns.data(), point.shape)).derivative;
+    }
+  }
   return result;
 }
 
@@ -78,8 +104,9 @@ void apply_light(const Light& light, const HeatSystem& system, const LightDeriva
   const Eigen::ArrayXd opaque = to_tool - derivatives.opaque_open * sides.slave;
   for (int k = 0; k < light.laws().group_count(); ++k) {
     const Eigen::ArrayXd from_tool = derivatives.from_tool[k] * sides.master;
-    const GroupSource source{changed_emission(derivatives.emission[k], at_cells),
-                             std::vector<std::array<double, 3>>(light.edges.size(), {0, 0, 0}), from_tool};
+    GroupSource source{changed_emission(derivatives.emission[k], at_cells),
+                       std::vector<std::array<double, 3>>(light.edges.size(), {0, 0, 0}), from_tool};
+    if (light.enclosure) source.patches = changed_patches(*system.enclosure, derivatives.from_surfaces[k], change);
     const GroupLight found = solve_group(light, k, source);
     for (std::size_t i = 0; i < light.contacts.size(); ++i) {
       const auto at = static_cast<Index>(i);
@@ -87,6 +114,7 @@ void apply_light(const Light& light, const HeatSystem& system, const LightDeriva
           light.to_tool(k, light.contacts[i]) * system.interface.area[at] * found.contacts[at] - from_tool[at];
     }
     add_absorbed(light, system, source, found, -step, result);
+    if (light.enclosure) add_excess_change(light, system, found, step, result);
   }
   for (std::size_t e = 0; e < light.edges.size(); ++e) {
     const LightEdge& edge = light.edges[e];

@@ -47,6 +47,20 @@ Field emission_at(const Light& light, int group, const Field& temperature) {
   return emitted;
 }
 
+/// What the patches of the enclosure and their surroundings emit in a group.
+PatchEmission patches_of(const Light& light, const HeatSystem& system, int group, double time,
+                         const Eigen::VectorXd& temperature) {
+  if (!light.enclosure) return {};
+  const Enclosure& enclosure = *system.enclosure;
+  const auto emission = [&](double T) { return light.laws().emissive_power(group, T).value; };
+  return {patch_means(enclosure,
+                      [&](std::size_t i) {
+                        const EnclosurePoint& point = enclosure.points[i];
+                        return emission(interpolate(temperature, point.unknowns.data(), point.shape));
+                      }),
+          surroundings_of(enclosure, time, emission)};
+}
+
 GroupState state_of(const Light& light, const HeatSystem& system, int group, const std::vector<double>& surroundings,
                     const Eigen::ArrayXd& tool_temperature, const Eigen::VectorXd& temperature, const Field& at_cells) {
   const LightLaws& laws = light.laws();
@@ -189,9 +203,12 @@ void add_light(const Light& light, const HeatSystem& system, double time, const 
   const Field at_cells = at_cell_points(light, system, temperature);
   Eigen::ArrayXd to_tool = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(light.contacts.size()));
   for (int k = 0; k < light.laws().group_count(); ++k) {
-    const GroupState state = state_of(light, system, k, surroundings, sides.master, temperature, at_cells);
+    GroupState state = state_of(light, system, k, surroundings, sides.master, temperature, at_cells);
+    state.source.patches = patches_of(light, system, k, time, temperature);
     const GroupLight found = solve_group(light, k, state.source);
     add_group_flux(light, system, k, state, found, flows, to_tool);
+    if (light.enclosure)
+      add_excess(*system.enclosure, system, absorbed_excess(light, system, found), flows, power, light.body);
     if (power) add_absorbed(light, system, state.source, found, 1, *power);
   }
   if (light.laws().has_opaque()) add_opaque(light, system, surroundings, sides, temperature, flows, to_tool, power);

@@ -14,6 +14,7 @@ struct GroupSource {
   Field cells;
   std::vector<std::array<double, 3>> edges;
   Eigen::ArrayXd contacts;
+  PatchEmission patches = {};  ///< of an enclosure
 };
 /// The light that this makes: what the cells absorb at their quadrature points, W, and the irradiation G at the points
 /// of the edges and of the interface, W/m2.
@@ -21,6 +22,7 @@ struct GroupLight {
   Field absorbed;
   std::vector<std::array<double, 3>> edges;
   Eigen::ArrayXd contacts;
+  Eigen::VectorXd excess = {};  ///< irradiation of the patches of an enclosure less that by the surroundings, W/m2
 };
 GroupLight solve_group(const Light& light, int group, const GroupSource& source);
 

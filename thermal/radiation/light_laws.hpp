@@ -44,6 +44,8 @@ class LightLaws {
     const double scale = 4 * square_ * groups_[g].share;
     return {scale * e.value, scale * e.derivative};
   }
+  /// Emissive power of a black body in vacuum in the band of a group, W/m2.
+  Emission emissive_power(int g, double temperature) const { return emission_[groups_[g].band](temperature); }
   /// Emissive power in vacuum beyond the last band; zero where no part of the spectrum is opaque.
   Emission opaque_emission(double temperature) const { return opaque_ ? (*opaque_)(temperature) : Emission{0, 0}; }
   bool has_opaque() const { return opaque_.has_value(); }

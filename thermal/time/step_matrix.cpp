@@ -14,6 +14,7 @@ Linearisation linearise(const HeatSystem& system, double time, const Eigen::Vect
   linearise_cells(system, temperature, result.batches);
   linearise_exchange(system, time, temperature, result);
   for (const Light& light : system.light) result.light.push_back(linearise_light(light, system, temperature));
+  if (system.enclosure) result.enclosure = linearise_enclosure(system, temperature);
   return result;
 }
 
@@ -24,6 +25,7 @@ Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisati
   apply_exchange(system, linearisation, step, change, result);
   for (std::size_t i = 0; i < system.light.size(); ++i)
     apply_light(system.light[i], system, linearisation.light[i], step, change, result);
+  if (system.enclosure) apply_enclosure(system, linearisation.enclosure, step, change, result);
   return result;
 }
 

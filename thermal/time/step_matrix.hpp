@@ -21,6 +21,7 @@ struct Linearisation {
   std::vector<std::array<double, 3>> edges;  ///< of the exchange with the air at the points of edge_rule(3), W/K
   ContactDerivatives contacts;
   std::vector<LightDerivatives> light;  ///< of each body in HeatSystem::light
+  Eigen::ArrayXd enclosure;             ///< of the emissive power at the points of the enclosure, W/m2/K
 };
 Linearisation linearise(const HeatSystem& system, double time, const Eigen::VectorXd& temperature);
 

@@ -71,6 +71,7 @@ std::string heat_parts(const Scene& scene) {
   const double emissivity = scene.glass.emissivity;
   std::string exchange = air.empty() ? "" : "air in " + air;
   if (emissivity > 0) exchange += fmt::format("{}emissivity {:.3g}", air.empty() ? "" : ", ", emissivity);
+  if (scene.enclosure) exchange += ", surfaces see each other";
   std::size_t hot_tools = 0;
   for (const Tool& tool : scene.tools) hot_tools += tool.thermal.has_value();
   std::string text = part("heat", on, fmt::format("in the glass, in tools: {}", hot_tools),

@@ -35,7 +35,8 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
   thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
     problem.bodies.push_back(body_view(scene, state, b, *meshes[b]));
-  if (scene.has_light())
+  problem.enclosure = scene.enclosure;
+  if (scene.has_light() || scene.enclosure)
     for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
       problem.bodies[b].light = surface_light(scene, state, b, *meshes[b]);
   problem.bodies[glass_body].density = state.glass.density;
@@ -48,12 +49,14 @@ void accumulate(const thermal::HeatBalance& balance, State& state) {
   const thermal::BodyBalance& glass = balance.bodies[glass_body];
   state.totals.to_air += glass.to_air - glass.from_prescribed;
   state.totals.light_to_air += glass.light_to_air;
+  state.totals.from_enclosure += glass.from_enclosure;
   state.totals.dissipation += glass.from_source;
   state.totals.to_tools += thermal::lost_through_interfaces(balance, glass_body);
   state.totals.max_flux_mismatch = std::max(state.totals.max_flux_mismatch, thermal::flux_mismatch(balance));
   for (std::size_t t = 0; t < state.tools.size(); ++t) {
     const Index body = body_of_tool(Index(t));
     state.tools[t].heat_received -= thermal::lost_through_interfaces(balance, body);
+    state.tools[t].heat_from_enclosure += balance.bodies[static_cast<std::size_t>(body)].from_enclosure;
     const auto first = static_cast<std::size_t>(balance.first_boundary[static_cast<std::size_t>(body)]);
     for (std::size_t i = 0; i < state.tools[t].heat_through.size(); ++i)
       state.tools[t].heat_through[i] += balance.through_boundary[first + i];

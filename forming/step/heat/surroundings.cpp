@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/step/heat/surroundings.hpp"
 
+#include <algorithm>
+
 #include "forming/state/skin_size.hpp"
 
 namespace parison::forming {
@@ -70,8 +72,15 @@ std::vector<std::optional<thermal::SurfaceExchange>> surroundings(const Scene& s
 
 thermal::SurfaceLight surface_light(const Scene& scene, const State& state, Index body, const core::Mesh& mesh) {
   thermal::SurfaceLight light{{}, body_of(scene, body).emissivity};
-  if (!thermal::has_light(*body_of(scene, body).thermal)) return light;
   const Stage& stage = scene.stages[state.stage];
+  if (scene.enclosure && body != glass_body) {
+    const Index tool = body - 1;
+    light.offset = state.tools[tool].offset;
+    light.in_place =
+        std::any_of(stage.tools.begin(), stage.tools.end(), [&](const auto& active) { return active.tool == tool; });
+  }
+  const bool sees_others = scene.enclosure && light.in_place;
+  if (!sees_others && !thermal::has_light(*body_of(scene, body).thermal)) return light;
   for (const auto& [name, kind] : mesh.boundaries())
     if (sees_air(kind))
       light.surroundings.emplace_back(air_at(state, stage, body, name).ambient_temperature);

@@ -15,7 +15,8 @@ namespace parison::forming {
 std::vector<std::optional<thermal::SurfaceExchange>> surroundings(const Scene& scene, const State& state, Index body,
                                                                   const core::Mesh& mesh);
 
-/// What the light of a body meets at each boundary of its mesh where no tool stands: the surroundings of the air there.
+/// What the light of a body meets at each boundary of its mesh where no tool stands, the surroundings of the air there,
+/// and where the body is. With an enclosure every body in place has surroundings.
 thermal::SurfaceLight surface_light(const Scene& scene, const State& state, Index body, const core::Mesh& mesh);
 
 }  // namespace parison::forming

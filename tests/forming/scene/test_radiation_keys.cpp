@@ -108,6 +108,34 @@ TEST(RadiationKeys, a_tool_that_light_reaches_needs_an_emissivity) {
   EXPECT_EQ(complaint("refractive_index = 1.5, absorption = \"150 1/m\", thin_wall = true", ""), "");
 }
 
+/// The complaint about such a scene whose surfaces see each other.
+std::string complaint_with_enclosure(const std::string& radiation, const std::string& tools = "emissivity = 0.8\n",
+                                     const std::string& value = "true") {
+  const auto message = complaint_about("enclosure = " + value + "\n" + text_with(radiation, tools));
+  return message.substr(message.find(' ') + 1);
+}
+
+TEST(RadiationKeys, an_enclosure_needs_surfaces_that_emit_and_a_model_that_light_can_cross) {
+  const std::string band = R"(refractive_index = 1.5, bands = [{ absorption = "150 1/m" }])";
+  EXPECT_EQ(complaint_with_enclosure("model = \"transfer\", " + band), "");
+  EXPECT_TRUE(scene_of("enclosure = true\n" + text_with("model = \"transfer\", " + band)).enclosure);
+  EXPECT_FALSE(scene_of(text_with("model = \"transfer\", " + band)).enclosure);
+  for (const char* model : {"p1", "p1_cones"})
+    EXPECT_NE(complaint_with_enclosure(std::string("model = \"") + model + "\", " + band)
+                  .find("enclosure: true was found with the radiation of the glass by P1, allowed with the models "
+                        "transfer, rosseland and none"),
+              std::string::npos);
+  EXPECT_NE(complaint_with_enclosure("model = \"none\"")
+                .find("enclosure: true was found with a glass that has no emissivity, allowed is a material with one"),
+            std::string::npos);
+  EXPECT_NE(complaint_with_enclosure("model = \"transfer\", " + band, "")
+                .find("tool.material: \"iron\" has no emissivity, allowed is a material with one, because light of the "
+                      "glass reaches the tool"),
+            std::string::npos);
+  EXPECT_NE(complaint_with_enclosure("model = \"none\"", "emissivity = 0.8\n", "\"yes\"").find("enclosure"),
+            std::string::npos);
+}
+
 TEST(RadiationKeys, light_needs_surroundings) {
   const std::string lit = text_with(bands(R"([{ absorption = "150 1/m" }])"));
   const std::string dark =

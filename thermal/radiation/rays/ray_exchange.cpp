@@ -194,6 +194,19 @@ RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, std:
   return rays;
 }
 
+namespace {
+
+/// Adds light that comes in from outside, W by patch, with what the tools then send back.
+void add_outside(const RayExchange& rays, int k, const Eigen::VectorXd& light, Eigen::Ref<Eigen::VectorXd> outside) {
+  const Eigen::VectorXd added = light.cwiseQuotient(rays.area.matrix());
+  if (rays.bands[k].from_outside)
+    outside += rays.bands[k].from_outside->solve(added);
+  else
+    outside += added;
+}
+
+}  // namespace
+
 GroupLight ray_light(const Light& light, int k, const GroupSource& source) {
   const RayExchange& rays = *light.rays;
   const TracedRays& traced = *rays.traced;
@@ -214,8 +227,13 @@ GroupLight ray_light(const Light& light, int k, const GroupSource& source) {
     outside =
         rays.bands[k].from_outside->solve(outside + (rays.returned / rays.area).matrix().cwiseProduct(out)).eval();
   }
-  const Eigen::VectorXd taken = factors * sent;
+  Eigen::VectorXd taken = factors * sent;
   GroupLight result{Field(light.volumes.size()), {}, Eigen::ArrayXd(source.contacts.size())};
+  if (light.enclosure) {
+    result.excess = ray_excess(*light.enclosure, k, rays.area, taken.tail(patches), source.patches);
+    add_outside(rays, k, light.enclosure->shared * result.excess, outside);
+    taken = factors * sent;
+  }
   for (std::size_t b = 0; b < result.absorbed.size(); ++b)
     for (int q = 0; q < core::cell_points; ++q) {
       PointValues& values = result.absorbed[b];

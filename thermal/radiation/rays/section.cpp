@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace parison::thermal {
 
@@ -15,20 +16,28 @@ constexpr double overlap = 1e-9;  ///< of neighbouring facets, of their length
 constexpr double flat = 1e-4;     ///< radial part of the normal below which a facet counts as a plane across the axis
 constexpr double resolution = 1e-9;  ///< smallest distance between two places of the surface, of the body's size
 
-Point edge_point(const core::Mesh& mesh, const core::BoundaryEdge& edge, double s) {
+Point edge_point(const SectionEdge& edge, double s) {
   const auto shape = core::edge_shape(s);
-  return shape[0] * mesh.nodes[edge.nodes[0]] + shape[1] * mesh.nodes[edge.nodes[1]] +
-         shape[2] * mesh.nodes[edge.nodes[2]];
+  return shape[0] * edge[0] + shape[1] * edge[1] + shape[2] * edge[2];
+}
+
+std::vector<SectionEdge> edges_of(const core::Mesh& mesh) {
+  std::vector<SectionEdge> edges;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    edges.push_back({mesh.nodes[edge.nodes[0]], mesh.nodes[edge.nodes[1]], mesh.nodes[edge.nodes[2]]});
+  return edges;
 }
 
 }  // namespace
 
 Section::Section(const core::Mesh& mesh, Geometry geometry)
-    : mesh_(mesh), geometry_(geometry), tiny_(resolution * core::size(mesh)) {
-  for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e) {
-    const core::BoundaryEdge& edge = mesh.boundary_edges()[e];
+    : Section(edges_of(mesh), core::size(mesh), geometry, false) {}
+
+Section::Section(std::vector<SectionEdge> edges, double size, Geometry geometry, bool both_sides)
+    : edges_(std::move(edges)), geometry_(geometry), tiny_(resolution * size), both_sides_(both_sides) {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
     std::array<Point, 3> x;
-    for (int i = 0; i < 3; ++i) x[i] = edge_point(mesh, edge, 0.5 * i);
+    for (int i = 0; i < 3; ++i) x[i] = edge_point(edges_[e], 0.5 * i);
     const bool on_axis = geometry == Geometry::axisymmetric && std::max({x[0][0], x[1][0], x[2][0]}) < tiny_;
     first_facet_.push_back(on_axis ? -1 : static_cast<Index>(facets_.size()));
     if (on_axis) continue;
@@ -37,7 +46,7 @@ Section::Section(const core::Mesh& mesh, Geometry geometry)
       facets_.push_back({x[i], along, Point(along[1], -along[0]).normalized(), static_cast<Index>(e), 0.5 * i});
     }
   }
-  add_box(0, static_cast<Index>(facets_.size()));
+  if (!facets_.empty()) add_box(0, static_cast<Index>(facets_.size()));
 }
 
 Index Section::add_box(Index first, Index last) {
@@ -95,7 +104,7 @@ void Section::meet(const Ray& ray, Index f, Index from_facet, double sense, std:
   std::array<double, 2> roots{-1, -1};
   if (geometry_ == Geometry::planar) {
     const double rate = nr * d[0] - g1;
-    if (sense * rate > 0) roots[0] = (g0 - nr * o[0]) / rate;
+    if (both_sides_ ? rate != 0 : sense * rate > 0) roots[0] = (g0 - nr * o[0]) / rate;
   } else if (std::abs(nr) < flat) {
     if (g1 != 0) {
       roots[0] = -g0 / g1;
@@ -120,8 +129,9 @@ void Section::meet(const Ray& ray, Index f, Index from_facet, double sense, std:
     if (share < -overlap || share > 1 + overlap) continue;
     if (std::abs((at - facet.from).dot(facet.normal)) > 1e-6 * std::sqrt(length2) + tiny_)
       continue;  // other half of the cone
-    if (sense * facet_normal(f, x).dot(d) <= 0) continue;
-    nearest = Hit{t, facet.edge, facet.s + 0.5 * std::clamp(share, 0.0, 1.0), f};
+    const bool from_behind = sense * facet_normal(f, x).dot(d) <= 0;
+    if (from_behind && !both_sides_) continue;
+    nearest = Hit{t, facet.edge, facet.s + 0.5 * std::clamp(share, 0.0, 1.0), f, from_behind};
   }
 }
 
@@ -129,6 +139,7 @@ std::optional<Hit> Section::first_hit(const Ray& ray, Index from_facet, double s
   std::optional<Hit> nearest;
   std::array<Index, 64> stack;
   int depth = 0;
+  if (boxes_.empty()) return nearest;
   stack[depth++] = 0;
   while (depth > 0) {
     const Box& box = boxes_[stack[--depth]];
@@ -151,10 +162,8 @@ Eigen::Vector3d Section::turned(const Point& v, const Eigen::Vector3d& x) const 
 }
 
 Eigen::Vector3d Section::normal(Index e, double s, const Eigen::Vector3d& x) const {
-  const core::BoundaryEdge& edge = mesh_.boundary_edges()[e];
   const auto slope = core::edge_shape_derivative(s);
-  const Point along = slope[0] * mesh_.nodes[edge.nodes[0]] + slope[1] * mesh_.nodes[edge.nodes[1]] +
-                      slope[2] * mesh_.nodes[edge.nodes[2]];
+  const Point along = slope[0] * edges_[e][0] + slope[1] * edges_[e][1] + slope[2] * edges_[e][2];
   return turned(Point(along[1], -along[0]).normalized(), x);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,13 +26,20 @@ struct Hit {
   Index edge;       ///< boundary edge of the mesh
   double s;         ///< along it
   Index facet;
+  bool from_behind = false;  ///< met against its normal: the ray was not where the body is
 };
+
+/// First, last and mid point of a quadratic edge in the section, the body on its left.
+using SectionEdge = std::array<Point, 3>;
 
 /// The surface of a body, as the rays inside it meet it: each boundary edge is two straight facets, turned around the
 /// axis to frusta, with the normals of the quadratic edge.
 class Section {
  public:
   Section(const core::Mesh& mesh, Geometry geometry);
+  /// The same of a region of this size, m, within given edges, which need not close it. With `both_sides` a ray also
+  /// meets edges from behind.
+  Section(std::vector<SectionEdge> edges, double size, Geometry geometry, bool both_sides);
 
   /// Coordinates in the section of a point in space.
   Point project(const Eigen::Vector3d& x) const;
@@ -65,9 +73,10 @@ class Section {
   void meet(const Ray& ray, Index facet, Index from_facet, double sense, std::optional<Hit>& nearest) const;
   Eigen::Vector3d turned(const Point& in_section, const Eigen::Vector3d& x) const;
 
-  const core::Mesh& mesh_;
+  std::vector<SectionEdge> edges_;
   Geometry geometry_;
   double tiny_;  ///< m
+  bool both_sides_;
   std::vector<Facet> facets_;
   std::vector<Index> first_facet_;  ///< by boundary edge; -1 on the axis
   std::vector<Box> boxes_;
