@@ -90,7 +90,7 @@ void add_contact_heat(const HeatSystem& system, double time, const std::vector<E
   const auto [T1, T2] = side_temperatures(interface, temperature);
   const std::vector<FreeSurface> air(exchange.begin(), exchange.end());  // by boundary, counted through all bodies
   Eigen::ArrayXd h(T1.size());
-  system.problem->law(time, system.problem->interface, T1, h, nullptr);
+  system.problem->law(time, system.problem->interface, {T1, T2}, h, nullptr);
   for (const HeatSegment& segment : interface.segments) {
     const FreeSurface &slave_air = air[segment.slave_boundary], &master_air = air[segment.master_boundary];
     // Heat by unknown of the segment.
@@ -198,7 +198,7 @@ ContactDerivatives linearise_contact(const HeatSystem& system, double time,
   const auto [T1, T2] = side_temperatures(interface, temperature);
   const std::vector<FreeSurface> air(exchange.begin(), exchange.end());  // by boundary, counted through all bodies
   Eigen::ArrayXd h(T1.size()), dh_dT(T1.size());
-  system.problem->law(time, system.problem->interface, T1, h, &dh_dT);
+  system.problem->law(time, system.problem->interface, {T1, T2}, h, &dh_dT);
   ContactDerivatives result{interface.area * h, interface.area * dh_dT * (T1 - T2), Eigen::ArrayXd(T1.size()),
                             Eigen::ArrayXd(T1.size())};
   for (const HeatSegment& segment : interface.segments) {

@@ -44,11 +44,17 @@ inline bool has_thin_wall(const BodyView& body) {
   return body.wall_thickness && is_rosseland(*body.material);
 }
 
-/// Thermal contact conductance at a time, s: sets `h`, W/m2/K, at every interface point from the slave's temperatures
-/// there, K, and, unless the pointer is null, the derivatives of `h` with respect to them. All arrays have one entry
-/// for each point.
-using InterfaceLaw = std::function<void(double time, const std::vector<core::InterfacePoint>& points,
-                                        const Eigen::ArrayXd& temperature, Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT)>;
+/// Temperatures of both sides at the points of an interface, K.
+struct InterfaceTemperatures {
+  const Eigen::ArrayXd &slave, &master;
+};
+
+/// Thermal contact conductance at a time, s: sets `h`, W/m2/K, at every interface point from the temperatures of both
+/// sides there and, unless the pointer is null, the derivatives of `h` with respect to the slave's. All arrays have one
+/// entry for each point.
+using InterfaceLaw =
+    std::function<void(double time, const std::vector<core::InterfacePoint>& points,
+                       const InterfaceTemperatures& temperature, Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT)>;
 
 /// Heat conduction in several bodies that touch. Where the interface is in contact, its conductance replaces the
 /// exchange of both sides with the air.

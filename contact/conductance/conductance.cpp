@@ -24,6 +24,11 @@ double highest_of(const TableConductance& law) {
   return *std::max_element(law.h.begin(), law.h.end());
 }
 
+double highest_of(const GapConductance& law) {
+  constexpr double coldest_gas = 600;  // K; hotter gas conducts less across a gap shorter than some free paths
+  return law.at_opening(0, coldest_gas, coldest_gas);
+}
+
 }  // namespace
 
 bool TableConductance::clamps(double pressure_at, double viscosity_at) const {

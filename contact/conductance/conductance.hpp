@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "contact/conductance/gap_conductance.hpp"
 #include "core/math/dual.hpp"
 
 namespace parison::contact {
@@ -81,7 +82,8 @@ struct TableConductance {
   bool clamps(double pressure_at, double viscosity_at) const;
 };
 
-using ConductanceLaw = std::variant<ConstantConductance, PressureViscosityConductance, TableConductance>;
+using ConductanceLaw =
+    std::variant<ConstantConductance, PressureViscosityConductance, TableConductance, GapConductance>;
 
 /// h and its derivatives.
 struct ConductanceValue {
@@ -90,7 +92,7 @@ struct ConductanceValue {
   double dh_deta;        ///< W/m2/K/(Pa.s)
   bool clamped = false;  ///< the pressure or the viscosity lies beyond the ends of a table
 };
-/// Pressures below zero count as zero; the viscosity is positive.
+/// Pressures below zero count as zero; the viscosity is positive. Of a gap the value of a contact as old as it gets.
 ConductanceValue conductance(const ConductanceLaw& law, double pressure, double viscosity);
 
 /// The largest value that a law can give, W/m2/K.

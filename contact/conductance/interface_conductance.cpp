@@ -60,6 +60,13 @@ Index evaluate(const PressureViscosityConductance& law, Batch batch) {
   return 0;
 }
 
+/// Gaps have more arguments: set_gap_conductance.
+Index evaluate(const GapConductance&, Batch batch) {
+  batch.h.setZero();
+  if (batch.derivative) batch.derivatives().setZero();
+  return 0;
+}
+
 Index evaluate(const TableConductance& law, Batch batch) {
   Index clamped = 0;
   for (Index i = 0; i < batch.h.size(); ++i) {
@@ -70,6 +77,25 @@ Index evaluate(const TableConductance& law, Batch batch) {
     clamped += law.clamps(batch.pressure[i], viscosity.value);
   }
   return clamped;
+}
+
+/// The other values of the interface, of which a gap alone depends.
+struct Faces {
+  double age;  ///< s
+  const std::vector<core::InterfacePoint>& points;
+  const Eigen::ArrayXd &slave, &master;  ///< K
+  Eigen::ArrayXd *h, *dh_dT;
+};
+
+/// The points of a run that has the law of a gap.
+void evaluate(const GapConductance& law, Index first, Index count, const Faces& faces) {
+  for (Index i = first; i < first + count; ++i) {
+    const core::InterfacePoint& point = faces.points[static_cast<std::size_t>(i)];
+    const double opening = law.opening_after(std::max(point.opening, 0.0), point.closing_rate, faces.age);
+    const auto h = law.at_opening(opening, Dual<double>{faces.slave[i], 1}, Dual<double>{faces.master[i], 0});
+    (*faces.h)[i] = h.value;
+    if (faces.dh_dT) (*faces.dh_dT)[i] = h.derivative;
+  }
 }
 
 }  // namespace
@@ -97,6 +123,15 @@ Index InterfaceConductance::operator()(const Eigen::ArrayXd& log_viscosity, Eige
     clamped += std::visit([&](const auto& l) { return evaluate(l, batch); }, laws_[law]);
   }
   return clamped;
+}
+
+void InterfaceConductance::set_gap_conductance(double age, const std::vector<core::InterfacePoint>& points,
+                                               const Eigen::ArrayXd& slave_temperature,
+                                               const Eigen::ArrayXd& master_temperature, Eigen::ArrayXd& h,
+                                               Eigen::ArrayXd* dh_dT) const {
+  const Faces faces{age, points, slave_temperature, master_temperature, &h, dh_dT};
+  for (const auto& [law, first, count] : runs_)
+    if (const auto* gap = std::get_if<GapConductance>(&laws_[law])) evaluate(*gap, first, count, faces);
 }
 
 }  // namespace parison::contact

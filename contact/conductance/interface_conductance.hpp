@@ -19,6 +19,12 @@ class InterfaceConductance {
   /// its derivative with respect to that logarithm. Returns at how many points a table clamped its argument.
   core::Index operator()(const Eigen::ArrayXd& log_viscosity, Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dlog) const;
 
+  /// Sets h, and its derivative with respect to the slave's temperature, where the law is that of a gap; leaves all
+  /// others. `age` is the time, s, since the openings of the points; temperatures in K, one for each point.
+  void set_gap_conductance(double age, const std::vector<core::InterfacePoint>& points,
+                           const Eigen::ArrayXd& slave_temperature, const Eigen::ArrayXd& master_temperature,
+                           Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT) const;
+
  private:
   /// Consecutive points with the same law.
   struct Run {

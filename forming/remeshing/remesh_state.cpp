@@ -13,6 +13,7 @@
 #include "forming/remeshing/mesh_smoothing.hpp"
 #include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_criteria.hpp"
+#include "forming/remeshing/surface_transfer.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
@@ -131,6 +132,8 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
     if constexpr (std::is_same_v<std::decay_t<decltype(values)>, std::vector<Index>>) {
       if (field.transfer == TransferRule::nearest_contact) values = contact;
     } else {
+      if (field.transfer == TransferRule::along_surface && values.size() > 0)
+        values = carry_along_surface(old, state.glass.*field.values, mesh);
       const bool in_contact = field.transfer == TransferRule::interpolate_in_contact;
       if (values.size() == 0 || (field.transfer != TransferRule::interpolate && !in_contact)) return;
       values = interpolate_components(old, transfer, state.glass.*field.values, field.components);
@@ -244,7 +247,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   for_each_glass_field([&](const auto& field) {
     auto& values = next.glass.*field.values;
     if (field.stage_start == StageStart::reset) std::fill(values.begin(), values.end(), field.at_rest());
-    if (field.stage_start == StageStart::reset_without_tool)
+    if (field.stage_start == StageStart::reset_without_tool && values.size() > 0)
       for (const Index n : left) values[n] = field.at_rest();
   });
   next.glass.active_contacts = {};

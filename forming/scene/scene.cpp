@@ -74,6 +74,12 @@ const Body& body_of(const Scene& scene, Index body) {
   return body == 0 ? static_cast<const Body&>(scene.glass) : scene.tools[body - 1];
 }
 
+bool Scene::has_gap_law() const {
+  return std::any_of(interfaces.begin(), interfaces.end(), [](const Interface& interface) {
+    return std::holds_alternative<contact::GapConductance>(interface.law);
+  });
+}
+
 std::vector<bool> contact_boundaries(const Body& body) {
   std::vector<bool> flags;
   for (const auto& boundary : body.boundaries) flags.push_back(boundary.kind == BoundaryKind::contact);

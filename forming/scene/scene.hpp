@@ -90,6 +90,7 @@ struct Glass : Body {
 
 struct Tool : Body {
   flow::Friction friction;
+  double swabbing = 1;  ///< multiplies the conductance of its contact with the glass
 };
 
 /// Thermal interface between the glass (slave) and a tool (master).
@@ -248,6 +249,8 @@ struct Scene {
   bool has_heat() const { return glass.thermal.has_value(); }
   /// Whether the light in the glass is computed in bands.
   bool has_light() const { return has_heat() && thermal::has_light(*glass.thermal); }
+  /// Whether the gap of any contact is a quantity that evolves.
+  bool has_gap_law() const;
 };
 
 /// Body 0 is the glass, body 1 + i tool i.

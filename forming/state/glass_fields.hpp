@@ -23,15 +23,16 @@ struct GlassFields {
   Eigen::VectorXd contact_pressure;  ///< zero where nothing presses
   std::vector<Index> contact_tool;   ///< index into Scene::tools of the tool that presses on the node, -1 where none
   std::vector<Index> previous_contact_tool;  ///< the same a step earlier
+  Eigen::VectorXd contact_opening;  ///< of the gap to a tool beyond that at first touch; zero where nothing touches
 };
 
 /// Where the values of a field belong.
 enum class Location { node, quadrature_point };
 /// What a scene must have for the field to exist.
-enum class Needs { nothing, heat_or_flow, flow };
+enum class Needs { nothing, heat_or_flow, flow, gap_law };
 /// How the field gets to a new mesh: with the heat content kept, by interpolation, by interpolation and zero off the
-/// contacts, from the nearest surface node in contact, or not at all.
-enum class TransferRule { conserve_heat, interpolate, interpolate_in_contact, nearest_contact, reset };
+/// contacts, along the surface alone, from the nearest surface node in contact, or not at all.
+enum class TransferRule { conserve_heat, interpolate, interpolate_in_contact, along_surface, nearest_contact, reset };
 /// What a stage's start does to it: keep it, reset it to its value at rest, or reset it where its tool is no longer
 /// active.
 enum class StageStart { keep, reset, reset_without_tool };
@@ -97,7 +98,10 @@ inline constexpr auto glass_fields = std::make_tuple(
                      StageStart::keep, WithinStep::of_step, FieldOutput::none, "", &GlassFields::previous_contact_tool),
     FieldDeclaration("contact_pressure", "Pa", Location::node, 1, Needs::nothing, TransferRule::interpolate_in_contact,
                      StageStart::reset_without_tool, WithinStep::of_step, FieldOutput::value, "contact_pressure_Pa",
-                     &GlassFields::contact_pressure));
+                     &GlassFields::contact_pressure),
+    FieldDeclaration("contact_opening", "m", Location::node, 1, Needs::gap_law, TransferRule::along_surface,
+                     StageStart::reset_without_tool, WithinStep::linear, FieldOutput::millimetre, "contact_opening_mm",
+                     &GlassFields::contact_opening));
 
 /// Calls work(declaration) for each field, in the order of the list.
 template <typename Work>

@@ -56,6 +56,8 @@ bool exists(const Scene& scene, Needs needs) {
       return true;
     case Needs::flow:
       return scene.has_flow();
+    case Needs::gap_law:
+      return scene.has_gap_law();
     case Needs::heat_or_flow:
       return scene.has_heat() || scene.has_flow();
   }

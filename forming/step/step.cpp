@@ -9,6 +9,7 @@
 #include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/flow_step.hpp"
+#include "forming/step/heat/contact_opening.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/heat/surface_temperature.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
@@ -118,6 +119,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
         unforeseen_work(scene.glass.flow->viscosity, state.glass.mesh, result.dissipation, predictor.temperature,
                         state.glass.temperature, after.glass.temperature, dt);
   if (scene.has_flow()) update_rates(state, dt, after);
+  advance_openings(scene, state, dt, after);
   after.time += dt;
   after.stage_time += dt;
   ++after.totals.steps;

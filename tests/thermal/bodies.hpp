@@ -109,10 +109,10 @@ inline std::vector<core::InterfacePoint> stack(const core::Mesh& slave, const co
 
 /// A law of single points, for the whole interface.
 inline InterfaceLaw pointwise(std::function<core::Conductance(const core::InterfacePoint&, double)> law) {
-  return [law](double, const std::vector<core::InterfacePoint>& points, const Eigen::ArrayXd& temperature,
+  return [law](double, const std::vector<core::InterfacePoint>& points, const InterfaceTemperatures& temperature,
                Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const core::Conductance value = law(points[i], temperature[i]);
+      const core::Conductance value = law(points[i], temperature.slave[i]);
       h[i] = value.h;
       if (dh_dT) (*dh_dT)[i] = value.dh_dT;
     }

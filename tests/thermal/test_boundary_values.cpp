@@ -77,8 +77,8 @@ struct Manufactured {
     problem.bodies[0].exchange[top] = SurfaceExchange{tabulate(h), tabulate(air_temperature), 0, 300};
     problem.bodies[1].prescribed[bottom] = tabulate([](double t) { return lower_exact(-low, t); });
     problem.interface = stack(upper, lower, Geometry::planar);
-    problem.law = [](double time, const std::vector<core::InterfacePoint>&, const Eigen::ArrayXd&, Eigen::ArrayXd& h,
-                     Eigen::ArrayXd* dh_dT) {
+    problem.law = [](double time, const std::vector<core::InterfacePoint>&, const InterfaceTemperatures&,
+                     Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT) {
       h.setConstant(conductance(time));
       if (dh_dT) dh_dT->setZero();
     };

@@ -10,6 +10,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
+#include "tools/camera/camera.hpp"
 #include "tools/commands/export_container.hpp"
 #include "tools/commands/new_case.hpp"
 #include "tools/commands/run/run_command.hpp"
@@ -271,6 +272,21 @@ void add_export(CLI::App& app, Command& chosen) {
                       "input file for CalculiX or Abaqus (.inp): the middle of the wall as shells with its thickness");
 }
 
+void add_camera(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<CameraRequest>();
+  auto* command = add_command(app, "camera", "show the hot container as an infrared camera beside it sees it", chosen,
+                              request, camera);
+  command->add_option("results", request->results, "folder with the results of a run")->required();
+  command->add_option("--band", request->bands, "FROM TO: wavelengths; may be repeated [3 um 5 um, 0.9 um 1.1 um]")
+      ->type_size(2)
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--time", request->time, "of the output, the nearest one [the end]");
+  command->add_option("--surroundings", request->surroundings, "temperature behind the glass [ambient of the stage]");
+  command->add_option("--pixel", request->pixel, "size of a pixel on the container")->capture_default_str();
+  command->add_option("--output", request->output, "name of the files without ending [camera in the folder]");
+}
+
 void add_report(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<ReportRequest>();
   auto* command =
@@ -317,6 +333,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_uncertainty(app, chosen);
   add_fit_law(app, chosen);
   add_export(app, chosen);
+  add_camera(app, chosen);
   add_report(app, chosen);
   add_watch(app, chosen);
   add_cases(app, chosen);

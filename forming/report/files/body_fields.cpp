@@ -24,7 +24,9 @@ Eigen::VectorXd viscosity_field(const Scene& scene, const GlassState& glass) {
 void add_declared_fields(const Scene& scene, const GlassState& glass, core::VtuFields& fields) {
   for_each_glass_field([&](const auto& field) {
     const auto& values = glass.*field.values;
-    const bool written = field.output == FieldOutput::celsius ? scene.has_heat() : scene.has_flow();
+    const bool written = field.needs == Needs::gap_law          ? scene.has_gap_law()
+                         : field.output == FieldOutput::celsius ? scene.has_heat()
+                                                                : scene.has_flow();
     if (field.output == FieldOutput::none || !written) return;
     const double offset = field.output == FieldOutput::celsius ? thermal::content_reference : 0;
     const double scale = field.output == FieldOutput::millimetre ? 1e3 : 1;

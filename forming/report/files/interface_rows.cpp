@@ -62,7 +62,7 @@ void add_line(const Scene& scene, const State& state, const core::InterfacePoint
   const double glass = value_at(state.glass.temperature, point.slave_nodes, point.slave_shape);
   const double tool = value_at(temperature_of(state, point.master_body), point.master_nodes, point.master_shape);
   long clamped_lookups = 0;
-  const double h = point_conductance(scene, point, glass, clamped_lookups).h;
+  const double h = point_conductance(scene, point, {glass, tool}, clamped_lookups).h;
   const double celsius = thermal::content_reference;
   for (const double value : {1e3 * arc, 1e3 * point.position[0], 1e3 * point.position[1], glass - celsius,
                              tool - celsius, point.pressure, viscosity_at(scene, glass), h,

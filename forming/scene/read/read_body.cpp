@@ -208,7 +208,8 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
 }
 
 Tool read_tool(const CaseNode& node, const BodyContext& context) {
-  const CaseTable table(node, {"name", "material", "temperature", "friction", "position", "mesh", "boundary"});
+  const CaseTable table(node,
+                        {"name", "material", "temperature", "friction", "swabbing", "position", "mesh", "boundary"});
   Tool tool;
   tool.name = core::identifier(table.get("name"));
   if (tool.name == "glass")
@@ -242,6 +243,7 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
     table.get("temperature");
   }
   if (context.with_flow) tool.friction = read_friction(table.get("friction"));
+  if (const auto* item = table.find("swabbing")) tool.swabbing = core::positive(*item, dimension::none);
   if (const auto* item = table.find("position")) tool.position = core::quantity(*item, dimension::length);
   read_shape(table, context, tool);
   if (tool.thermal) read_start_temperature(table.get("temperature"), context, tool);

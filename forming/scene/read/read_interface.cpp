@@ -67,16 +67,42 @@ contact::TableConductance read_table(const CaseNode& node) {
   return law;
 }
 
+contact::GapConductance read_gap(const CaseNode& node) {
+  const auto table = with_keys(node, {"touch_gap", "open_gap", "opening_time", "closing", "accommodation"});
+  contact::GapConductance law;
+  law.touch_gap = core::positive(table.get("touch_gap"), dimension::length);
+  law.open_gap = core::positive(table.get("open_gap"), dimension::length);
+  if (law.open_gap < law.touch_gap)
+    core::refuse(
+        table.get("open_gap"),
+        fmt::format("\"{}\" is below touch_gap, allowed is open_gap not below touch_gap", table.get("open_gap").text));
+  law.opening_time = core::positive(table.get("opening_time"), dimension::time);
+  law.closing = core::not_negative(table.get("closing"), dimension::none);
+  law.accommodation = core::positive(table.get("accommodation"), dimension::none);
+  if (law.accommodation > 1)
+    core::refuse(table.get("accommodation"), fmt::format("{:g} was found, allowed is above 0 to 1", law.accommodation));
+  return law;
+}
+
+/// Exchange of grey light between two faces; 0 where the light in bands counts it, or a face has no emissivity.
+double exchange_emissivity(const Scene& scene, const Tool& tool) {
+  const double glass = scene.glass.emissivity;
+  return scene.has_light() || glass == 0 || tool.emissivity == 0 ? 0 : 1 / (1 / glass + 1 / tool.emissivity - 1);
+}
+
 /// An interface of any law.
 CaseTable interface_table(const CaseNode& node) {
-  return with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity"});
+  return with_keys(node, {"h", "h0", "h1", "p_ref", "eta_ref", "a", "b", "pressure", "viscosity", "touch_gap",
+                          "open_gap", "opening_time", "closing", "accommodation"});
 }
 
 contact::ConductanceLaw read_law(const CaseNode& node, bool with_flow) {
   const auto table = interface_table(node);
-  const int law = core::choice(table.get("law"), {"constant", "pressure-viscosity", "table"});
+  const int law = core::choice(table.get("law"), {"constant", "pressure-viscosity", "table", "gap"});
+  if (law == 3) return read_gap(node);
   if (law > 0 && !with_flow)
-    core::refuse(table.get("law"), "the glass does not flow and has no contact pressure, allowed is \"constant\"");
+    core::refuse(table.get("law"),
+                 "the glass does not flow and has no contact pressure, allowed are \"constant\" and \"gap\"");
   if (law == 1) return read_pressure_viscosity(node);
   if (law == 2) return read_table(node);
   return contact::ConstantConductance{core::positive(with_keys(node, {"h"}).get("h"), dimension::conductance)};
@@ -101,6 +127,14 @@ std::vector<Interface> read_interfaces(const CaseNode& node, const Scene& scene)
       if (std::any_of(known->begin(), known->end(), is_this))
         core::refuse(item, fmt::format("\"{}\" has an interface already, allowed is one", item.text));
     interfaces.push_back({tool, law, width});
+    if (auto* gap = std::get_if<contact::GapConductance>(&interfaces.back().law)) {
+      gap->exchange_emissivity = exchange_emissivity(scene, scene.tools[tool]);
+      if (gap->open_gap >= width)
+        core::refuse(table.get("open_gap"),
+                     fmt::format("\"{}\" is not below the transition gap of {:g} mm, beyond which a contact is over; "
+                                 "allowed is less",
+                                 table.get("open_gap").text, 1e3 * width));
+    }
   }
   return interfaces;
 }

@@ -37,7 +37,20 @@ thermal::Band read_band(const CaseNode& node, double from, bool last) {
   return band;
 }
 
+/// The bands of a bundled glass by its name.
+std::vector<thermal::Band> library_bands(const CaseNode& node) {
+  std::vector<std::string> names;
+  for (const NamedMaterial& material : library_materials())
+    if (material.thermal && material.thermal->radiation && !material.thermal->radiation->bands.empty())
+      names.push_back(material.name);
+  const std::string& name = names[static_cast<std::size_t>(core::choice(node, names))];
+  for (const NamedMaterial& material : library_materials())
+    if (material.name == name) return material.thermal->radiation->bands;
+  return {};
+}
+
 std::vector<thermal::Band> read_bands(const CaseNode& node) {
+  if (node.kind == CaseNode::Kind::text) return library_bands(node);
   const auto& items = core::list(node);
   if (items.empty() || items.size() > max_bands)
     core::refuse(node, fmt::format("{} bands were found, allowed are 1 to {}", items.size(), max_bands));

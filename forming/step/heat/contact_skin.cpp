@@ -54,12 +54,11 @@ void update_contact_skins(const Scene& scene, const std::vector<core::InterfaceP
   if (!interface.empty()) {
     const Eigen::VectorXd cells = surface_cells(state.glass.mesh);
     std::vector<Eigen::VectorXd> of_tool(tools);
-    Eigen::ArrayXd temperature = Eigen::ArrayXd::Zero(interface.size()), h(interface.size());
-    for (std::size_t p = 0; p < interface.size(); ++p)
-      for (int i = 0; i < 3; ++i)
-        temperature[p] += interface[p].slave_shape[i] * state.glass.temperature[interface[p].slave_nodes[i]];
+    const FaceTemperatureArrays temperature = face_temperatures(state, interface);
+    Eigen::ArrayXd h(interface.size());
     long clamped = 0;
-    interface_law(scene, interface, clamped)(state.time, interface, temperature, h, nullptr);
+    interface_law(scene, interface, state.time, clamped)(state.time, interface, {temperature.glass, temperature.tool},
+                                                         h, nullptr);
     for (std::size_t p = 0; p < interface.size(); ++p) {
       const core::InterfacePoint& point = interface[p];
       const std::size_t tool = point.master_body - body_of_tool(0);

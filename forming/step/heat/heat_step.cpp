@@ -39,7 +39,7 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
     for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
       problem.bodies[b].light = surface_light(scene, state, b, *meshes[b]);
   problem.bodies[glass_body].density = state.glass.density;
-  problem.law = interface_law(scene, problem.interface, clamped_lookups);
+  problem.law = interface_law(scene, problem.interface, state.time, clamped_lookups);
   return problem;
 }
 
@@ -113,11 +113,11 @@ Eigen::VectorXd limiting_wall_thickness(const Scene& scene, const core::Mesh& gl
   return remesh::wall_thickness(glass);
 }
 
-/// Whether glass and tools do not move for the whole stage.
+/// Whether glass, tools and the gaps between them do not change for the whole stage.
 bool is_static(const Scene& scene, const Stage& stage) {
-  return !scene.has_flow() && std::all_of(stage.tools.begin(), stage.tools.end(), [](const auto& tool) {
-    return std::holds_alternative<std::monostate>(tool.motion);
-  });
+  return !scene.has_flow() && !scene.has_gap_law() &&
+         std::all_of(stage.tools.begin(), stage.tools.end(),
+                     [](const auto& tool) { return std::holds_alternative<std::monostate>(tool.motion); });
 }
 
 /// Steps of IDA, some seconds of work, after which a new integrator is started so that a checkpoint can be written.

@@ -11,22 +11,15 @@
 namespace parison::forming {
 namespace {
 
-/// Temperatures of the glass at the interface's points, K.
-Eigen::ArrayXd glass_temperatures(const Eigen::VectorXd& nodal, const std::vector<core::InterfacePoint>& interface) {
-  Eigen::ArrayXd at = Eigen::ArrayXd::Zero(interface.size());
-  for (std::size_t p = 0; p < interface.size(); ++p)
-    for (int i = 0; i < 3; ++i) at[p] += interface[p].slave_shape[i] * nodal[interface[p].slave_nodes[i]];
-  return at;
-}
-
 /// Times in which the contact brings the glass surface to the tool's temperature, s.
 Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::InterfacePoint>& interface, double time,
-                                const Eigen::ArrayXd& temperature) {
+                                const FaceTemperatureArrays& faces) {
   const auto& glass = *scene.glass.thermal;
   const thermal::Conductivity conductivity(glass);
   long clamped_lookups = 0;
+  const Eigen::ArrayXd& temperature = faces.glass;
   Eigen::ArrayXd h(temperature.size()), times(temperature.size());
-  interface_law(scene, interface, clamped_lookups)(time, interface, temperature, h, nullptr);
+  interface_law(scene, interface, time, clamped_lookups)(time, interface, {faces.glass, faces.tool}, h, nullptr);
   const thermal::Enthalpy enthalpy(glass.heat_capacity);
   for (Eigen::Index i = 0; i < times.size(); ++i) {
     const double stored = conductivity(temperature[i]) * glass.density * enthalpy(temperature[i]).c;
@@ -37,13 +30,13 @@ Eigen::ArrayXd relaxation_times(const Scene& scene, const std::vector<core::Inte
 }
 
 /// Whether a contact brings the glass node to its tool's temperature in no time.
-bool relaxes_at_once(const Scene& scene, double time, const Eigen::VectorXd& temperature,
-                     const std::vector<core::InterfacePoint>& interface, Index node) {
+bool relaxes_at_once(const Scene& scene, const State& state, const std::vector<core::InterfacePoint>& interface,
+                     Index node) {
   std::vector<core::InterfacePoint> of_node;
   for (const auto& point : interface)
     if (std::find(point.slave_nodes.begin(), point.slave_nodes.end(), node) != point.slave_nodes.end())
       of_node.push_back(point);
-  const Eigen::ArrayXd times = relaxation_times(scene, of_node, time, glass_temperatures(temperature, of_node));
+  const Eigen::ArrayXd times = relaxation_times(scene, of_node, state.time, face_temperatures(state, of_node));
   return (times < scene.accuracy.initial_step).any();
 }
 
@@ -60,7 +53,7 @@ double surface_temperature_change(const Scene& scene, const State& before, const
   for (;;) {
     Eigen::Index largest = 0;
     const double found = change.maxCoeff(&largest);
-    if (found == 0 || !relaxes_at_once(scene, before.time, from, interface, static_cast<Index>(largest))) return found;
+    if (found == 0 || !relaxes_at_once(scene, before, interface, static_cast<Index>(largest))) return found;
     change[largest] = 0;
   }
 }

@@ -47,6 +47,19 @@ TEST(RadiationKeys, bands_are_read_and_a_last_one_without_end_has_the_rest_of_th
   EXPECT_TRUE(std::isinf(grey.glass.thermal->radiation->bands[0].up_to));
 }
 
+TEST(RadiationKeys, bands_may_be_those_of_a_bundled_glass_by_name) {
+  const auto absorption = [](const char* name) {
+    const Scene scene = scene_of(text_with(bands(fmt::format("\"{}\"", name))));
+    const auto& of_glass = scene.glass.thermal->radiation->bands;
+    EXPECT_EQ(of_glass.size(), 2u);
+    return of_glass.front().absorption;
+  };
+  EXPECT_LT(absorption("flint"), absorption("green"));
+  EXPECT_LT(absorption("green"), absorption("amber"));
+  EXPECT_NE(complaint(bands("\"flnt\"")).find("allowed are amber, flint, green"), std::string::npos)
+      << complaint(bands("\"flnt\""));
+}
+
 TEST(RadiationKeys, without_a_model_radiation_is_that_of_Rosseland_and_none_is_none) {
   const std::string keys = "refractive_index = 1.5, absorption = \"150 1/m\", thin_wall = true";
   EXPECT_TRUE(thermal::is_rosseland(*scene_of(text_with(keys)).glass.thermal));

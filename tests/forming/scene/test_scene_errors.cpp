@@ -324,8 +324,35 @@ TEST(SceneErrors, a_conductance_that_needs_a_pressure_on_glass_that_does_not_flo
                                   "tools = [\"plate\", \"plunger\"]\nlaw = \"" + std::string(law) + "\"", text);
     EXPECT_EQ(complaint_about(changed), std::to_string(line_of("law = \"" + std::string(law), changed)) +
                                             ": interface.law: the glass does not flow and has no contact pressure, "
-                                            "allowed is \"constant\"");
+                                            "allowed are \"constant\" and \"gap\"");
   }
+}
+
+TEST(SceneErrors, a_contact_by_the_gap_with_constants_out_of_range) {
+  const auto with = [](const char* touch, const char* open, const char* time, const char* closing, const char* share) {
+    const auto message = complaint_about(replaced(
+        "law = \"constant\"\nh = \"2000 W/m2/K\"",
+        fmt::format("law = \"gap\"\ntouch_gap = \"{}\"\nopen_gap = \"{}\"\nopening_time = \"{}\"\nclosing = {}\n"
+                    "accommodation = {}",
+                    touch, open, time, closing, share)));
+    return message.substr(std::min(message.size(), message.find(' ') + 1));
+  };
+  EXPECT_EQ(with("0.25 um", "40 um", "0.2 s", "1", "0.9"), "");
+  EXPECT_EQ(with("50 um", "40 um", "0.2 s", "1", "0.9"),
+            "interface.open_gap: \"40 um\" is below touch_gap, allowed is open_gap not below touch_gap");
+  EXPECT_EQ(with("0.25 um", "0.1 mm", "0.2 s", "1", "0.9"),
+            "interface.open_gap: \"0.1 mm\" is not below the transition gap of 0.1 mm, beyond which a contact is over; "
+            "allowed is less");
+  EXPECT_EQ(with("0.25 um", "40 um", "0.2 s", "1", "1.1"),
+            "interface.accommodation: 1.1 was found, allowed is above 0 to 1");
+  EXPECT_EQ(with("0 um", "40 um", "0.2 s", "1", "0.9").rfind("interface.touch_gap: \"0 um\" was found", 0), 0u);
+  EXPECT_EQ(with("0.25 um", "40 um", "0 s", "1", "0.9").rfind("interface.opening_time: \"0 s\" was found", 0), 0u);
+  EXPECT_EQ(with("0.25 um", "40 um", "0.2 s", "-1", "0.9").rfind("interface.closing: ", 0), 0u);
+}
+
+TEST(SceneErrors, a_swabbing_factor_that_is_not_above_zero) {
+  const auto message = complaint_about(replaced("friction = \"slip\"", "friction = \"slip\"\nswabbing = 0"));
+  EXPECT_NE(message.find("tool.swabbing: 0 was found, allowed is"), std::string::npos) << message;
 }
 
 TEST(SceneErrors, a_tool_that_carries_no_heat_with_glass_that_does) {

@@ -87,7 +87,7 @@ bool Section::may_meet(const Ray& ray, const Box& box, double nearest) const {
 }
 
 /// The frustum is n_r r = g with g linear along the ray: a quadratic equation for the distance.
-void Section::meet(const Ray& ray, Index f, Index from_facet, std::optional<Hit>& nearest) const {
+void Section::meet(const Ray& ray, Index f, Index from_facet, double sense, std::optional<Hit>& nearest) const {
   const Facet& facet = facets_[f];
   const Eigen::Vector3d &o = ray.origin, &d = ray.direction;
   const double nr = facet.normal[0], nz = facet.normal[1];
@@ -95,7 +95,7 @@ void Section::meet(const Ray& ray, Index f, Index from_facet, std::optional<Hit>
   std::array<double, 2> roots{-1, -1};
   if (geometry_ == Geometry::planar) {
     const double rate = nr * d[0] - g1;
-    if (rate > 0) roots[0] = (g0 - nr * o[0]) / rate;
+    if (sense * rate > 0) roots[0] = (g0 - nr * o[0]) / rate;
   } else if (std::abs(nr) < flat) {
     if (g1 != 0) {
       roots[0] = -g0 / g1;
@@ -120,12 +120,12 @@ void Section::meet(const Ray& ray, Index f, Index from_facet, std::optional<Hit>
     if (share < -overlap || share > 1 + overlap) continue;
     if (std::abs((at - facet.from).dot(facet.normal)) > 1e-6 * std::sqrt(length2) + tiny_)
       continue;  // other half of the cone
-    if (facet_normal(f, x).dot(d) <= 0) continue;
+    if (sense * facet_normal(f, x).dot(d) <= 0) continue;
     nearest = Hit{t, facet.edge, facet.s + 0.5 * std::clamp(share, 0.0, 1.0), f};
   }
 }
 
-std::optional<Hit> Section::leave(const Ray& ray, Index from_facet) const {
+std::optional<Hit> Section::first_hit(const Ray& ray, Index from_facet, double sense) const {
   std::optional<Hit> nearest;
   std::array<Index, 64> stack;
   int depth = 0;
@@ -134,7 +134,7 @@ std::optional<Hit> Section::leave(const Ray& ray, Index from_facet) const {
     const Box& box = boxes_[stack[--depth]];
     if (!may_meet(ray, box, nearest ? nearest->distance : std::numeric_limits<double>::max() / 4)) continue;
     if (box.left < 0) {
-      for (Index f = box.first; f < box.last; ++f) meet(ray, f, from_facet, nearest);
+      for (Index f = box.first; f < box.last; ++f) meet(ray, f, from_facet, sense, nearest);
     } else {
       stack[depth++] = box.left;
       stack[depth++] = box.right;

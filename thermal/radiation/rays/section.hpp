@@ -36,7 +36,9 @@ class Section {
   /// Coordinates in the section of a point in space.
   Point project(const Eigen::Vector3d& x) const;
   /// Where a ray that begins inside or on a facet leaves the body; none where it slips through a gap of round-off.
-  std::optional<Hit> leave(const Ray& ray, Index from_facet) const;
+  std::optional<Hit> leave(const Ray& ray, Index from_facet) const { return first_hit(ray, from_facet, 1); }
+  /// Where a ray that begins outside or on a facet enters the body; none where it does not.
+  std::optional<Hit> enter(const Ray& ray, Index from_facet) const { return first_hit(ray, from_facet, -1); }
   /// Outward unit normal in space at a place of a boundary edge, turned to a point there.
   Eigen::Vector3d normal(Index edge, double s, const Eigen::Vector3d& x) const;
   /// The same of the straight facet.
@@ -58,7 +60,9 @@ class Section {
   };
   Index add_box(Index first, Index last);
   bool may_meet(const Ray& ray, const Box& box, double nearest) const;
-  void meet(const Ray& ray, Index facet, Index from_facet, std::optional<Hit>& nearest) const;
+  /// The nearest facet whose normal has a positive product with `sense` times the direction.
+  std::optional<Hit> first_hit(const Ray& ray, Index from_facet, double sense) const;
+  void meet(const Ray& ray, Index facet, Index from_facet, double sense, std::optional<Hit>& nearest) const;
   Eigen::Vector3d turned(const Point& in_section, const Eigen::Vector3d& x) const;
 
   const core::Mesh& mesh_;

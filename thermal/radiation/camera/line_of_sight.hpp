@@ -1,0 +1,71 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <vector>
+
+#include "thermal/properties.hpp"
+#include "thermal/radiation/camera/temperature_at.hpp"
+#include "thermal/radiation/planck.hpp"
+#include "thermal/radiation/rays/section.hpp"
+
+namespace parison::thermal {
+
+/// Wavelengths in vacuum that a camera is sensitive to, m.
+struct CameraBand {
+  double from, to;
+};
+
+/// Optics of the glass that a camera looks at; opaque beyond the last band.
+struct Optics {
+  double refractive_index;
+  std::vector<Band> bands;
+};
+/// Of a material: its bands where it has any, else the mean absorption at all wavelengths; without radiation it is
+/// opaque with the index 1.5.
+Optics optics_of(const Material& material);
+
+/// Glass as a camera sees it. Lines of sight are followed backwards: refracted and reflected at each surface by Snell
+/// and Fresnel, with the emission of the glass along the way and that of black surroundings where they leave. The mesh
+/// has to live as long.
+class LineOfSight {
+ public:
+  LineOfSight(const core::Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& temperature, const Optics& optics,
+              CameraBand band, double surroundings);
+
+  /// Radiance that comes back along a ray which begins outside, W/m2/sr.
+  double radiance(const Ray& ray) const;
+  /// Temperature of a black body of that radiance, K.
+  double apparent_temperature(double radiance) const;
+  /// Temperature, K, of the surface that a ray meets first; not a number where it meets none.
+  double surface_temperature(const Ray& ray) const;
+  /// Whether a ray that begins outside meets the glass.
+  bool meets(const Ray& ray) const { return section_.enter(ray, -1).has_value(); }
+
+ private:
+  /// A part of the camera's band in which the glass absorbs alike.
+  struct Part {
+    BandEmission emission;
+    double absorption;  ///< 1/m; infinite where the glass is opaque
+  };
+  /// A ray that still has to be followed, with the share of its radiance, by part, that reaches the camera.
+  struct Beam {
+    Ray ray;
+    Index facet;
+    bool inside;
+    int surfaces;  ///< met so far
+    double temperature;
+    Eigen::ArrayXd share;
+  };
+  Eigen::ArrayXd emission(double temperature) const;
+  void follow_outside(Beam beam, double& sum, std::vector<Beam>& beams) const;
+  void follow_inside(Beam beam, double& sum, std::vector<Beam>& beams) const;
+  double emitted_along(const Ray& ray, double length, Eigen::ArrayXd& share) const;
+
+  double index_, surroundings_;
+  std::vector<Part> parts_;
+  BandEmission whole_;
+  Section section_;
+  FieldAtPoints temperature_;
+};
+
+}  // namespace parison::thermal

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/camera/camera.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include "core/case/case_error.hpp"
+#include "core/case/units.hpp"
+#include "core/io/files.hpp"
+#include "thermal/radiation/camera/line_of_sight.hpp"
+#include "tools/camera/hot_section.hpp"
+#include "tools/camera/infrared_picture.hpp"
+#include "tools/report/data/scene_text.hpp"
+
+namespace parison::tools {
+namespace {
+
+using thermal::CameraBand;
+using thermal::LineOfSight;
+
+constexpr double zero_celsius = 273.15, millimetre = 1e-3, micrometre = 1e-6;
+constexpr std::size_t most_pixels = 400000;
+constexpr double shortest_wave = 0.3e-6, longest_wave = 50e-6;  // m: what thermal cameras see, with a margin
+
+double read(const char* option, const std::string& text, const core::Dimension& dimension) {
+  const auto parsed = core::parse_quantity(text, dimension);
+  if (!parsed.problem.empty()) throw core::CaseError(fmt::format("{}: {}", option, parsed.problem));
+  return parsed.value;
+}
+
+std::vector<CameraBand> bands_of(const CameraRequest& request) {
+  if (request.bands.empty()) return {{3e-6, 5e-6}, {0.9e-6, 1.1e-6}};
+  std::vector<CameraBand> bands;
+  for (std::size_t i = 0; i + 1 < request.bands.size(); i += 2) {
+    const CameraBand band{read("--band", request.bands[i], core::dimension::length),
+                          read("--band", request.bands[i + 1], core::dimension::length)};
+    if (!(band.from >= shortest_wave && band.to > band.from && band.to <= longest_wave))
+      throw core::CaseError(
+          fmt::format("--band: \"{}\" to \"{}\" was found, allowed are wavelengths that rise, from 0.3 um to 50 um",
+                      request.bands[i], request.bands[i + 1]));
+    bands.push_back(band);
+  }
+  return bands;
+}
+
+std::string name_of(const CameraBand& band) {
+  return fmt::format("{:g} to {:g} um", band.from / micrometre, band.to / micrometre);
+}
+
+/// The ambient of the stage that a run is in at a time.
+double ambient_at(const forming::Scene& scene, double time) {
+  double start = 0;
+  const forming::Stage* stage = &scene.stages.front();
+  for (const forming::Stage& each : scene.stages) {
+    if (time > start + 1e-9) stage = &each;
+    start += each.duration;
+  }
+  return stage->air.ambient_temperature(0);
+}
+
+/// Pixels over the right half of what is seen, from the axis outwards, in rows from the lowest up.
+struct Raster {
+  double pixel, low;  ///< m; height of the lowest row's middle
+  std::size_t columns, rows;
+
+  thermal::Ray line(std::size_t column, std::size_t row, double away) const {
+    return {{away, (static_cast<double>(column) + 0.5) * pixel, low + static_cast<double>(row) * pixel}, {-1, 0, 0}};
+  }
+};
+
+Raster raster_of(const core::Mesh& mesh, double pixel) {
+  double radius = 0, low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const core::Point& x : mesh.nodes) {
+    radius = std::max(radius, x[0]);
+    low = std::min(low, x[1]);
+    high = std::max(high, x[1]);
+  }
+  const double columns = std::ceil(radius / pixel), rows = std::floor((high - low) / pixel);
+  if (!(rows >= 1) || columns * rows > most_pixels)
+    throw core::CaseError(fmt::format("--pixel: {:g} mm was found, allowed are 1 to {} pixels on half of the container",
+                                      pixel / millimetre, most_pixels));
+  return {pixel, low + 0.5 * (high - low - (rows - 1) * pixel), static_cast<std::size_t>(columns),
+          static_cast<std::size_t>(rows)};
+}
+
+InfraredImage image_of(const LineOfSight& view, const Raster& raster, const std::string& title) {
+  InfraredImage image{title, raster.pixel / millimetre, raster.low / millimetre, {}};
+  const double away = 10 * raster.pixel * static_cast<double>(raster.columns + raster.rows);
+  for (std::size_t row = 0; row < raster.rows; ++row) {
+    auto& values = image.rows.emplace_back();
+    for (std::size_t column = 0; column < raster.columns; ++column) {
+      const thermal::Ray ray = raster.line(column, row, away);
+      values.push_back(view.meets(ray) ? view.apparent_temperature(view.radiance(ray)) - zero_celsius
+                                       : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return image;
+}
+
+/// The line along the axis of each image, beside the temperature of the surface that it meets first.
+std::string profile_text(const std::vector<InfraredImage>& images, const LineOfSight& view, const Raster& raster) {
+  std::string text = "z_mm,surface_degC";
+  for (const InfraredImage& image : images) {
+    std::string name = image.title;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    text += fmt::format(",apparent_{}_degC", name);
+  }
+  text += "\n";
+  const double away = 10 * raster.pixel * static_cast<double>(raster.columns + raster.rows);
+  for (std::size_t row = 0; row < raster.rows; ++row) {
+    const double surface = view.surface_temperature(raster.line(0, row, away)) - zero_celsius;
+    text += fmt::format("{:.4g},{:.6g}", images[0].low + images[0].pixel * static_cast<double>(row), surface);
+    for (const InfraredImage& image : images) text += fmt::format(",{:.6g}", image.rows[row][0]);
+    text += "\n";
+  }
+  return text;
+}
+
+void tell(const InfraredImage& image) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& row : image.rows)
+    if (!std::isnan(row[0])) {
+      low = std::min(low, row[0]);
+      high = std::max(high, row[0]);
+    }
+  fmt::print("  {:<20} apparent {:.0f} to {:.0f} degC along the axis\n", image.title, low, high);
+}
+
+}  // namespace
+
+int camera(const CameraRequest& request) {
+  const auto bands = bands_of(request);
+  std::optional<double> time;
+  if (!request.time.empty()) time = read("--time", request.time, core::dimension::time);
+  const double pixel = read("--pixel", request.pixel, core::dimension::length);
+  const SceneOfRun of = read_scene_of(request.results);
+  if (!of.scene) throw core::CaseError(of.problem);
+  if (of.scene->geometry != core::Geometry::axisymmetric || !of.scene->has_heat())
+    throw core::CaseError(
+        fmt::format("{}: a camera needs a round container that carries heat, allowed are axisymmetric cases with heat",
+                    request.results));
+  const HotSection hot = read_hot_section(request.results, time);
+  const double surroundings = request.surroundings.empty()
+                                  ? ambient_at(*of.scene, hot.time)
+                                  : read("--surroundings", request.surroundings, core::dimension::temperature);
+  const thermal::Optics optics = thermal::optics_of(*of.scene->glass.thermal);
+  const Raster raster = raster_of(hot.mesh, pixel);
+  std::vector<InfraredImage> images;
+  std::string profile;
+  const std::string name = request.output.empty() ? request.results + "/camera" : request.output;
+  fmt::print("{} at {:.4g} s, surroundings {:.0f} degC\n", request.results, hot.time, surroundings - zero_celsius);
+  for (const CameraBand& band : bands) {
+    const LineOfSight view(hot.mesh, core::Geometry::axisymmetric, hot.temperature, optics, band, surroundings);
+    images.push_back(image_of(view, raster, name_of(band)));
+    tell(images.back());
+    if (images.size() == bands.size()) profile = profile_text(images, view, raster);
+  }
+  core::write_text(name + ".csv", profile);
+  core::write_text(name + ".svg", infrared_picture(images, fmt::format("apparent temperature at {:.4g} s", hot.time)));
+  fmt::print("written: {0}.csv, {0}.svg\n", name);
+  return 0;
+}
+
+}  // namespace parison::tools

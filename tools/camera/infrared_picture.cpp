@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/camera/infrared_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace parison::tools {
+
+namespace {
+
+constexpr double margin = 50, scale_width = 90, scale_height = 240, top = 70;  // pixels of the picture
+constexpr double wanted_height = 560;                                          // of an image
+constexpr int shades = 64;
+
+/// From black over red and yellow to white, as hot bodies look.
+std::string colour(int shade) {
+  constexpr std::array<std::array<double, 3>, 5> stops{
+      {{12, 8, 38}, {110, 22, 95}, {205, 62, 58}, {248, 158, 42}, {252, 250, 210}}};
+  const double at = (static_cast<double>(stops.size()) - 1) * shade / (shades - 1);
+  const auto first = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+  std::array<int, 3> rgb{};
+  for (int i = 0; i < 3; ++i)
+    rgb[i] = static_cast<int>(
+        std::lround(stops[first][i] + (at - static_cast<double>(first)) * (stops[first + 1][i] - stops[first][i])));
+  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
+}
+
+/// Temperatures of the darkest and the brightest colour, degC.
+struct Span {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  int shade(double value) const {
+    if (!(high > low)) return shades / 2;
+    return std::clamp(static_cast<int>(shades * (value - low) / (high - low)), 0, shades - 1);
+  }
+};
+
+Span span_of(const InfraredImage& image) {
+  Span span;
+  for (const auto& row : image.rows)
+    for (const double value : row)
+      if (!std::isnan(value)) {
+        span.low = std::min(span.low, value);
+        span.high = std::max(span.high, value);
+      }
+  return span;
+}
+
+std::string rectangle(double x, double y, double width, double height, const std::string& fill) {
+  return fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n", x, y, width,
+                     height, fill);
+}
+
+/// Pixels of one shade beside each other are one rectangle, on both sides of the axis.
+std::string row_of(const std::vector<double>& row, const Span& span, double axis, double y, double size) {
+  const auto shade_at = [&](std::size_t i) { return i >= row.size() || std::isnan(row[i]) ? -1 : span.shade(row[i]); };
+  std::string text;
+  for (std::size_t i = 0; i < row.size();) {
+    std::size_t end = i + 1;
+    while (end < row.size() && shade_at(end) == shade_at(i)) ++end;
+    if (const int shade = shade_at(i); shade >= 0)
+      for (const double from : {axis + size * static_cast<double>(i), axis - size * static_cast<double>(end)})
+        text += rectangle(from, y, size * static_cast<double>(end - i) + 0.05, size + 0.05, colour(shade));
+    i = end;
+  }
+  return text;
+}
+
+std::string scale_of(const Span& span, double x) {
+  std::string text;
+  const double step = scale_height / shades;
+  for (int i = 0; i < shades; ++i) text += rectangle(x, top + scale_height - (i + 1) * step, 16, step + 0.1, colour(i));
+  for (int i = 0; i <= 4; ++i)
+    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\">{:.0f} degC</text>\n", x + 20,
+                        top + scale_height * (1 - i / 4.0) + 4, span.low + i / 4.0 * (span.high - span.low));
+  return text;
+}
+
+}  // namespace
+
+std::string infrared_picture(const std::vector<InfraredImage>& images, const std::string& caption) {
+  std::string text;
+  double x = margin, height = top;
+  for (const InfraredImage& image : images) {
+    const Span span = span_of(image);
+    std::size_t widest = 0;
+    for (const auto& row : image.rows) widest = std::max(widest, row.size());
+    const double size = wanted_height / static_cast<double>(image.rows.size());
+    const double half = size * static_cast<double>(widest), axis = x + std::max(half, 100.0);
+    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"14\">{}</text>\n", x, top - 14, image.title);
+    for (std::size_t j = 0; j < image.rows.size(); ++j)
+      text += row_of(image.rows[j], span, axis, top + size * static_cast<double>(image.rows.size() - 1 - j), size);
+    x = axis + std::max(half, 100.0) + 16;
+    text += scale_of(span, x);
+    x += scale_width + margin;
+    height = std::max(height, top + wanted_height);
+  }
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+      "font-family=\"sans-serif\" shape-rendering=\"crispEdges\">\n<rect width=\"100%\" height=\"100%\" "
+      "fill=\"white\"/>\n"
+      "<text x=\"{2:.0f}\" y=\"28\" font-size=\"16\">{3}</text>\n{4}</svg>\n",
+      x, height + margin, margin, caption, text);
+}
+
+}  // namespace parison::tools
