@@ -11,6 +11,7 @@ TEST(MortarDerivatives, h_follows_the_glass_temperature_through_the_viscosity_by
   scene.glass.flow = flow::Material{2400, {-2.309, 3922, 564.15, {}}, {}, 0};
   const contact::TableConductance table{
       {1e4, 1e5, 1e6}, {1e2, 1e4, 1e6, 1e9}, {900, 700, 600, 500, 4000, 2500, 1500, 800, 20000, 12000, 6000, 2000}};
+  scene.tools.emplace_back();
   scene.interfaces = {{0, contact::PressureViscosityConductance{}, 5e-5},
                       {0, contact::PressureViscosityConductance{300, 9000, 1e5, 1e4, 0.7, 0.4}, 5e-5},
                       {0, table, 5e-5},

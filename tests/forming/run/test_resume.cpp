@@ -281,7 +281,7 @@ std::string reason_when_hindered(const Scene& scene, const std::string& folder, 
 TEST_F(Resume, a_run_out_of_room_says_so_and_goes_on_from_its_last_checkpoint_when_there_is_room) {
   const std::string reason = reason_when_hindered(scene, in("full"), [] {
     std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit room{192500, 192500};
+    const rlimit room{197500, 197500};
     ::setrlimit(RLIMIT_FSIZE, &room);
   });
   EXPECT_TRUE(
