@@ -44,19 +44,23 @@ double gap_to_tools(const Scene& scene, const State& state, const std::vector<st
   return gap;
 }
 
-double fraction_near_tools(const Scene& scene, const State& state, const std::vector<Index>& outer_edges) {
+OuterSurface outer_surface(const Scene& scene, const State& state, const std::vector<Index>& outer_edges) {
   const core::Mesh& mesh = state.glass.mesh;
   std::vector<std::vector<bool>> contact;
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
     contact.push_back(core::boundaries_of_kind(state.tools[i].mesh, BoundaryKind::contact));
   double near = 0, whole = 0;
+  OuterSurface surface;
   for (const Index edge : outer_edges)
     for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
       const auto point = core::map_edge_point(mesh, mesh.boundary_edges()[edge].nodes, scene.geometry, at);
+      const double gap = gap_to_tools(scene, state, contact, point.position);
       whole += point.area;
-      if (gap_to_tools(scene, state, contact, point.position) <= near_tool) near += point.area;
+      if (gap <= near_tool) near += point.area;
+      if (gap > surface.largest_gap) surface.largest_gap = gap, surface.at = point.position;
     }
-  return near / whole;
+  surface.near_tools = near / whole;
+  return surface;
 }
 
 void add_run(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
@@ -242,7 +246,8 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.glass = glass_facts(scene, state);
   summary.thickness = thickness_range(profile.rows);
   summary.no_wall = profile.no_wall;
-  summary.outer_within_02mm = fraction_near_tools(scene, state, profile.outer_edges);
+  const OuterSurface outer = outer_surface(scene, state, profile.outer_edges);
+  summary.outer_within_02mm = outer.near_tools;
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     const ToolState& body = state.tools[i];
     const double max_temperature =
@@ -262,6 +267,8 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
         summary.tools.back().faces.emplace_back(scene.tools[i].boundaries[face].name, body.heat_through[face]);
   }
   summary.flags = raised_flags(scene, run.extremes, state.time, summary.thickness);
+  if (const auto flag = mould_not_filled(scene.stages[state.stage], outer, state.time); flag && run.completed)
+    summary.flags.push_back(*flag);
   summary.quantities = quantities(scene, state, summary, profile.rows);
   return summary;
 }

@@ -64,6 +64,18 @@ FlagsRaised raised_flags(const Scene& scene, const Extremes& extremes, double en
   return flags;
 }
 
+std::optional<Flag> mould_not_filled(const Stage& stage, const OuterSurface& outer, double time) {
+  constexpr double filled_mould = 0.98, free_blow = 0.5;  // shares of the outer surface near tools
+  if (stage.pressure.empty() || outer.near_tools >= filled_mould || !(outer.near_tools > free_blow)) return {};
+  Flag flag{"mould_not_filled", "", "%", 100 * filled_mould, 100 * outer.near_tools, time, time, 0, outer.at, {}};
+  flag.sentence = fmt::format(
+      "mould not filled: {:.1f} % of the outer surface lies within 0.2 mm of a tool at the end, and {} is {:.2g} mm "
+      "away; "
+      "more pressure or time, or hotter glass",
+      flag.value, place(flag), 1e3 * outer.largest_gap);
+  return flag;
+}
+
 void add_flags(core::JsonWriter& json, const FlagsRaised& flags) {
   json.open_list("flags");
   for (const Flag& flag : flags) {

@@ -74,6 +74,23 @@ TEST(Flags, cold_glass_and_a_thin_wall_are_told_where_the_case_has_a_limit) {
   EXPECT_NE(flags[1].sentence.find("wall 1.00 mm at (20.0, 10.0) mm, below 1.20 mm"), std::string::npos);
 }
 
+TEST(Flags, glass_blown_into_a_mould_that_is_not_full_is_told_with_the_place_furthest_from_it) {
+  const auto flag_of = [](const Stage& stage, double share) {
+    return mould_not_filled(stage, {share, 2.5e-3, Point(0.03, 0.12)}, 4);
+  };
+  Stage stage;
+  EXPECT_FALSE(flag_of(stage, 0.91)) << "nothing blows";
+  stage.pressure.emplace("inner", core::TimeFunction{});
+  const auto flag = flag_of(stage, 0.91);
+  ASSERT_TRUE(flag);
+  EXPECT_EQ(flag->name, "mould_not_filled");
+  EXPECT_NEAR(flag->value, 91, 1e-9);
+  EXPECT_NE(flag->sentence.find("91.0 % of the outer surface"), std::string::npos) << flag->sentence;
+  EXPECT_NE(flag->sentence.find("(30.0, 120.0) mm is 2.5 mm away"), std::string::npos) << flag->sentence;
+  EXPECT_FALSE(flag_of(stage, 0.99)) << "full";
+  EXPECT_FALSE(flag_of(stage, 0.2)) << "blown freely from a ring";
+}
+
 TEST(Flags, the_limits_are_read_from_the_case) {
   const Scene scene = scene_of(small_scene +
                                "[output]\nflags = { tool_surface_above = \"600 degC\", glass_below = "
