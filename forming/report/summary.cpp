@@ -197,6 +197,11 @@ void add_thickness(JsonWriter& json, const Summary& summary) {
     json.add("min_z_mm", 1e3 * range.lowest_at[1]);
     json.add("max_r_mm", 1e3 * range.highest_at[0]);
     json.add("max_z_mm", 1e3 * range.highest_at[1]);
+    if (const ThicknessRange& beside = summary.beside_finish; std::isfinite(beside.mean)) {
+      json.add("beside_finish_min_mm", 1e3 * beside.lowest);
+      json.add("beside_finish_min_r_mm", 1e3 * beside.lowest_at[0]);
+      json.add("beside_finish_min_z_mm", 1e3 * beside.lowest_at[1]);
+    }
   } else {
     json.add("absent", summary.no_wall);
   }
@@ -245,6 +250,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.run = run;
   summary.glass = glass_facts(scene, state);
   summary.thickness = thickness_range(profile.rows);
+  summary.beside_finish = thickness_beside_finish(scene, state, profile);
   summary.no_wall = profile.no_wall;
   const OuterSurface outer = outer_surface(scene, state, profile.outer_edges);
   summary.outer_within_02mm = outer.near_tools;

@@ -64,9 +64,10 @@ struct Summary {
   RunFacts run;
   GlassFacts glass;
   std::vector<ToolSummary> tools;
-  ThicknessRange thickness;  ///< m
-  std::string no_wall;       ///< why there is no thickness, a sentence; empty with one
-  double outer_within_02mm;  ///< share of the outer surface within 0.2 mm of an active tool
+  ThicknessRange thickness;      ///< m
+  ThicknessRange beside_finish;  ///< the same, where tools grip the glass left out
+  std::string no_wall;           ///< why there is no thickness, a sentence; empty with one
+  double outer_within_02mm;      ///< share of the outer surface within 0.2 mm of an active tool
   FlagsRaised flags;
   Quantities quantities;
 };

@@ -32,7 +32,11 @@ std::string thickness_lines(const Summary& summary) {
   if (!std::isfinite(range.mean)) return line("wall thickness", summary.no_wall.empty() ? "n/a" : summary.no_wall);
   return line("wall thickness", fmt::format("min {:.2f} mm, mean {:.2f} mm, max {:.2f} mm", 1e3 * range.lowest,
                                             1e3 * range.mean, 1e3 * range.highest)) +
-         line("at (r, z)", fmt::format("min {}, max {}", at(range.lowest_at), at(range.highest_at)));
+         line("at (r, z)", fmt::format("min {}, max {}", at(range.lowest_at), at(range.highest_at))) +
+         (summary.beside_finish.lowest > range.lowest
+              ? line("without the finish", fmt::format("min {:.2f} mm at {}", 1e3 * summary.beside_finish.lowest,
+                                                       at(summary.beside_finish.lowest_at)))
+              : "");
 }
 
 std::string glass_lines(const Scene& scene, const State& state, const Summary& summary) {

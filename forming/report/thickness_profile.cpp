@@ -278,6 +278,20 @@ ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows) {
   return range;
 }
 
+ThicknessRange thickness_beside_finish(const Scene& scene, const State& state, const ThicknessProfile& profile) {
+  double low = infinity, high = -infinity;
+  for (std::size_t i = 0; i < profile.rows.size(); ++i) {
+    const Index tool = state.glass.contact_tool[profile.nodes[i]];
+    if (tool < 0 || scene.tools[tool].friction.law != flow::Friction::Law::grip) continue;
+    low = std::min(low, profile.rows[i].position[1]);
+    high = std::max(high, profile.rows[i].position[1]);
+  }
+  std::vector<ThicknessRow> rows;
+  for (const ThicknessRow& row : profile.rows)
+    if (low <= high && (row.position[1] < low || row.position[1] > high)) rows.push_back(row);
+  return thickness_range(rows);
+}
+
 void write_thickness(const std::string& path, const std::vector<ThicknessRow>& rows) {
   std::string text = "arc_mm,r_outer_mm,z_outer_mm,thickness_mm,T_inner_degC,T_outer_degC,mark,r_inner_mm,z_inner_mm\n";
   for (const ThicknessRow& row : rows)

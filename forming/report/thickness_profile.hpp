@@ -62,6 +62,10 @@ struct ThicknessRange {
 };
 ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows);
 
+/// The same without the finish: the rows at heights between which the outer side touches tools that grip it, as a neck
+/// ring. All not a number where no such tool is touched.
+ThicknessRange thickness_beside_finish(const Scene& scene, const State& state, const ThicknessProfile& profile);
+
 /// Writes thickness.csv.
 void write_thickness(const std::string& path, const std::vector<ThicknessRow>& rows);
 
