@@ -13,8 +13,8 @@ namespace {
 
 constexpr int patch_count = 64;  ///< as many have the length of the surface
 constexpr int rays_of_patch = 256;
-constexpr double moved_far = 0.3;   ///< of the length of a patch, before views are traced anew
-constexpr double opened_far = 0.3;  ///< the same of the area of a patch that a tool covers or uncovers
+constexpr double moved_far = 0.5;   ///< of the length of a patch, before views are traced anew
+constexpr double opened_far = 0.5;  ///< the same of the area of a patch that a tool covers or uncovers
 constexpr double covered = 1e-3;    ///< share of an edge's area below which it is closed
 
 using Areas = std::vector<std::vector<double>>;  ///< by body and boundary edge, m2
