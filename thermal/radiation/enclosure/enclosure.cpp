@@ -17,8 +17,6 @@ constexpr double moved_far = 0.5;   ///< of the length of a patch, before views 
 constexpr double opened_far = 0.5;  ///< the same of the area of a patch that a tool covers or uncovers
 constexpr double covered = 1e-3;    ///< share of an edge's area below which it is closed
 
-using Areas = std::vector<std::vector<double>>;  ///< by body and boundary edge, m2
-
 /// Whether a boundary takes part: it sees the surroundings, and its temperature is not prescribed.
 bool takes_part(const BodyView& body, Index boundary) {
   return !body.light.surroundings.empty() && body.light.surroundings[boundary] &&
@@ -63,9 +61,9 @@ void for_each_point(const HeatSystem& system, What&& what) {
   }
 }
 
-/// Areas of the edges that take part: open, and in all.
-std::pair<Areas, Areas> edge_areas(const HeatSystem& system) {
-  Areas open, full;
+/// EdgeAreas of the edges that take part: open, and in all.
+std::pair<EdgeAreas, EdgeAreas> edge_areas(const HeatSystem& system) {
+  EdgeAreas open, full;
   for (const BodyView& body : system.problem->bodies)
     open.emplace_back(body.mesh->boundary_edges().size(), 0.0), full.push_back(open.back());
   for_each_point(system, [&](Index body, Index edge, const auto&, const auto&, double area) {
@@ -82,8 +80,8 @@ std::vector<Point> placed_nodes(const BodyView& body) {
 }
 
 /// Divides the open surface into patches of one boundary each; the edges of all bodies, which may hide each other.
-std::vector<OpenEdge> divide(const HeatSystem& system, const Areas& open, const Areas& full, double length,
-                             Index& patches) {
+std::vector<OpenEdge> divide(const HeatSystem& system, const TracedViews& traced, Index& patches) {
+  const EdgeAreas &open = traced.edge_open, &full = traced.edge_full;
   std::vector<OpenEdge> edges;
   patches = 0;
   for (std::size_t b = 0; b < open.size(); ++b) {
@@ -98,8 +96,8 @@ std::vector<OpenEdge> divide(const HeatSystem& system, const Areas& open, const 
         last = -1;
         continue;
       }
-      const double own = (body.mesh->nodes[edge.nodes[1]] - body.mesh->nodes[edge.nodes[0]]).norm();
-      if (last != edge.boundary_id || so_far + 0.5 * own > length) ++patches, so_far = 0;
+      const double own = (traced.nodes[b][edge.nodes[1]] - traced.nodes[b][edge.nodes[0]]).norm();
+      if (last != edge.boundary_id || so_far + 0.5 * own > traced.patch_length) ++patches, so_far = 0;
       so_far += own;
       last = edge.boundary_id;
       added.patch = patches - 1;
@@ -108,21 +106,22 @@ std::vector<OpenEdge> divide(const HeatSystem& system, const Areas& open, const 
   return edges;
 }
 
-double open_length(const HeatSystem& system, const Areas& open, const Areas& full) {
+double open_length(const HeatSystem& system, const TracedViews& traced) {
+  const EdgeAreas &open = traced.edge_open, &full = traced.edge_full;
   double length = 0;
   for (std::size_t b = 0; b < open.size(); ++b) {
     const core::Mesh& mesh = *system.problem->bodies[b].mesh;
     for (std::size_t e = 0; e < open[b].size(); ++e)
       if (full[b][e] > 0 && open[b][e] > covered * full[b][e]) {
         const auto& nodes = mesh.boundary_edges()[e].nodes;
-        length += (mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]]).norm();
+        length += (traced.nodes[b][nodes[1]] - traced.nodes[b][nodes[0]]).norm();
       }
   }
   return length;
 }
 
 /// The edges as the air sees them; of a planar section with a plane of symmetry also behind that mirror.
-std::vector<ViewEdge> view_edges(const HeatSystem& system, const TracedViews& traced, const Areas& open) {
+std::vector<ViewEdge> view_edges(const HeatSystem& system, const TracedViews& traced) {
   std::vector<ViewEdge> views;
   std::optional<double> mirror;
   for (const OpenEdge& at : traced.edges) {
@@ -134,7 +133,7 @@ std::vector<ViewEdge> view_edges(const HeatSystem& system, const TracedViews& tr
     if (symmetric) continue;
     views.push_back({{x[edge.nodes[1]], x[edge.nodes[0]], x[edge.nodes[2]]},
                      at.patch,
-                     at.patch < 0 ? 0 : std::max(0.0, open[at.body][at.edge])});
+                     at.patch < 0 ? 0 : std::max(0.0, traced.edge_open[at.body][at.edge])});
   }
   if (!mirror) return views;
   const auto mirrored = [&](const Point& p) { return Point(2 * *mirror - p[0], p[1]); };
@@ -160,7 +159,7 @@ void drop_alone(TracedViews& traced) {
   traced.views.open = traced.views.open(kept).eval();
 }
 
-void set_areas(TracedViews& traced, const Areas& open, const Areas& full) {
+void set_areas(TracedViews& traced, const EdgeAreas& open, const EdgeAreas& full) {
   traced.area = traced.full = Eigen::ArrayXd::Zero(traced.views.open.size());
   traced.unseen = 0;
   for (const OpenEdge& at : traced.edges)
@@ -172,23 +171,60 @@ void set_areas(TracedViews& traced, const Areas& open, const Areas& full) {
     }
 }
 
-std::shared_ptr<const TracedViews> trace(const HeatSystem& system, const Areas& open, const Areas& full) {
+std::vector<std::vector<Point>> all_placed_nodes(const HeatSystem& system) {
+  std::vector<std::vector<Point>> nodes;
+  for (const BodyView& body : system.problem->bodies) nodes.push_back(placed_nodes(body));
+  return nodes;
+}
+
+/// Traces the views with the nodes of the bodies at given places and given areas of their edges.
+std::shared_ptr<const TracedViews> trace(const HeatSystem& system, std::vector<std::vector<Point>> nodes,
+                                         EdgeAreas open, EdgeAreas full) {
   auto traced = std::make_shared<TracedViews>();
-  for (const BodyView& body : system.problem->bodies) {
-    traced->nodes.push_back(placed_nodes(body));
-    traced->cells.push_back(body.mesh->cells());
-  }
-  traced->patch_length = open_length(system, open, full) / patch_count;
+  traced->nodes = std::move(nodes);
+  traced->edge_open = std::move(open);
+  traced->edge_full = std::move(full);
+  for (const BodyView& body : system.problem->bodies) traced->cells.push_back(body.mesh->cells());
+  traced->patch_length = open_length(system, *traced) / patch_count;
   Index patches;
-  traced->edges = divide(system, open, full, traced->patch_length, patches);
-  traced->views = trace_views(view_edges(system, *traced, open), system.problem->geometry, patches, rays_of_patch);
+  traced->edges = divide(system, *traced, patches);
+  traced->views = trace_views(view_edges(system, *traced), system.problem->geometry, patches, rays_of_patch);
   if (patches > 0) drop_alone(*traced);
-  set_areas(*traced, open, full);
-  for (const auto& body : full) traced->patch_area += std::accumulate(body.begin(), body.end(), 0.0) / patch_count;
+  set_areas(*traced, traced->edge_open, traced->edge_full);
+  for (const auto& body : traced->edge_full)
+    traced->patch_area += std::accumulate(body.begin(), body.end(), 0.0) / patch_count;
   return traced;
 }
 
-bool is_near(const TracedViews& traced, const HeatSystem& system, const Areas& open, const Areas& full) {
+/// Cuts numbers of all bodies into those of each, with so many as `like` has.
+template <typename T, typename Like>
+std::vector<std::vector<T>> by_body(const std::vector<T>& all, const Like& like) {
+  std::vector<std::vector<T>> parts;
+  auto at = all.begin();
+  for (const auto& body : like) {
+    const auto end = at + static_cast<std::ptrdiff_t>(body.size());
+    parts.emplace_back(at, end);
+    at = end;
+  }
+  return parts;
+}
+
+/// Goes back to the views that were traced at given places.
+void recall(KeptTraces<TracedViews>& kept, const HeatSystem& system, const EdgeAreas& areas, const TracedPlaces& at) {
+  if (at.views.empty()) {
+    kept = {};
+    return;
+  }
+  const auto nodes = by_body(at.views, all_placed_nodes(system));
+  const EdgeAreas open = by_body(at.open_area, areas), full = by_body(at.area, areas);
+  kept.recall(
+      [&](const TracedViews& traced) {
+        return traced.nodes == nodes && traced.edge_open == open && traced.edge_full == full;
+      },
+      [&] { return trace(system, nodes, open, full); });
+}
+
+bool is_near(const TracedViews& traced, const HeatSystem& system, const EdgeAreas& open, const EdgeAreas& full) {
   const auto& bodies = system.problem->bodies;
   if (traced.cells.size() != bodies.size()) return false;
   const double far = moved_far * traced.patch_length;
@@ -241,9 +277,12 @@ Views present_views(const TracedViews& traced, Eigen::ArrayXd& area) {
 
 }  // namespace
 
-std::shared_ptr<const Enclosure> make_enclosure(const HeatSystem& system, std::shared_ptr<const TracedViews>& traced) {
+std::shared_ptr<const Enclosure> make_enclosure(const HeatSystem& system, KeptTraces<TracedViews>& kept) {
   const auto [open, full] = edge_areas(system);
-  if (!traced || !is_near(*traced, system, open, full)) traced = trace(system, open, full);
+  if (system.problem->traced) recall(kept, system, open, *system.problem->traced);
+  if (!kept.last || !is_near(*kept.last, system, open, full))
+    kept.add(trace(system, all_placed_nodes(system), open, full));
+  const std::shared_ptr<const TracedViews>& traced = kept.last;
   auto enclosure = std::make_shared<Enclosure>();
   enclosure->traced = traced;
   add_patches(*enclosure, system);

@@ -27,7 +27,16 @@ RayTerms terms_of(const Ray& ray) {
   const Eigen::Vector3d &o = ray.origin, &d = ray.direction;
   const double square = d[0] * d[0] + d[1] * d[1], half = o[0] * d[0] + o[1] * d[1];
   const double steep = std::abs(d[2]) > 1 / steepest ? 1 / d[2] : std::copysign(steepest, d[2]);
-  return {o[0],   o[1], o[2], d[0], d[1], d[2], steep, square, half, o[0] * o[0] + o[1] * o[1],
+  return {o[0],
+          o[1],
+          o[2],
+          d[0],
+          d[1],
+          d[2],
+          steep,
+          square,
+          half,
+          o[0] * o[0] + o[1] * o[1],
           square > 0 ? -half / square : 0};
 }
 
@@ -206,13 +215,13 @@ Index FacetTree::add_node(const std::vector<Box>& boxes, Index first, Index last
   Node node;
   const auto squared = [&](double r) { return geometry_ == Geometry::planar ? r : r * std::abs(r); };
   for (int lane = 0; lane < batch_size; ++lane) {
-    const Index begin = first + (last - first) * lane / batch_size, end = first + (last - first) * (lane + 1) / batch_size;
+    const Index begin = first + (last - first) * lane / batch_size,
+                end = first + (last - first) * (lane + 1) / batch_size;
     node.low_z[lane] = node.high_z[lane] = node.low_r[lane] = node.high_r[lane] = nowhere;
     node.child[lane] = 0;
     if (begin == end) continue;
     Box box = boxes[begin];
-    for (Index i = begin; i < end; ++i)
-      box = {box.low.cwiseMin(boxes[i].low), box.high.cwiseMax(boxes[i].high)};
+    for (Index i = begin; i < end; ++i) box = {box.low.cwiseMin(boxes[i].low), box.high.cwiseMax(boxes[i].high)};
     node.low_z[lane] = box.low[1], node.high_z[lane] = box.high[1];
     node.low_r[lane] = squared(box.low[0]), node.high_r[lane] = squared(box.high[0]);
     node.child[lane] = end - begin == 1 ? -1 - begin : add_node(boxes, begin, end);
@@ -225,7 +234,8 @@ FacetHit FacetTree::first_hit(const Ray& ray, Index from_facet, double sense) co
   FacetHit nearest{far, -1, false};
   if (nodes_.empty()) return nearest;
   const auto start = static_cast<Index>(nodes_.size()) - 1;
-  (geometry_ == Geometry::planar ? search_planar : search_round)(*this, start, terms_of(ray), from_facet, sense, nearest);
+  (geometry_ == Geometry::planar ? search_planar : search_round)(*this, start, terms_of(ray), from_facet, sense,
+                                                                 nearest);
   return nearest;
 }
 
