@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_zones = 80;    ///< boxes that have the area of the section
 constexpr int cells_of_zone = 3;  ///< of the mesh, at the least
-constexpr int ray_count = 3000;
+constexpr int ray_count = 4000;
 constexpr double moved_far = 0.5;  ///< distance, of a box, that the glass moves before rays are traced anew
 
 /// By boundary of the glass: a mirror where it is neither open nor black nor touched.
