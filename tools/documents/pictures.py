@@ -19,7 +19,8 @@ def radiation(case):
         known = [(i, t) for i, t in enumerate(run["thickness_profile_mm"]) if t is not None]
         last = len(run["thickness_profile_mm"]) - 1
         wall.plot([i / last for i, _ in known], [t for _, t in known], color=colour, label=label, linewidth=1.2)
-        skin.plot([t for t, _ in run["skin"]], [T for _, T in run["skin"]], color=colour, label=label, linewidth=1.2)
+        over_time = run["skin"] + [[end["end_s"], end["skin_mean_degC"]] for end in run["stages"][-1:] if "skin_mean_degC" in end]
+        skin.plot([t for t, _ in over_time], [T for _, T in over_time], color=colour, label=label, linewidth=1.2)
     for stage in store.run(case, "light_rosseland")["stages"]:
         skin.axvline(stage["end_s"], color="#d0d0d0", linewidth=0.6, zorder=0)
         skin.annotate(stage["name"], (stage["end_s"], 0), xycoords=("data", "axes fraction"), xytext=(-1, 3), rotation=90,

@@ -213,7 +213,7 @@ def bands(case, *names):
         for i in range(parts):
             values = [t for t in profile[i * len(profile) // parts:(i + 1) * len(profile) // parts] if t is not None]
             row.append(f"{sum(values) / len(values):.2f}" if values else "")
-        rows.append([name, *row])
+        rows.append([MODELS.get(name.removeprefix("light_"), name), *row])
     return table(["wall, mm, in sixths of the outer side from the rim on"] + [str(i + 1) for i in range(parts)], rows)
 
 
@@ -296,6 +296,15 @@ def blank_end(case, name):
     return end
 
 
+def blank_heat(case):
+    """Heat out of the glass in the blank, and its mean at the end of the dwell, by model of radiation."""
+    rows = []
+    for model, label in MODELS.items():
+        end = blank_end(case, f"light_{model}")
+        rows.append([label, f"{1e-3 * end['heat_to_tools_J']:.1f}", f"{1e-3 * end['heat_to_air_J']:.1f}", f"{end['glass_mean_degC']:.0f}"])
+    return table(["radiation", "heat to tools by the end of the dwell, kJ", "to air and surroundings, kJ", "mean of the glass then, degC"], rows)
+
+
 def blank_slopes(case):
     """Heat out of the glass in the blank, and its mean at the end of the dwell over gob and tool temperature, by differences of 5 K."""
     rows = []
@@ -351,4 +360,4 @@ def shell(case, *names):
 
 
 BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, coverage, parts, model, bench, calculix, verification, expectations)}
-CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_slopes, perfect, press, laps, sagging, shell, bands)}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, perfect, press, laps, sagging, shell, bands)}
