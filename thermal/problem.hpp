@@ -8,6 +8,7 @@
 #include "core/mesh/interface_point.hpp"
 #include "core/mesh/mesh.hpp"
 #include "thermal/properties.hpp"
+#include "thermal/radiation/traced_places.hpp"
 
 namespace parison::thermal {
 
@@ -67,6 +68,8 @@ struct Problem {
   InterfaceLaw law;                             ///< unused without an interface
   int order = 2;  ///< polynomial degree of the temperature: 2, or 1, where a mid-side node has the mean of its ends
   bool enclosure = false;  ///< whether open surfaces see each other; all bodies then have their `surroundings`
+  /// Where light was traced last, from where it goes on; null: from what was kept by the last call.
+  const TracedPlaces* traced = nullptr;
 };
 
 /// Heat content of a body relative to `content_reference`, J, from its nodal temperatures, K.

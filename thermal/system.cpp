@@ -122,11 +122,27 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
   }
   add_interface(system);
   if (problem.enclosure) {
-    std::shared_ptr<const TracedViews> none;
+    KeptTraces<TracedViews> none;
     system.enclosure = make_enclosure(system, kept ? kept->front().views : none);
   }
   add_light(system, first_boundary_edge, kept);
   return system;
+}
+
+TracedPlaces traced_places(const std::vector<KeptCells>& kept) {
+  TracedPlaces places;
+  for (const KeptCells& body : kept) {
+    if (body.light && body.light->rays.last) {
+      places.rays = body.light->rays.last->nodes;
+      for (const SurfaceKind kind : body.light->rays.last->kinds) places.surfaces.push_back(static_cast<Index>(kind));
+    }
+    if (!body.views.last) continue;
+    const TracedViews& views = *body.views.last;
+    for (const auto& nodes : views.nodes) places.views.insert(places.views.end(), nodes.begin(), nodes.end());
+    for (const auto& area : views.edge_open) places.open_area.insert(places.open_area.end(), area.begin(), area.end());
+    for (const auto& area : views.edge_full) places.area.insert(places.area.end(), area.begin(), area.end());
+  }
+  return places;
 }
 
 Eigen::VectorXd join(const HeatSystem& system, const std::vector<Eigen::VectorXd>& temperature) {

@@ -67,11 +67,13 @@ struct KeptCells {
   core::Geometry geometry;
   std::shared_ptr<const std::vector<CellBatch>> batches;
   std::shared_ptr<KeptLight> light;
-  std::shared_ptr<const TracedViews> views;  ///< of the enclosure of all bodies, with the first body
+  KeptTraces<TracedViews> views;  ///< of the enclosure of all bodies, with the first body
 };
 /// Prepares the equations of a problem, which must outlive them. `kept`, by body, reuses what has not changed since the
 /// last call; null computes all anew.
 HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept = nullptr);
+/// Where light was traced last for a system that was made with these.
+TracedPlaces traced_places(const std::vector<KeptCells>& kept);
 
 /// Heat flows that the balance accumulates, W.
 struct Flows {

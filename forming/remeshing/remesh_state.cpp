@@ -147,6 +147,7 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
   });
   next.glass.active_contacts = {};
   next.heat_couplings.clear();
+  next.light = {};
 }
 
 void accumulate_change(double change, double& sum, double& largest) {
@@ -241,6 +242,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   next.last_step = 0;
   next.moves_smoothly = false;
   next.heat_couplings.clear();
+  next.light = {};
   if (!scene.stages[stage].trapped_air || !same_tools(scene.stages[state.stage], scene.stages[stage]))
     next.cavity_air = {};
   const std::vector<Index> left = nodes_left_by_tools(scene.stages[stage], state);

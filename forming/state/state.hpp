@@ -8,6 +8,7 @@
 
 #include "core/mesh/mesh.hpp"
 #include "forming/state/glass_fields.hpp"
+#include "thermal/radiation/traced_places.hpp"
 
 namespace parison::forming {
 
@@ -148,6 +149,7 @@ struct State {
   Index next_limit = 0;               ///< the StepLimit of that
   double heat_substep = 0;            ///< proposed by the heat solver, s
   std::vector<Index> heat_couplings;  ///< four by four, thermal::Coupling; empty for a new mesh
+  thermal::TracedPlaces light;        ///< empty for a new mesh and a new stage
   double last_step = 0;               ///< s, 0 when there is no velocity to extrapolate from
   GlassState glass;
   std::vector<ToolState> tools;  ///< in the order of the scene

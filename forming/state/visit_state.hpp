@@ -126,6 +126,15 @@ void visit_cavity_air(Visitor visit, Air& air) {
   visit("marker_cavity", air.marker_cavity);
 }
 
+template <typename Visitor, typename Places>
+void visit_light(Visitor visit, Places& light) {
+  visit("rays", light.rays);
+  visit("surfaces", light.surfaces);
+  visit("views", light.views);
+  visit("open_area", light.open_area);
+  visit("area", light.area);
+}
+
 template <typename Visitor, typename Whole>
 void visit_state(Visitor visit, Whole& state) {
   visit("time", state.time);
@@ -137,6 +146,7 @@ void visit_state(Visitor visit, Whole& state) {
   visit("next_limit", state.next_limit);
   visit("heat_substep", state.heat_substep);
   visit("heat_couplings", state.heat_couplings);
+  visit_light(visit.part("light"), state.light);
   visit("last_step", state.last_step);
   visit("moves_smoothly", state.moves_smoothly);
   visit("probes", state.probes);

@@ -45,9 +45,9 @@ struct KeptLight {
   LightLaws laws;
   int order;
   std::vector<std::array<Index, 6>> cells;
-  core::Assembly assembly;                 ///< cliques: the cells, then the boundary edges
-  std::vector<core::Cholesky> factor;      ///< by group
-  std::shared_ptr<const TracedRays> rays;  ///< of the model transfer
+  core::Assembly assembly;             ///< cliques: the cells, then the boundary edges
+  std::vector<core::Cholesky> factor;  ///< by group
+  KeptTraces<TracedRays> rays;         ///< of the model transfer
 
   KeptLight(const Radiation& given, int its_order) : radiation(given), laws(given), order(its_order) {}
 };

@@ -9,8 +9,10 @@ from functools import lru_cache
 from benchmarks import bars, references
 from benchmarks.common import (BUILD, ROOT, Figure, Skipped, build, new_path, parison, read_summary, run, sampled,
                                step_bench)
+from documents import store
 
 CASE = ROOT / "cases/jar"
+RADIATION_ROUNDS = 2  # of the models of radiation
 EVERY = 4  # steps from one bare factorisation to the next
 ERRORS = {"draft": (3, 8, 2), "standard": (1, 2.5, 0.5)}  # wanted: wall in the mean, wall at the most, heat; %
 STUDY = ROOT / "results/tradeoff/tradeoff.json"
@@ -44,6 +46,27 @@ def jar(options):
         for part, seconds in summary["timing"].items():
             if part != "remesh":
                 yield Figure(f"{key}.{part}", f"  share of {part}", 100 * seconds / summary["wall_seconds"], unit="%")
+
+
+def radiation(options):
+    """Runs in turn, so that what else the machine does falls on all alike; the cheapest of each counts."""
+    build("parison")
+    kinds = {"rosseland": "Rosseland", "transfer": "transfer in bands", "enclosure": "transfer in bands, enclosure"}
+    for accuracy in accuracies(options):
+        spent, imbalance = {model: [] for model in kinds}, {}
+        for _ in range(RADIATION_ROUNDS):
+            for model in kinds:
+                sets = [word for value in store.with_light("jar", model) for word in ("--set", value)]
+                measured, folder = parison(CASE, accuracy, *sets)
+                spent[model].append(measured.cpu)
+                imbalance[model] = read_summary(folder)["energy_imbalance"]
+        for model in ("transfer", "enclosure"):
+            target = {"draft": 2.0, "standard": 1.6}.get(accuracy) if model == "enclosure" else None
+            yield Figure(f"radiation.{accuracy}.{model}", f"jar at {accuracy}: CPU time by {kinds[model]} over that by Rosseland",
+                         min(spent[model]) / min(spent["rosseland"]), target)
+        for model, what in kinds.items():
+            yield Figure(f"radiation.{accuracy}.{model}.imbalance", f"  heat balance of the glass by {what}, over its heat at the start: open by",
+                         abs(imbalance[model]))
 
 
 def remesh(options):

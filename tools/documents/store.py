@@ -21,6 +21,40 @@ COVERAGE = ROOT / "tests/coverage.json"
 VERIFICATION = ROOT / "tests/figures.json"
 PERFECT = '"1e9 W/m2/K"'
 
+# Tools of oxidised iron, which light of the glass reaches.
+EMISSIVITIES = {"jar": ("grey_iron", "H13")}
+MODELS = ("rosseland", "none", "p1", "transfer", "enclosure")
+
+
+def with_light(case, model):
+    """What replaces values of a case for a model of radiation; `enclosure` is transfer whose surfaces see each other."""
+    if model == "rosseland":
+        return []
+    sets = ["material.flint.radiation.model=" + ("transfer" if model == "enclosure" else model)]
+    if model != "none":
+        sets += [f"material.{tool}.emissivity=0.8" for tool in EMISSIVITIES[case]]
+    return sets + (["enclosure=true"] if model == "enclosure" else [])
+
+
+def light_runs(case):
+    return {f"light_{model}": ("draft", with_light(case, model)) for model in MODELS}
+
+
+# Gob and tools of the blank side of the jar hotter by 5 K, with the contact of the case and with one whose h does not fall with the viscosity.
+WARMER = {"": [], "_gob": ["glass.temperature=1155 degC"],
+          "_tools": ["tool.ring.temperature=465 degC", "tool.plate.temperature=465 degC", "tool.blank.temperature=465 degC",
+                     "tool.plunger.temperature=505 degC"]}
+SLOPE_MODELS = ("rosseland", "none", "transfer")
+
+
+def slope_runs():
+    runs = {f"slope_{model}{warmer}": ("draft", with_light("jar", model) + sets) for model in SLOPE_MODELS
+            for warmer, sets in WARMER.items() if warmer}
+    runs.update({f"slope_{model}_even{warmer}": ("draft", [*with_light("jar", model), "interface.0.b=0", *WARMER[warmer]])
+                 for model in ("rosseland", "none") for warmer in ("", "_gob")})
+    return runs
+
+
 # Runs whose figures a README quotes: a name, the accuracy, and what replaces the case's own values.
 RUNS = {
     "jar": {
@@ -31,6 +65,8 @@ RUNS = {
         "dwell_8kN": ("draft", ["stage.dwell.motion.plunger.force=8 kN"]),
         "perfect": ("standard", [f"interface.0.h0={PERFECT}", f"interface.0.h1={PERFECT}"]),
         "mould_perfect": ("standard", [f"interface.blow_mould.h0={PERFECT}", f"interface.blow_mould.h1={PERFECT}"]),
+        **light_runs("jar"),
+        **slope_runs(),
     },
     "bottle": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
     "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
@@ -44,7 +80,8 @@ RUNS = {
 KEPT = ("accuracy", "overrides", "time_s", "cpu_seconds", "steps", "remeshes", "timing", "volume_drift", "max_volume_drift",
         "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "max_reynolds", "outer_within_0.2mm_of_tools",
         "temperature_overshoot_K", "remeshing", "glass", "tools", "thickness", "quantities")
-OF_STAGE_END = ("glass_mean_degC", "heat_to_tools_J", "heat_to_air_J")
+OF_STAGE_END = ("glass_mean_degC", "heat_to_tools_J", "heat_to_air_J", "skin_mean_degC")
+SKIN_ROWS = 120  # of the skin over time, at the most
 
 
 class Missing(Exception):
@@ -121,6 +158,12 @@ def figures(case, results):
     return rounded(kept)
 
 
+def skin_over_time(rows):
+    """Time in s and mean skin of the glass in degC at places all along the run."""
+    known = [[float(row["time_s"]), float(row["skin_mean_degC"])] for row in rows if row.get("skin_mean_degC", "nan") != "nan"]
+    return known[::max(1, len(known) // SKIN_ROWS)]
+
+
 def write(case, stored):
     """One line for each run and key: what changed is seen in a diff."""
     text = ",\n".join(
@@ -130,17 +173,16 @@ def write(case, stored):
 
 
 def measure(which):
-    """Runs a case, or one of its runs as CASE.NAME, and stores the figures."""
+    """Runs a case, or those of its runs that CASE.NAME names or begins, and stores the figures."""
     case, _, only = which.partition(".")
-    if case not in RUNS or (only and only not in RUNS[case]):
+    chosen = {name: run for name, run in RUNS.get(case, {}).items() if only in ("", name) or name.startswith(only + "_")}
+    if not chosen:
         raise Missing(f"\"{which}\" was found, allowed are {', '.join(RUNS)}, with .NAME behind it for one run of "
                       f"{', '.join(RUNS.get(case, ['a case']))}")
     path = ROOT / "cases" / case / "figures.json"
     stored = json.loads(path.read_text()) if path.exists() else {}
     one_thread = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    for name, (accuracy, overrides) in RUNS[case].items():
-        if only and name != only:
-            continue
+    for name, (accuracy, overrides) in chosen.items():
         with tempfile.TemporaryDirectory(prefix="parison_figures_") as folder:
             results = Path(folder) / "results"
             command = [ROOT / "build/parison", "run", ROOT / "cases" / case, "--accuracy", accuracy, "--output", results]
@@ -151,4 +193,7 @@ def measure(which):
             if done.returncode:
                 raise RuntimeError(f"parison run {case} ended with {done.returncode}:\n{done.stdout[-800:]}")
             stored[name] = figures(case, results)
+            if name.startswith("light_"):
+                with open(results / "history.csv", newline="") as file:
+                    stored[name]["skin"] = rounded(skin_over_time(list(csv.DictReader(file))))
         write(case, {name: stored[name] for name in RUNS[case] if name in stored})

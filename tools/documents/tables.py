@@ -213,7 +213,7 @@ def bands(case, *names):
         for i in range(parts):
             values = [t for t in profile[i * len(profile) // parts:(i + 1) * len(profile) // parts] if t is not None]
             row.append(f"{sum(values) / len(values):.2f}" if values else "")
-        rows.append([name, *row])
+        rows.append([MODELS.get(name.removeprefix("light_"), name), *row])
     return table(["wall, mm, in sixths of the outer side from the rim on"] + [str(i + 1) for i in range(parts)], rows)
 
 
@@ -239,6 +239,85 @@ def dwell(case):
         (end,) = [s for s in store.run(case, name)["stages"] if s["name"] == "dwell"]
         rows.append([load, f"{1e-3 * (end['heat_to_tools_J'] + end['heat_to_air_J']):.1f} kJ"])
     return table(["load in the dwell", "heat out of the glass by its end"], rows)
+
+
+MODELS = {"rosseland": "Rosseland (the case)", "none": "none: opaque", "p1": "P1 in bands", "transfer": "transfer",
+          "enclosure": "transfer, enclosure"}
+
+
+def heat_of(run, kind):
+    return 1e-3 * sum(tool.get(kind, 0) for tool in run["tools"].values())
+
+
+def radiation(case, *cases):
+    """What the model of radiation changes at draft: wall, heat of the tools, mean skin at the ends of stages, CPU time."""
+    rows = []
+    for each in cases or (case,):
+        for model, label in MODELS.items():
+            run = store.run(each, f"light_{model}")
+            off = "" if model == "rosseland" else against(run, store.run(each, "light_rosseland"))
+            received, radiated, seen = (heat_of(run, kind) for kind in ("heat_received_J", "heat_radiated_J", "heat_from_enclosure_J"))
+            skins = ", ".join(f"{stage['name']} {stage['skin_mean_degC']:.0f}" for stage in run["stages"]
+                              if "skin_mean_degC" in stage and stage["name"] in ("press", "settle_blow", "counter_blow", "dwell", "reheat"))
+            rows.append([each, label, f"{run['thickness']['min_mm']:.2f}, {run['thickness']['mean_mm']:.2f}", off,
+                         f"{received - radiated:.1f}", f"{radiated:.1f}" if radiated else "", f"{seen:.1f}" if seen else "", skins,
+                         digits(run["cpu_seconds"])])
+    return table(["case", "radiation", "wall: least, mean, mm", "wall off: mean, largest", "conducted into tools, kJ", "light into them, kJ",
+                  "light to their open surfaces, kJ", "mean skin at the end of, degC", "CPU, s"], rows)
+
+
+def against(run, reference):
+    """Wall against that of another run, over the mean wall: mean and largest difference along the outer side."""
+    pairs = [(a, b) for a, b in zip(run["thickness_profile_mm"], reference["thickness_profile_mm"]) if a is not None and b is not None]
+    mean = sum(b for _, b in pairs) / len(pairs)
+    off = [abs(a - b) / mean for a, b in pairs]
+    return f"{digits(100 * sum(off) / len(off))} %, {digits(100 * max(off))} %"
+
+
+def heat_by_tool(case):
+    """Heat of each tool by model of radiation: conducted and, where there is light, radiated."""
+    rows = []
+    for model, label in MODELS.items():
+        row = [label]
+        for tool in store.run(case, f"light_{model}")["tools"].values():
+            light = 1e-3 * tool.get("heat_radiated_J", 0)
+            row.append(f"{1e-3 * tool['heat_received_J'] - light:.1f}" + (f" + {light:.1f}" if light else ""))
+        rows.append(row)
+    return table(["kJ conducted + radiated"] + [tool.replace("_", " ") for tool in store.run(case, "light_rosseland")["tools"]], rows)
+
+
+def light_bands(case):
+    """Mean wall in six parts of the outer side by model of radiation."""
+    return bands(case, *(f"light_{model}" for model in MODELS))
+
+
+def blank_end(case, name):
+    (end,) = [stage for stage in store.run(case, name)["stages"] if stage["name"] == "dwell"]
+    return end
+
+
+def blank_heat(case):
+    """Heat out of the glass in the blank, and its mean at the end of the dwell, by model of radiation."""
+    rows = []
+    for model, label in MODELS.items():
+        end = blank_end(case, f"light_{model}")
+        rows.append([label, f"{1e-3 * end['heat_to_tools_J']:.1f}", f"{1e-3 * end['heat_to_air_J']:.1f}", f"{end['glass_mean_degC']:.0f}"])
+    return table(["radiation", "heat to tools by the end of the dwell, kJ", "to air and surroundings, kJ", "mean of the glass then, degC"], rows)
+
+
+def blank_slopes(case):
+    """Heat out of the glass in the blank, and its mean at the end of the dwell over gob and tool temperature, by differences of 5 K."""
+    rows = []
+    contacts = [(model, "that of the case", f"light_{model}", f"slope_{model}") for model in store.SLOPE_MODELS]
+    contacts += [(model, "h by pressure alone, b = 0", f"slope_{model}_even", f"slope_{model}_even") for model in ("rosseland", "none")]
+    for model, contact, name, changed in contacts:
+        end = blank_end(case, name)
+        slopes = [f"{(blank_end(case, changed + warmer)['glass_mean_degC'] - end['glass_mean_degC']) / 5:.2f}"
+                  if changed + warmer in store.RUNS[case] else "" for warmer in ("_gob", "_tools")]
+        rows.append([MODELS[model].split(" (")[0], contact, f"{1e-3 * (end['heat_to_tools_J'] + end['heat_to_air_J']):.1f}",
+                     f"{end['glass_mean_degC']:.0f}", *slopes])
+    return table(["radiation", "contact", "heat out of the glass by the end of the dwell, kJ", "mean of the glass then, degC",
+                  "K of it per K of the gob", "per K of the blank side's tools"], rows)
 
 
 def perfect(case):
@@ -281,4 +360,4 @@ def shell(case, *names):
 
 
 BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, coverage, parts, model, bench, calculix, verification, expectations)}
-CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, sagging, shell, bands)}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, perfect, press, laps, sagging, shell, bands)}

@@ -176,6 +176,7 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
   thermal::BodyView& glass = problem.bodies[glass_body];
   glass.mass_mesh = &mass;
   if (!dissipation.empty()) glass.source = &dissipation;
+  problem.traced = &state.light;
   const Eigen::VectorXd wall_thickness = limiting_wall_thickness(scene, state.glass.mesh);
   if (wall_thickness.size() > 0) glass.wall_thickness = &wall_thickness;
   thermal::StepOptions options;
@@ -186,6 +187,7 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
   auto outcome = thermal::advance(problem, state.time, temperatures(state), dt, options, workspace.heat);
   if (!outcome.converged) return {false, outcome.reason};
   store_couplings(state, workspace.heat.couplings);
+  state.light = thermal::traced_places(workspace.heat.kept);
   store_temperatures(state, std::move(outcome.temperature));
   accumulate(outcome.balance, state);
   state.heat_substep = outcome.next_substep;

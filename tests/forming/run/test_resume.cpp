@@ -123,6 +123,32 @@ TEST_F(Resume, a_run_stopped_again_and_again_is_the_uninterrupted_one_to_the_las
   expect_same_results(in("parts"), in("whole"));
 }
 
+/// The same with light in bands, and surfaces that see each other.
+std::string with_light() {
+  const std::string radiation =
+      R"(radiation = { model = "transfer", refractive_index = 1.5, bands = [{ up_to = "2.75 um", absorption = "150 1/m" }] }
+)";
+  std::string text = replaced("emissivity = 0.89\n", "emissivity = 0.89\n" + radiation, two_stages());
+  text = replaced("[material.iron]\n", "[material.iron]\nemissivity = 0.8\n", text);
+  return "enclosure = true\n" + text;
+}
+
+TEST_F(Resume, where_light_was_traced_is_part_of_the_state_to_the_last_bit) {
+  core::write_text(folder / "case.toml", with_light());
+  scene = read_scene(folder.string(), "draft coarser 2");
+  const auto whole = run_in_folder(scene, in("whole"), {}, stop_after(14));
+  ASSERT_TRUE(whole.facts.stopped) << whole.facts.reason;
+  EXPECT_FALSE(whole.state.light.rays.empty());
+  EXPECT_FALSE(whole.state.light.views.empty());
+  // Light was traced some steps before the run is stopped, and is not traced where it goes on.
+  const auto begun = run_in_folder(scene, in("parts"), {}, stop_after(5));
+  EXPECT_NE(begun.state.light.rays, begun.state.glass.mesh.nodes);
+  const auto parts = resume_in_folder(scene, in("parts"), {}, stop_after(9));
+  ASSERT_TRUE(parts.facts.stopped) << parts.facts.reason;
+  EXPECT_EQ(parts.state.totals.steps, whole.state.totals.steps);
+  EXPECT_EQ(fingerprint(parts.state), fingerprint(whole.state));
+}
+
 TEST_F(Resume, trapped_air_is_part_of_the_state_to_the_last_bit) {
   const std::string air =
       "trapped_air = { law = \"adiabatic\", temperature = \"500 degC\", vent_area = \"0.1 mm2\" }\n";

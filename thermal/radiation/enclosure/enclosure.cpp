@@ -2,22 +2,14 @@
 #include "thermal/radiation/enclosure/enclosure.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "thermal/radiation/enclosure/view_tracing.hpp"
 #include "thermal/system.hpp"
 
 namespace parison::thermal {
 
 namespace {
-
-constexpr int patch_count = 64;  ///< as many have the length of the surface
-constexpr int rays_of_patch = 256;
-constexpr double moved_far = 0.3;   ///< of the length of a patch, before views are traced anew
-constexpr double opened_far = 0.3;  ///< the same of the area of a patch that a tool covers or uncovers
-constexpr double covered = 1e-3;    ///< share of an edge's area below which it is closed
-
-using Areas = std::vector<std::vector<double>>;  ///< by body and boundary edge, m2
 
 /// Whether a boundary takes part: it sees the surroundings, and its temperature is not prescribed.
 bool takes_part(const BodyView& body, Index boundary) {
@@ -64,8 +56,8 @@ void for_each_point(const HeatSystem& system, What&& what) {
 }
 
 /// Areas of the edges that take part: open, and in all.
-std::pair<Areas, Areas> edge_areas(const HeatSystem& system) {
-  Areas open, full;
+std::pair<EdgeAreas, EdgeAreas> edge_areas(const HeatSystem& system) {
+  EdgeAreas open, full;
   for (const BodyView& body : system.problem->bodies)
     open.emplace_back(body.mesh->boundary_edges().size(), 0.0), full.push_back(open.back());
   for_each_point(system, [&](Index body, Index edge, const auto&, const auto&, double area) {
@@ -73,137 +65,6 @@ std::pair<Areas, Areas> edge_areas(const HeatSystem& system) {
     full[body][edge] += std::max(0.0, area);
   });
   return {std::move(open), std::move(full)};
-}
-
-std::vector<Point> placed_nodes(const BodyView& body) {
-  std::vector<Point> nodes = body.mesh->nodes;
-  for (Point& x : nodes) x += body.light.offset * core::axis_direction();
-  return nodes;
-}
-
-/// Divides the open surface into patches of one boundary each; the edges of all bodies, which may hide each other.
-std::vector<OpenEdge> divide(const HeatSystem& system, const Areas& open, const Areas& full, double length,
-                             Index& patches) {
-  std::vector<OpenEdge> edges;
-  patches = 0;
-  for (std::size_t b = 0; b < open.size(); ++b) {
-    const BodyView& body = system.problem->bodies[b];
-    double so_far = 0;
-    Index last = -1;
-    for (std::size_t e = 0; e < open[b].size() && body.light.in_place; ++e) {
-      const core::BoundaryEdge& edge = body.mesh->boundary_edges()[e];
-      OpenEdge& added = edges.emplace_back(OpenEdge{static_cast<Index>(b), static_cast<Index>(e), -1});
-      const bool is_open = full[b][e] > 0 && open[b][e] > covered * full[b][e];
-      if (!is_open) {
-        last = -1;
-        continue;
-      }
-      const double own = (body.mesh->nodes[edge.nodes[1]] - body.mesh->nodes[edge.nodes[0]]).norm();
-      if (last != edge.boundary_id || so_far + 0.5 * own > length) ++patches, so_far = 0;
-      so_far += own;
-      last = edge.boundary_id;
-      added.patch = patches - 1;
-    }
-  }
-  return edges;
-}
-
-double open_length(const HeatSystem& system, const Areas& open, const Areas& full) {
-  double length = 0;
-  for (std::size_t b = 0; b < open.size(); ++b) {
-    const core::Mesh& mesh = *system.problem->bodies[b].mesh;
-    for (std::size_t e = 0; e < open[b].size(); ++e)
-      if (full[b][e] > 0 && open[b][e] > covered * full[b][e]) {
-        const auto& nodes = mesh.boundary_edges()[e].nodes;
-        length += (mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]]).norm();
-      }
-  }
-  return length;
-}
-
-/// The edges as the air sees them; of a planar section with a plane of symmetry also behind that mirror.
-std::vector<ViewEdge> view_edges(const HeatSystem& system, const TracedViews& traced, const Areas& open) {
-  std::vector<ViewEdge> views;
-  std::optional<double> mirror;
-  for (const OpenEdge& at : traced.edges) {
-    const core::Mesh& mesh = *system.problem->bodies[at.body].mesh;
-    const core::BoundaryEdge& edge = mesh.boundary_edges()[at.edge];
-    const auto& x = traced.nodes[at.body];
-    const bool symmetric = mesh.boundaries()[edge.boundary_id].kind == core::BoundaryKind::symmetry;
-    if (symmetric && system.problem->geometry == Geometry::planar) mirror = x[edge.nodes[0]][0];
-    if (symmetric) continue;
-    views.push_back({{x[edge.nodes[1]], x[edge.nodes[0]], x[edge.nodes[2]]},
-                     at.patch,
-                     at.patch < 0 ? 0 : std::max(0.0, open[at.body][at.edge])});
-  }
-  if (!mirror) return views;
-  const auto mirrored = [&](const Point& p) { return Point(2 * *mirror - p[0], p[1]); };
-  for (std::size_t i = 0, count = views.size(); i < count; ++i) {
-    const SectionEdge& x = views[i].points;
-    views.push_back({{mirrored(x[1]), mirrored(x[0]), mirrored(x[2])}, views[i].patch, 0});
-  }
-  return views;
-}
-
-/// Takes the patches out that see no other and not themselves.
-void drop_alone(TracedViews& traced) {
-  const Eigen::ArrayXd seen = traced.views.between.rowwise().sum().array();
-  std::vector<Index> number(seen.size(), -1), kept;
-  for (Eigen::Index p = 0; p < seen.size(); ++p)
-    if (seen[p] > 0) {
-      number[p] = static_cast<Index>(kept.size());
-      kept.push_back(static_cast<Index>(p));
-    }
-  for (OpenEdge& edge : traced.edges)
-    if (edge.patch >= 0) edge.patch = number[edge.patch];
-  traced.views.between = traced.views.between(kept, kept).eval();
-  traced.views.open = traced.views.open(kept).eval();
-}
-
-void set_areas(TracedViews& traced, const Areas& open, const Areas& full) {
-  traced.area = traced.full = Eigen::ArrayXd::Zero(traced.views.open.size());
-  traced.unseen = 0;
-  for (const OpenEdge& at : traced.edges)
-    if (at.patch >= 0) {
-      traced.area[at.patch] += open[at.body][at.edge];
-      traced.full[at.patch] += full[at.body][at.edge];
-    } else {
-      traced.unseen += open[at.body][at.edge];
-    }
-}
-
-std::shared_ptr<const TracedViews> trace(const HeatSystem& system, const Areas& open, const Areas& full) {
-  auto traced = std::make_shared<TracedViews>();
-  for (const BodyView& body : system.problem->bodies) {
-    traced->nodes.push_back(placed_nodes(body));
-    traced->cells.push_back(body.mesh->cells());
-  }
-  traced->patch_length = open_length(system, open, full) / patch_count;
-  Index patches;
-  traced->edges = divide(system, open, full, traced->patch_length, patches);
-  traced->views = trace_views(view_edges(system, *traced, open), system.problem->geometry, patches, rays_of_patch);
-  if (patches > 0) drop_alone(*traced);
-  set_areas(*traced, open, full);
-  for (const auto& body : full) traced->patch_area += std::accumulate(body.begin(), body.end(), 0.0) / patch_count;
-  return traced;
-}
-
-bool is_near(const TracedViews& traced, const HeatSystem& system, const Areas& open, const Areas& full) {
-  const auto& bodies = system.problem->bodies;
-  if (traced.cells.size() != bodies.size()) return false;
-  const double far = moved_far * traced.patch_length;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (traced.cells[b] != bodies[b].mesh->cells()) return false;
-    const std::vector<Point> nodes = placed_nodes(bodies[b]);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (!((nodes[i] - traced.nodes[b][i]).squaredNorm() < far * far)) return false;
-  }
-  TracedViews now;
-  now.edges = traced.edges;
-  now.views.open = traced.views.open;
-  set_areas(now, open, full);
-  return now.unseen <= traced.unseen + opened_far * traced.patch_area &&
-         !((now.area - traced.area).abs() > opened_far * now.full).any();
 }
 
 void add_points(Enclosure& enclosure, const HeatSystem& system) {
@@ -241,9 +102,9 @@ Views present_views(const TracedViews& traced, Eigen::ArrayXd& area) {
 
 }  // namespace
 
-std::shared_ptr<const Enclosure> make_enclosure(const HeatSystem& system, std::shared_ptr<const TracedViews>& traced) {
+std::shared_ptr<const Enclosure> make_enclosure(const HeatSystem& system, KeptTraces<TracedViews>& kept) {
   const auto [open, full] = edge_areas(system);
-  if (!traced || !is_near(*traced, system, open, full)) traced = trace(system, open, full);
+  const std::shared_ptr<const TracedViews> traced = views_that_serve(system, open, full, kept);
   auto enclosure = std::make_shared<Enclosure>();
   enclosure->traced = traced;
   add_patches(*enclosure, system);

@@ -9,6 +9,7 @@
 
 #include "core/case/time_function.hpp"
 #include "thermal/radiation/enclosure/views.hpp"
+#include "thermal/radiation/traced_places.hpp"
 
 namespace parison::thermal {
 
@@ -22,10 +23,14 @@ struct OpenEdge {
   Index patch;       ///< -1: it sees nothing but the surroundings
 };
 
+/// Areas of boundary edges, m2, by body and edge.
+using EdgeAreas = std::vector<std::vector<double>>;
+
 /// Views as traced, and where the bodies were then.
 struct TracedViews {
   std::vector<std::vector<Point>> nodes;  ///< by body, shifted to its place
   std::vector<std::vector<std::array<Index, 6>>> cells;
+  EdgeAreas edge_open, edge_full;  ///< open then, and with what tools covered
   std::vector<OpenEdge> edges;
   Views views;
   Eigen::ArrayXd area, full;  ///< of the patches: open then, and with what tools covered, m2
@@ -64,7 +69,7 @@ struct Enclosure {
 
 /// Prepares the enclosure of a problem that asks for one; traces anew where the bodies or the contacts have changed too
 /// much since it was done last.
-std::shared_ptr<const Enclosure> make_enclosure(const HeatSystem& system, std::shared_ptr<const TracedViews>& traced);
+std::shared_ptr<const Enclosure> make_enclosure(const HeatSystem& system, KeptTraces<TracedViews>& traced);
 
 /// Emissive power of the surroundings of each patch at a time, s, by that of a black body, W/m2.
 Eigen::ArrayXd surroundings_of(const Enclosure& enclosure, double time, const std::function<double(double)>& emission);

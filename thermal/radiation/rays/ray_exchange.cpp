@@ -13,7 +13,7 @@ namespace {
 constexpr int most_zones = 80;    ///< boxes that have the area of the section
 constexpr int cells_of_zone = 3;  ///< of the mesh, at the least
 constexpr int ray_count = 4000;
-constexpr double moved_far = 0.3;  ///< distance, of a box, that the glass moves before rays are traced anew
+constexpr double moved_far = 0.5;  ///< distance, of a box, that the glass moves before rays are traced anew
 
 /// By boundary of the glass: a mirror where it is neither open nor black nor touched.
 std::vector<SurfaceKind> surface_kinds(const Light& light, const HeatSystem& system) {
@@ -64,27 +64,27 @@ void for_each_point(const core::Mesh& mesh, What&& what) {
       }
 }
 
-Zones make_zones(const Light& light, const core::Mesh& mesh, Geometry geometry) {
+Zones make_zones(const Field& volumes, const core::Mesh& mesh, Geometry geometry) {
   std::vector<Point> position;
   std::vector<double> volume, area;
   for_each_point(mesh, [&](Index b, int q, int lane, const Point& x) {
     position.push_back(x);
-    volume.push_back(light.volumes[b][q][lane]);
+    volume.push_back(volumes[b][q][lane]);
     const double depth = core::depth(geometry, x);
     area.push_back(depth > 0 ? volume.back() / depth : 0);
   });
   return {position, volume, area, std::clamp(mesh.cell_count() / cells_of_zone, 1, most_zones)};
 }
 
-std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& system,
-                                        const std::vector<SurfaceKind>& kinds) {
-  const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
+/// Traces the rays on a mesh of the body, whose quadrature points have these volumes, m3.
+std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& system, const core::Mesh& mesh,
+                                        const Field& volumes, const std::vector<SurfaceKind>& kinds) {
   const Geometry geometry = system.problem->geometry;
   auto traced = std::make_shared<TracedRays>(
-      TracedRays{mesh.nodes, mesh.cells(), kinds, make_zones(light, mesh, geometry), {}, 0, {}, {}, {}});
+      TracedRays{mesh.nodes, mesh.cells(), kinds, make_zones(volumes, mesh, geometry), {}, 0, {}, {}, {}});
   traced->surface = divide_surface(mesh, kinds, traced->zones.box_size(), traced->patches);
-  traced->zone.assign(light.volumes.size(), {});
-  traced->values.assign(light.volumes.size(), {});
+  traced->zone.assign(volumes.size(), {});
+  traced->values.assign(volumes.size(), {});
   for_each_point(mesh, [&](Index b, int q, int lane, const Point& x) {
     const Index zone = traced->zone[b][q][lane] = traced->zones.at(x);
     const ZoneValues values = traced->zones.values(zone, x);
@@ -95,6 +95,24 @@ std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& sy
   traced->factors = trace_exchange(mesh, geometry, traced->zones, traced->surface, traced->patches,
                                    light.kept->radiation.refractive_index, absorption, ray_count);
   return traced;
+}
+
+/// Goes back to the rays that were traced at given places.
+void recall(KeptTraces<TracedRays>& kept, const Light& light, const HeatSystem& system, const TracedPlaces& at) {
+  if (at.rays.empty()) {
+    kept = {};
+    return;
+  }
+  std::vector<SurfaceKind> kinds;
+  for (const Index kind : at.surfaces) kinds.push_back(static_cast<SurfaceKind>(kind));
+  kept.recall([&](const TracedRays& traced) { return traced.nodes == at.rays && traced.kinds == kinds; },
+              [&] {
+                BodyView body = system.problem->bodies[light.body];
+                core::Mesh mesh = *body.mesh;
+                mesh.nodes = at.rays;
+                body.mesh = &mesh;
+                return trace(light, system, mesh, make_volumes(body, system.problem->geometry), kinds);
+              });
 }
 
 bool is_near(const TracedRays& traced, const core::Mesh& mesh) {
@@ -171,10 +189,13 @@ void set_surface(RayExchange& rays, const Light& light, const HeatSystem& system
 
 }  // namespace
 
-RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, std::shared_ptr<const TracedRays>& traced) {
+RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, KeptTraces<TracedRays>& kept) {
   const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
   const std::vector<SurfaceKind> kinds = surface_kinds(light, system);
-  if (!traced || traced->kinds != kinds || !is_near(*traced, mesh)) traced = trace(light, system, kinds);
+  if (system.problem->traced) recall(kept, light, system, *system.problem->traced);
+  if (!kept.last || kept.last->kinds != kinds || !is_near(*kept.last, mesh))
+    kept.add(trace(light, system, mesh, light.volumes, kinds));
+  const std::shared_ptr<const TracedRays>& traced = kept.last;
   RayExchange rays{traced, {}, {}, {}, {}, {}};
   set_surface(rays, light, system);
   const Eigen::VectorXd functions = to_zones(*traced, light.volumes);

@@ -7,6 +7,7 @@
 
 #include "thermal/radiation/light_cells.hpp"
 #include "thermal/radiation/rays/exchange_factors.hpp"
+#include "thermal/radiation/traced_places.hpp"
 
 namespace parison::thermal {
 
@@ -48,7 +49,7 @@ struct RayExchange {
 };
 
 /// Prepares the exchange of a body; traces anew where the glass has moved too far since it was done last.
-RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, std::shared_ptr<const TracedRays>& traced);
+RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, KeptTraces<TracedRays>& traced);
 
 /// The light of a band for what cells and surface send.
 GroupLight ray_light(const Light& light, int band, const GroupSource& source);

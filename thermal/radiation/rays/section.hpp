@@ -5,20 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/mesh/element.hpp"
+#include "core/mesh/mesh.hpp"
+#include "thermal/radiation/rays/facet_tree.hpp"
 
 namespace parison::thermal {
-
-using core::Geometry;
-using core::Index;
-using core::Point;
-
-/// Half-line in space: x and y span the planes across the axis and z is along it; of a slab y is the depth.
-struct Ray {
-  Eigen::Vector3d origin, direction;  ///< m; of length 1
-
-  Eigen::Vector3d at(double distance) const { return origin + distance * direction; }
-};
 
 /// Where a ray leaves the body.
 struct Hit {
@@ -56,30 +46,14 @@ class Section {
   Eigen::Vector3d point(Index edge, double s) const;
 
  private:
-  struct Facet {
-    Point from, along, normal;  ///< normal outward, of length 1
-    Index edge;
-    double s;  ///< of its first end
-  };
-  struct Box {
-    Point low, high;
-    Index first, last;  ///< of its facets, without the last
-    Index left, right;  ///< boxes inside; none below a leaf
-  };
-  Index add_box(Index first, Index last);
-  bool may_meet(const Ray& ray, const Box& box, double nearest) const;
-  /// The nearest facet whose normal has a positive product with `sense` times the direction.
   std::optional<Hit> first_hit(const Ray& ray, Index from_facet, double sense) const;
-  void meet(const Ray& ray, Index facet, Index from_facet, double sense, std::optional<Hit>& nearest) const;
   Eigen::Vector3d turned(const Point& in_section, const Eigen::Vector3d& x) const;
 
   std::vector<SectionEdge> edges_;
   Geometry geometry_;
-  double tiny_;  ///< m
-  bool both_sides_;
-  std::vector<Facet> facets_;
   std::vector<Index> first_facet_;  ///< by boundary edge; -1 on the axis
-  std::vector<Box> boxes_;
+  std::vector<Facet> facets_;
+  FacetTree tree_;
 };
 
 }  // namespace parison::thermal

@@ -42,6 +42,7 @@ double heat_seconds(const forming::Scene& scene, const forming::State& before, c
     forming::temperature_of(state, b) = forming::temperature_of(before, b);
   state.heat_substep = before.heat_substep;
   state.heat_couplings = before.heat_couplings;
+  state.light = before.light;
   workspace.heat.factored_step = 0;  // as at the start of a step
   const double start = bench::cpu_seconds();
   forming::advance_heat(scene, state, interface, {}, result.report.dt, workspace);

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/radiation/enclosure/view_tracing.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "thermal/system.hpp"
+
+namespace parison::thermal {
+
+namespace {
+
+constexpr int patch_count = 64;  ///< as many have the length of the surface
+constexpr int rays_of_patch = 256;
+constexpr double moved_far = 0.5;   ///< of the length of a patch, before views are traced anew
+constexpr double opened_far = 0.5;  ///< the same of the area of a patch that a tool covers or uncovers
+
+std::vector<Point> placed_nodes(const BodyView& body) {
+  std::vector<Point> nodes = body.mesh->nodes;
+  for (Point& x : nodes) x += body.light.offset * core::axis_direction();
+  return nodes;
+}
+
+/// Divides the open surface into patches of one boundary each; the edges of all bodies, which may hide each other.
+std::vector<OpenEdge> divide(const HeatSystem& system, const TracedViews& traced, Index& patches) {
+  const EdgeAreas &open = traced.edge_open, &full = traced.edge_full;
+  std::vector<OpenEdge> edges;
+  patches = 0;
+  for (std::size_t b = 0; b < open.size(); ++b) {
+    const BodyView& body = system.problem->bodies[b];
+    double so_far = 0;
+    Index last = -1;
+    for (std::size_t e = 0; e < open[b].size() && body.light.in_place; ++e) {
+      const core::BoundaryEdge& edge = body.mesh->boundary_edges()[e];
+      OpenEdge& added = edges.emplace_back(OpenEdge{static_cast<Index>(b), static_cast<Index>(e), -1});
+      const bool is_open = full[b][e] > 0 && open[b][e] > covered * full[b][e];
+      if (!is_open) {
+        last = -1;
+        continue;
+      }
+      const double own = (traced.nodes[b][edge.nodes[1]] - traced.nodes[b][edge.nodes[0]]).norm();
+      if (last != edge.boundary_id || so_far + 0.5 * own > traced.patch_length) ++patches, so_far = 0;
+      so_far += own;
+      last = edge.boundary_id;
+      added.patch = patches - 1;
+    }
+  }
+  return edges;
+}
+
+double open_length(const HeatSystem& system, const TracedViews& traced) {
+  const EdgeAreas &open = traced.edge_open, &full = traced.edge_full;
+  double length = 0;
+  for (std::size_t b = 0; b < open.size(); ++b) {
+    const core::Mesh& mesh = *system.problem->bodies[b].mesh;
+    for (std::size_t e = 0; e < open[b].size(); ++e)
+      if (full[b][e] > 0 && open[b][e] > covered * full[b][e]) {
+        const auto& nodes = mesh.boundary_edges()[e].nodes;
+        length += (traced.nodes[b][nodes[1]] - traced.nodes[b][nodes[0]]).norm();
+      }
+  }
+  return length;
+}
+
+/// The edges as the air sees them; of a planar section with a plane of symmetry also behind that mirror.
+std::vector<ViewEdge> view_edges(const HeatSystem& system, const TracedViews& traced) {
+  std::vector<ViewEdge> views;
+  std::optional<double> mirror;
+  for (const OpenEdge& at : traced.edges) {
+    const core::Mesh& mesh = *system.problem->bodies[at.body].mesh;
+    const core::BoundaryEdge& edge = mesh.boundary_edges()[at.edge];
+    const auto& x = traced.nodes[at.body];
+    const bool symmetric = mesh.boundaries()[edge.boundary_id].kind == core::BoundaryKind::symmetry;
+    if (symmetric && system.problem->geometry == Geometry::planar) mirror = x[edge.nodes[0]][0];
+    if (symmetric) continue;
+    views.push_back({{x[edge.nodes[1]], x[edge.nodes[0]], x[edge.nodes[2]]},
+                     at.patch,
+                     at.patch < 0 ? 0 : std::max(0.0, traced.edge_open[at.body][at.edge])});
+  }
+  if (!mirror) return views;
+  const auto mirrored = [&](const Point& p) { return Point(2 * *mirror - p[0], p[1]); };
+  for (std::size_t i = 0, count = views.size(); i < count; ++i) {
+    const SectionEdge& x = views[i].points;
+    views.push_back({{mirrored(x[1]), mirrored(x[0]), mirrored(x[2])}, views[i].patch, 0});
+  }
+  return views;
+}
+
+/// Takes the patches out that see no other and not themselves.
+void drop_alone(TracedViews& traced) {
+  const Eigen::ArrayXd seen = traced.views.between.rowwise().sum().array();
+  std::vector<Index> number(seen.size(), -1), kept;
+  for (Eigen::Index p = 0; p < seen.size(); ++p)
+    if (seen[p] > 0) {
+      number[p] = static_cast<Index>(kept.size());
+      kept.push_back(static_cast<Index>(p));
+    }
+  for (OpenEdge& edge : traced.edges)
+    if (edge.patch >= 0) edge.patch = number[edge.patch];
+  traced.views.between = traced.views.between(kept, kept).eval();
+  traced.views.open = traced.views.open(kept).eval();
+}
+
+void set_areas(TracedViews& traced, const EdgeAreas& open, const EdgeAreas& full) {
+  traced.area = traced.full = Eigen::ArrayXd::Zero(traced.views.open.size());
+  traced.unseen = 0;
+  for (const OpenEdge& at : traced.edges)
+    if (at.patch >= 0) {
+      traced.area[at.patch] += open[at.body][at.edge];
+      traced.full[at.patch] += full[at.body][at.edge];
+    } else {
+      traced.unseen += open[at.body][at.edge];
+    }
+}
+
+std::vector<std::vector<Point>> all_placed_nodes(const HeatSystem& system) {
+  std::vector<std::vector<Point>> nodes;
+  for (const BodyView& body : system.problem->bodies) nodes.push_back(placed_nodes(body));
+  return nodes;
+}
+
+/// Traces the views with the nodes of the bodies at given places and given areas of their edges.
+std::shared_ptr<const TracedViews> trace(const HeatSystem& system, std::vector<std::vector<Point>> nodes,
+                                         EdgeAreas open, EdgeAreas full) {
+  auto traced = std::make_shared<TracedViews>();
+  traced->nodes = std::move(nodes);
+  traced->edge_open = std::move(open);
+  traced->edge_full = std::move(full);
+  for (const BodyView& body : system.problem->bodies) traced->cells.push_back(body.mesh->cells());
+  traced->patch_length = open_length(system, *traced) / patch_count;
+  Index patches;
+  traced->edges = divide(system, *traced, patches);
+  traced->views = trace_views(view_edges(system, *traced), system.problem->geometry, patches, rays_of_patch);
+  if (patches > 0) drop_alone(*traced);
+  set_areas(*traced, traced->edge_open, traced->edge_full);
+  for (const auto& body : traced->edge_full)
+    traced->patch_area += std::accumulate(body.begin(), body.end(), 0.0) / patch_count;
+  return traced;
+}
+
+/// Cuts numbers of all bodies into those of each, with so many as `like` has.
+template <typename T, typename Like>
+std::vector<std::vector<T>> by_body(const std::vector<T>& all, const Like& like) {
+  std::vector<std::vector<T>> parts;
+  auto at = all.begin();
+  for (const auto& body : like) {
+    const auto end = at + static_cast<std::ptrdiff_t>(body.size());
+    parts.emplace_back(at, end);
+    at = end;
+  }
+  return parts;
+}
+
+/// Goes back to the views that were traced at given places.
+void recall(KeptTraces<TracedViews>& kept, const HeatSystem& system, const EdgeAreas& areas, const TracedPlaces& at) {
+  if (at.views.empty()) {
+    kept = {};
+    return;
+  }
+  const auto nodes = by_body(at.views, all_placed_nodes(system));
+  const EdgeAreas open = by_body(at.open_area, areas), full = by_body(at.area, areas);
+  kept.recall(
+      [&](const TracedViews& traced) {
+        return traced.nodes == nodes && traced.edge_open == open && traced.edge_full == full;
+      },
+      [&] { return trace(system, nodes, open, full); });
+}
+
+bool is_near(const TracedViews& traced, const HeatSystem& system, const EdgeAreas& open, const EdgeAreas& full) {
+  const auto& bodies = system.problem->bodies;
+  if (traced.cells.size() != bodies.size()) return false;
+  const double far = moved_far * traced.patch_length;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (traced.cells[b] != bodies[b].mesh->cells()) return false;
+    const std::vector<Point> nodes = placed_nodes(bodies[b]);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (!((nodes[i] - traced.nodes[b][i]).squaredNorm() < far * far)) return false;
+  }
+  TracedViews now;
+  now.edges = traced.edges;
+  now.views.open = traced.views.open;
+  set_areas(now, open, full);
+  return now.unseen <= traced.unseen + opened_far * traced.patch_area &&
+         !((now.area - traced.area).abs() > opened_far * now.full).any();
+}
+
+}  // namespace
+
+std::shared_ptr<const TracedViews> views_that_serve(const HeatSystem& system, const EdgeAreas& open,
+                                                    const EdgeAreas& full, KeptTraces<TracedViews>& kept) {
+  if (system.problem->traced) recall(kept, system, open, *system.problem->traced);
+  if (!kept.last || !is_near(*kept.last, system, open, full))
+    kept.add(trace(system, all_placed_nodes(system), open, full));
+  return kept.last;
+}
+
+}  // namespace parison::thermal
