@@ -118,6 +118,7 @@ def bench():
     once = [("time outside factorisation and back-substitution", "solver.outside", " %", "35 %"),
             ("one BLAS thread over two, as if neither ever waited", "threads.two", "", "")]
     rows += [[what, "", digits(benchmark(key)) + unit, wanted] for what, key, unit, wanted in once]
+    rows.append(["start of the program, s", f"{benchmark('start.version'):.3f}", "", "0.05"])
     rows.append(["growth of the flow's CPU time with the mesh, exponent, 2.5 k to 40 k triangles", digits(benchmark("growth.flow")),
                  "", "1.3"])
     rows.append(["peak memory with 10 k triangles, MB; of which the program and its libraries",

@@ -12,6 +12,7 @@
 
 #include "core/io/files.hpp"
 #include "core/process/clock.hpp"
+#include "core/process/gmsh_module.hpp"
 #include "tools/program/child_process.hpp"
 #include "tools/program/stop_request.hpp"
 
@@ -150,6 +151,7 @@ void collect(Pool& pool, int child) {
 bool run_sweep(const SweepPlan& plan, std::vector<SweepState>& states, int jobs) {
   expect_children();
   Pool pool = open_pool(plan, states);
+  if (!pool.ready.empty()) core::open_gmsh_module();  // once, not in the copy of each run
   bool passed_on = false;
   for (;;) {
     while (!stop_requested() && !pool.ready.empty() && pool.running.size() < static_cast<std::size_t>(jobs))
