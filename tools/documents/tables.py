@@ -80,6 +80,10 @@ def sweep_costs():
     return table(["what", "wanted", "measured"], [[line["what"], line["wanted"], line["measured"]] for line in found])
 
 
+def slurm_costs():
+    return table(["what", "measured, simulated"], [[line["what"], line["measured"]] for line in store.read(store.SLURM_COSTS, "tests/slurm_costs --store")])
+
+
 def coverage():
     rows = [[f"`{row['module']}`", str(row["lines"]), f"{100 * row['ran'] / row['lines']:.1f} %"]
             for row in store.read(store.COVERAGE, "tools/coverage --save")]
@@ -281,5 +285,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, coverage, parts, model, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, perfect, press, laps, sagging, shell, bands)}
