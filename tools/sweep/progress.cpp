@@ -9,7 +9,7 @@
 
 #include "core/io/files.hpp"
 #include "core/process/clock.hpp"
-#include "tools/program/file_lock.hpp"
+#include "tools/program/folder_lock.hpp"
 #include "tools/program/stop_request.hpp"
 
 namespace parison::tools {
