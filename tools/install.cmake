@@ -8,6 +8,9 @@ foreach(folder cases tools)
   file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${CMAKE_BINARY_DIR}/share/parison/${folder} SYMBOLIC)
 endforeach()
 
+# The module of gmsh is beside nothing that the linker searches: program and Python package look for it by their run path.
+install(TARGETS parison_gmsh DESTINATION lib/parison)
+set_target_properties(parison PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/parison")
 install(TARGETS parison DESTINATION bin)
 install(DIRECTORY cases DESTINATION share/parison)
 install(DIRECTORY tools/report/page DESTINATION share/parison/tools/report)
@@ -27,6 +30,7 @@ if(PARISON_PYTHON)
     file(CREATE_LINK ${CMAKE_SOURCE_DIR}/tools/python/parison/${part}.py ${CMAKE_BINARY_DIR}/python/parison/${part}.py SYMBOLIC)
   endforeach()
   install(DIRECTORY tools/python/parison DESTINATION lib/python3/dist-packages FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed")
+  set_target_properties(python_module PROPERTIES INSTALL_RPATH "$ORIGIN/../../../parison")
   install(TARGETS python_module DESTINATION lib/python3/dist-packages/parison)
 endif()
 

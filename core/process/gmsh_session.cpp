@@ -166,4 +166,9 @@ void GmshSession::restart_random_numbers() {
   data_->random.restart();
 }
 
+extern "C" void parison_in_gmsh_session(const std::function<void()>& work) {
+  const GmshSession session;
+  work();
+}
+
 }  // namespace parison::core

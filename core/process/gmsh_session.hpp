@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
 #include <memory>
 
 namespace parison::core {
@@ -10,7 +11,7 @@ namespace parison::core {
 /// At its end everything is as it was before: the models, the current model and the options of the program around it,
 /// the C library's random numbers, the locale, and the number of OpenMP threads. gmsh is initialised by the first
 /// session that finds it is not, and never finalised. While a session lasts, other threads must call neither gmsh nor
-/// std::rand.
+/// std::rand. In the module of gmsh alone.
 class GmshSession {
  public:
   GmshSession();
@@ -31,5 +32,8 @@ class GmshSession {
   struct Data;
   std::unique_ptr<Data> data_;
 };
+
+/// Does work in a session; in the module of gmsh.
+extern "C" void parison_in_gmsh_session(const std::function<void()>& work);
 
 }  // namespace parison::core

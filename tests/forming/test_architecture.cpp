@@ -126,4 +126,13 @@ TEST(Architecture, what_the_whole_process_shares_has_one_owner_in_core) {
   EXPECT_EQ(lines_with(signals).size(), 1u);
 }
 
+TEST(Architecture, gmsh_is_called_by_its_module_alone) {
+  const std::set<std::string> module{"core/process/gmsh_session.cpp", "remesh/mesher/gmsh_triangulation.cpp",
+                                     "forming/scene/read/drawing/step_curves.cpp",
+                                     "forming/report/solid/step_solid.cpp"};
+  const std::regex header("#include <gmsh");
+  EXPECT_EQ(lines_with(header, module), std::vector<std::string>{});
+  EXPECT_EQ(lines_with(header).size(), module.size());
+}
+
 }  // namespace

@@ -208,6 +208,21 @@ void add_what_if(CLI::App& app, Command& chosen) {
   });
 }
 
+void add_engine_options(CLI::App& command, const std::shared_ptr<SweepRequest>& request) {
+  command.add_option("--engine", request->engine, "local: the cores of this machine; slurm: tasks of job arrays")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  const auto add = [&](const char* name, const std::string& prefix, const char* help) {
+    const auto keep = [request, prefix](const std::vector<std::string>& given) {
+      for (const std::string& value : given) request->slurm_options.push_back(prefix + value);
+    };
+    command.add_option_function<std::vector<std::string>>(name, keep, help)->take_all()->allow_extra_args(false);
+  };
+  add("--partition", "--partition=", "of Slurm");
+  add("--time", "--time=", "that Slurm gives a run, as for sbatch");
+  add("--slurm-option", "", "further option of sbatch, such as --slurm-option=--mem=2G; may be repeated");
+}
+
 void add_sweep(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<SweepRequest>();
   auto* command = add_command(app, "sweep", "run a case with many values of its keys: table of the results", chosen,
@@ -215,9 +230,15 @@ void add_sweep(CLI::App& app, Command& chosen) {
   command->add_option("file", request->file, "TOML file with the case, the design and [[variable]] tables")->required();
   command->add_option("--output", request->output,
                       "folder of the runs; those already there are used [results/sweep_FILE]");
-  command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
-      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--jobs", request->jobs,
+                   "runs at once, one thread each [as many as there are cores, or as Slurm lets]")
+      ->check(CLI::Range(1, 100000));
   command->add_flag("--list", request->list, "read and check all runs, print them and run none");
+  add_engine_options(*command, request);
+  command
+      ->add_option("--row", request->row, "makes this row alone, of a sweep that was begun: what a task of Slurm does")
+      ->check(CLI::Range(1, 100000));
 }
 
 void add_uncertainty(CLI::App& app, Command& chosen) {

@@ -17,6 +17,7 @@ BARS = ROOT / "tests/bars/measured.json"
 DIFFERENCE_BARS = ROOT / "tests/bars/what_ifs_measured.json"
 DIFFERENCE_COSTS = ROOT / "tests/bars/what_if_costs.json"
 SWEEP_COSTS = ROOT / "tests/sweeps/costs.json"
+SLURM_COSTS = ROOT / "tests/sweeps/slurm_costs.json"
 COVERAGE = ROOT / "tests/coverage.json"
 VERIFICATION = ROOT / "tests/figures.json"
 PERFECT = '"1e9 W/m2/K"'

@@ -80,6 +80,10 @@ def sweep_costs():
     return table(["what", "wanted", "measured"], [[line["what"], line["wanted"], line["measured"]] for line in found])
 
 
+def slurm_costs():
+    return table(["what", "measured, simulated"], [[line["what"], line["measured"]] for line in store.read(store.SLURM_COSTS, "tests/slurm_costs --store")])
+
+
 def coverage():
     rows = [[f"`{row['module']}`", str(row["lines"]), f"{100 * row['ran'] / row['lines']:.1f} %"]
             for row in store.read(store.COVERAGE, "tools/coverage --save")]
@@ -118,6 +122,7 @@ def bench():
     once = [("time outside factorisation and back-substitution", "solver.outside", " %", "35 %"),
             ("one BLAS thread over two, as if neither ever waited", "threads.two", "", "")]
     rows += [[what, "", digits(benchmark(key)) + unit, wanted] for what, key, unit, wanted in once]
+    rows.append(["start of the program, s", f"{benchmark('start.version'):.3f}", "", "0.05"])
     rows.append(["growth of the flow's CPU time with the mesh, exponent, 2.5 k to 40 k triangles", digits(benchmark("growth.flow")),
                  "", "1.3"])
     rows.append(["peak memory with 10 k triangles, MB; of which the program and its libraries",
@@ -359,5 +364,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, preset_orders, coverage, parts, model, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, perfect, press, laps, sagging, shell, bands)}

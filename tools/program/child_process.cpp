@@ -70,6 +70,36 @@ bool run_program(std::vector<std::string> words) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+ProgramOutput output_of_program(std::vector<std::string> words) {
+  const std::vector<char*> arguments = as_arguments(words);
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw core::RunError(fmt::format("no pipe can be made: {}", std::strerror(errno)));
+  const pid_t child = fork();
+  if (child < 0) throw core::RunError(fmt::format("no process can be started: {}", std::strerror(errno)));
+  if (child == 0) {
+    setpgid(0, 0);  // Ctrl-C is for this program
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    dup2(ends[1], STDOUT_FILENO);
+    dup2(ends[1], STDERR_FILENO);
+    execvp(arguments[0], arguments.data());
+    _exit(127);
+  }
+  close(ends[1]);
+  ProgramOutput output{"", -1};
+  char part[4096];
+  for (ssize_t count = 0; (count = read(ends[0], part, sizeof part)) != 0;)
+    if (count > 0)
+      output.text.append(part, static_cast<std::size_t>(count));
+    else if (errno != EINTR)
+      break;
+  close(ends[0]);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return output;
+  if (WIFEXITED(status)) output.code = WEXITSTATUS(status);
+  return output;
+}
+
 int start_self(const std::vector<std::string>& arguments, const std::string& log) {
   std::vector<std::string> words = {"parison"};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -24,6 +24,14 @@ int ended_child(double seconds);
 /// with 0.
 bool run_program(std::vector<std::string> words);
 
+/// What a program printed, its errors included, and its exit code.
+struct ProgramOutput {
+  std::string text;
+  int code;  ///< 127 where there is no such program, -1 where a signal ended it
+};
+/// Runs a program that the shell would find, without a shell between, and waits for its end.
+ProgramOutput output_of_program(std::vector<std::string> words);
+
 /// Whether a child has ended.
 bool has_ended(int child);
 

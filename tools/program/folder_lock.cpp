@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "core/process/run_error.hpp"
 
@@ -31,6 +32,28 @@ FolderLock::FolderLock(const std::string& folder) {
 
 FolderLock::~FolderLock() {
   close(file_);
+}
+
+FileLock::FileLock(std::string path) : path_(std::move(path)) {
+  file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0) throw core::RunError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+}
+
+bool FileLock::is_held(double patience) {
+  constexpr double pause = 0.1;  // s
+  for (double waited = 0; flock(file_, LOCK_EX | LOCK_NB) != 0; waited += pause) {
+    if (waited >= patience) return false;
+    usleep(static_cast<useconds_t>(1e6 * pause));
+  }
+  return true;
+}
+
+FileLock::~FileLock() {
+  close(file_);
+}
+
+void FileLock::remove() {
+  unlink(path_.c_str());
 }
 
 }  // namespace parison::tools

@@ -3,12 +3,14 @@
 #include <vector>
 
 #include "forming/study/sweep/sweep_plan.hpp"
+#include "tools/sweep/progress.hpp"
 
 namespace parison::tools {
 
 /// Makes the runs of a sweep that are not done, so many at once, each in a copy of this process; a run that takes over
-/// the first stages of another one waits for that. Prints how far it is. False where stopped on request; then some
-/// states are still `waiting`.
-bool run_sweep(const forming::SweepPlan& plan, std::vector<forming::SweepState>& states, int jobs);
+/// the first stages of another one waits for that. False where stopped on request; then some states are still
+/// `waiting`.
+bool run_sweep(const forming::SweepPlan& plan, std::vector<forming::SweepState>& states, int jobs,
+               Report report = Report::progress);
 
 }  // namespace parison::tools

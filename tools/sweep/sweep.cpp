@@ -18,6 +18,7 @@
 #include "tools/program/folder_lock.hpp"
 #include "tools/program/stop_request.hpp"
 #include "tools/sweep/run_pool.hpp"
+#include "tools/sweep/slurm_engine.hpp"
 
 namespace parison::tools {
 namespace {
@@ -44,9 +45,9 @@ std::size_t sharing(const SweepPlan& plan) {
                                                 [](const forming::SweepRun& run) { return run.start.has_value(); }));
 }
 
-void print_opening(const SweepPlan& plan, const std::vector<SweepState>& states, int jobs) {
-  fmt::print("{} at {} accuracy: {} runs, {} at once, in {}\n", plan.sweep.case_path, plan.sweep.accuracy,
-             plan.runs.size(), jobs, plan.output);
+void print_opening(const SweepPlan& plan, const std::vector<SweepState>& states, const std::string& engine) {
+  fmt::print("{} at {} accuracy: {} runs, {}, in {}\n", plan.sweep.case_path, plan.sweep.accuracy, plan.runs.size(),
+             engine, plan.output);
   if (const std::size_t some = sharing(plan); some > 0)
     fmt::print("  {} of them start from the end of a stage that another one has made\n", some);
   if (const std::size_t done = plan.runs.size() - count(states, Status::waiting); done > 0)
@@ -90,27 +91,63 @@ int close_sweep(const SweepPlan& plan, const std::vector<SweepState>& states, bo
   return stopped || failed > 0 ? run_failed : 0;
 }
 
+/// A task of Slurm: one row of a sweep that was begun. Another task that was taken for lost may still be about to stop.
+int make_row_alone(const SweepRequest& request, const forming::Sweep& asked, const std::string& output) {
+  constexpr double patience = 120;  // s
+  const SweepPlan plan = forming::begun_plan(asked, output);
+  if (request.row > plan.runs.size())
+    throw core::CaseError(fmt::format("--row: {} was found, allowed is 1 to {}", request.row, plan.runs.size()));
+  catch_signals();
+  return make_row(plan, request.row - 1, patience);
+}
+
+void require_engine(const SweepRequest& request) {
+  if (request.engine != "slurm" && !request.slurm_options.empty())
+    throw core::CaseError(
+        "--partition, --time or --slurm-option was found without --engine slurm, allowed only with it");
+  for (const std::string& option : request.slurm_options)
+    if (option.size() < 2 || option.front() != '-')
+      throw core::CaseError(
+          fmt::format("--slurm-option: \"{}\" was found, allowed is an option of sbatch, such as --mem=2G", option));
+}
+
+/// Makes the runs; false where asked to stop before their end.
+bool make_runs(const SweepRequest& request, const SweepPlan& plan, const SlurmJobs& slurm,
+               std::vector<SweepState>& states) {
+  if (request.engine == "slurm") {
+    print_opening(plan, states, "as tasks of Slurm named " + slurm.name);
+    return run_sweep_by_slurm(plan, states, slurm);
+  }
+  const int jobs = request.jobs > 0 ? request.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  print_opening(plan, states, fmt::format("{} at once", jobs));
+  return run_sweep(plan, states, jobs);
+}
+
 }  // namespace
 
 int sweep(const SweepRequest& request) {
+  require_engine(request);
   forming::Sweep asked = forming::read_sweep(request.file);
   asked.case_path = case_of(asked);
-  const SweepPlan plan =
-      forming::plan_sweep(asked, request.output.empty() ? "results/sweep_" + asked.name : request.output);
+  const std::string output = request.output.empty() ? "results/sweep_" + asked.name : request.output;
+  if (request.row > 0) return make_row_alone(request, asked, output);
+  const SweepPlan plan = forming::plan_sweep(asked, output);
   if (request.list) {
     print_list(plan);
     return 0;
   }
-  const int jobs = request.jobs > 0 ? request.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  SlurmJobs slurm = slurm_jobs(plan, request.slurm_options, request.jobs);
+  if (request.engine == "slurm") require_slurm(slurm);
   catch_signals();
   fs::create_directories(plan.output);
   const FolderLock lock(plan.output);
   forming::write_manifest(plan);
   std::vector<SweepState> states;
   for (const forming::SweepRun& run : plan.runs) states.push_back(forming::state_of(plan, run));
-  print_opening(plan, states, jobs);
+  // A table of before is of the runs as they are now, also where this call is killed.
+  if (fs::exists(plan.output + "/results.csv")) forming::write_results(plan, forming::read_results(plan, states));
   const double begin = core::wall_seconds();
-  const bool ended = run_sweep(plan, states, jobs);
+  const bool ended = make_runs(request, plan, slurm, states);
   return close_sweep(plan, states, !ended, core::wall_seconds() - begin);
 }
 

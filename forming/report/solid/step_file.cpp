@@ -1,155 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <gmsh.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <functional>
 
 #include "core/process/child_work.hpp"
-#include "core/process/gmsh_session.hpp"
+#include "core/process/gmsh_module.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/report/solid/solid_files.hpp"
+#include "forming/report/solid/step_solid.hpp"
 
 namespace parison::forming {
 namespace {
 
-using core::Point;
-namespace occ = gmsh::model::occ;
-
-constexpr double millimetre = 1e-3;
 constexpr double cubic_millimetre = 1e-9;
 
-/// Whether the outline bends so sharply at a point that it is an edge of the solid: by more than 25 degrees.
-bool is_corner(const Point& before, const Point& at, const Point& after) {
-  const Point in = (at - before).normalized(), out = (after - at).normalized();
-  return in.dot(out) < std::cos(25 * M_PI / 180);
-}
-
-/// Derivative at a point of a run by its chord length: that of the parabola through it and its neighbours.
-Point derivative(const std::vector<Point>& x, const std::vector<double>& s, std::size_t i) {
-  const std::size_t middle = std::clamp(i, std::size_t{1}, x.size() - 2);
-  const double before = s[middle] - s[middle - 1], after = s[middle + 1] - s[middle];
-  const Point first = (x[middle] - x[middle - 1]) / before, second = (x[middle + 1] - x[middle]) / after;
-  const Point curvature = (second - first) / (before + after);
-  return first + (2 * (s[i] - s[middle]) + before) * curvature;
-}
-
-int add_point(const Point& x) {
-  return occ::addPoint(x[0] / millimetre, 0, x[1] / millimetre);
-}
-
-/// A run of the outline between two corners.
-struct Run {
-  std::vector<Point> points;
-  std::vector<double> arc;  ///< by chords, m
-};
-
-/// A cubic with continuous tangent through points [begin, end] of a run (Catmull and Rom 1974, chord length as
-/// parameter), as a B-spline with double knots: between its ends each stretch has two control points of its own. It
-/// follows each point from its neighbours alone, so that one rough place does not spread.
-int add_spline(const Run& run, std::size_t begin, std::size_t end, int first, int last) {
-  std::vector<int> control{first}, multiplicity{4};
-  std::vector<double> knots{run.arc[begin] / millimetre};
-  for (std::size_t i = begin; i < end; ++i) {
-    const double third = (run.arc[i + 1] - run.arc[i]) / 3;
-    control.push_back(add_point(run.points[i] + third * derivative(run.points, run.arc, i)));
-    control.push_back(add_point(run.points[i + 1] - third * derivative(run.points, run.arc, i + 1)));
-    multiplicity.push_back(i + 1 == end ? 4 : 2);
-    knots.push_back(run.arc[i + 1] / millimetre);
-  }
-  control.push_back(last);
-  return occ::addBSpline(control, -1, 3, {}, knots, multiplicity);
-}
-
-bool is_straight(const std::vector<Point>& points) {
-  const Point along = points.back() - points.front();
-  constexpr double straight = 1e-7;  // m
-  return std::all_of(points.begin(), points.end(), [&](const Point& x) {
-    const Point to = x - points.front();
-    return std::abs(along[0] * to[1] - along[1] * to[0]) <= straight * along.norm();
-  });
-}
-
-/// A run as a straight line where its points lie on one, else as splines of a few stretches each, which follow each
-/// other smoothly: CAD kernels integrate over a face with a fixed number of points.
-void add_run(const std::vector<Point>& points, int first, int last, std::vector<int>& curves) {
-  if (is_straight(points)) {
-    curves.push_back(occ::addLine(first, last));
-    return;
-  }
-  Run run{points, {0}};
-  for (std::size_t i = 1; i < points.size(); ++i)
-    run.arc.push_back(run.arc.back() + (points[i] - points[i - 1]).norm());
-  constexpr std::size_t stretches = 6;
-  for (std::size_t begin = 0; begin + 1 < points.size(); begin += stretches) {
-    const std::size_t end = std::min(begin + stretches, points.size() - 1);
-    const int next = end + 1 == points.size() ? last : add_point(points[end]);
-    curves.push_back(add_spline(run, begin, end, first, next));
-    first = next;
-  }
-}
-
-/// A loop is begun at a corner, and closed by its first point.
-std::vector<Point> opened(const ContainerShape& shape) {
-  std::vector<Point> points = shape.outline;
-  if (!shape.is_loop) return points;
-  const std::size_t count = points.size();
-  std::size_t first = 0;
-  while (first + 1 < count &&
-         !is_corner(points[(first + count - 1) % count], points[first], points[(first + 1) % count]))
-    ++first;
-  std::rotate(points.begin(), points.begin() + static_cast<long>(first), points.end());
-  points.push_back(points.front());
-  return points;
-}
-
-/// Writes the solid and gives its volume as a text, mm3.
-std::string write_solid(const std::string& path, const ContainerShape& shape) {
-  const std::vector<Point> points = opened(shape);
-  std::vector<int> curves;
-  const int start = add_point(points.front());
-  std::size_t begin = 0;
-  int first = start;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const bool is_end = i + 1 == points.size();
-    if (!is_end && !is_corner(points[i - 1], points[i], points[i + 1])) continue;
-    const int last = is_end && shape.is_loop ? start : add_point(points[i]);
-    add_run({points.begin() + static_cast<long>(begin), points.begin() + static_cast<long>(i) + 1}, first, last,
-            curves);
-    begin = i;
-    first = last;
-  }
-  if (!shape.is_loop) curves.push_back(occ::addLine(first, start));
-  const int face = occ::addPlaneSurface({occ::addCurveLoop(curves)});
-  gmsh::vectorpair made;
-  occ::revolve({{2, face}}, 0, 0, 0, 0, 0, 1, 2 * M_PI, made);
-  double volume = 0;
-  for (const auto& [dimension, tag] : made)
-    if (dimension == 3) occ::getMass(3, tag, volume);
-  occ::remove({{2, face}});
-  occ::synchronize();
-  gmsh::write(path);
-  return fmt::format("{}", volume);
-}
-
-std::string read_volume(const std::string& path) {
-  gmsh::vectorpair found;
-  occ::importShapes(path, found, true, "step");
-  double sum = 0;
-  for (const auto& [dimension, tag] : found) {
-    double volume = 0;
-    if (dimension == 3) occ::getMass(3, tag, volume);
-    sum += volume;
-  }
-  return fmt::format("{}", sum);
-}
-
 /// The CAD kernel works in a process of its own; the number that it gives, m3.
-double volume_from_kernel(const std::string& path, const std::function<std::string()>& work) {
-  const core::GmshSession gmsh;
-  const core::ChildWork done = core::in_child(work, {120, 2'000'000'000});
+double volume_from_kernel(const std::string& path, const std::function<void(std::string&)>& work) {
+  core::ChildWork done;
+  const auto text = [&] {
+    std::string volume;
+    work(volume);
+    return volume;
+  };
+  core::in_gmsh_session([&] { done = core::in_child(text, {120, 2'000'000'000}); });
   if (!done.death.empty()) throw core::RunError(fmt::format("{}: the CAD kernel failed: {}", path, done.death));
   return cubic_millimetre * std::strtod(done.text.c_str(), nullptr);
 }
@@ -157,13 +31,15 @@ double volume_from_kernel(const std::string& path, const std::function<std::stri
 }  // namespace
 
 double write_step(const std::string& path, const ContainerShape& shape) {
-  const double volume = volume_from_kernel(path, [&] { return write_solid(path, shape); });
+  static auto& write = core::gmsh_function<decltype(parison_write_solid)>("parison_write_solid");
+  const double volume = volume_from_kernel(path, [&](std::string& text) { write(path, shape, text); });
   if (!(volume > 0)) throw core::RunError(fmt::format("{}: the CAD kernel made no solid of the outline", path));
   return volume;
 }
 
 double volume_of_step(const std::string& path) {
-  return volume_from_kernel(path, [&] { return read_volume(path); });
+  static auto& read = core::gmsh_function<decltype(parison_read_volume)>("parison_read_volume");
+  return volume_from_kernel(path, [&](std::string& text) { read(path, text); });
 }
 
 }  // namespace parison::forming

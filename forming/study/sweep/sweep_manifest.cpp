@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
@@ -87,7 +88,37 @@ void require_same_runs(const SweepPlan& plan, const core::JsonValue& before) {
       refuse(fmt::format("another case or other values in row {}", i + 1));
 }
 
+/// The values that the manifest has for a run.
+std::vector<std::string> values_of(const core::JsonValue& run) {
+  std::vector<std::string> values;
+  if (const core::JsonValue* list = run.find("values"))
+    for (const core::JsonValue& value : list->items) values.push_back(value.text);
+  return values;
+}
+
 }  // namespace
+
+SweepPlan begun_plan(const Sweep& sweep, const std::string& output) {
+  SweepPlan plan{sweep, output, {}};
+  const std::string path = manifest_path(plan);
+  if (!fs::exists(path))
+    throw core::CaseError(fmt::format("{}: no such file, allowed is a sweep that was begun", path));
+  const core::JsonValue manifest = core::read_json(core::read_text(path), path);
+  const core::JsonValue* runs = manifest.find("runs");
+  const auto values = sweep_values(sweep);
+  std::map<std::string, std::size_t> rows;
+  for (std::size_t row = 0; runs && row < runs->items.size(); ++row) {
+    const core::JsonValue& item = runs->items[row];
+    if (row >= values.size() || values_of(item) != values[row])
+      throw core::CaseError(fmt::format("{}: row {} has changed since the sweep was begun", sweep.file, row + 1));
+    plan.runs.push_back({item.text_of("run"), values[row], overrides_of(sweep, values[row]),
+                         item.text_of("case_fingerprint"), std::nullopt});
+    rows[plan.runs.back().name] = row;
+    if (const auto other = rows.find(item.text_of("of")); other != rows.end() && other->second < row)
+      plan.runs.back().start = SharedStart{other->second, item.text_of("starts_after")};
+  }
+  return plan;
+}
 
 SweepState state_of(const SweepPlan& plan, const SweepRun& run) {
   const std::string folder = plan.folder(run);

@@ -19,12 +19,6 @@ std::string assignment(const SweepVariable& variable, const std::string& value) 
   return variable.key + '=' + value;
 }
 
-std::vector<std::string> overrides_of(const Sweep& sweep, const std::vector<std::string>& values) {
-  std::vector<std::string> overrides = sweep.overrides;
-  for (std::size_t i = 0; i < values.size(); ++i) overrides.push_back(assignment(sweep.variables[i], values[i]));
-  return overrides;
-}
-
 /// The case of a run; what is refused carries its row and what it sets.
 Scene checked_scene(const Sweep& sweep, const Scene& base, std::size_t row, const std::vector<std::string>& values) {
   try {
@@ -114,6 +108,12 @@ void find_shared_starts(SweepPlan& plan, SharedStages stages) {
 }
 
 }  // namespace
+
+std::vector<std::string> overrides_of(const Sweep& sweep, const std::vector<std::string>& values) {
+  std::vector<std::string> overrides = sweep.overrides;
+  for (std::size_t i = 0; i < values.size(); ++i) overrides.push_back(assignment(sweep.variables[i], values[i]));
+  return overrides;
+}
 
 SweepPlan plan_sweep(const Sweep& sweep, const std::string& output) {
   SweepPlan plan{sweep, output, {}};

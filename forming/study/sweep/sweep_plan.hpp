@@ -19,7 +19,7 @@ struct SweepRun {
   std::string name;                    ///< also of its folder
   std::vector<std::string> values;     ///< of the variables
   std::vector<std::string> overrides;  ///< with those of all runs
-  std::string fingerprint;             ///< of its case
+  std::string fingerprint;             ///< of its case; empty where nothing else than this process makes the run
   std::optional<SharedStart> start;    ///< none: from the beginning
 };
 
@@ -34,6 +34,13 @@ struct SweepPlan {
 /// Reads the case of each run and finds which runs share their first stages. Throws core::CaseError where one is
 /// refused or its tools overlap where those of the case do not, with its row and what it sets before the sentence.
 SweepPlan plan_sweep(const Sweep& sweep, const std::string& output);
+
+/// What a run sets: that of all runs, then a value of each variable.
+std::vector<std::string> overrides_of(const Sweep& sweep, const std::vector<std::string>& values);
+
+/// The plan of a sweep that was begun, from its `sweep.json`, without reading the case of each run. Throws
+/// core::CaseError where the values are not those that it has.
+SweepPlan begun_plan(const Sweep& sweep, const std::string& output);
 
 /// Where a run stands.
 struct SweepState {
@@ -51,7 +58,7 @@ SweepState state_of(const SweepPlan& plan, const SweepRun& run);
 void write_manifest(const SweepPlan& plan);
 
 /// Makes a run that is not done, or the rest of it, with the coarser runs of its error bars. `stop` is asked after each
-/// step.
+/// step. Throws core::CaseError where the case is no longer that of the plan.
 void make_run(const SweepPlan& plan, const SweepRun& run, bool (*stop)());
 
 /// Leaves summary.json and thickness.csv of a run and of its coarser ones.

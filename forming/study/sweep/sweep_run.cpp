@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <filesystem>
 
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/what_if.hpp"
@@ -14,6 +18,10 @@ namespace fs = std::filesystem;
 /// The run itself and the coarser ones of its error bars; below the folder of the run with `folder`.
 std::vector<CoarseCase> cases_of(const SweepPlan& plan, const SweepRun& run, const std::string& folder) {
   const Scene scene = read_scene(plan.sweep.case_path, plan.sweep.accuracy, run.overrides);
+  if (!run.fingerprint.empty() && run.fingerprint != core::fingerprint_text(scene.fingerprint))
+    throw core::CaseError(
+        fmt::format("{}: the case has changed since the sweep was begun, allowed is the same one, or another --output",
+                    plan.sweep.case_path));
   std::vector<CoarseCase> cases{{scene.file, scene.accuracy_name, folder, scene.overrides, 1}};
   if (!plan.sweep.error_bars) return cases;
   for (CoarseCase& coarse : coarse_cases(scene, folder)) cases.push_back(std::move(coarse));

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/process/gmsh_module.hpp"
+
+#include <dlfcn.h>
+
+#include <string>
+
+#include "core/process/gmsh_session.hpp"
+#include "core/process/run_error.hpp"
+
+namespace parison::core {
+namespace {
+
+constexpr const char* file = "libparison_gmsh.so";  // found by the run path of the program or library that asks
+
+/// The module, which stays open. Its libraries see those of the program first, as if it were linked to them.
+void* gmsh_module() {
+  static void* const handle = [] {
+    void* const opened = dlopen(file, RTLD_LAZY | RTLD_LOCAL);
+    if (!opened) throw RunError(std::string("the mesher cannot be loaded: ") + dlerror());
+    return opened;
+  }();
+  return handle;
+}
+
+}  // namespace
+
+void open_gmsh_module() {
+  gmsh_module();
+}
+
+void* address_in_gmsh_module(const char* name) {
+  void* const address = dlsym(gmsh_module(), name);
+  if (!address) throw RunError(std::string("the mesher is not the one of this program: ") + dlerror());
+  return address;
+}
+
+void in_gmsh_session(const std::function<void()>& work) {
+  static auto& session = gmsh_function<decltype(parison_in_gmsh_session)>("parison_in_gmsh_session");
+  session(work);
+}
+
+}  // namespace parison::core
