@@ -69,8 +69,9 @@ class CheckShare : public forming::RunObserver {
   void flow_checks(const forming::RunView& run, const forming::StepResult& result) {
     const forming::Scene& scene = run.scene;
     timed("penetration", every, [&] {
-      forming::max_penetration(scene, result.state);
-      forming::max_edge_penetration(scene, result.state);
+      const forming::Totals& known = run.state.totals;
+      forming::max_penetration(scene, result.state, known.max_penetration);
+      forming::max_edge_penetration(scene, result.state, known.max_edge_penetration);
     });
     timed("volume", every, [&] { forming::volume_drift(scene, result.state); });
     timed("resolution", double(every) / flow_every,
