@@ -107,6 +107,7 @@ int sweep(const SweepRequest& request) {
   const FolderLock lock(plan.output);
   forming::write_manifest(plan);
   std::vector<SweepState> states;
+  states.reserve(plan.runs.size());
   for (const forming::SweepRun& run : plan.runs) states.push_back(forming::state_of(plan, run));
   print_opening(plan, states, jobs);
   const double begin = core::wall_seconds();

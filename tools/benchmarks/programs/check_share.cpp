@@ -54,6 +54,7 @@ class CheckShare : public forming::RunObserver {
     forming::State after = result.state;
     const double dt = result.report.dt;
     std::vector<double> received;
+    received.reserve(run.state.tools.size());
     for (const auto& tool : run.state.tools) received.push_back(tool.heat_received);
     timed("bounds", every, [&] { forming::update_temperature_bounds(run.scene, result.dissipation, dt, after); });
     timed("skins", every,
