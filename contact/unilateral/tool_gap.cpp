@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/unilateral/tool_gap.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace parison::contact {
@@ -25,6 +26,21 @@ double ToolGap::operator()(const Point& x) const {
     if (is_near(x, bounds, best)) best = core::distance(*segment, x, best);
   if (best >= reach_) return beyond;
   return core::contains(*tool_, x) ? -best : best;
+}
+
+double ToolGap::deepest(const Point& x, double known, std::size_t& closest) const {
+  constexpr double beyond = std::numeric_limits<double>::infinity();
+  if (closest < segments_.size() && core::distance(*segments_[closest].segment, x, beyond) <= known) return known;
+  if (!core::contains(*tool_, x)) return known;
+  double best = reach_;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const auto& [bounds, segment] = segments_[i];
+    if (!is_near(x, bounds, best)) continue;
+    const double found = core::distance(*segment, x, best);
+    if (found < best) closest = i;
+    best = found;
+  }
+  return best < reach_ ? std::max(known, best) : known;
 }
 
 double signed_gap(const Profile& tool, const std::vector<bool>& contact_boundaries, const Point& x, double reach) {

@@ -15,6 +15,10 @@ class ToolGap {
   ToolGap(const core::Profile& tool, const std::vector<bool>& contact_boundaries,
           double reach = std::numeric_limits<double>::infinity());
   double operator()(const core::Point& x) const;
+  /// The greater of `known`, m, and the depth of a point inside the tool: what -operator() says, but cheap where the
+  /// contact boundaries are no farther away than `known`. The search begins at segment `closest` and leaves there the
+  /// one that it found; beside points of the same surface it is the right one as a rule.
+  double deepest(const core::Point& x, double known, std::size_t& closest) const;
 
  private:
   struct BoundedSegment {

@@ -27,6 +27,7 @@ std::vector<Point> chords_of(const Segment& segment, double chord, double sagitt
   if (segment.is_arc) step = std::min(step, std::sqrt(8 * segment.radius * sagitta));
   const int count = std::max(1, static_cast<int>(std::ceil(length(segment) / step - 1e-9)));
   std::vector<Point> points;
+  points.reserve(count);
   for (int i = 0; i < count; ++i) points.push_back(point_at(segment, double(i) / count));
   return points;
 }
@@ -179,6 +180,7 @@ std::pair<Index, Index> find_self_crossing(const Profile& profile) {
     }
   std::vector<Chord> chords;
   const auto count = static_cast<Index>(points.size());
+  chords.reserve(points.size());
   for (Index i = 0; i < count; ++i) chords.push_back({points[i], points[(i + 1) % count], i, (i + 1) % count});
   const auto [first, second] = find_crossing(chords);
   return first < 0 ? std::pair<Index, Index>{-1, -1} : std::pair{segment_of[first], segment_of[second]};
@@ -208,6 +210,7 @@ bool meet(const Chord& p, const Chord& q) {
 
 std::pair<Index, Index> find_crossing(const std::vector<Chord>& chords) {
   std::vector<ChordBox> boxes;
+  boxes.reserve(chords.size());
   for (const auto& chord : chords) boxes.emplace_back(segment(chord).bbox(), &chord);
   constexpr Index none = std::numeric_limits<Index>::max();
   std::pair<Index, Index> lowest{none, none};

@@ -221,6 +221,7 @@ std::string objection(const core::Mesh& mesh, core::Geometry geometry, const Wal
 
 void add_temperatures(const GlassState& glass, const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
   std::vector<Point> opposite;
+  opposite.reserve(rows.size());
   for (const ThicknessRow& row : rows) opposite.push_back(row.is_wall() ? row.inner_position : row.position);
   const Eigen::MatrixXd inner = sample(glass.mesh, glass.temperature, 1, opposite);
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -126,8 +126,8 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   if (dt < short_step * scene.accuracy.min_step) ++after.totals.short_steps;
   after.totals.clamped_lookups = workspace.clamped_lookups;
   if (!workspace.static_stage) {
-    after.totals.max_penetration = std::max(after.totals.max_penetration, max_penetration(scene, after));
-    after.totals.max_edge_penetration = std::max(after.totals.max_edge_penetration, max_edge_penetration(scene, after));
+    after.totals.max_penetration = max_penetration(scene, after, after.totals.max_penetration);
+    after.totals.max_edge_penetration = max_edge_penetration(scene, after, after.totals.max_edge_penetration);
   }
   if (scene.has_flow()) after.totals.max_drift = std::max(after.totals.max_drift, std::abs(volume_drift(scene, after)));
   result.report.dt = dt;

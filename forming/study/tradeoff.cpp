@@ -70,6 +70,7 @@ ErrorLaw fit_error_law(const std::vector<VariantResult>& results, double (*error
   constexpr double min_order = 1, max_order = 3, step = 0.01;
   for (double order = min_order; order <= max_order; order += step) {
     std::vector<double> logs;
+    logs.reserve(points.size());
     for (const auto& [level, size] : points)
       logs.push_back(std::log(size / (std::exp2(-order * level) - std::exp2(-order * reference))));
     double mean = 0, spread = 0;

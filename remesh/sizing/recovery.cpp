@@ -7,13 +7,14 @@
 #include <limits>
 #include <vector>
 
-#include "core/mesh/element.hpp"
+#include "core/mesh/cell_batch.hpp"
 
 namespace parison::remesh {
 
 using core::Index;
 using core::Mesh;
 using core::Point;
+using core::VectorizedArray;
 
 namespace {
 
@@ -35,6 +36,17 @@ struct Patch {
 
   static Values<terms> basis(const Point& x) { return {1, x[0], x[1], x[0] * x[0], x[0] * x[1], x[1] * x[1]}; }
   Values<n> at(const Point& x) const { return factors.transpose() * basis((x - centre) / size); }
+};
+
+/// Nodes of a batch's cells and where they are.
+struct BatchNodes {
+  core::BatchIndices<6> index;
+  core::NodeVectors position;
+
+  BatchNodes(const Mesh& mesh, Index batch) {
+    core::set_nodes(mesh.cells(), batch, index);
+    core::gather(mesh.nodes.front().data(), index, position);
+  }
 };
 
 template <int n>
@@ -93,6 +105,7 @@ template <int n>
 std::vector<Values<n>> recovered(const Mesh& mesh, const std::vector<std::array<Sample<n>, 3>>& samples) {
   const auto around = cells_at_vertices(mesh);
   std::vector<Patch<n>> patches;
+  patches.reserve(mesh.vertex_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     patches.push_back(fit<n>(mesh.nodes[v], patch_cells(mesh, around, v), samples));
   std::vector<Values<n>> nodal(mesh.nodes.size());
@@ -111,34 +124,156 @@ double extent(const Mesh& mesh) {
   return (high - low).norm();
 }
 
-/// Samples `derivative(cell, point)` at the three points of the rule of degree 2, where derivatives of quadratic cells
-/// are most accurate (J. Barlow, Int. J. Numer. Meth. Engng 10 (1976) 243-251). `largest` is the field's largest value.
+/// Shape functions of a cell at the points of a quadrature rule.
+template <int points>
+core::CellShapes<6, points> shapes_at(const std::vector<core::TriangleRulePoint>& rule) {
+  core::CellShapes<6, points> shapes;
+  for (int q = 0; q < points; ++q) core::set_shapes(rule[q].a, rule[q].b, q, shapes);
+  return shapes;
+}
+
+/// What the derivatives of a batch of cells are computed from, at one point.
+struct BatchPoint {
+  core::MappedPoint<VectorizedArray> mapped;
+  std::array<std::array<VectorizedArray, core::dim>, 6> gradient;  ///< 1/m
+};
+
+template <int points>
+void set_point(const core::CellShapes<6, points>& shapes, int q, const core::NodeVectors& x, BatchPoint& at) {
+  core::map_point(shapes, q, x, at.mapped);
+  core::set_gradients(shapes, q, at.mapped, at.gradient);
+}
+
+/// The derivative at the three points of the rule of degree 2, where derivatives of quadratic cells are most accurate
+/// (J. Barlow, Int. J. Numer. Meth. Engng 10 (1976) 243-251).
+template <int n, class Derivative>
+std::vector<std::array<Sample<n>, 3>> sampled(const Mesh& mesh, const Derivative& derivative) {
+  static const core::CellShapes<6, 3> shapes = shapes_at<3>(core::triangle_rule(2));
+  std::vector<std::array<Sample<n>, 3>> samples(mesh.cells().size());
+  const Index count = mesh.cell_count();
+  for (Index batch = 0; batch < core::batch_count(count); ++batch) {
+    const BatchNodes nodes(mesh, batch);
+    const auto values = derivative.values(nodes);
+    for (int q = 0; q < 3; ++q) {
+      BatchPoint at;
+      set_point(shapes, q, nodes.position, at);
+      std::array<VectorizedArray, n> value;
+      derivative.set(shapes, q, at, values, value);
+      for (int lane = 0; lane < core::filled_lanes(count, batch); ++lane) {
+        Sample<n>& sample = samples[batch * core::batch_size + lane][q];
+        sample.at = {at.mapped.position[0][lane], at.mapped.position[1][lane]};
+        for (int c = 0; c < n; ++c) sample.value[c] = value[c][lane];
+      }
+    }
+  }
+  return samples;
+}
+
+/// The sum of n squares, in pairs of every second one.
+template <int n>
+VectorizedArray squared_norm(const std::array<VectorizedArray, n>& x) {
+  if constexpr (n == 2) return x[0] * x[0] + x[1] * x[1];
+  return (x[0] * x[0] + x[2] * x[2]) + (x[1] * x[1] + x[3] * x[3]);
+}
+
+/// Adds the integrals over a batch of cells of the squared difference of `derivative` from the recovered one, and of
+/// the latter's square, to `error`.
+template <int n, class Derivative>
+double add_batch(const Mesh& mesh, core::Geometry geometry, const std::vector<Values<n>>& nodal, Index batch,
+                 const Derivative& derivative, DerivativeError& error) {
+  static const auto& rule = core::triangle_rule(5);
+  static const core::CellShapes<6, 7> shapes = shapes_at<7>(rule);
+  const core::Depth depth(geometry);
+  const BatchNodes nodes(mesh, batch);
+  const auto values = derivative.values(nodes);
+  std::array<std::array<VectorizedArray, 6>, n> better_at;
+  for (int i = 0; i < 6; ++i)
+    for (int c = 0; c < n; ++c)
+      for (int lane = 0; lane < core::batch_size; ++lane) better_at[c][i][lane] = nodal[nodes.index[i][lane]][c];
+  std::array<VectorizedArray, 7> difference, square, volume;
+  for (int q = 0; q < 7; ++q) {
+    BatchPoint at;
+    set_point(shapes, q, nodes.position, at);
+    std::array<VectorizedArray, n> found, better;
+    derivative.set(shapes, q, at, values, found);
+    for (int c = 0; c < n; ++c) {
+      core::interpolate(shapes.value, q, better_at[c], better[c]);
+      found[c] = better[c] - found[c];
+    }
+    depth.set(at.mapped.position[0], volume[q]);
+    volume[q] = (rule[q].weight * at.mapped.determinant) * volume[q];
+    difference[q] = volume[q] * squared_norm<n>(found);
+    square[q] = volume[q] * squared_norm<n>(better);
+  }
+  double whole = 0;
+  const Index count = mesh.cell_count();
+  for (int lane = 0; lane < core::filled_lanes(count, batch); ++lane)
+    for (int q = 0; q < 7; ++q) {
+      error.cell[batch * core::batch_size + lane] += difference[q][lane];
+      error.derivative += square[q][lane];
+      whole += volume[q][lane];
+    }
+  return whole;
+}
+
+/// The difference of a derivative from the recovered one. `largest` is the field's largest value.
 template <int n, class Derivative>
 DerivativeError estimate(const Mesh& mesh, core::Geometry geometry, double largest, const Derivative& derivative) {
-  std::vector<std::array<Sample<n>, 3>> samples(mesh.cells().size());
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    for (int k = 0; k < 3; ++k) {
-      const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, core::triangle_rule(2)[k]);
-      samples[cell][k] = {point.position, derivative(cell, point)};
-    }
-  const auto nodal = recovered<n>(mesh, samples);
+  const auto nodal = recovered<n>(mesh, sampled<n>(mesh, derivative));
   DerivativeError error{Eigen::VectorXd::Zero(mesh.cell_count())};
   double volume = 0;
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    for (const auto& at : core::triangle_rule(5)) {
-      const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, at);
-      Values<n> better = Values<n>::Zero();
-      for (int i = 0; i < 6; ++i) better += point.shape[i] * nodal[mesh.cells()[cell][i]];
-      error.cell[cell] += point.volume * (better - derivative(cell, point)).squaredNorm();
-      error.derivative += point.volume * better.squaredNorm();
-      volume += point.volume;
-    }
+  for (Index batch = 0; batch < core::batch_count(mesh.cell_count()); ++batch)
+    volume += add_batch<n>(mesh, geometry, nodal, batch, derivative, error);
   if (error.derivative <= volume * std::pow(rounding * largest / extent(mesh), 2))
     return {Eigen::VectorXd::Zero(mesh.cell_count())};
   error.cell = error.cell.cwiseSqrt();
   error.derivative = std::sqrt(error.derivative);
   return error;
 }
+
+/// Gradient of a nodal field.
+struct Gradient {
+  const Eigen::VectorXd& nodal;
+
+  core::UnknownValues<6> values(const BatchNodes& nodes) const {
+    core::UnknownValues<6> at;
+    core::gather(nodal.data(), nodes.index, at);
+    return at;
+  }
+  template <int points>
+  void set(const core::CellShapes<6, points>&, int, const BatchPoint& at, const core::UnknownValues<6>& field,
+           std::array<VectorizedArray, 2>& gradient) const {
+    gradient = {};
+    for (int i = 0; i < 6; ++i)
+      for (int a = 0; a < core::dim; ++a) gradient[a] += field[i] * at.gradient[i][a];
+  }
+};
+
+/// Rate of deformation of nodal velocities: rr, zz, sqrt 2 rz (which stands for rz and zr), hoop.
+struct Rate {
+  core::Geometry geometry;
+  const Eigen::VectorXd& velocity;
+
+  core::NodeVectors values(const BatchNodes& nodes) const {
+    core::NodeVectors at;
+    core::gather(velocity.data(), nodes.index, at);
+    return at;
+  }
+  template <int points>
+  void set(const core::CellShapes<6, points>& shapes, int q, const BatchPoint& at, const core::NodeVectors& v,
+           std::array<VectorizedArray, 4>& rate) const {
+    const bool round = geometry == core::Geometry::axisymmetric;
+    rate = {};
+    const VectorizedArray hoop = round ? 1 / at.mapped.position[0] : VectorizedArray{};
+    for (int i = 0; i < 6; ++i) {
+      const auto& g = at.gradient[i];
+      rate[0] += v[0][i] * g[0];
+      rate[1] += v[1][i] * g[1];
+      rate[2] += (v[0][i] * g[1] + v[1][i] * g[0]) / std::sqrt(2.0);
+      rate[3] += v[0][i] * shapes.value(q, i) * hoop;
+    }
+  }
+};
 
 /// Edge of the equilateral triangle with the area of a cell's chords.
 double edge_of(const Mesh& mesh, const std::array<Index, 6>& cell) {
@@ -149,25 +284,11 @@ double edge_of(const Mesh& mesh, const std::array<Index, 6>& cell) {
 }  // namespace
 
 DerivativeError gradient_error(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& nodal) {
-  return estimate<core::dim>(mesh, geometry, nodal.lpNorm<Eigen::Infinity>(),
-                             [&](Index cell, const core::CellPoint& point) {
-                               Point gradient = Point::Zero();
-                               for (int i = 0; i < 6; ++i) gradient += nodal[mesh.cells()[cell][i]] * point.gradient[i];
-                               return gradient;
-                             });
+  return estimate<core::dim>(mesh, geometry, nodal.lpNorm<Eigen::Infinity>(), Gradient{nodal});
 }
 
 DerivativeError rate_error(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& velocity) {
-  return estimate<4>(mesh, geometry, velocity.lpNorm<Eigen::Infinity>(), [&](Index cell, const core::CellPoint& point) {
-    Values<4> rate = Values<4>::Zero();  // rr, zz, sqrt 2 rz (which stands for rz and zr), hoop
-    for (int i = 0; i < 6; ++i) {
-      const auto v = velocity.segment<core::dim>(core::dim * mesh.cells()[cell][i]);
-      const Point& g = point.gradient[i];
-      rate += Values<4>(v[0] * g[0], v[1] * g[1], (v[0] * g[1] + v[1] * g[0]) / std::sqrt(2.0),
-                        v[0] * point.shape[i] * core::hoop(geometry, point.position));
-    }
-    return rate;
-  });
+  return estimate<4>(mesh, geometry, velocity.lpNorm<Eigen::Infinity>(), Rate{geometry, velocity});
 }
 
 Eigen::VectorXd equidistributing_sizes(const Mesh& mesh, const DerivativeError& error, double target) {

@@ -163,6 +163,25 @@ TEST(ToolGap, merging_tools_keeps_the_smaller_of_like_normals_and_two_at_most) {
   expect_constraint(constraints[1], 1e-4, {1, 0});
 }
 
+TEST(ToolGap, the_deepest_of_points_is_that_of_their_gaps_wherever_the_search_begins_and_whatever_is_known) {
+  const Outline round = Pen({0, 0}).free({0.01, 0}).contact_arc({0, 0}, 0.01, 0, M_PI / 2).close();
+  for (const Outline& outline : {block(), round, neck_ring(), guide_plate()}) {
+    const ToolGap gap(outline.profile, outline.contact);
+    int deeper = 0;
+    for (int i = -20; i <= 60; ++i)
+      for (int k = -25; k <= 20; ++k)
+        for (const double known : {0.0, 1e-6, 2e-3, 1.0})
+          for (const std::size_t first : {0, 1, 7}) {
+            const Point x(i * 1e-3, k * 1e-3);
+            std::size_t closest = first;
+            const double depth = gap.deepest(x, known, closest);
+            EXPECT_EQ(depth, std::max(known, -gap(x))) << x.transpose() << " beyond " << known;
+            deeper += depth > known;
+          }
+    EXPECT_GT(deeper, 100);
+  }
+}
+
 TEST(ToolGap, the_corner_between_ring_and_guide_plate_is_their_union) {
   const Outline ring = neck_ring(), plate = guide_plate();
   for (const double dr : {2e-4, 1e-6, -1e-6, -1e-4})

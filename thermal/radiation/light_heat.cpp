@@ -19,9 +19,10 @@ struct GroupState {
 
 /// By boundary of the glass, K; zero where it sees none.
 std::vector<double> surroundings_at(const Light& light, const HeatSystem& system, double time) {
+  const auto& surroundings = system.problem->bodies[light.body].light.surroundings;
   std::vector<double> temperature;
-  for (const auto& given : system.problem->bodies[light.body].light.surroundings)
-    temperature.push_back(given ? (*given)(time) : 0);
+  temperature.reserve(surroundings.size());
+  for (const auto& given : surroundings) temperature.push_back(given ? (*given)(time) : 0);
   return temperature;
 }
 
@@ -109,6 +110,7 @@ void add_opaque(const Light& light, const HeatSystem& system, const std::vector<
   const LightLaws& laws = light.laws();
   const double emissivity = system.problem->bodies[light.body].light.emissivity;
   std::vector<double> around;
+  around.reserve(surroundings.size());
   for (const double T : surroundings) around.push_back(laws.opaque_emission(T).value);
   for (const LightEdge& edge : light.edges)
     for (int q = 0; q < 3 && !edge.black; ++q) {

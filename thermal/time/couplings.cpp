@@ -20,6 +20,7 @@ void sort_unique(std::vector<Coupling>& couplings) {
 
 std::vector<Coupling> present_couplings(const HeatSystem& system) {
   std::vector<Coupling> couplings;
+  couplings.reserve(system.interface.segments.size());
   for (const HeatSegment& segment : system.interface.segments) couplings.push_back(coupling_of(segment));
   sort_unique(couplings);
   return couplings;

@@ -21,6 +21,7 @@ namespace {
 /// Pointers to the words as exec takes them; they live as long as the words.
 std::vector<char*> as_arguments(std::vector<std::string>& words) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   return arguments;

@@ -143,6 +143,7 @@ int sweep(const SweepRequest& request) {
   const FolderLock lock(plan.output);
   forming::write_manifest(plan);
   std::vector<SweepState> states;
+  states.reserve(plan.runs.size());
   for (const forming::SweepRun& run : plan.runs) states.push_back(forming::state_of(plan, run));
   // A table of before is of the runs as they are now, also where this call is killed.
   if (fs::exists(plan.output + "/results.csv")) forming::write_results(plan, forming::read_results(plan, states));

@@ -208,6 +208,7 @@ void plot(const std::string& folder) {
 bool report_tradeoff(const std::string& folder, const std::vector<forming::Variant>& variants,
                      const std::string& base_name, const std::vector<forming::PartSensitivity>& estimates) {
   Results results;
+  results.reserve(variants.size());
   for (const forming::Variant& variant : variants) results.push_back(read_result(folder, variant));
   const VariantResult& base = *std::find_if(results.begin(), results.end(),
                                             [&](const VariantResult& r) { return r.variant.name == base_name; });

@@ -55,6 +55,7 @@ bool make_part(const forming::SweepPlan& plan, const char* what, int jobs) {
   fs::create_directories(plan.output);
   forming::write_manifest(plan);
   std::vector<forming::SweepState> states;
+  states.reserve(plan.runs.size());
   for (const forming::SweepRun& run : plan.runs) states.push_back(forming::state_of(plan, run));
   const auto waiting = std::count_if(states.begin(), states.end(), [](const forming::SweepState& state) {
     return state.status == forming::SweepState::Status::waiting;

@@ -55,6 +55,7 @@ std::vector<thermal::Band> read_bands(const CaseNode& node) {
   if (items.empty() || items.size() > max_bands)
     core::refuse(node, fmt::format("{} bands were found, allowed are 1 to {}", items.size(), max_bands));
   std::vector<thermal::Band> bands;
+  bands.reserve(items.size());
   for (const CaseNode& item : items)
     bands.push_back(read_band(item, bands.empty() ? 0 : bands.back().up_to, &item == &items.back()));
   return bands;

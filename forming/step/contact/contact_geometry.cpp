@@ -329,19 +329,25 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
   return found;
 }
 
-double max_penetration(const Scene& scene, const State& state) {
-  double max_depth = 0;
-  for (const auto& inside : penetrations(scene, state, 0)) max_depth = std::max(max_depth, inside.depth);
-  return max_depth;
+double max_penetration(const Scene& scene, const State& state, double known) {
+  const core::Mesh& glass = state.glass.mesh;
+  const auto surface = surface_nodes(glass);
+  for (const Index tool : active_tools(scene, state)) {
+    const contact::ToolGap gap(scene.tools[tool].profile, contact_boundaries(scene.tools[tool]));
+    const Point offset = state.tools[tool].offset * core::axis_direction();
+    std::size_t closest = 0;
+    for (const Index node : surface) known = gap.deepest(glass.nodes[node] - offset, known, closest);
+  }
+  return known;
 }
 
-double max_edge_penetration(const Scene& scene, const State& state) {
+double max_edge_penetration(const Scene& scene, const State& state, double known) {
   constexpr int points = 8;
-  double deepest = 0;
   const core::Mesh& mesh = state.glass.mesh;
   for (const Index tool : active_tools(scene, state)) {
     const contact::ToolGap gap(scene.tools[tool].profile, contact_boundaries(scene.tools[tool]));
     const Point offset = state.tools[tool].offset * core::axis_direction();
+    std::size_t closest = 0;
     for (const auto& edge : mesh.boundary_edges()) {
       if (mesh.kind_of(edge) != BoundaryKind::contact) continue;
       const bool near = std::any_of(edge.nodes.begin(), edge.nodes.end(),
@@ -350,12 +356,11 @@ double max_edge_penetration(const Scene& scene, const State& state) {
         const auto n = core::edge_shape(double(k) / points);
         Point x = -offset;
         for (int i = 0; i < 3; ++i) x += n[i] * mesh.nodes[edge.nodes[i]];
-        const double depth = -gap(x);
-        if (std::isfinite(depth)) deepest = std::max(deepest, depth);
+        known = gap.deepest(x, known, closest);
       }
     }
   }
-  return deepest;
+  return known;
 }
 
 }  // namespace parison::forming

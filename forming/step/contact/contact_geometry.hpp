@@ -54,11 +54,12 @@ struct Penetration {
 /// All penetrations after a time `ahead`, s, with the present velocities.
 std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead);
 
-/// Depth of the deepest glass node inside an active tool, m.
-double max_penetration(const Scene& scene, const State& state);
+/// Depth of the deepest glass node inside an active tool, m, or `known` where that is more; with what earlier steps
+/// had as `known` little is searched.
+double max_penetration(const Scene& scene, const State& state, double known = 0);
 
-/// Depth of the deepest of nine points on each edge of the glass that may touch, in an active tool, m: between nodes, a
-/// corner or a small radius of a tool can be deeper.
-double max_edge_penetration(const Scene& scene, const State& state);
+/// Depth of the deepest of nine points on each edge of the glass that may touch, in an active tool, m, or `known`:
+/// between nodes, a corner or a small radius of a tool can be deeper.
+double max_edge_penetration(const Scene& scene, const State& state, double known = 0);
 
 }  // namespace parison::forming

@@ -88,6 +88,7 @@ void store_temperatures(State& state, std::vector<Eigen::VectorXd> temperature) 
 
 std::vector<Eigen::VectorXd> temperatures(const State& state) {
   std::vector<Eigen::VectorXd> result;
+  result.reserve(body_count(state));
   for (Index b = 0; b < body_count(state); ++b) result.push_back(temperature_of(state, b));
   return result;
 }

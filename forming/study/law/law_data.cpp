@@ -29,6 +29,7 @@ const std::map<std::string, core::Dimension> known_columns{{"h", dimension::cond
 
 std::vector<std::string> column_names() {
   std::vector<std::string> names;
+  names.reserve(known_columns.size());
   for (const auto& [name, dimension] : known_columns) names.push_back(name);
   return names;
 }

@@ -64,6 +64,7 @@ std::optional<Effects> effects_of(const Study& study, const std::vector<double>&
 /// Values of the runs that are done.
 std::vector<double> of_done(const std::vector<double>& values, const std::vector<std::size_t>& done) {
   std::vector<double> some;
+  some.reserve(done.size());
   for (const std::size_t run : done) some.push_back(values[run]);
   return some;
 }

@@ -102,6 +102,8 @@ TEST_F(RemeshState, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_
       if (along[0] > 1e-4 && along[1] > 1e-4) glass.mesh.nodes[side.nodes[2]] = Point(12e-3, 0);
     }
     EXPECT_LT(max_penetration(scene, state), 1e-12) << "a node shows what the edge does";
+    for (const double known : {0.0, 1e-9, 1e-3})
+      EXPECT_EQ(max_edge_penetration(scene, state, known), std::max(known, max_edge_penetration(scene, state)));
     for (Index n = 0; n < glass.mesh.node_count(); ++n) glass.temperature[n] += 2e4 * glass.mesh.nodes[n][1];
     const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
     ASSERT_TRUE(remeshed.ok) << edge << ": " << remeshed.reason;

@@ -69,6 +69,7 @@ std::pair<EdgeAreas, EdgeAreas> edge_areas(const HeatSystem& system) {
 
 void add_points(Enclosure& enclosure, const HeatSystem& system) {
   std::vector<std::vector<Index>> patch_of;
+  patch_of.reserve(system.problem->bodies.size());
   for (const BodyView& body : system.problem->bodies) patch_of.emplace_back(body.mesh->boundary_edges().size(), -1);
   for (const OpenEdge& at : enclosure.traced->edges) patch_of[at.body][at.edge] = at.patch;
   for_each_point(system, [&](Index body, Index edge, const auto& unknowns, const auto& shape, double area) {

@@ -56,6 +56,7 @@ class ViewTracer {
  private:
   static std::vector<SectionEdge> points_of(const std::vector<ViewEdge>& edges) {
     std::vector<SectionEdge> points;
+    points.reserve(edges.size());
     for (const ViewEdge& edge : edges) points.push_back(edge.points);
     return points;
   }

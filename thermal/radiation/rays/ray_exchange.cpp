@@ -91,6 +91,7 @@ std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& sy
     for (int i = 0; i < zone_functions; ++i) traced->values[b][i][q][lane] = values[i];
   });
   std::vector<double> absorption;
+  absorption.reserve(light.laws().group_count());
   for (int k = 0; k < light.laws().group_count(); ++k) absorption.push_back(light.laws().group(k).absorption);
   traced->factors = trace_exchange(mesh, geometry, traced->zones, traced->surface, traced->patches,
                                    light.kept->radiation.refractive_index, absorption, ray_count);

@@ -54,6 +54,7 @@ class CheckShare : public forming::RunObserver {
     forming::State after = result.state;
     const double dt = result.report.dt;
     std::vector<double> received;
+    received.reserve(run.state.tools.size());
     for (const auto& tool : run.state.tools) received.push_back(tool.heat_received);
     timed("bounds", every, [&] { forming::update_temperature_bounds(run.scene, result.dissipation, dt, after); });
     timed("skins", every,
@@ -69,8 +70,9 @@ class CheckShare : public forming::RunObserver {
   void flow_checks(const forming::RunView& run, const forming::StepResult& result) {
     const forming::Scene& scene = run.scene;
     timed("penetration", every, [&] {
-      forming::max_penetration(scene, result.state);
-      forming::max_edge_penetration(scene, result.state);
+      const forming::Totals& known = run.state.totals;
+      forming::max_penetration(scene, result.state, known.max_penetration);
+      forming::max_edge_penetration(scene, result.state, known.max_edge_penetration);
     });
     timed("volume", every, [&] { forming::volume_drift(scene, result.state); });
     timed("resolution", double(every) / flow_every,

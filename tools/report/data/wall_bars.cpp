@@ -84,6 +84,7 @@ WallTables wall_tables(const std::string& folder, const Json& summary, const std
   const auto* height_r = wall.heights.column("r_outer_mm");
   const auto* height_z = wall.heights.column("z_mm");
   std::vector<double> along, over;
+  along.reserve(arc->size());
   for (const double place : *arc) along.push_back(bar_at(bars, place / arc->back()));
   for (std::size_t i = 0; height_r && height_z && i < wall.heights.rows(); ++i)
     over.push_back(along[nearest_row(*r, *z, (*height_r)[i], (*height_z)[i])]);

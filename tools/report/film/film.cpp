@@ -123,6 +123,7 @@ std::vector<ToolFilm> tools_of(const ResultFolder& folder) {
     return std::pair(a.first, a.second.name) < std::pair(b.first, b.second.name);
   });
   std::vector<ToolFilm> tools;
+  tools.reserve(found.size());
   for (auto& [column, tool] : found) tools.push_back(std::move(tool));
   return tools;
 }

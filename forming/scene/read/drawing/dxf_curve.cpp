@@ -106,7 +106,7 @@ std::vector<Segment> dxf_ellipse(const DxfFile& file, const DxfEntity& entity, d
   if (!(to > from && to - from <= 2 * M_PI * (1 + 1e-9)))
     file.refuse(entity.line,
                 fmt::format("an ELLIPSE from {:g} to {:g} rad was found, allowed is up to one turn", from, to));
-  const Point major = axis[0], minor = ratio * Point(-major[1], major[0]);
+  const Point &major = axis[0], minor = ratio * Point(-major[1], major[0]);
   const auto curve = [&](double t) -> CurvePoint {
     return {centre[0] + std::cos(t) * major + std::sin(t) * minor, -std::sin(t) * major + std::cos(t) * minor};
   };

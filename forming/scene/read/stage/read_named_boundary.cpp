@@ -93,6 +93,7 @@ void name_inner_side(const CaseNode& load, Scene& scene, Stage& stage) {
   if (left.empty()) return;
   if (left.size() > 1) {
     std::vector<std::string> names;
+    names.reserve(left.size());
     for (const Index tool : left) names.push_back(scene.tools[tool].name);
     core::refuse(load, fmt::format("several tools may have made the inner side ({}), allowed is to say which: "
                                    "name_boundary = [{{ name = \"inner\", touched = \"{}\" }}] in the stage after it",

@@ -63,6 +63,7 @@ Row read_row(const CaseNode& row, std::string_view line, const std::vector<Colum
 /// The values of a column, each once, rising.
 std::vector<double> axis_of(const std::vector<Row>& rows, std::size_t column) {
   std::vector<double> values;
+  values.reserve(rows.size());
   for (const Row& row : rows) values.push_back(row[column]);
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
