@@ -75,6 +75,7 @@ RUNS = {
     "flute": {"draft": ("draft", []), "standard": ("standard", [])},
     "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.2 s", "dimension.reheat=1.8 s", "dimension.run=0.5 s"])},
     "sag": {"draft": ("draft", []), "standard": ("standard", [])},
+    "vial": {"draft": ("draft", []), "standard": ("standard", [])},
     "contact_cylinders": {"draft": ("draft", [])},
     "shell_inflation": {"draft": ("draft", []), "standard": ("standard", [])},
 }

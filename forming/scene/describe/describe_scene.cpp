@@ -137,6 +137,18 @@ std::string friction_lines(const Scene& scene, const DimensionlessNumbers& numbe
              : "\nfriction (no measured value for hot glass is known; 1e4 to 1e7 Pa.s/m is the range to try)\n" + text;
 }
 
+/// The constants in force of contacts by the gap, which have published values where the case gives none.
+std::string gap_lines(const Scene& scene) {
+  std::string text;
+  for (const Interface& interface : scene.interfaces)
+    if (const auto* law = std::get_if<contact::GapConductance>(&interface.law))
+      text +=
+          fmt::format("  {:<20}{:g} um at first touch, to {:g} um in about {:g} s; closing {:g}, accommodation {:g}\n",
+                      scene.tools[interface.tool].name, 1e6 * law->touch_gap, 1e6 * law->open_gap, law->opening_time,
+                      law->closing, law->accommodation);
+  return text.empty() ? "" : "\ncontact by the gap\n" + text;
+}
+
 std::string stage_tool_text(const Scene& scene, const StageTool& tool) {
   const std::string& name = scene.tools[tool.tool].name;
   if (const auto* force = std::get_if<ForceMotion>(&tool.motion))
@@ -211,8 +223,8 @@ std::string describe_scene(const Scene& scene) {
     head += fmt::format("  {:<20}{} = {}\n", "tolerance", tolerance.key, tolerance.given);
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
-         number_lines(numbers, scene.geometry) + friction_lines(scene, numbers) + describe_container(scene) +
-         stage_lines(scene) + describe_timing(scene) + accuracy_lines(scene);
+         number_lines(numbers, scene.geometry) + friction_lines(scene, numbers) + gap_lines(scene) +
+         describe_container(scene) + stage_lines(scene) + describe_timing(scene) + accuracy_lines(scene);
 }
 
 std::string describe_scene_briefly(const Scene& scene) {

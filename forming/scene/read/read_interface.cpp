@@ -67,18 +67,35 @@ contact::TableConductance read_table(const CaseNode& node) {
   return law;
 }
 
+/// Where one of two keys is given: the first that is.
+const CaseNode& given_of(const CaseTable& table, const char* first, const char* second) {
+  const CaseNode* node = table.find(first);
+  return node ? *node : table.get(second);
+}
+
+/// Published constants, or such that lie within what is published (contact/README.md): in force where none are given.
+contact::GapConductance published_gap() {
+  contact::GapConductance law;
+  law.touch_gap = 0.25e-6;
+  law.open_gap = 40e-6;
+  law.opening_time = 0.25;
+  law.closing = 1;
+  law.accommodation = 0.9;
+  return law;
+}
+
 contact::GapConductance read_gap(const CaseNode& node) {
   const auto table = with_keys(node, {"touch_gap", "open_gap", "opening_time", "closing", "accommodation"});
-  contact::GapConductance law;
-  law.touch_gap = core::positive(table.get("touch_gap"), dimension::length);
-  law.open_gap = core::positive(table.get("open_gap"), dimension::length);
+  contact::GapConductance law = published_gap();
+  if (const auto* item = table.find("touch_gap")) law.touch_gap = core::positive(*item, dimension::length);
+  if (const auto* item = table.find("open_gap")) law.open_gap = core::positive(*item, dimension::length);
   if (law.open_gap < law.touch_gap)
-    core::refuse(
-        table.get("open_gap"),
-        fmt::format("\"{}\" is below touch_gap, allowed is open_gap not below touch_gap", table.get("open_gap").text));
-  law.opening_time = core::positive(table.get("opening_time"), dimension::time);
-  law.closing = core::not_negative(table.get("closing"), dimension::none);
-  law.accommodation = core::positive(table.get("accommodation"), dimension::none);
+    core::refuse(given_of(table, "open_gap", "touch_gap"),
+                 fmt::format("an open_gap of {:g} um is below the touch_gap of {:g} um, allowed is one not below it",
+                             1e6 * law.open_gap, 1e6 * law.touch_gap));
+  if (const auto* item = table.find("opening_time")) law.opening_time = core::positive(*item, dimension::time);
+  if (const auto* item = table.find("closing")) law.closing = core::not_negative(*item, dimension::none);
+  if (const auto* item = table.find("accommodation")) law.accommodation = core::positive(*item, dimension::none);
   if (law.accommodation > 1)
     core::refuse(table.get("accommodation"), fmt::format("{:g} was found, allowed is above 0 to 1", law.accommodation));
   return law;
@@ -130,10 +147,10 @@ std::vector<Interface> read_interfaces(const CaseNode& node, const Scene& scene)
     if (auto* gap = std::get_if<contact::GapConductance>(&interfaces.back().law)) {
       gap->exchange_emissivity = exchange_emissivity(scene, scene.tools[tool]);
       if (gap->open_gap >= width)
-        core::refuse(table.get("open_gap"),
-                     fmt::format("\"{}\" is not below the transition gap of {:g} mm, beyond which a contact is over; "
-                                 "allowed is less",
-                                 table.get("open_gap").text, 1e3 * width));
+        core::refuse(given_of(table, "open_gap", "transition_gap"),
+                     fmt::format("an open_gap of {:g} mm is not below the transition gap of {:g} mm, beyond which a "
+                                 "contact is over; allowed is less",
+                                 1e3 * gap->open_gap, 1e3 * width));
     }
   }
   return interfaces;

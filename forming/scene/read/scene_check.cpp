@@ -120,6 +120,9 @@ void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode
   if (scene.stages.empty()) return;
   const double touching = tolerance::initial_overlap * core::size(scene.glass.profile);
   const auto glass = samples(scene.glass.profile, touching);
+  const auto by_height = [](const core::Point& a, const core::Point& b) { return a[1] < b[1]; };
+  const auto [low, high] = std::minmax_element(glass.begin(), glass.end(), by_height);
+  const double lowest = (*low)[1], highest = (*high)[1];
   for (const auto& entry : scene.stages.front().tools) {
     const auto& tool = scene.tools[entry.tool];
     const core::Point shift = tool.position * core::axis_direction();
@@ -131,8 +134,9 @@ void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode
       core::refuse(
           *tools[entry.tool],
           fmt::format("\"{}\" overlaps the glass at the start by {:.3g} mm, near ({:g}, {:g}) mm; allowed is "
-                      "contact to within {:.2g} mm",
-                      tool.name, 1e3 * inside.depth, 1e3 * inside.point[0], 1e3 * inside.point[1], 1e3 * touching));
+                      "contact to within {:.2g} mm; the glass lies between {:.4g} and {:.4g} mm along the axis",
+                      tool.name, 1e3 * inside.depth, 1e3 * inside.point[0], 1e3 * inside.point[1], 1e3 * touching,
+                      1e3 * lowest, 1e3 * highest));
   }
 }
 

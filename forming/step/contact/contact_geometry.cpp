@@ -110,11 +110,13 @@ double fraction_in_contact(double gap, double motion, double coincident) {
 }
 
 /// The unit normal of the straight path of a node that touches a tool at both ends of it, on the side of the tool's
-/// normals there; none where it is not between these normals. On a smooth outline their mean is perpendicular to the
-/// path up to third order and does not depend on how long the path is; a corner is passed on a path of its own.
+/// normals there; none where the node rests or the normal is not between these. On a smooth outline their mean is
+/// perpendicular to the path up to third order and does not depend on how long the path is; a corner is passed on a
+/// path of its own.
 std::optional<Point> path_normal(const Point& path, const Point& at_start, const Point& at_end) {
   const double between = at_start.dot(at_end);
   if (between >= contact::smooth_cosine) return (at_start + at_end).normalized();
+  if (path.isZero(0)) return std::nullopt;
   Point normal = Point(-path[1], path[0]).normalized();
   if (normal.dot(at_end) < 0) normal = -normal;
   if (!(normal.dot(at_end) >= between && normal.dot(at_start) >= between)) return std::nullopt;

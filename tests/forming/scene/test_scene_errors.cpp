@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "../scene_text.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
 
 namespace parison::forming {
 namespace {
@@ -74,6 +75,7 @@ TEST(SceneErrors, tool_overlapping_the_glass_at_the_start) {
   const auto expected =
       std::to_string(line_of("[[tool]]")) + ": tool: \"plate\" overlaps the glass at the start by 1 mm, ";
   EXPECT_EQ(message.substr(0, expected.size()), expected);
+  EXPECT_NE(message.find("the glass lies between 0 and 10 mm along the axis"), message.npos) << message;
   EXPECT_EQ(complaint_about(replaced("(30, 0) (0, 0) mm", "(30, 0.0003) (0, 0.0003) mm")), "");
 }
 
@@ -339,15 +341,35 @@ TEST(SceneErrors, a_contact_by_the_gap_with_constants_out_of_range) {
   };
   EXPECT_EQ(with("0.25 um", "40 um", "0.2 s", "1", "0.9"), "");
   EXPECT_EQ(with("50 um", "40 um", "0.2 s", "1", "0.9"),
-            "interface.open_gap: \"40 um\" is below touch_gap, allowed is open_gap not below touch_gap");
+            "interface.open_gap: an open_gap of 40 um is below the touch_gap of 50 um, allowed is one not below it");
   EXPECT_EQ(with("0.25 um", "0.1 mm", "0.2 s", "1", "0.9"),
-            "interface.open_gap: \"0.1 mm\" is not below the transition gap of 0.1 mm, beyond which a contact is over; "
+            "interface.open_gap: an open_gap of 0.1 mm is not below the transition gap of 0.1 mm, beyond which a "
+            "contact is over; "
             "allowed is less");
   EXPECT_EQ(with("0.25 um", "40 um", "0.2 s", "1", "1.1"),
             "interface.accommodation: 1.1 was found, allowed is above 0 to 1");
   EXPECT_EQ(with("0 um", "40 um", "0.2 s", "1", "0.9").rfind("interface.touch_gap: \"0 um\" was found", 0), 0u);
   EXPECT_EQ(with("0.25 um", "40 um", "0 s", "1", "0.9").rfind("interface.opening_time: \"0 s\" was found", 0), 0u);
   EXPECT_EQ(with("0.25 um", "40 um", "0.2 s", "-1", "0.9").rfind("interface.closing: ", 0), 0u);
+}
+
+TEST(SceneErrors, a_contact_by_the_gap_blames_the_key_that_is_given) {
+  const auto with = [](const char* keys) {
+    const auto message =
+        complaint_about(replaced("law = \"constant\"\nh = \"2000 W/m2/K\"", std::string("law = \"gap\"\n") + keys));
+    return message.substr(std::min(message.size(), message.find(' ') + 1));
+  };
+  EXPECT_EQ(with(""), "");
+  const Scene alone = scene_of(replaced("law = \"constant\"\nh = \"2000 W/m2/K\"", "law = \"gap\""));
+  EXPECT_NE(
+      describe_scene(alone).find("0.25 um at first touch, to 40 um in about 0.25 s; closing 1, accommodation 0.9"),
+      std::string::npos);
+  EXPECT_EQ(with("touch_gap = \"50 um\""),
+            "interface.touch_gap: an open_gap of 40 um is below the touch_gap of 50 um, allowed is one not below it");
+  EXPECT_EQ(
+      with("transition_gap = \"30 um\""),
+      "interface.transition_gap: an open_gap of 0.04 mm is not below the transition gap of 0.03 mm, beyond which a "
+      "contact is over; allowed is less");
 }
 
 TEST(SceneErrors, a_swabbing_factor_that_is_not_above_zero) {

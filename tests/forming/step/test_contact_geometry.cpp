@@ -68,6 +68,23 @@ TEST(ContactCandidate, of_a_node_that_lands_has_the_normal_where_it_lands) {
       EXPECT_NEAR((candidate.normal - Point(-std::cos(-0.5), -std::sin(-0.5))).norm(), 0, 1e-9);
 }
 
+TEST(ContactCandidate, of_a_node_at_rest_between_two_facing_walls_have_unit_normals_and_finite_rates) {
+  const Scene scene = scene_of(pot_with(R"("(12, 20) (12, 0) (11.9, 8) (8, 0) (0, 0) mm")"));
+  State state = initial_state(scene);
+  const Index node = contact_nodes(state.glass.mesh).front();
+  state.glass.mesh.nodes[node] = {12e-3, 5e-3};
+  state.glass.contact_tool[node] = 0;
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(core::dim * state.glass.mesh.node_count());
+  int found = 0;
+  for (const auto& candidate : contact_candidates(scene, state, rest, 1e-3))
+    if (candidate.node == node && candidate.tool == 0) {
+      ++found;
+      EXPECT_NEAR(candidate.normal.norm(), 1, 1e-12);
+      EXPECT_TRUE(std::isfinite(candidate.rate));
+    }
+  EXPECT_EQ(found, 2);
+}
+
 TEST(Work, of_glass_that_slides_along_a_round_tool_is_balanced) {
   const std::string slips = replaced("duration = \"0.4 s\"", "duration = \"0.18 s\"",
                                      replaced("friction = \"stick\"", "friction = \"slip\"", round_pot));

@@ -7,8 +7,8 @@
 namespace parison::tools {
 
 /// Steps that each stage of a scene may take, from the case alone: those in which the contact front passes the contact
-/// boundaries of tools that the glass has yet to meet, two fronts at once, in stages in which a tool or air drives the
-/// glass; and those that a stage takes in which little happens. Only their proportions count.
+/// boundaries of tools that the glass has yet to meet, in stages in which a tool or air drives the glass; and those
+/// that a stage takes in which little happens. Only their proportions count.
 std::vector<double> expected_steps(const forming::Scene& scene);
 
 /// Predicts what is left of a run from what its stages have cost so far.

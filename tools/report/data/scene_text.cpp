@@ -61,7 +61,10 @@ SceneOfRun read_scene_of(const std::string& folder) {
   SceneOfRun of;
   const std::string path = forming::case_copy_folder(folder) + "/case.toml";
   try {
-    if (!fs::is_regular_file(path)) throw core::RunError(path + ": the folder has no copy of its case");
+    if (!fs::is_directory(folder))
+      throw core::RunError(folder + ": no such folder, allowed is the result folder of a run");
+    if (!fs::is_regular_file(path))
+      throw core::RunError(folder + ": the folder has no copy of its case, allowed is the result folder of a run");
     const CaseCommand command = read_command(text_if_there(command_path(folder)));
     of.scene = forming::read_scene(path, command.accuracy, command.overrides);
     of.text = forming::describe_scene(*of.scene);
