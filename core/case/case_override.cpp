@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/case/case_file.hpp"
+#include "core/case/case_text.hpp"
 
 namespace parison::core {
 namespace {
@@ -85,15 +85,10 @@ CaseNode& step_down(CaseNode& at, const std::string& word, const CaseNode& place
 
 }  // namespace
 
-void override_value(CaseFile& file, const std::string& assignment) {
-  const auto equals = assignment.find('=');
-  CaseNode place;
-  place.file = "--set";
-  place.key = trimmed(assignment.substr(0, equals));
-  const auto words = split(place.key);
-  if (equals == assignment.npos || std::count(words.begin(), words.end(), ""))
-    refuse(place, "allowed is KEY=VALUE such as tool.blank.temperature=\"480 degC\"");
-  const CaseNode value = parse_value(trimmed(assignment.substr(equals + 1)), place);
+namespace {
+
+/// The place of a key, made where it may be new.
+CaseNode& place_of(CaseFile& file, const CaseNode& place, const std::vector<std::string>& words) {
   CaseNode* at = &file.root;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool last = i + 1 == words.size();
@@ -103,10 +98,32 @@ void override_value(CaseFile& file, const std::string& assignment) {
     const bool has_free_names = i == 1 && words[0] == "material" && !last;
     at = &step_down(*at, words[i], place, words[0] != "dimension" && !has_free_names);
   }
-  const std::string name = at->name;
-  *at = value;
-  at->name = name;
+  return *at;
+}
+
+}  // namespace
+
+void override_value(CaseFile& file, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  CaseNode place;
+  place.file = "--set";
+  place.key = trimmed(assignment.substr(0, equals));
+  const auto words = split(place.key);
+  if (equals == assignment.npos || std::count(words.begin(), words.end(), ""))
+    refuse(place, "allowed is KEY=VALUE such as tool.blank.temperature=\"480 degC\"");
+  const CaseNode value = parse_value(trimmed(assignment.substr(equals + 1)), place);
+  CaseNode& at = place_of(file, place, words);
+  const std::string name = at.name;
+  at = value;
+  at.name = name;
   file.overrides.push_back(assignment);
+}
+
+CaseNode value_of(CaseFile file, const std::string& key) {
+  CaseNode place;
+  place.file = file.path;
+  place.key = key;
+  return place_of(file, place, split(key));
 }
 
 }  // namespace parison::core

@@ -22,6 +22,7 @@
 #include "tools/program/bundled_cases.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/watch.hpp"
+#include "tools/search/optimise.hpp"
 #include "tools/sweep/sweep.hpp"
 #include "tools/tradeoff/tradeoff.hpp"
 #include "tools/uncertainty/uncertainty.hpp"
@@ -220,6 +221,19 @@ void add_sweep(CLI::App& app, Command& chosen) {
   command->add_flag("--list", request->list, "read and check all runs, print them and run none");
 }
 
+void add_optimise(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<OptimiseRequest>();
+  auto* command = add_command(app, "optimise", "search for the dimensions and settings that a goal wants", chosen,
+                              request, optimise);
+  command->add_option("file", request->file, "TOML file with the case, [[variable]] tables, [goal] and limits")
+      ->required();
+  command->add_option("--output", request->output,
+                      "folder of the runs; those already there are used [results/optimise_FILE]");
+  command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--check", request->check, "read and check the goal and the corners of the bounds, run nothing");
+}
+
 void add_uncertainty(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<UncertaintyRequest>();
   auto* command =
@@ -330,6 +344,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_compare(app, chosen);
   add_what_if(app, chosen);
   add_sweep(app, chosen);
+  add_optimise(app, chosen);
   add_uncertainty(app, chosen);
   add_fit_law(app, chosen);
   add_export(app, chosen);

@@ -30,6 +30,7 @@ constexpr double between_reports = 1.0;  ///< s
 struct Pool {
   const SweepPlan& plan;
   std::vector<SweepState>& states;
+  Report report = Report::progress;
   std::vector<std::vector<std::size_t>> followers = {};  ///< the rows that take over from each
   std::vector<std::size_t> unfinished_followers = {};
   std::deque<std::size_t> ready = {};
@@ -59,6 +60,7 @@ std::string duration_text(double seconds) {
 
 /// A line each second, and one for each run that failed.
 void report(Pool& pool, std::size_t row) {
+  if (pool.report == Report::none) return;
   const SweepState& state = pool.states[row];
   const std::size_t count = pool.plan.runs.size();
   const double now = core::wall_seconds();
@@ -91,8 +93,8 @@ void note_end(Pool& pool, std::size_t row) {
 }
 
 /// The rows that are done are counted, of the others those that wait for none are ready.
-Pool open_pool(const SweepPlan& plan, std::vector<SweepState>& states) {
-  Pool pool{plan, states};
+Pool open_pool(const SweepPlan& plan, std::vector<SweepState>& states, Report report) {
+  Pool pool{plan, states, report};
   pool.followers.resize(plan.runs.size());
   pool.unfinished_followers.resize(plan.runs.size());
   for (std::size_t row = 0; row < plan.runs.size(); ++row)
@@ -147,9 +149,9 @@ void collect(Pool& pool, int child) {
 
 }  // namespace
 
-bool run_sweep(const SweepPlan& plan, std::vector<SweepState>& states, int jobs) {
+bool run_sweep(const SweepPlan& plan, std::vector<SweepState>& states, int jobs, Report report) {
   expect_children();
-  Pool pool = open_pool(plan, states);
+  Pool pool = open_pool(plan, states, report);
   bool passed_on = false;
   for (;;) {
     while (!stop_requested() && !pool.ready.empty() && pool.running.size() < static_cast<std::size_t>(jobs))
