@@ -76,9 +76,8 @@ void report(Pool& pool, std::size_t row) {
 
 /// Removes what is not to be kept of a run that is done and from which none will take over any more.
 void tidy_up(const Pool& pool, std::size_t row) {
-  if (pool.plan.sweep.keep == forming::Keep::summary && pool.states[row].status == Status::done &&
-      pool.unfinished_followers[row] == 0)
-    forming::keep_summary(pool.plan.folder(pool.plan.runs[row]));
+  if (pool.states[row].status == Status::done && pool.unfinished_followers[row] == 0)
+    forming::keep_only(pool.plan.sweep.keep, pool.plan.folder(pool.plan.runs[row]));
 }
 
 /// Counts a run that is done or has failed.

@@ -154,6 +154,11 @@ class Search {
 
 }  // namespace
 
+LeastSquaresResult least_squares(const VectorXd& start, const LeastSquaresOptions& options,
+                                 const Residuals& residuals) {
+  return Search(start, options, residuals).find();
+}
+
 VectorXd bounded_step(const MatrixXd& jacobian, const VectorXd& residual, double damping, const VectorXd& low,
                       const VectorXd& high) {
   const Index count = jacobian.cols();

@@ -57,7 +57,7 @@ SweepPlan plan_runs(const SearchCase& search, const std::vector<Eigen::VectorXd>
   sweep.overrides = search.overrides;
   sweep.design = Design::list;
   sweep.runs = places.size();
-  sweep.keep = Keep::summary;
+  sweep.keep = search.keep;
   for (std::size_t i = 0; i < search.variables.size(); ++i) {
     SweepVariable variable{search.variables[i].key, {}, 0, 0, ""};
     for (const Eigen::VectorXd& at : places) variable.values.push_back(search.variables[i].text(at[Eigen::Index(i)]));

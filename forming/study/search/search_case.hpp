@@ -16,6 +16,7 @@ struct SearchCase {
   std::string case_path, accuracy;
   std::vector<std::string> overrides;  ///< of all runs
   std::vector<SearchVariable> variables;
+  Keep keep = Keep::summary;  ///< of each run
 };
 
 /// The assignments of a place of the search, after those of all runs.
@@ -28,7 +29,7 @@ std::string refusal_of(const SearchCase& search, const Scene& base, const Eigen:
 /// with the values where it is refused or tools overlap.
 void check_corners(const SearchCase& search);
 
-/// The runs of some places, which are asked for together; each leaves its summary and the table of its wall.
+/// The runs of some places, which are asked for together.
 SweepPlan plan_runs(const SearchCase& search, const std::vector<Eigen::VectorXd>& places, const std::string& output);
 
 }  // namespace parison::forming
