@@ -168,7 +168,7 @@ int fit_constants(Fit& fit, const Calibration& calibration, bool with_flow) {
     start[i] = variable.start, low[i] = variable.low(), high[i] = variable.high(), step[i] = variable.step;
   }
   const double least_gain = with_flow ? 1e-3 : 1e-6;
-  const auto found = forming::least_squares(start, {low, high, step, fit.limit, 0, least_gain},
+  const auto found = forming::least_squares(start, {low, high, step, fit.limit, 0, 0, least_gain},
                                             [&](const std::vector<VectorXd>& places) { return ask(fit, places); });
   using Ending = forming::LeastSquaresResult::Ending;
   if (found.ending == Ending::stopped) return stopped_text();

@@ -98,7 +98,7 @@ std::string search_by_least_squares(Course& course) {
   using Ending = forming::LeastSquaresResult::Ending;
   const Box box = box_of(course.goal);
   const auto found = forming::least_squares(
-      box.start, {box.low, box.high, box.step, course.goal.runs, good_norm(course.goal)},
+      box.start, {box.low, box.high, box.step, course.goal.runs, Eigen::Index(course.goal.limits.size()), good_norm(course.goal)},
       [&](const std::vector<VectorXd>& places) {
         std::vector<std::optional<VectorXd>> residuals;
         for (const auto& worth : ask(course, places))

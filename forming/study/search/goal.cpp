@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forming/study/search/least_squares.hpp"
+
 namespace parison::forming {
 namespace {
 
@@ -67,7 +69,8 @@ std::optional<Eigen::VectorXd> excess_of(const Goal& goal, const Quantities& qua
 }  // namespace
 
 bool is_better(const Worth& a, const Worth& b) {
-  if (a.residual.size() > 0) return a.residual.norm() < b.residual.norm();
+  if (a.residual.size() > 0)
+    return counted(a.residual, a.excess.size()).norm() < counted(b.residual, b.excess.size()).norm();
   if (a.holds() != b.holds()) return a.holds();
   return a.holds() ? a.value < b.value : a.excess.maxCoeff() < b.excess.maxCoeff();
 }
@@ -97,7 +100,7 @@ std::optional<Worth> worth(const Goal& goal, const Outcome& outcome) {
   if (target.is_scalar()) return found;
   const Eigen::Index own = found.residual.size();
   found.residual.conservativeResize(own + excess->size());
-  found.residual.tail(excess->size()) = limit_weight * excess->cwiseMax(0);
+  found.residual.tail(excess->size()) = limit_weight * *excess;
   return found;
 }
 

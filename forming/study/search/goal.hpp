@@ -41,7 +41,7 @@ struct Goal : SearchCase {
 
 /// What a run is worth.
 struct Worth {
-  Eigen::VectorXd residual;  ///< of least squares, those of limits that do not hold behind it; of a scalar empty
+  Eigen::VectorXd residual;  ///< of least squares, with the weighed excess of the limits behind it; of a scalar empty
   Eigen::VectorXd excess;    ///< of each limit, positive where it does not hold, shares of its scale
   double value;              ///< what is to be as small as can be: rms in %, difference or quantity in its unit
   bool holds() const { return (excess.array() <= 1e-9).all(); }

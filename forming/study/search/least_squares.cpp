@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 namespace parison::forming {
 namespace {
@@ -32,16 +33,35 @@ class Search {
     if (first.empty()) return result(Ending::stopped);
     if (!first.front()) return result(Ending::start_failed);
     residual_ = *first.front();
-    for (double before = 2 * residual_.norm();;) {
-      if (residual_.norm() <= options_.good_enough) return result(Ending::good_enough);
-      if (residual_.norm() > (1 - options_.least_gain) * before) return result(Ending::no_more_gain);
-      before = residual_.norm();
+    for (double before = 2 * size(residual_);;) {
+      if (size(residual_) <= options_.good_enough) return result(Ending::good_enough);
+      if (size(residual_) > (1 - options_.least_gain) * before) return result(Ending::no_more_gain);
+      before = size(residual_);
       if (left() < std::size_t(at_.size()) + 1) return result(Ending::no_more_runs);
       if (!make_jacobian() || !descend()) return result(Ending::stopped);
     }
   }
 
  private:
+  double size(const VectorXd& residual) const { return counted(residual, options_.limits).norm(); }
+
+  /// Limits that the step is expected to hold take no part in it.
+  VectorXd next_step() const {
+    VectorXd weight = VectorXd::Ones(residual_.size());
+    weight.tail(options_.limits) = (residual_.tail(options_.limits).array() > 0).cast<double>();
+    VectorXd step;
+    for (Index round = 0; round <= 2 * options_.limits; ++round) {
+      step = bounded_step(weight.asDiagonal() * jacobian_, weight.cwiseProduct(residual_), damping_, low_ - at_,
+                          high_ - at_);
+      const VectorXd expected = (residual_ + jacobian_ * step).tail(options_.limits);
+      VectorXd next = weight;
+      next.tail(options_.limits) = (expected.array() > 0).cast<double>();
+      if (next == weight) break;
+      weight = next;
+    }
+    return step;
+  }
+
   std::size_t left() const { return options_.runs - std::min(options_.runs, runs_); }
 
   /// Empty where stopped.
@@ -95,7 +115,7 @@ class Search {
   }
 
   void keep_if_better(const VectorXd& place, const VectorXd& residual) {
-    if (residual.norm() >= best_residual_.norm()) return;
+    if (size(residual) >= size(best_residual_)) return;
     best_ = place;
     best_residual_ = residual;
   }
@@ -103,7 +123,7 @@ class Search {
   /// Steps from the present place until a new Jacobian is due; false where stopped.
   bool descend() {
     for (int update = 0, bad = 0; update < most_updates && bad < 2 && left() > 0 && damping_ < most_damping; ++update) {
-      const VectorXd step = bounded_step(jacobian_, residual_, damping_, low_ - at_, high_ - at_);
+      const VectorXd step = next_step();
       if (step.norm() < 1e-3) break;
       const auto found = ask({at_ + step});
       if (found.empty()) return false;
@@ -113,9 +133,9 @@ class Search {
         continue;
       }
       bad += take(step, *found.front()) ? 0 : 1;
-      if (residual_.norm() <= options_.good_enough) break;
+      if (size(residual_) <= options_.good_enough) break;
     }
-    if (best_residual_.norm() < residual_.norm()) {
+    if (size(best_residual_) < size(residual_)) {
       at_ = best_;
       residual_ = best_residual_;
     }
@@ -125,9 +145,9 @@ class Search {
 
   /// Learns from a run and goes there where it is better; whether it gained what counts.
   bool take(const VectorXd& step, const VectorXd& found) {
-    const double before = residual_.squaredNorm(), gain = before - found.squaredNorm();
     const VectorXd expected = residual_ + jacobian_ * step;
-    const double share = gain / std::max(before - expected.squaredNorm(), 1e-300);
+    const double before = std::pow(size(residual_), 2), gain = before - std::pow(size(found), 2);
+    const double share = gain / std::max(before - std::pow(size(expected), 2), 1e-300);
     jacobian_ += (found - expected) * step.transpose() / step.squaredNorm();
     if (share > good_gain) damping_ /= 3;
     if (share < bad_gain) damping_ *= 4;
@@ -157,6 +177,11 @@ class Search {
 LeastSquaresResult least_squares(const VectorXd& start, const LeastSquaresOptions& options,
                                  const Residuals& residuals) {
   return Search(start, options, residuals).find();
+}
+
+VectorXd counted(VectorXd residual, Index limits) {
+  residual.tail(limits) = residual.tail(limits).cwiseMax(0);
+  return residual;
 }
 
 VectorXd bounded_step(const MatrixXd& jacobian, const VectorXd& residual, double damping, const VectorXd& low,

@@ -14,6 +14,8 @@ using Residuals = std::function<std::vector<std::optional<Eigen::VectorXd>>(cons
 struct LeastSquaresOptions {
   Eigen::VectorXd low, high, step;  ///< bounds and widths of the difference quotients, one a variable
   std::size_t runs = 120;           ///< at most
+  /// The last so many residuals count only where they are above zero: by how much limits are missed.
+  Eigen::Index limits = 0;
   double good_enough = 0;           ///< norm of the residual below which the search ends
   double least_gain = 0.01;         ///< share of the norm; what gains less than this counts as noise
 };
@@ -31,6 +33,9 @@ struct LeastSquaresResult {
 /// cost no run. A place that fails is tried from the other side, then left out; a step that fails is shortened.
 LeastSquaresResult least_squares(const Eigen::VectorXd& start, const LeastSquaresOptions& options,
                                  const Residuals& residuals);
+
+/// A residual with the limits that hold at zero.
+Eigen::VectorXd counted(Eigen::VectorXd residual, Eigen::Index limits);
 
 /// The step of Levenberg and Marquardt that stays between bounds: variables that a bound holds take no part. All in
 /// steps of the variables.
