@@ -51,7 +51,8 @@ double step_of(const CaseTable& table, const SearchVariable& variable) {
   const double whole = variable.high() - variable.low();
   const CaseNode* given = table.find("step");
   if (!given) return usual_step * whole;
-  double step = in_unit(read_measured(*given), variable.logarithmic ? "" : variable.bounds.unit, *given);
+  const std::string unit = variable.logarithmic ? "" : variable.bounds.unit == "degC" ? "K" : variable.bounds.unit;
+  double step = in_unit(read_measured(*given), unit, *given);
   if (variable.logarithmic) step = std::log(step);
   if (!(step > 0 && step <= whole))
     core::refuse(*given, fmt::format("the step of {} was found to be outside its bounds, allowed is one above zero and "
