@@ -94,7 +94,8 @@ CaseNode& place_of(CaseFile& file, const CaseNode& place, const std::vector<std:
     const bool last = i + 1 == words.size();
     // A new table in the middle of a path is read with the case, which refuses what it does not know with the keys that
     // are allowed. Materials may have any name: a new one would be a table that nothing uses, and so would a new
-    // dimension, since it is the case's texts that use them; the whole table of dimensions may be new, for texts that are set too.
+    // dimension, since it is the case's texts that use them; the whole table of dimensions may be new, for texts that
+    // are set too.
     const bool is_unused_name = words[0] == "dimension" && words.size() > 1;
     const bool has_free_names = i == 1 && words[0] == "material" && !last;
     at = &step_down(*at, words[i], place, !is_unused_name && !has_free_names);

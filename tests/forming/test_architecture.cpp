@@ -55,9 +55,9 @@ TEST(Architecture, every_include_points_down_the_layers) {
       {"tools/uncertainty",
        {"tools/uncertainty", "tools/sweep", "tools/program", "forming/study", "forming/scene", "core"}},
       {"tools/commands",
-       {"tools/commands", "tools/camera", "tools/comparison", "tools/search", "tools/sweep", "tools/uncertainty", "tools/report",
-        "tools/materials", "tools/pictures", "tools/tradeoff", "tools/program", "forming/study", "forming/run",
-        "forming/report", "forming/scene", "core"}}};
+       {"tools/commands", "tools/camera", "tools/comparison", "tools/search", "tools/sweep", "tools/uncertainty",
+        "tools/report", "tools/materials", "tools/pictures", "tools/tradeoff", "tools/program", "forming/study",
+        "forming/run", "forming/report", "forming/scene", "core"}}};
   const fs::path root = PARISON_SOURCE_DIR;
   const std::regex quoted("^\\s*#include \"([^\"]+)\"");
   int read = 0;

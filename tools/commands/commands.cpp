@@ -252,7 +252,9 @@ void add_calibrate(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("--accuracy", request->accuracy, "draft, standard or fine")->capture_default_str();
   command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
-  command->add_option("--runs", request->runs, "of the fit at most")->capture_default_str()->check(CLI::Range(3, 10000));
+  command->add_option("--runs", request->runs, "of the fit at most")
+      ->capture_default_str()
+      ->check(CLI::Range(3, 10000));
   command->add_option("--output", request->output,
                       "folder of the runs; those already there are used [results/calibrate_DATA]");
   command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")

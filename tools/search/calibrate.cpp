@@ -9,8 +9,8 @@
 
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
-#include "forming/study/search/intervals.hpp"
-#include "forming/study/search/least_squares.hpp"
+#include "forming/study/search/calibration/intervals.hpp"
+#include "forming/study/search/minimum/least_squares.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/folder_lock.hpp"
 #include "tools/program/stop_request.hpp"
@@ -39,13 +39,13 @@ std::vector<std::optional<VectorXd>> ask(Fit& fit, const std::vector<VectorXd>& 
   const std::vector<MadeRun> made = fit.runs.make(places);
   std::vector<std::optional<VectorXd>> found;
   for (std::size_t i = 0; i < made.size(); ++i) {
-    found.push_back(made[i].reason.empty()
-                        ? forming::misfit(fit.calibration.curves, fit.output + '/' + made[i].folder)
-                        : std::nullopt);
+    found.push_back(made[i].reason.empty() ? forming::misfit(fit.calibration.curves, fit.output + '/' + made[i].folder)
+                                           : std::nullopt);
     const std::string reason = made[i].reason.empty() ? "it lacks what was measured" : made[i].reason;
     if (!found.back() && fit.failed++ == 0) fit.first_failure = reason;
-    std::string line = found.back() ? fmt::format("{:>9.4g}", found.back()->norm() / std::sqrt(double(found.back()->size())))
-                                    : "   failed";
+    std::string line = found.back()
+                           ? fmt::format("{:>9.4g}", found.back()->norm() / std::sqrt(double(found.back()->size())))
+                           : "   failed";
     for (std::size_t k = 0; k < fit.calibration.variables.size(); ++k)
       line += "  " + fit.calibration.variables[k].text(places[i][Eigen::Index(k)]);
     fmt::print("[{:>3}] {}{}\n", ++fit.asked, line, found.back() ? "" : "  " + reason);
@@ -186,7 +186,8 @@ int fit_constants(Fit& fit, const Calibration& calibration, bool with_flow) {
   print_fit(calibration, intervals);
   write_fit(calibration, intervals, found.residual, fit.output);
   fmt::print("\n  {} runs, {} failed{}; {}/calibration.json, fit.csv\n", fit.asked, fit.failed,
-             found.ending == Ending::no_more_runs ? ", all that were allowed: the fit may not have ended" : "", fit.output);
+             found.ending == Ending::no_more_runs ? ", all that were allowed: the fit may not have ended" : "",
+             fit.output);
   return found.ending == Ending::no_more_runs ? run_failed : 0;
 }
 

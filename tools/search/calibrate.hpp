@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "forming/study/search/calibration.hpp"
+#include "forming/study/search/calibration/calibration.hpp"
 
 namespace parison::tools {
 

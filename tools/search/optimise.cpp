@@ -9,8 +9,8 @@
 #include <filesystem>
 
 #include "forming/study/search/goal_file.hpp"
-#include "forming/study/search/least_squares.hpp"
-#include "forming/study/search/scalar_search.hpp"
+#include "forming/study/search/minimum/least_squares.hpp"
+#include "forming/study/search/minimum/scalar_search.hpp"
 #include "forming/study/search/search_result.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/folder_lock.hpp"
@@ -98,7 +98,8 @@ std::string search_by_least_squares(Course& course) {
   using Ending = forming::LeastSquaresResult::Ending;
   const Box box = box_of(course.goal);
   const auto found = forming::least_squares(
-      box.start, {box.low, box.high, box.step, course.goal.runs, Eigen::Index(course.goal.limits.size()), good_norm(course.goal)},
+      box.start,
+      {box.low, box.high, box.step, course.goal.runs, Eigen::Index(course.goal.limits.size()), good_norm(course.goal)},
       [&](const std::vector<VectorXd>& places) {
         std::vector<std::optional<VectorXd>> residuals;
         for (const auto& worth : ask(course, places))
@@ -185,10 +186,10 @@ void print_answer(const Goal& goal, const SearchResult& result) {
       const forming::Quantity* found = row.outcome.quantities.find(limit.quantity);
       return found ? found->value : std::nan("");
     };
-    fmt::print("  {:<40}{:>12.4g}{:>12.4g}{}\n",
-               fmt::format("{} {} {:g} {}", limit.quantity, limit.at_least ? "at least" : "at most", limit.value,
-                           limit.unit),
-               at(start), at(best), limit.at_least == (at(best) >= limit.value) || at(best) == limit.value ? "" : "  missed");
+    fmt::print(
+        "  {:<40}{:>12.4g}{:>12.4g}{}\n",
+        fmt::format("{} {} {:g} {}", limit.quantity, limit.at_least ? "at least" : "at most", limit.value, limit.unit),
+        at(start), at(best), limit.at_least == (at(best) >= limit.value) || at(best) == limit.value ? "" : "  missed");
   }
   for (std::size_t i = 0; i < goal.variables.size(); ++i) {
     const forming::SearchVariable& variable = goal.variables[i];

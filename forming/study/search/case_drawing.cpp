@@ -28,8 +28,7 @@ std::string point(int code, const core::Point& at) {
 
 /// Arcs of a drawing go counterclockwise.
 std::string entity(const core::Segment& segment, const std::string& layer) {
-  if (!segment.is_arc)
-    return group(0, "LINE") + group(8, layer) + point(10, segment.start) + point(11, segment.end);
+  if (!segment.is_arc) return group(0, "LINE") + group(8, layer) + point(10, segment.start) + point(11, segment.end);
   constexpr double degree = 3.14159265358979323846 / 180;
   const double from = std::min(segment.from, segment.to), to = std::max(segment.from, segment.to);
   return group(0, "ARC") + group(8, layer) + point(10, segment.centre) + number(40, 1e3 * segment.radius) +
@@ -82,8 +81,7 @@ std::vector<std::string> write_case(const SearchCase& search, const Eigen::Vecto
                                        std::filesystem::path(search.file).filename().string()) +
                                core::case_text(file.root));
   read_scene(path, search.accuracy);
-  std::vector<std::string> written = write_drawings(
-      read_scene(search.case_path, search.accuracy), found, output);
+  std::vector<std::string> written = write_drawings(read_scene(search.case_path, search.accuracy), found, output);
   written.insert(written.begin(), "case");
   return written;
 }

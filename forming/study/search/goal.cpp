@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forming/study/search/least_squares.hpp"
+#include "forming/study/search/minimum/least_squares.hpp"
 
 namespace parison::forming {
 namespace {
@@ -93,8 +93,8 @@ std::optional<Worth> worth(const Goal& goal, const Outcome& outcome) {
     found.value = target.kind == Kind::most ? -quantity->value : quantity->value;
     if (target.kind == Kind::value) {
       found.value = std::abs(quantity->value - target.value);
-      found.residual = Eigen::VectorXd::Constant(
-          1, (quantity->value - target.value) / scale_of(quantity->unit, target.value));
+      found.residual =
+          Eigen::VectorXd::Constant(1, (quantity->value - target.value) / scale_of(quantity->unit, target.value));
     }
   }
   if (target.is_scalar()) return found;

@@ -120,9 +120,10 @@ void read_limits(const CaseTable& root, const Scene& scene, std::vector<Limit>& 
     if (!std::isfinite(low) && !std::isfinite(high))
       core::refuse(*node, "no limit was found, allowed are at_least, at_most or both");
     if (low > high)
-      core::refuse(*node, fmt::format("at least {:g} and at most {:g} {} were found, which no run can reach, allowed is "
-                                      "at_most not below at_least",
-                                      low, high, quantity.unit));
+      core::refuse(*node,
+                   fmt::format("at least {:g} and at most {:g} {} were found, which no run can reach, allowed is "
+                               "at_most not below at_least",
+                               low, high, quantity.unit));
   }
 }
 
@@ -130,7 +131,8 @@ std::string accuracy_in(const CaseTable& root, const char* key, const char* usua
   const CaseNode* node = root.find(key);
   const std::string text = node ? core::text(*node) : usual;
   if (text != "none" && read_accuracy(text).target)
-    core::refuse(*node, fmt::format("\"{}\" was found, allowed are draft, standard, fine, coarser or finer ones", text));
+    core::refuse(*node,
+                 fmt::format("\"{}\" was found, allowed are draft, standard, fine, coarser or finer ones", text));
   return text;
 }
 

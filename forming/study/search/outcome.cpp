@@ -104,8 +104,8 @@ WallTable read_wall_table(const std::string& path) {
     table.height.push_back(cell(height));
   }
   if (table.at.size() < 2)
-    throw core::CaseError(fmt::format("{}: {} rows with a thickness were found, allowed are at least two", path,
-                                      table.at.size()));
+    throw core::CaseError(
+        fmt::format("{}: {} rows with a thickness were found, allowed are at least two", path, table.at.size()));
   return table;
 }
 
@@ -146,7 +146,8 @@ std::vector<Quantity> known_quantities(const Scene& scene) {
   add("weight", "g");
   if (scene.has_flow()) {
     add("wall_rms", "%");
-    for (const char* name : {"wall_min", "thickness_min", "thickness_mean", "extent_r_max", "extent_z_min", "extent_z_max"})
+    for (const char* name :
+         {"wall_min", "thickness_min", "thickness_mean", "extent_r_max", "extent_z_min", "extent_z_max"})
       add(name, "mm");
   }
   if (scene.has_heat()) add("glass_mean", "degC"), add("glass_skin", "degC");

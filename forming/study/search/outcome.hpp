@@ -24,7 +24,8 @@ struct WallPart {
 /// What a run of a search came to.
 struct Outcome {
   std::string reason;  ///< why it has no results; empty with them
-  /// Those of the summary, and `weight`, `hottest_TOOL`, `wall_rms` (of the part's deviation from its mean), `wall_min`.
+  /// Those of the summary, and `weight`, `hottest_TOOL`, `wall_rms` (of the part's deviation from its mean),
+  /// `wall_min`.
   Quantities quantities;
   Wall wall;  ///< empty without one
 };
@@ -45,7 +46,7 @@ std::vector<Quantity> known_quantities(const Scene& scene);
 /// that have a thickness. Such a table is thickness.csv of a run.
 struct WallTable {
   bool over_arc;
-  std::vector<double> at, thickness;  ///< mm
+  std::vector<double> at, thickness;   ///< mm
   std::vector<double> radius, height;  ///< where the table has them
   double arc_end = 0;                  ///< of the last row, wall or not, mm
 };

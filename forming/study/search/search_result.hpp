@@ -18,8 +18,8 @@ struct SearchRow {
 
 /// A run of the start or of the answer with error bars, from its coarser runs.
 struct Confirmed {
-  double value, bar;  ///< of the goal; the bar is not a number where no coarser run has it
-  bool holds;         ///< all limits
+  double value, bar;   ///< of the goal; the bar is not a number where no coarser run has it
+  bool holds;          ///< all limits
   std::string reason;  ///< why there is none
 };
 

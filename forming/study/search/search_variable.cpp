@@ -99,8 +99,7 @@ std::vector<SearchVariable> read_search_variables(const CaseTable& root, const s
     variables.push_back(read_variable(*node, held));
     for (std::size_t i = 0; i + 1 < variables.size(); ++i)
       if (variables[i].key == variables.back().key)
-        core::refuse(*node,
-                     fmt::format("the key {} was found twice, allowed are different keys", variables[i].key));
+        core::refuse(*node, fmt::format("the key {} was found twice, allowed are different keys", variables[i].key));
   }
   if (variables.empty())
     throw core::CaseError(

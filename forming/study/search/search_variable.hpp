@@ -25,8 +25,8 @@ struct SearchVariable {
   std::string text(double coordinate) const;
 };
 
-/// Reads the [[variable]] tables of a file: `key`, `from`, `to`, [`step`], [`start`], [`scale`]. Where no start is given
-/// it is the value that the case has, after the assignments.
+/// Reads the [[variable]] tables of a file: `key`, `from`, `to`, [`step`], [`start`], [`scale`]. Where no start is
+/// given it is the value that the case has, after the assignments.
 std::vector<SearchVariable> read_search_variables(const core::CaseTable& root, const std::string& file,
                                                   const std::string& case_path,
                                                   const std::vector<std::string>& overrides);

@@ -112,7 +112,8 @@ void read_runs(const CaseTable& root, Sweep& sweep) {
 }
 
 std::string value_at(const SweepVariable& variable, double share) {
-  if (variable.values.empty()) return measure_text(variable.from + share * (variable.to - variable.from), variable.unit);
+  if (variable.values.empty())
+    return measure_text(variable.from + share * (variable.to - variable.from), variable.unit);
   return variable.values[static_cast<std::size_t>(share * static_cast<double>(variable.values.size()))];
 }
 

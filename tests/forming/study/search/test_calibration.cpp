@@ -9,9 +9,9 @@
 #include "core/io/files.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/run/run.hpp"
-#include "forming/study/search/calibration.hpp"
-#include "forming/study/search/intervals.hpp"
-#include "forming/study/search/least_squares.hpp"
+#include "forming/study/search/calibration/calibration.hpp"
+#include "forming/study/search/calibration/intervals.hpp"
+#include "forming/study/search/minimum/least_squares.hpp"
 
 namespace parison::forming {
 namespace {
@@ -115,11 +115,12 @@ class CalibrationTest : public ::testing::Test {
       start[i] = one.start, low[i] = one.low(), high[i] = one.high(), step[i] = one.step;
     }
     const auto residual = [&](const VectorXd& at) -> VectorXd { return (couple(variables, at) - measured) / noise; };
-    const auto found = least_squares(start, {low, high, step, 60, 0, 0, 1e-6}, [&](const std::vector<VectorXd>& places) {
-      std::vector<std::optional<VectorXd>> all;
-      for (const VectorXd& at : places) all.push_back(residual(at));
-      return all;
-    });
+    const auto found =
+        least_squares(start, {low, high, step, 60, 0, 0, 1e-6}, [&](const std::vector<VectorXd>& places) {
+          std::vector<std::optional<VectorXd>> all;
+          for (const VectorXd& at : places) all.push_back(residual(at));
+          return all;
+        });
     MatrixXd jacobian(measured.size(), count);
     for (Eigen::Index i = 0; i < count; ++i) {
       VectorXd beside = found.at;
@@ -133,7 +134,8 @@ class CalibrationTest : public ::testing::Test {
 TEST_F(CalibrationTest, what_is_wrong_in_the_data_is_told_with_its_line) {
   EXPECT_NE(refusal("time_s,cuple_degC\n1,450\n2,460\n").find("no probe \"cuple\" (did you mean \"couple\"?)"),
             std::string::npos);
-  EXPECT_NE(refusal("time_s,couple_degC\n1,450\n9,460\n").find("data.csv:3: the time 9 s was found"), std::string::npos);
+  EXPECT_NE(refusal("time_s,couple_degC\n1,450\n9,460\n").find("data.csv:3: the time 9 s was found"),
+            std::string::npos);
   EXPECT_NE(refusal("time_s,couple_degC\n1\n").find("1 cells were found, allowed are 2"), std::string::npos);
   EXPECT_NE(refusal("a,b\n1,2\n").find("no measurements were found"), std::string::npos);
   EXPECT_NE(refusal("z_mm,thickness_mm\n1,2\n2,2\n").find("the glass of the case does not flow"), std::string::npos);

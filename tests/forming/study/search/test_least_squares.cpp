@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/search/least_squares.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "forming/study/search/scalar_search.hpp"
+#include "forming/study/search/minimum/least_squares.hpp"
+#include "forming/study/search/minimum/scalar_search.hpp"
 
 namespace parison::forming {
 namespace {
@@ -19,8 +18,8 @@ VectorXd bent(const VectorXd& x, double noise) {
   VectorXd residual(40);
   for (Eigen::Index i = 0; i < 40; ++i) {
     const double s = double(i) / 39;
-    residual[i] = 0.3 * (std::sin(x[0] + s) - std::sin(1 + s)) + 0.2 * s * (x[1] - 2) + 0.1 * s * s * (x[2] * x[2] - 1) +
-                  noise * std::sin(1e4 * (x.sum() + s));
+    residual[i] = 0.3 * (std::sin(x[0] + s) - std::sin(1 + s)) + 0.2 * s * (x[1] - 2) +
+                  0.1 * s * s * (x[2] * x[2] - 1) + noise * std::sin(1e4 * (x.sum() + s));
   }
   return residual;
 }
@@ -108,8 +107,8 @@ TEST(LeastSquares, limits_count_only_where_they_are_missed) {
     for (const VectorXd& x : places) found.push_back((VectorXd(2) << x[0] - 3, 10 * (x[0] - 2)).finished());
     return found;
   };
-  LeastSquaresOptions limited{VectorXd::Constant(1, -9), VectorXd::Constant(1, 9), VectorXd::Constant(1, 0.1), 40, 1, 0,
-                              1e-4};
+  LeastSquaresOptions limited{
+      VectorXd::Constant(1, -9), VectorXd::Constant(1, 9), VectorXd::Constant(1, 0.1), 40, 1, 0, 1e-4};
   const auto found = least_squares(VectorXd::Constant(1, -4), limited, residuals);
   EXPECT_GT(found.at[0], 1.99);
   EXPECT_LT(found.at[0], 2.02);

@@ -16,8 +16,8 @@ struct LeastSquaresOptions {
   std::size_t runs = 120;           ///< at most
   /// The last so many residuals count only where they are above zero: by how much limits are missed.
   Eigen::Index limits = 0;
-  double good_enough = 0;           ///< norm of the residual below which the search ends
-  double least_gain = 0.01;         ///< share of the norm; what gains less than this counts as noise
+  double good_enough = 0;    ///< norm of the residual below which the search ends
+  double least_gain = 0.01;  ///< share of the norm; what gains less than this counts as noise
 };
 
 struct LeastSquaresResult {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/search/calibration.hpp"
+#include "forming/study/search/calibration/calibration.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ double number_in(std::string_view cell) {
   double value = std::numeric_limits<double>::quiet_NaN();
   const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return read.ec == std::errc{} && read.ptr == cell.data() + cell.size() ? value
-                                                                        : std::numeric_limits<double>::quiet_NaN();
+                                                                         : std::numeric_limits<double>::quiet_NaN();
 }
 
 Table read_table(const std::string& path) {
@@ -77,9 +77,10 @@ void require_probe(const std::string& path, const std::string& probe, const Scen
   std::vector<std::string> names;
   for (const Probe& one : scene.probes) names.push_back(one.name);
   if (std::count(names.begin(), names.end(), probe)) return;
-  throw core::CaseError(fmt::format("{}:1: column \"{}{}\": the case has no probe \"{}\"{}, allowed are {}", path, probe,
-                                    temperature_ending, probe, core::did_you_mean(probe, names),
-                                    names.empty() ? "those of a case with probes" : fmt::format("{}", fmt::join(names, ", "))));
+  throw core::CaseError(
+      fmt::format("{}:1: column \"{}{}\": the case has no probe \"{}\"{}, allowed are {}", path, probe,
+                  temperature_ending, probe, core::did_you_mean(probe, names),
+                  names.empty() ? "those of a case with probes" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
 double longest_time(const Scene& scene) {
@@ -99,8 +100,8 @@ MeasuredCurve temperatures(const std::string& path, const Table& table, std::siz
     const double at = table.rows[i][time], value = table.rows[i][column];
     if (!std::isfinite(value)) continue;
     if (!(at >= 0 && at <= longest_time(scene)))
-      throw core::CaseError(fmt::format("{}:{}: the time {} s was found, allowed is 0 to the end of the case, {} s", path,
-                                        table.lines[i], at, longest_time(scene)));
+      throw core::CaseError(fmt::format("{}:{}: the time {} s was found, allowed is 0 to the end of the case, {} s",
+                                        path, table.lines[i], at, longest_time(scene)));
     curve.at.push_back(at);
     curve.value.push_back(value);
   }
@@ -117,9 +118,10 @@ std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scen
   std::vector<MeasuredCurve> curves;
   if (table.find("thickness_mm") >= 0) {
     if (!scene.has_flow())
-      throw core::CaseError(fmt::format("{}: a wall was found and the glass of the case does not flow, allowed are "
-                                        "temperatures of its probes",
-                                        path));
+      throw core::CaseError(
+          fmt::format("{}: a wall was found and the glass of the case does not flow, allowed are "
+                      "temperatures of its probes",
+                      path));
     const WallTable wall = read_wall_table(path);
     curves.push_back({path, "", wall.over_arc, wall.at, wall.thickness, noise.thickness});
   } else if (table.find(time_heading) >= 0) {
@@ -130,9 +132,10 @@ std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scen
   curves.erase(std::remove_if(curves.begin(), curves.end(), [](const auto& curve) { return curve.at.empty(); }),
                curves.end());
   if (curves.empty())
-    throw core::CaseError(fmt::format("{}: no measurements were found, allowed are the columns time_s and PROBE_degC, "
-                                      "or thickness_mm and arc_mm or z_mm, with numbers",
-                                      path));
+    throw core::CaseError(
+        fmt::format("{}: no measurements were found, allowed are the columns time_s and PROBE_degC, "
+                    "or thickness_mm and arc_mm or z_mm, with numbers",
+                    path));
   return curves;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/search/least_squares.hpp"
+#include "forming/study/search/minimum/least_squares.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

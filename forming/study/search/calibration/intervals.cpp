@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/search/intervals.hpp"
+#include "forming/study/search/calibration/intervals.hpp"
 
 #include <fmt/format.h>
 
@@ -58,9 +58,8 @@ FitIntervals fit_intervals(const std::vector<SearchVariable>& variables, const V
     const double half = singular > 0 ? t * found.scatter / singular : std::numeric_limits<double>::infinity();
     const bool unseen = 2 * half > 1;
     if (unseen)
-      found.cannot.push_back(
-          fmt::format("the data cannot tell {}: they are the same within their noise",
-                      direction_text(variables, direction, std::min(half, 0.5))));
+      found.cannot.push_back(fmt::format("the data cannot tell {}: they are the same within their noise",
+                                         direction_text(variables, direction, std::min(half, 0.5))));
     for (Index i = 0; i < count; ++i) {
       if (!unseen)
         variance[i] += std::pow(direction[i] * half, 2);
@@ -69,8 +68,7 @@ FitIntervals fit_intervals(const std::vector<SearchVariable>& variables, const V
     }
   }
   for (Index i = 0; i < count; ++i)
-    found.constants.push_back(
-        constant_of(variables[std::size_t(i)], at[i], width[i] * std::sqrt(variance[i])));
+    found.constants.push_back(constant_of(variables[std::size_t(i)], at[i], width[i] * std::sqrt(variance[i])));
   return found;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/search/scalar_search.hpp"
+#include "forming/study/search/minimum/scalar_search.hpp"
 
 #include <nlopt.h>
 
