@@ -25,7 +25,7 @@ case = "slab"
 geometry = "planar"
 stage = [{ name = "contact", duration = "4 s", tools = ["iron"] }]
 probe = [{ name = "couple", body = "iron", point = "(1, -1) mm" }]
-interface = [{ tools = ["iron"], law = "gap", touch_gap = "0.25 um", opening_time = "0.5 s", open_gap = "60 um" }]
+interface = [{ tools = ["iron"], law = "gap", touch_gap = "0.25 um", closing = 1, accommodation = 0.9, opening_time = "0.5 s", open_gap = "60 um" }]
 [material.glass]
 density = "2500 kg/m3"
 heat_capacity = "1300 J/kg/K"
