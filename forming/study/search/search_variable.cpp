@@ -7,6 +7,7 @@
 
 #include "core/case/case_text.hpp"
 #include "core/case/units.hpp"
+#include "forming/scene/scene.hpp"
 
 namespace parison::forming {
 namespace {
@@ -37,9 +38,14 @@ double start_of(const CaseTable& table, const SearchVariable& variable, const co
   const CaseNode* given = table.find("start");
   const CaseNode held = core::value_of(file, variable.key);
   const bool is_value = held.kind == CaseNode::Kind::text || held.kind == CaseNode::Kind::number;
-  if (!given && !is_value)
+  if (!given && !is_value) {
+    // A key that the case does not know is refused with those that it knows.
+    std::vector<std::string> overrides = file.overrides;
+    overrides.push_back(variable.key + '=' + measure_text(variable.bounds.from, variable.bounds.unit));
+    read_scene(file.path, "draft", overrides);
     core::refuse(table.node(),
                  fmt::format("the case gives {} no number to start from, allowed is a start", variable.key));
+  }
   const CaseNode& node = given ? *given : held;
   const double value = in_unit(read_measured(node), variable.bounds.unit, node);
   require_inside(given ? *given : table.get("from"), value, variable);

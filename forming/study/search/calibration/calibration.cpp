@@ -153,7 +153,8 @@ std::vector<SearchVariable> varied_constants(const std::vector<std::string>& tex
                       "\"interface.0.h0=100 W/m2/K to 2000 W/m2/K\"",
                       text));
     core::CaseNode table;
-    table.file = table.key = "--vary";
+    table.file = "--vary";
+    table.key = text.substr(0, equals);
     const auto add = [&](const char* name, std::string_view value) {
       core::CaseNode node;
       node.kind = core::CaseNode::Kind::text;
