@@ -74,13 +74,14 @@ MatrixXd jacobian_at(Fit& fit, const VectorXd& at, const VectorXd& residual) {
 }
 
 void print_fit(const Calibration& calibration, const FitIntervals& intervals) {
-  fmt::print("\n  {:<36}{:>12}   95 % interval\n", "constant", "value");
+  fmt::print("\n  {:<36}{:>12} {:<10} 95 % interval\n", "constant", "value", "");
   for (std::size_t i = 0; i < calibration.variables.size(); ++i) {
     const SearchVariable& variable = calibration.variables[i];
     const forming::FittedConstant& found = intervals.constants[i];
+    const std::string& unit = variable.bounds.unit;
     const std::string interval = std::isfinite(found.low) ? fmt::format("{:.5g} to {:.5g}", found.low, found.high)
                                                           : std::string("not to be told from these data");
-    fmt::print("  {:<36}{:>12.5g}   {} {}{}\n", variable.key, found.value, interval, variable.bounds.unit,
+    fmt::print("  {:<36}{:>12} {:<10} {}{}\n", variable.key, fmt::format("{:.5g}", found.value), unit, interval,
                found.at_bound ? ", at its bound" : "");
   }
   for (const std::string& sentence : intervals.cannot) fmt::print("  {}\n", sentence);
