@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/case/case_file.hpp"
+#include "core/case/case_text.hpp"
 
 namespace parison::core {
 namespace {
@@ -85,6 +85,26 @@ CaseNode& step_down(CaseNode& at, const std::string& word, const CaseNode& place
 
 }  // namespace
 
+namespace {
+
+/// The place of a key, made where it may be new.
+CaseNode& place_of(CaseFile& file, const CaseNode& place, const std::vector<std::string>& words) {
+  CaseNode* at = &file.root;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool last = i + 1 == words.size();
+    // A new table in the middle of a path is read with the case, which refuses what it does not know with the keys that
+    // are allowed. Materials may have any name: a new one would be a table that nothing uses, and so would a new
+    // dimension, since it is the case's texts that use them; the whole table of dimensions may be new, for texts that
+    // are set too.
+    const bool is_unused_name = words[0] == "dimension" && words.size() > 1;
+    const bool has_free_names = i == 1 && words[0] == "material" && !last;
+    at = &step_down(*at, words[i], place, !is_unused_name && !has_free_names);
+  }
+  return *at;
+}
+
+}  // namespace
+
 void override_value(CaseFile& file, const std::string& assignment) {
   const auto equals = assignment.find('=');
   CaseNode place;
@@ -94,19 +114,18 @@ void override_value(CaseFile& file, const std::string& assignment) {
   if (equals == assignment.npos || std::count(words.begin(), words.end(), ""))
     refuse(place, "allowed is KEY=VALUE such as tool.blank.temperature=\"480 degC\"");
   const CaseNode value = parse_value(trimmed(assignment.substr(equals + 1)), place);
-  CaseNode* at = &file.root;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const bool last = i + 1 == words.size();
-    // A new table in the middle of a path is read with the case, which refuses what it does not know with the keys that
-    // are allowed. Materials may have any name: a new one would be a table that nothing uses, and so would a new
-    // dimension, since it is the case's texts that use them.
-    const bool has_free_names = i == 1 && words[0] == "material" && !last;
-    at = &step_down(*at, words[i], place, words[0] != "dimension" && !has_free_names);
-  }
-  const std::string name = at->name;
-  *at = value;
-  at->name = name;
+  CaseNode& at = place_of(file, place, words);
+  const std::string name = at.name;
+  at = value;
+  at.name = name;
   file.overrides.push_back(assignment);
+}
+
+CaseNode value_of(CaseFile file, const std::string& key) {
+  CaseNode place;
+  place.file = file.path;
+  place.key = key;
+  return place_of(file, place, split(key));
 }
 
 }  // namespace parison::core

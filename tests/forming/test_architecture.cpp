@@ -50,18 +50,20 @@ TEST(Architecture, every_include_points_down_the_layers) {
       {"tools/comparison",
        {"tools/comparison", "tools/program", "forming/study", "forming/run", "forming/scene", "core"}},
       {"tools/sweep", {"tools/sweep", "tools/program", "forming/study", "forming/scene", "core"}},
+      {"tools/search",
+       {"tools/search", "tools/report", "tools/sweep", "tools/program", "forming/study", "forming/scene", "core"}},
       {"tools/uncertainty",
        {"tools/uncertainty", "tools/sweep", "tools/program", "forming/study", "forming/scene", "core"}},
       {"tools/commands",
-       {"tools/commands", "tools/camera", "tools/comparison", "tools/sweep", "tools/uncertainty", "tools/report",
-        "tools/materials", "tools/pictures", "tools/tradeoff", "tools/program", "forming/study", "forming/run",
-        "forming/report", "forming/scene", "core"}}};
+       {"tools/commands", "tools/camera", "tools/comparison", "tools/search", "tools/sweep", "tools/uncertainty",
+        "tools/report", "tools/materials", "tools/pictures", "tools/tradeoff", "tools/program", "forming/study",
+        "forming/run", "forming/report", "forming/scene", "core"}}};
   const fs::path root = PARISON_SOURCE_DIR;
   const std::regex quoted("^\\s*#include \"([^\"]+)\"");
   int read = 0;
   for (const auto* folder : {"core", "thermal", "contact", "remesh", "forming", "tools/program", "tools/camera",
-                             "tools/materials", "tools/pictures", "tools/tradeoff", "tools/comparison", "tools/sweep",
-                             "tools/uncertainty", "tools/report", "tools/commands"})
+                             "tools/materials", "tools/pictures", "tools/tradeoff", "tools/comparison", "tools/search",
+                             "tools/sweep", "tools/uncertainty", "tools/report", "tools/commands"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const auto extension = entry.path().extension();
       if (extension != ".cpp" && extension != ".hpp") continue;

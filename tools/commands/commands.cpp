@@ -22,6 +22,8 @@
 #include "tools/program/bundled_cases.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/watch.hpp"
+#include "tools/search/calibrate.hpp"
+#include "tools/search/optimise.hpp"
 #include "tools/sweep/sweep.hpp"
 #include "tools/tradeoff/tradeoff.hpp"
 #include "tools/uncertainty/uncertainty.hpp"
@@ -241,6 +243,45 @@ void add_sweep(CLI::App& app, Command& chosen) {
       ->check(CLI::Range(1, 100000));
 }
 
+void add_optimise(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<OptimiseRequest>();
+  auto* command = add_command(app, "optimise", "search for the dimensions and settings that a goal wants", chosen,
+                              request, optimise);
+  command->add_option("file", request->file, "TOML file with the case, [[variable]] tables, [goal] and limits")
+      ->required();
+  command->add_option("--output", request->output,
+                      "folder of the runs; those already there are used [results/optimise_FILE]");
+  command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--check", request->check, "read and check the goal and the corners of the bounds, run nothing");
+}
+
+void add_calibrate(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<CalibrateRequest>();
+  auto* command = add_command(app, "calibrate", "fit constants of a case to measured temperatures and walls", chosen,
+                              request, calibrate);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("data", request->data, "CSV files: time_s and PROBE_degC; thickness_mm and arc_mm or z_mm")
+      ->required();
+  command->add_option("--vary", request->varied, "\"KEY=FROM to TO\": a constant and its bounds; may be repeated")
+      ->required()
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--temperature-noise", request->temperature_noise, "standard deviation of the thermocouples")
+      ->capture_default_str();
+  command->add_option("--thickness-noise", request->thickness_noise, "standard deviation of the walls")
+      ->capture_default_str();
+  command->add_option("--accuracy", request->accuracy, "draft, standard or fine")->capture_default_str();
+  command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
+  command->add_option("--runs", request->runs, "of the fit at most")
+      ->capture_default_str()
+      ->check(CLI::Range(3, 10000));
+  command->add_option("--output", request->output,
+                      "folder of the runs; those already there are used [results/calibrate_DATA]");
+  command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
+      ->check(CLI::Range(1, 1024));
+}
+
 void add_uncertainty(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<UncertaintyRequest>();
   auto* command =
@@ -351,6 +392,8 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_compare(app, chosen);
   add_what_if(app, chosen);
   add_sweep(app, chosen);
+  add_optimise(app, chosen);
+  add_calibrate(app, chosen);
   add_uncertainty(app, chosen);
   add_fit_law(app, chosen);
   add_export(app, chosen);

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "core/case/case_file.hpp"
 #include "core/case/given_file.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/study/sweep/bounds.hpp"
 #include "forming/study/sweep/design.hpp"
 
 namespace parison::forming {
@@ -18,27 +18,6 @@ namespace {
 
 using core::CaseNode;
 using core::CaseTable;
-
-struct Bound {
-  double value;
-  std::string unit;
-};
-
-Bound read_bound(const CaseNode& node) {
-  if (node.kind == CaseNode::Kind::number) return {node.number, ""};
-  const std::string& text = core::text(node);
-  double value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  const auto used = static_cast<std::size_t>(read.ptr - text.data());
-  const std::string unit(core::trimmed(std::string_view(text).substr(used)));
-  if (read.ec != std::errc{} || !std::isfinite(value) || unit.find_first_of("()\"'") != unit.npos)
-    core::refuse(node, fmt::format("\"{}\" was found, allowed is a number with its unit, such as \"440 degC\"", text));
-  return {value, unit};
-}
-
-std::string value_text(double value, const std::string& unit) {
-  return unit.empty() ? fmt::format("{:.9g}", value) : fmt::format("{:.9g} {}", value, unit);
-}
 
 std::string text_of(const CaseNode& node) {
   if (node.kind == CaseNode::Kind::number) return fmt::format("{}", node.number);
@@ -48,19 +27,6 @@ std::string text_of(const CaseNode& node) {
   return node.text;
 }
 
-void read_bounds(const CaseTable& table, SweepVariable& variable) {
-  const Bound from = read_bound(table.get("from")), to = read_bound(table.get("to"));
-  if (from.unit != to.unit)
-    core::refuse(table.get("to"),
-                 fmt::format("the unit \"{}\" was found, allowed is that of from, \"{}\"", to.unit, from.unit));
-  if (!(from.value < to.value))
-    core::refuse(table.get("to"), fmt::format("{} was found, allowed is more than from, {}",
-                                              value_text(to.value, to.unit), value_text(from.value, from.unit)));
-  variable.from = from.value;
-  variable.to = to.value;
-  variable.unit = from.unit;
-}
-
 /// Levels at even distances, the bounds among them.
 void read_levels(const CaseTable& table, SweepVariable& variable) {
   const int number = core::count(table.get("number"));
@@ -68,7 +34,7 @@ void read_levels(const CaseTable& table, SweepVariable& variable) {
     core::refuse(table.get("number"), "1 was found, allowed are 2 or more, as both bounds are among them");
   for (int i = 0; i < number; ++i)
     variable.values.push_back(
-        value_text(variable.from + (variable.to - variable.from) * i / (number - 1), variable.unit));
+        measure_text(variable.from + (variable.to - variable.from) * i / (number - 1), variable.unit));
 }
 
 SweepVariable read_variable(const CaseNode& node, Design design) {
@@ -82,7 +48,10 @@ SweepVariable read_variable(const CaseNode& node, Design design) {
     for (const CaseNode& value : core::list(*values)) variable.values.push_back(text_of(value));
     if (variable.values.empty()) core::refuse(*values, "an empty list was found, allowed is at least one value");
   } else if (between) {
-    read_bounds(table, variable);
+    const Bounds bounds = read_bounds(table);
+    variable.from = bounds.from;
+    variable.to = bounds.to;
+    variable.unit = bounds.unit;
     if (has_levels) read_levels(table, variable);
   } else {
     core::refuse(node,
@@ -143,7 +112,8 @@ void read_runs(const CaseTable& root, Sweep& sweep) {
 }
 
 std::string value_at(const SweepVariable& variable, double share) {
-  if (variable.values.empty()) return value_text(variable.from + share * (variable.to - variable.from), variable.unit);
+  if (variable.values.empty())
+    return measure_text(variable.from + share * (variable.to - variable.from), variable.unit);
   return variable.values[static_cast<std::size_t>(share * static_cast<double>(variable.values.size()))];
 }
 

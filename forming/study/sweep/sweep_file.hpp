@@ -18,7 +18,7 @@ struct SweepVariable {
 };
 
 /// What is left in the folder of a run that has completed.
-enum class Keep { all, summary };
+enum class Keep { all, summary, history };
 
 /// A sweep file as it is written.
 struct Sweep {

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Status = SweepState::Status;
 
-constexpr std::array kept_files{"summary.json", "thickness.csv"};
+constexpr std::array kept_files{"summary.json", "thickness.csv", "history.csv"};  ///< the last one on request
 
 /// Of one folder, without its coarser runs.
 SweepState state_of_folder(const std::string& folder) {
@@ -139,13 +139,15 @@ void write_manifest(const SweepPlan& plan) {
   core::replace_file(path, manifest_text(plan));
 }
 
-void keep_summary(const std::string& folder) {
+void keep_only(Keep keep, const std::string& folder) {
+  if (keep == Keep::all) return;
+  const auto last = kept_files.end() - (keep == Keep::history ? 0 : 1);
   std::vector<fs::path> removed;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (std::count(coarse_folders.begin(), coarse_folders.end(), name))
-      keep_summary(entry.path().string());
-    else if (!std::count(kept_files.begin(), kept_files.end(), name))
+      keep_only(keep, entry.path().string());
+    else if (!std::count(kept_files.begin(), last, name))
       removed.push_back(entry.path());
   }
   for (const fs::path& path : removed) fs::remove_all(path);

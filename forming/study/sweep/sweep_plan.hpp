@@ -61,7 +61,8 @@ void write_manifest(const SweepPlan& plan);
 /// step. Throws core::CaseError where the case is no longer that of the plan.
 void make_run(const SweepPlan& plan, const SweepRun& run, bool (*stop)());
 
-/// Leaves summary.json and thickness.csv of a run and of its coarser ones.
-void keep_summary(const std::string& folder);
+/// Leaves what is to be kept of a run and of its coarser ones: with `summary` summary.json and thickness.csv, with
+/// `history` history.csv too.
+void keep_only(Keep keep, const std::string& folder);
 
 }  // namespace parison::forming

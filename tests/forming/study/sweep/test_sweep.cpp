@@ -141,7 +141,7 @@ TEST_F(SweepTest, a_shared_start_gives_what_a_run_of_its_own_gives_to_the_last_b
   EXPECT_GT(heat[2], heat[0]);
 
   // What is kept of a run on request still says that it is done, and gives the same table.
-  for (const std::size_t row : {0u, 2u}) keep_summary(planned.folder(planned.runs[row]));
+  for (const std::size_t row : {0u, 2u}) keep_only(Keep::summary, planned.folder(planned.runs[row]));
   EXPECT_FALSE(fs::exists(shared + "/checkpoint.h5"));
   EXPECT_EQ(state_of(planned, planned.runs[2]).status, SweepState::Status::done);
   write_results(planned, read_results(planned, states));

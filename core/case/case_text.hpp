@@ -1,0 +1,16 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "core/case/case_file.hpp"
+
+namespace parison::core {
+
+/// The value that a key, as override_value takes it, has in a case; an empty table where it has none and may have one.
+/// Refuses a key that no value of the case leads to.
+CaseNode value_of(CaseFile file, const std::string& key);
+
+/// The values below a table as TOML that reads back as the same case; comments and layout are its own.
+std::string case_text(const CaseNode& root);
+
+}  // namespace parison::core

@@ -1,0 +1,47 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forming/study/search/outcome.hpp"
+#include "forming/study/search/search_case.hpp"
+
+namespace parison::forming {
+
+/// Measurements of one kind: a thermocouple over time, or the wall over its arc or height.
+struct MeasuredCurve {
+  std::string file;
+  std::string probe;          ///< of the case; empty for the wall
+  bool over_arc = false;      ///< the wall
+  std::vector<double> at;     ///< s; mm
+  std::vector<double> value;  ///< degC; mm
+  double noise;               ///< standard deviation, K; mm
+};
+
+/// What is fitted, and to what.
+struct Calibration : SearchCase {
+  std::vector<MeasuredCurve> curves;
+};
+
+struct CalibrationNoise {
+  double temperature = 1;   ///< K
+  double thickness = 0.05;  ///< mm
+};
+
+/// Reads tables with the columns time_s and PROBE_degC, or thickness_mm and arc_mm or z_mm. Throws core::CaseError
+/// with file and line where a column, a probe or a number is wrong, or a time is after the end of the case.
+std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scene& scene,
+                                             const CalibrationNoise& noise);
+
+/// The variables of "KEY=FROM to TO": by their logarithms where both bounds are above zero and no temperatures.
+std::vector<SearchVariable> varied_constants(const std::vector<std::string>& texts, const std::string& case_path,
+                                             const std::vector<std::string>& overrides, bool with_flow);
+
+/// What a run gives at the places of a curve; nothing where it lacks it.
+std::optional<std::vector<double>> model_at(const MeasuredCurve& curve, const std::string& folder);
+
+/// Model less measurement of all curves, in units of their noise.
+std::optional<Eigen::VectorXd> misfit(const std::vector<MeasuredCurve>& curves, const std::string& folder);
+
+}  // namespace parison::forming

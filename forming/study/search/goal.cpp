@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/search/goal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/study/search/minimum/least_squares.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// By what limits that do not hold weigh beside the goal.
+constexpr double limit_weight = 3;
+
+/// What a share of a quantity is taken of; of temperatures 100 K, as they have no zero of their own.
+double scale_of(const std::string& unit, double value) {
+  if (unit == "degC") return 100;
+  return std::max(std::abs(value), 1e-9);
+}
+
+double linear_at(const WallTable& table, double at) {
+  const auto after = std::upper_bound(table.at.begin(), table.at.end(), at);
+  if (after == table.at.begin()) return table.thickness.front();
+  if (after == table.at.end()) return table.thickness.back();
+  const auto i = static_cast<std::size_t>(after - table.at.begin());
+  const double share = (at - table.at[i - 1]) / (table.at[i] - table.at[i - 1]);
+  return table.thickness[i - 1] + share * (table.thickness[i] - table.thickness[i - 1]);
+}
+
+/// The thickness that is wanted at each place, mm.
+std::vector<double> wanted_wall(const Target& target, const Wall& wall, double mean) {
+  std::vector<double> wanted(wall.thickness.size(), target.kind == Target::Kind::even_wall ? mean : target.value);
+  if (target.kind == Target::Kind::wall && !target.wall.at.empty())
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const double arc = target.wall.arc_end * double(i) / double(wanted.size() - 1);
+      wanted[i] = linear_at(target.wall, target.wall.over_arc ? arc : wall.height[i]);
+    }
+  return wanted;
+}
+
+/// Shares of the mean thickness that is wanted, weighed so that their norm is the rms over the area.
+std::optional<Eigen::VectorXd> wall_residual(const Target& target, const Wall& wall) {
+  if (wall.thickness.empty()) return std::nullopt;
+  const std::vector<double> shares = area_shares(wall, target.part);
+  const std::vector<double> wanted = wanted_wall(target, wall, mean_thickness(wall, shares));
+  Eigen::VectorXd residual(Eigen::Index(shares.size()));
+  double mean = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) mean += shares[i] * wanted[i];
+  if (!(mean > 0)) return std::nullopt;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    residual[Eigen::Index(i)] = std::sqrt(shares[i]) * (wall.thickness[i] - wanted[i]) / mean;
+  return residual;
+}
+
+std::optional<Eigen::VectorXd> excess_of(const Goal& goal, const Quantities& quantities) {
+  Eigen::VectorXd excess(Eigen::Index(goal.limits.size()));
+  for (std::size_t i = 0; i < goal.limits.size(); ++i) {
+    const Limit& limit = goal.limits[i];
+    const Quantity* found = quantities.find(limit.quantity);
+    if (!found) return std::nullopt;
+    excess[Eigen::Index(i)] =
+        (limit.at_least ? limit.value - found->value : found->value - limit.value) / scale_of(limit.unit, limit.value);
+  }
+  return excess;
+}
+
+}  // namespace
+
+bool is_better(const Worth& a, const Worth& b) {
+  if (a.residual.size() > 0)
+    return counted(a.residual, a.excess.size()).norm() < counted(b.residual, b.excess.size()).norm();
+  if (a.holds() != b.holds()) return a.holds();
+  return a.holds() ? a.value < b.value : a.excess.maxCoeff() < b.excess.maxCoeff();
+}
+
+std::optional<Worth> worth(const Goal& goal, const Outcome& outcome) {
+  using Kind = Target::Kind;
+  if (!outcome.reason.empty()) return std::nullopt;
+  const Target& target = goal.target;
+  const auto excess = excess_of(goal, outcome.quantities);
+  if (!excess) return std::nullopt;
+  Worth found{{}, *excess, 0};
+  if (target.kind == Kind::even_wall || target.kind == Kind::wall) {
+    const auto residual = wall_residual(target, outcome.wall);
+    if (!residual) return std::nullopt;
+    found.residual = *residual;
+    found.value = 100 * residual->norm();
+  } else {
+    const Quantity* quantity = outcome.quantities.find(target.quantity);
+    if (!quantity) return std::nullopt;
+    found.value = target.kind == Kind::most ? -quantity->value : quantity->value;
+    if (target.kind == Kind::value) {
+      found.value = std::abs(quantity->value - target.value);
+      found.residual =
+          Eigen::VectorXd::Constant(1, (quantity->value - target.value) / scale_of(quantity->unit, target.value));
+    }
+  }
+  if (target.is_scalar()) return found;
+  const Eigen::Index own = found.residual.size();
+  found.residual.conservativeResize(own + excess->size());
+  found.residual.tail(excess->size()) = limit_weight * *excess;
+  return found;
+}
+
+std::string what_is_sought(const Goal& goal) {
+  using Kind = Target::Kind;
+  switch (goal.target.kind) {
+    case Kind::even_wall:
+      return "rms deviation of the wall from its mean, %";
+    case Kind::wall:
+      return "rms deviation of the wall from the wanted one, %";
+    case Kind::value:
+      return goal.target.quantity + " off its wanted value";
+    case Kind::least:
+      return goal.target.quantity;
+    case Kind::most:
+      break;
+  }
+  return "- " + goal.target.quantity;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/search/outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "core/case/given_file.hpp"
+#include "core/io/files.hpp"
+#include "core/io/json_read.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double number_in(std::string_view cell) {
+  cell = core::trimmed(cell);
+  double value = none;
+  const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return read.ec == std::errc{} && read.ptr == cell.data() + cell.size() ? value : none;
+}
+
+int column(const std::vector<std::string_view>& heading, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    for (std::size_t i = 0; i < heading.size(); ++i)
+      if (core::trimmed(heading[i]) == name) return static_cast<int>(i);
+  return -1;
+}
+
+double linear(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  const auto after = std::upper_bound(x.begin(), x.end(), at);
+  if (after == x.begin()) return y.front();
+  if (after == x.end()) return y.back();
+  const auto i = static_cast<std::size_t>(after - x.begin());
+  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+}
+
+Wall sample(const WallTable& table) {
+  Wall wall;
+  for (std::size_t i = 0; i < wall_places; ++i) {
+    const double arc = table.arc_end * double(i) / double(wall_places - 1);
+    wall.thickness.push_back(linear(table.at, table.thickness, arc));
+    wall.radius.push_back(linear(table.at, table.radius, arc));
+    wall.height.push_back(linear(table.at, table.height, arc));
+  }
+  return wall;
+}
+
+void add_wall(const Wall& wall, const WallPart& part, Quantities& quantities) {
+  const std::vector<double> shares = area_shares(wall, part);
+  const double mean = mean_thickness(wall, shares);
+  double squares = 0, least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    squares += shares[i] * std::pow(wall.thickness[i] - mean, 2);
+    if (shares[i] > 0) least = std::min(least, wall.thickness[i]);
+  }
+  if (!std::isfinite(least)) return;
+  quantities.values.push_back({"wall_rms", "%", 100 * std::sqrt(squares) / mean, 100});
+  quantities.values.push_back({"wall_min", "mm", least, least});
+}
+
+void add_summary(const core::JsonValue& summary, Quantities& quantities) {
+  if (const core::JsonValue* glass = summary.find("glass"))
+    if (const double mass = glass->number_of("mass_kg"); std::isfinite(mass))
+      quantities.values.push_back({"weight", "g", 1e3 * mass, 1e3 * mass});
+  if (const core::JsonValue* tools = summary.find("tools"))
+    for (const core::JsonValue& tool : tools->items)
+      if (const double hottest = tool.number_of("surface_temperature_max_degC"); std::isfinite(hottest))
+        quantities.values.push_back({"hottest_" + tool.name, "degC", hottest, hottest});
+}
+
+}  // namespace
+
+WallTable read_wall_table(const std::string& path) {
+  const std::string text = core::read_text(path);
+  core::Lines lines(text);
+  std::string_view line;
+  lines.next(line);
+  const auto heading = core::split_at_commas(line);
+  const int thickness = column(heading, {"thickness_mm"}), arc = column(heading, {"arc_mm"}),
+            height = column(heading, {"z_mm", "z_outer_mm"}), radius = column(heading, {"r_mm", "r_outer_mm"});
+  const int at = arc >= 0 ? arc : height;
+  if (thickness < 0 || at < 0)
+    throw core::CaseError(fmt::format(
+        "{}:1: the heading \"{}\" was found, allowed is one with thickness_mm, and arc_mm or z_mm", path, line));
+  WallTable table{arc >= 0, {}, {}, {}, {}, 0};
+  while (lines.next(line)) {
+    const auto cells = core::split_at_commas(line);
+    const auto cell = [&](int i) { return i >= 0 && i < int(cells.size()) ? number_in(cells[std::size_t(i)]) : none; };
+    if (std::isfinite(cell(at))) table.arc_end = cell(at);
+    if (!std::isfinite(cell(at)) || !std::isfinite(cell(thickness))) continue;
+    if (!table.at.empty() && cell(at) <= table.at.back()) {
+      if (arc >= 0) continue;
+      throw core::CaseError(fmt::format("{}:{}: the height {} was found after {}, allowed are rising heights", path,
+                                        lines.number(), cell(at), table.at.back()));
+    }
+    table.at.push_back(cell(at));
+    table.thickness.push_back(cell(thickness));
+    table.radius.push_back(cell(radius));
+    table.height.push_back(cell(height));
+  }
+  if (table.at.size() < 2)
+    throw core::CaseError(
+        fmt::format("{}: {} rows with a thickness were found, allowed are at least two", path, table.at.size()));
+  return table;
+}
+
+std::vector<double> area_shares(const Wall& wall, const WallPart& part) {
+  std::vector<double> shares;
+  double sum = 0;
+  for (std::size_t i = 0; i < wall.thickness.size(); ++i) {
+    const bool inside = wall.height[i] >= part.from && wall.height[i] <= part.to;
+    shares.push_back(inside ? std::max(wall.radius[i], 0.0) : 0);
+    sum += shares.back();
+  }
+  for (double& share : shares) share /= sum > 0 ? sum : 1;
+  return shares;
+}
+
+double mean_thickness(const Wall& wall, const std::vector<double>& shares) {
+  double mean = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) mean += shares[i] * wall.thickness[i];
+  return mean;
+}
+
+Outcome read_outcome(const std::string& folder, const WallPart& part) {
+  const std::string path = folder + "/summary.json", wall = folder + "/thickness.csv";
+  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  if (!summary.flag_of("completed")) return {summary.text_of("reason"), {}, {}};
+  Outcome outcome{"", read_quantities(summary), {}};
+  add_summary(summary, outcome.quantities);
+  if (outcome.quantities.find("thickness_mean") && std::filesystem::exists(wall)) {
+    outcome.wall = sample(read_wall_table(wall));
+    add_wall(outcome.wall, part, outcome.quantities);
+  }
+  return outcome;
+}
+
+std::vector<Quantity> known_quantities(const Scene& scene) {
+  std::vector<Quantity> known;
+  const auto add = [&](const std::string& name, const char* unit) { known.push_back({name, unit, none, none}); };
+  add("weight", "g");
+  if (scene.has_flow()) {
+    add("wall_rms", "%");
+    for (const char* name :
+         {"wall_min", "thickness_min", "thickness_mean", "extent_r_max", "extent_z_min", "extent_z_max"})
+      add(name, "mm");
+  }
+  if (scene.has_heat()) add("glass_mean", "degC"), add("glass_skin", "degC");
+  for (const Tool& tool : scene.tools) {
+    if (scene.has_heat()) add("heat_" + tool.name, "J"), add("hottest_" + tool.name, "degC");
+    if (scene.has_flow()) add("peak_force_" + tool.name, "N");
+  }
+  for (const Stage& stage : scene.stages)
+    if (stage.may_end_early()) add("time_" + stage.name, "s");
+  return known;
+}
+
+}  // namespace parison::forming

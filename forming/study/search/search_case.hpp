@@ -1,0 +1,35 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "forming/scene/scene.hpp"
+#include "forming/study/search/search_variable.hpp"
+#include "forming/study/sweep/sweep_plan.hpp"
+
+namespace parison::forming {
+
+/// A case and what a search changes of it.
+struct SearchCase {
+  std::string file;  ///< that says so
+  std::string case_path, accuracy;
+  std::vector<std::string> overrides;  ///< of all runs
+  std::vector<SearchVariable> variables;
+  Keep keep = Keep::summary;  ///< of each run
+};
+
+/// The assignments of a place of the search, after those of all runs.
+std::vector<std::string> settings_at(const std::vector<SearchVariable>& variables, const Eigen::VectorXd& at);
+
+/// Why the case does not take values of the variables; empty where it does. `base` is the case as it stands.
+std::string refusal_of(const SearchCase& search, const Scene& base, const Eigen::VectorXd& at);
+
+/// Reads the case at the start and at the corners of the bounds, of which there are up to 1024; throws core::CaseError
+/// with the values where it is refused or tools overlap.
+void check_corners(const SearchCase& search);
+
+/// The runs of some places, which are asked for together.
+SweepPlan plan_runs(const SearchCase& search, const std::vector<Eigen::VectorXd>& places, const std::string& output);
+
+}  // namespace parison::forming

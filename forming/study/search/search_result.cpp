@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/search/search_result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/io/files.hpp"
+#include "core/io/json.hpp"
+#include "forming/study/coarse_run.hpp"
+#include "forming/study/search/case_drawing.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::string field(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "nan";
+}
+
+double quantity(const SearchRow& row, const std::string& name) {
+  const Quantity* found = row.outcome.quantities.find(name);
+  return found ? found->value : none;
+}
+
+/// The quantities that any run has, with their units.
+std::vector<Quantity> columns(const std::vector<SearchRow>& rows) {
+  std::vector<Quantity> found;
+  for (const SearchRow& row : rows)
+    for (const Quantity& quantity : row.outcome.quantities.values)
+      if (std::none_of(found.begin(), found.end(), [&](const Quantity& q) { return q.name == quantity.name; }))
+        found.push_back(quantity);
+  return found;
+}
+
+std::string with_unit(const std::string& name, std::string unit) {
+  std::replace(unit.begin(), unit.end(), ' ', '_');
+  return core::csv_text(unit.empty() ? name : name + '_' + unit);
+}
+
+void write_runs(const Goal& goal, const SearchResult& result, const std::string& output) {
+  const std::vector<Quantity> quantities = columns(result.rows);
+  std::string text = "run";
+  for (const SearchVariable& variable : goal.variables) text += ',' + with_unit(variable.key, variable.bounds.unit);
+  text += ",status,value,limits_hold";
+  for (const Quantity& quantity : quantities) text += ',' + with_unit(quantity.name, quantity.unit);
+  text += ",reason\n";
+  for (std::size_t i = 0; i < result.rows.size(); ++i) {
+    const SearchRow& row = result.rows[i];
+    text += row.folder.empty() ? fmt::format("refused_{:04}", i + 1) : row.folder;
+    for (std::size_t k = 0; k < goal.variables.size(); ++k)
+      text += ',' + field(goal.variables[k].value(row.at[Eigen::Index(k)]));
+    text += row.worth ? fmt::format(",done,{},{}", field(row.worth->value), row.worth->holds() ? "yes" : "no")
+                      : std::string(",failed,nan,");
+    for (const Quantity& column : quantities) text += ',' + field(quantity(row, column.name));
+    text += ',' + core::csv_text(row.outcome.reason) + '\n';
+  }
+  core::replace_file(output + "/runs.csv", text);
+}
+
+void add_row(core::JsonWriter& json, const char* key, const Goal& goal, const SearchRow& row,
+             const std::optional<Confirmed>& confirmed) {
+  json.open_object(key);
+  json.add("run", row.folder);
+  json.open_object("values");
+  for (std::size_t k = 0; k < goal.variables.size(); ++k)
+    json.add(goal.variables[k].key, goal.variables[k].text(row.at[Eigen::Index(k)]));
+  json.close();
+  json.add("value", row.worth ? row.worth->value : none);
+  json.add("limits_hold", row.worth && row.worth->holds());
+  json.open_object("quantities");
+  for (const Quantity& quantity : row.outcome.quantities.values) json.add(quantity.name, quantity.value);
+  json.close();
+  if (confirmed) {
+    json.open_object("confirmed");
+    json.add("accuracy", goal.confirm);
+    json.add("value", confirmed->value);
+    json.add("error", confirmed->bar);
+    json.add("limits_hold", confirmed->holds);
+    json.add("reason", confirmed->reason);
+    json.close();
+  }
+  json.close();
+}
+
+void write_json(const Goal& goal, const SearchResult& result, const std::string& output) {
+  core::JsonWriter json;
+  json.add("case", goal.case_path);
+  json.add("accuracy", goal.accuracy);
+  json.add("sought", what_is_sought(goal));
+  json.add("runs", static_cast<long>(result.rows.size()));
+  json.add("failed", static_cast<long>(std::count_if(result.rows.begin(), result.rows.end(),
+                                                     [](const SearchRow& row) { return !row.worth; })));
+  json.add("ending", result.ending);
+  add_row(json, "start", goal, result.rows.front(), result.start);
+  add_row(json, "best", goal, result.rows[result.best], result.answer);
+  core::replace_file(output + "/result.json", json.finish());
+}
+
+/// The wall of the start and of the best run over the outer arc.
+bool write_walls(const Goal& goal, const SearchResult& result, const std::string& output) {
+  const Wall &start = result.rows.front().outcome.wall, &best = result.rows[result.best].outcome.wall;
+  if (start.thickness.empty() || best.thickness.empty()) return false;
+  const std::vector<double> shares = area_shares(best, goal.target.part);
+  std::string text = "share_of_arc,r_outer_mm,z_outer_mm,start_mm,best_mm,counts\n";
+  for (std::size_t i = 0; i < best.thickness.size(); ++i)
+    text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{}\n", double(i) / double(wall_places - 1), best.radius[i],
+                        best.height[i], start.thickness[i], best.thickness[i], shares[i] > 0 ? "yes" : "no");
+  core::replace_file(output + "/wall.csv", text);
+  return true;
+}
+
+}  // namespace
+
+std::size_t best_row(const std::vector<SearchRow>& rows) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (rows[i].worth && (!rows[best].worth || is_better(*rows[i].worth, *rows[best].worth))) best = i;
+  return best;
+}
+
+Confirmed read_confirmed(const Goal& goal, const std::string& folder) {
+  const Outcome own = read_outcome(folder, goal.target.part);
+  const auto found = worth(goal, own);
+  if (!found) return {none, none, false, own.reason.empty() ? "it lacks what the goal needs" : own.reason};
+  Confirmed confirmed{found->value, none, found->holds(), ""};
+  for (std::size_t i = 0; i < coarse_folders.size(); ++i) {
+    const std::string coarse = folder + '/' + coarse_folders[i];
+    if (!std::filesystem::exists(coarse + "/summary.json")) continue;
+    const auto other = worth(goal, read_outcome(coarse, goal.target.part));
+    if (!other) continue;
+    const double bar = std::abs(other->value - found->value) * bar_over_difference(coarser_factors[i]);
+    confirmed.bar = std::isnan(confirmed.bar) ? bar : std::max(confirmed.bar, bar);
+  }
+  return confirmed;
+}
+
+std::vector<std::string> write_search(const Goal& goal, const SearchResult& result, const std::string& output) {
+  std::vector<std::string> written{"runs.csv", "result.json"};
+  write_runs(goal, result, output);
+  write_json(goal, result, output);
+  if (write_walls(goal, result, output)) written.push_back("wall.csv");
+  if (!result.rows[result.best].worth) return written;
+  for (std::string& name : write_case(goal, result.rows[result.best].at, output)) written.push_back(std::move(name));
+  return written;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/search/search_variable.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/case/case_text.hpp"
+#include "core/case/units.hpp"
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+using core::CaseTable;
+
+/// Steps of a search as a share of the bounds' distance, where none is given.
+constexpr double usual_step = 1.0 / 15;
+
+/// The case with what holds for all runs.
+core::CaseFile case_with(const std::string& path, const std::vector<std::string>& overrides) {
+  core::CaseFile file = core::read_case_file(path);
+  for (const std::string& assignment : overrides) core::override_value(file, assignment);
+  return file;
+}
+
+void require_inside(const CaseNode& node, double value, const SearchVariable& variable) {
+  const Bounds& bounds = variable.bounds;
+  if (value >= bounds.from && value <= bounds.to) return;
+  core::refuse(node, fmt::format("{} starts at {}, allowed is a start within the bounds, {} to {}", variable.key,
+                                 measure_text(value, bounds.unit), measure_text(bounds.from, bounds.unit),
+                                 measure_text(bounds.to, bounds.unit)));
+}
+
+/// The start that is given, or what the case has.
+double start_of(const CaseTable& table, const SearchVariable& variable, const core::CaseFile& file) {
+  const CaseNode* given = table.find("start");
+  const CaseNode held = core::value_of(file, variable.key);
+  const bool is_value = held.kind == CaseNode::Kind::text || held.kind == CaseNode::Kind::number;
+  if (!given && !is_value) {
+    // A key that the case does not know is refused with those that it knows.
+    std::vector<std::string> overrides = file.overrides;
+    overrides.push_back(variable.key + '=' + measure_text(variable.bounds.from, variable.bounds.unit));
+    read_scene(file.path, "draft", overrides);
+    core::refuse(table.node(),
+                 fmt::format("the case gives {} no number to start from, allowed is a start", variable.key));
+  }
+  const CaseNode& node = given ? *given : held;
+  const double value = in_unit(read_measured(node), variable.bounds.unit, node);
+  require_inside(given ? *given : table.get("from"), value, variable);
+  return value;
+}
+
+/// The step as a coordinate: a factor where the variable is searched by its logarithm.
+double step_of(const CaseTable& table, const SearchVariable& variable) {
+  const double whole = variable.high() - variable.low();
+  const CaseNode* given = table.find("step");
+  if (!given) return usual_step * whole;
+  const std::string unit = variable.logarithmic ? "" : variable.bounds.unit == "degC" ? "K" : variable.bounds.unit;
+  double step = in_unit(read_measured(*given), unit, *given);
+  if (variable.logarithmic) step = std::log(step);
+  if (!(step > 0 && step <= whole))
+    core::refuse(*given, fmt::format("the step of {} was found to be outside its bounds, allowed is one above zero and "
+                                     "at most as wide as they are apart",
+                                     variable.key));
+  return step;
+}
+
+SearchVariable read_variable(const CaseNode& node, const core::CaseFile& file) {
+  const CaseTable table(node, {"key", "from", "to", "step", "start", "scale"});
+  SearchVariable variable{core::text(table.get("key")), read_bounds(table), 0, 0};
+  if (const CaseNode* scale = table.find("scale"))
+    variable.logarithmic = core::choice(*scale, {"linear", "logarithmic"}) == 1;
+  if (variable.logarithmic && variable.bounds.from <= 0)
+    core::refuse(table.get("from"), fmt::format("{} was found, allowed are bounds above zero on a logarithmic scale",
+                                                measure_text(variable.bounds.from, variable.bounds.unit)));
+  const double start = start_of(table, variable, file);
+  variable.start = variable.coordinate(start);
+  variable.step = step_of(table, variable);
+  return variable;
+}
+
+}  // namespace
+
+double SearchVariable::coordinate(double value) const {
+  return logarithmic ? std::log(value) : value;
+}
+
+double SearchVariable::value(double coordinate) const {
+  return logarithmic ? std::exp(coordinate) : coordinate;
+}
+
+std::string SearchVariable::text(double coordinate) const {
+  return bounds.unit.empty() ? fmt::format("{:.7g}", value(coordinate))
+                             : fmt::format("{:.7g} {}", value(coordinate), bounds.unit);
+}
+
+std::vector<SearchVariable> read_search_variables(const CaseTable& root, const std::string& file,
+                                                  const std::string& case_path,
+                                                  const std::vector<std::string>& overrides) {
+  const core::CaseFile held = case_with(case_path, overrides);
+  std::vector<SearchVariable> variables;
+  for (const CaseNode* node : root.tables("variable")) {
+    variables.push_back(read_variable(*node, held));
+    for (std::size_t i = 0; i + 1 < variables.size(); ++i)
+      if (variables[i].key == variables.back().key)
+        core::refuse(*node, fmt::format("the key {} was found twice, allowed are different keys", variables[i].key));
+  }
+  if (variables.empty())
+    throw core::CaseError(
+        fmt::format("{}: no variable was found, allowed is at least one [[variable]] with a key and its bounds", file));
+  return variables;
+}
+
+double in_unit(const Measured& measured, const std::string& unit, const CaseNode& node) {
+  if (measured.unit == unit) return measured.value;
+  const auto from = core::parse_unit(measured.unit), to = core::parse_unit(unit);
+  if (!from || !to || !core::same_exponents(from->dimension, to->dimension))
+    core::refuse(node, fmt::format("the unit \"{}\" was found, allowed is \"{}\"", measured.unit, unit));
+  return measured.value * from->factor / to->factor;
+}
+
+}  // namespace parison::forming

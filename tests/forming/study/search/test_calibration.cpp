@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+
+#include "../../../test_folder.hpp"
+#include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
+#include "forming/report/files/history.hpp"
+#include "forming/run/run.hpp"
+#include "forming/study/search/calibration/calibration.hpp"
+#include "forming/study/search/calibration/intervals.hpp"
+#include "forming/study/search/minimum/least_squares.hpp"
+
+namespace parison::forming {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A slab of glass on one of iron with a thermocouple 1 mm below the contact; no flow.
+const char* const slab = R"(
+case = "slab"
+geometry = "planar"
+stage = [{ name = "contact", duration = "4 s", tools = ["iron"] }]
+probe = [{ name = "couple", body = "iron", point = "(1, -1) mm" }]
+interface = [{ tools = ["iron"], law = "gap", touch_gap = "0.25 um", closing = 1, accommodation = 0.9, opening_time = "0.5 s", open_gap = "60 um" }]
+[material.glass]
+density = "2500 kg/m3"
+heat_capacity = "1300 J/kg/K"
+conductivity = "2 W/m/K"
+[material.iron]
+density = "7200 kg/m3"
+heat_capacity = "490 J/kg/K"
+conductivity = "46 W/m/K"
+[glass]
+material = "glass"
+temperature = "1100 degC"
+mesh = { mapped = [1, 8], ratio = [1, 12] }
+boundary = [{ name = "contact", path = "(0, 0) (2, 0) mm", condition = "contact" },
+            { name = "side", path = "(2, 8) mm", condition = "insulated" },
+            { name = "top", path = "(0, 8) mm", condition = "insulated" },
+            { name = "left", path = "(0, 0) mm", condition = "insulated" }]
+[[tool]]
+name = "iron"
+material = "iron"
+temperature = "450 degC"
+mesh = { mapped = [1, 8], ratio = [1, 12] }
+boundary = [{ name = "contact", path = "(2, 0) (0, 0) mm", condition = "contact" },
+            { name = "left", path = "(0, -20) mm", condition = "insulated" },
+            { name = "bottom", path = "(2, -20) mm", condition = "insulated" },
+            { name = "side", path = "(2, 0) mm", condition = "insulated" }]
+)";
+
+class ProbeHistory : public RunObserver {
+ public:
+  std::vector<double> time, temperature;
+  void step_taken(const RunView& view, const State& before, const StepReport& report) override {
+    const HistoryRow row = history_row(view.scene, before, view.state, report);
+    time.push_back(row.time);
+    temperature.push_back(row.probe.at(0) - 273.15);
+  }
+};
+
+class CalibrationTest : public ::testing::Test {
+ protected:
+  const std::string folder = tests::absent_folder(), case_path = folder + "/slab.toml";
+  void SetUp() override {
+    std::filesystem::create_directories(folder);
+    core::write_text(case_path, slab);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  std::string data(const std::string& text) const {
+    core::write_text(folder + "/data.csv", text);
+    return folder + "/data.csv";
+  }
+  std::string refusal(const std::string& text) const {
+    try {
+      read_measurements(data(text), read_scene(case_path, "draft"), {});
+      return "";
+    } catch (const core::CaseError& error) {
+      return error.what();
+    }
+  }
+  std::vector<SearchVariable> vary(const std::vector<std::string>& texts) const {
+    return varied_constants(texts, case_path, {}, false);
+  }
+
+  /// The thermocouple every 0.05 s with constants at a place of the search.
+  VectorXd couple(const std::vector<SearchVariable>& variables, const VectorXd& at) const {
+    ProbeHistory history;
+    run(read_scene(case_path, "draft", settings_at(variables, at)), {&history});
+    VectorXd found(80);
+    std::size_t k = 1;
+    for (Eigen::Index i = 0; i < found.size(); ++i) {
+      const double t = 0.05 * double(i + 1);
+      while (k + 1 < history.time.size() && history.time[k] < t) ++k;
+      const double share = (t - history.time[k - 1]) / (history.time[k] - history.time[k - 1]);
+      found[i] = history.temperature[k - 1] + share * (history.temperature[k] - history.temperature[k - 1]);
+    }
+    return found;
+  }
+
+  struct Fitted {
+    VectorXd at;
+    FitIntervals intervals;
+  };
+  Fitted fit(const std::vector<SearchVariable>& variables, const VectorXd& measured, double noise) const {
+    const auto count = Eigen::Index(variables.size());
+    VectorXd start(count), low(count), high(count), step(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const SearchVariable& one = variables[std::size_t(i)];
+      start[i] = one.start, low[i] = one.low(), high[i] = one.high(), step[i] = one.step;
+    }
+    const auto residual = [&](const VectorXd& at) -> VectorXd { return (couple(variables, at) - measured) / noise; };
+    const auto found =
+        least_squares(start, {low, high, step, 60, 0, 0, 1e-6}, [&](const std::vector<VectorXd>& places) {
+          std::vector<std::optional<VectorXd>> all;
+          for (const VectorXd& at : places) all.push_back(residual(at));
+          return all;
+        });
+    MatrixXd jacobian(measured.size(), count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      VectorXd beside = found.at;
+      beside[i] += beside[i] + step[i] <= high[i] ? step[i] : -step[i];
+      jacobian.col(i) = (residual(beside) - found.residual) / (beside[i] - found.at[i]);
+    }
+    return {found.at, fit_intervals(variables, found.at, found.residual, jacobian)};
+  }
+};
+
+TEST_F(CalibrationTest, what_is_wrong_in_the_data_is_told_with_its_line) {
+  EXPECT_NE(refusal("time_s,cuple_degC\n1,450\n2,460\n").find("no probe \"cuple\" (did you mean \"couple\"?)"),
+            std::string::npos);
+  EXPECT_NE(refusal("time_s,couple_degC\n1,450\n9,460\n").find("data.csv:3: the time 9 s was found"),
+            std::string::npos);
+  EXPECT_NE(refusal("time_s,couple_degC\n1\n").find("1 cells were found, allowed are 2"), std::string::npos);
+  EXPECT_NE(refusal("a,b\n1,2\n").find("no measurements were found"), std::string::npos);
+  EXPECT_NE(refusal("z_mm,thickness_mm\n1,2\n2,2\n").find("the glass of the case does not flow"), std::string::npos);
+  EXPECT_EQ(refusal("time_s,couple_degC\n1,450\n2,460\n"), "");
+}
+
+TEST_F(CalibrationTest, constants_are_searched_by_their_logarithms_and_temperatures_are_not) {
+  const auto variables = vary({"interface.0.open_gap=20 um to 200 um", "tool.iron.temperature=400 degC to 500 degC"});
+  EXPECT_TRUE(variables[0].logarithmic);
+  EXPECT_NEAR(variables[0].value(variables[0].start), 60, 1e-9);
+  EXPECT_FALSE(variables[1].logarithmic);
+  EXPECT_NEAR(variables[1].start, 450, 1e-12);
+}
+
+TEST_F(CalibrationTest, two_constants_that_do_the_same_are_named_together) {
+  const auto variables = vary({"interface.0.open_gap=20 um to 200 um", "interface.0.opening_time=0.1 s to 2 s"});
+  const VectorXd at = (VectorXd(2) << variables[0].start, variables[1].start).finished();
+  MatrixXd jacobian(30, 2);
+  for (Eigen::Index i = 0; i < 30; ++i) jacobian.row(i) << 1 + double(i), 1 + double(i);
+  const FitIntervals found = fit_intervals(variables, at, VectorXd::Ones(30), jacobian);
+  ASSERT_EQ(found.cannot.size(), 1u);
+  EXPECT_NE(found.cannot[0].find("interface.0.open_gap times"), std::string::npos) << found.cannot[0];
+  EXPECT_NE(found.cannot[0].find("interface.0.opening_time times"), std::string::npos) << found.cannot[0];
+  EXPECT_TRUE(std::isnan(found.constants[0].low));
+  jacobian(3, 0) += 50;
+  EXPECT_TRUE(fit_intervals(variables, at, VectorXd::Ones(30), jacobian).cannot.empty());
+}
+
+TEST_F(CalibrationTest, a_thermocouple_with_1_K_noise_gives_the_constants_of_the_contact_in_95_percent_intervals) {
+  const auto variables = vary({"interface.0.open_gap=20 um to 200 um", "interface.0.opening_time=0.1 s to 2 s"});
+  const VectorXd truth = (VectorXd(2) << std::log(85.0), std::log(0.8)).finished();
+  const VectorXd exact = couple(variables, truth);
+  int inside[2] = {0, 0};
+  constexpr int histories = 100;
+  for (unsigned seed = 0; seed < histories; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, 1);
+    VectorXd measured = exact;
+    for (double& value : measured) value += noise(random);
+    const auto constants = fit(variables, measured, 1).intervals.constants;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double value = variables[i].value(truth[Eigen::Index(i)]);
+      if (constants[i].low <= value && value <= constants[i].high) ++inside[i];
+    }
+  }
+  RecordProperty("open_gap", inside[0]);
+  RecordProperty("opening_time", inside[1]);
+  EXPECT_GE(inside[0], 90);
+  EXPECT_GE(inside[1], 90);
+}
+
+}  // namespace
+}  // namespace parison::forming

@@ -1,0 +1,23 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "forming/study/search/calibration/calibration.hpp"
+
+namespace parison::tools {
+
+/// What `parison calibrate` is asked for.
+struct CalibrateRequest {
+  std::string case_path, accuracy = "draft", output;
+  std::vector<std::string> data, overrides, varied;
+  std::string temperature_noise = "1 K", thickness_noise = "0.05 mm";
+  std::size_t runs = 100;
+  int jobs = 0;  ///< 0: as many as there are cores
+};
+
+/// Fits constants of a case to measurements, or goes on with it: intervals, and what the data cannot tell. Returns the
+/// exit code.
+int calibrate(const CalibrateRequest& request);
+
+}  // namespace parison::tools

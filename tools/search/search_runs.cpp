@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/search/search_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+#include "tools/program/bundled_cases.hpp"
+#include "tools/sweep/run_pool.hpp"
+
+namespace parison::tools {
+
+namespace fs = std::filesystem;
+using Status = forming::SweepState::Status;
+
+SearchRuns::SearchRuns(const forming::SearchCase& search, std::string output, int jobs)
+    : search_(search),
+      base_(forming::read_scene(search.case_path, search.accuracy, search.overrides)),
+      output_(std::move(output)),
+      jobs_(jobs) {}
+
+std::vector<MadeRun> SearchRuns::make(const std::vector<Eigen::VectorXd>& places) {
+  std::vector<MadeRun> runs;
+  std::vector<Eigen::VectorXd> taken;
+  for (const Eigen::VectorXd& at : places) {
+    runs.push_back({"", forming::refusal_of(search_, base_, at)});
+    if (runs.back().reason.empty()) taken.push_back(at);
+  }
+  const std::string name = fmt::format("step_{:03}", ++step_);
+  if (taken.empty()) return runs;
+  const forming::SweepPlan plan = forming::plan_runs(search_, taken, output_ + '/' + name);
+  std::vector<forming::SweepState> states;
+  if (!make_runs(plan, states, jobs_, made_)) return {};
+  std::size_t next = 0;
+  for (MadeRun& run : runs) {
+    if (!run.reason.empty()) continue;
+    run = {name + '/' + plan.runs[next].name, states[next].reason};
+    if (run.reason.empty() && states[next].status == Status::failed) run.reason = "it failed";
+    ++next;
+  }
+  return runs;
+}
+
+bool make_runs(const forming::SweepPlan& plan, std::vector<forming::SweepState>& states, int jobs, std::size_t& made) {
+  fs::create_directories(plan.output);
+  forming::write_manifest(plan);
+  states.clear();
+  for (const forming::SweepRun& run : plan.runs) states.push_back(forming::state_of(plan, run));
+  const auto waiting = std::count_if(states.begin(), states.end(),
+                                     [](const forming::SweepState& state) { return state.status == Status::waiting; });
+  if (waiting == 0) return true;
+  made += static_cast<std::size_t>(waiting);
+  return run_sweep(plan, states, jobs, Report::none);
+}
+
+int usual_jobs(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+std::string case_named(const std::string& directory, const std::string& given) {
+  const fs::path beside = fs::path(directory) / given;
+  std::error_code unknown;
+  return fs::exists(beside, unknown) ? beside.string() : find_case(given);
+}
+
+}  // namespace parison::tools
