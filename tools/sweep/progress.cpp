@@ -45,9 +45,8 @@ void print_end(Progress& progress, std::size_t row) {
 
 /// Removes what is not to be kept of a run that is done and from which none will take over any more.
 void tidy_up(const Progress& progress, std::size_t row) {
-  if (progress.plan.sweep.keep == forming::Keep::summary && progress.states[row].status == Status::done &&
-      progress.unfinished_followers[row] == 0)
-    forming::keep_summary(progress.plan.folder(progress.plan.runs[row]));
+  if (progress.states[row].status == Status::done && progress.unfinished_followers[row] == 0)
+    forming::keep_only(progress.plan.sweep.keep, progress.plan.folder(progress.plan.runs[row]));
 }
 
 /// Counts a run that is done or has failed.
