@@ -148,6 +148,8 @@ bool confirm(Course& course, int jobs) {
   forming::SweepPlan plan = forming::plan_runs(finer, places, course.output + "/confirmed");
   plan.sweep.error_bars = true;
   plan.sweep.keep = forming::Keep::all;
+  plan.runs.front().name = "start";
+  if (places.size() > 1) plan.runs.back().name = "answer";
   fmt::print("the start and the answer at {} accuracy with error bars\n", goal.confirm);
   std::fflush(stdout);
   std::vector<forming::SweepState> states;
