@@ -233,7 +233,7 @@ int close_search(const Goal& goal, Course& course) {
 }
 
 void print_opening(const Goal& goal, const std::string& output, int jobs) {
-  fmt::print("{} at {} accuracy: {} variables, up to {} runs, {} at once, in {}\n", goal.case_path, goal.accuracy,
+  fmt::print("{} at {} accuracy: {} to vary, up to {} runs, {} at once, in {}\n", goal.case_path, goal.accuracy,
              goal.variables.size(), goal.runs, jobs, output);
   fmt::print("  sought: {} (! misses a limit), then", forming::what_is_sought(goal));
   for (const forming::SearchVariable& variable : goal.variables)

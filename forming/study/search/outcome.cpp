@@ -31,14 +31,6 @@ int column(const std::vector<std::string_view>& heading, std::initializer_list<c
   return -1;
 }
 
-double linear(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  const auto after = std::upper_bound(x.begin(), x.end(), at);
-  if (after == x.begin()) return y.front();
-  if (after == x.end()) return y.back();
-  const auto i = static_cast<std::size_t>(after - x.begin());
-  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
-}
-
 Wall sample(const WallTable& table) {
   Wall wall;
   for (std::size_t i = 0; i < wall_places; ++i) {
@@ -74,6 +66,14 @@ void add_summary(const core::JsonValue& summary, Quantities& quantities) {
 }
 
 }  // namespace
+
+double linear(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  const auto after = std::upper_bound(x.begin(), x.end(), at);
+  if (after == x.begin()) return y.front();
+  if (after == x.end()) return y.back();
+  const auto i = static_cast<std::size_t>(after - x.begin());
+  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+}
 
 WallTable read_wall_table(const std::string& path) {
   const std::string text = core::read_text(path);

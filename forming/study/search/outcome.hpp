@@ -30,6 +30,9 @@ struct Outcome {
   Wall wall;  ///< empty without one
 };
 
+/// The value at `at` of the line through the points (x, y), x ascending; that of the nearest end beyond them.
+double linear(const std::vector<double>& x, const std::vector<double>& y, double at);
+
 /// Reads summary.json and thickness.csv of a run that has come to its end.
 Outcome read_outcome(const std::string& folder, const WallPart& part);
 

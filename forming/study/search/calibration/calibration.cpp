@@ -61,12 +61,11 @@ Table read_table(const std::string& path) {
   return table;
 }
 
-double linear(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  const auto after = std::upper_bound(x.begin(), x.end(), at);
-  if (after == x.begin()) return y.front();
-  if (after == x.end()) return y.back();
-  const auto i = static_cast<std::size_t>(after - x.begin());
-  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+/// A bound, with the unit of the last one where it has none.
+std::string with_unit(std::string_view bound, std::string_view last) {
+  const std::size_t unit = last.find(' ');
+  const bool bare = unit != last.npos && bound.find_first_not_of("+-.0123456789eE") == bound.npos;
+  return std::string(bound) + std::string(bare ? last.substr(unit) : "");
 }
 
 bool ends_with(const std::string& text, const std::string& ending) {
@@ -166,8 +165,9 @@ std::vector<SearchVariable> varied_constants(const std::vector<std::string>& tex
     };
     const std::string_view view = text;
     add("key", view.substr(0, equals));
-    add("from", view.substr(equals + 1, to - equals - 1));
-    add("to", view.substr(to + 4));
+    const std::string_view last = core::trimmed(view.substr(to + 4));
+    add("from", with_unit(core::trimmed(view.substr(equals + 1, to - equals - 1)), last));
+    add("to", last);
     tables.items.push_back(table);
   }
   core::CaseNode root;

@@ -150,6 +150,13 @@ TEST_F(CalibrationTest, constants_are_searched_by_their_logarithms_and_temperatu
   EXPECT_NEAR(variables[1].start, 450, 1e-12);
 }
 
+TEST_F(CalibrationTest, a_unit_behind_the_last_bound_holds_for_both) {
+  const auto once = vary({"interface.0.open_gap=20 to 200 um"}), twice = vary({"interface.0.open_gap=20 um to 200 um"});
+  EXPECT_EQ(once[0].bounds.unit, "um");
+  EXPECT_EQ(once[0].low(), twice[0].low());
+  EXPECT_EQ(once[0].high(), twice[0].high());
+}
+
 TEST_F(CalibrationTest, two_constants_that_do_the_same_are_named_together) {
   const auto variables = vary({"interface.0.open_gap=20 um to 200 um", "interface.0.opening_time=0.1 s to 2 s"});
   const VectorXd at = (VectorXd(2) << variables[0].start, variables[1].start).finished();
