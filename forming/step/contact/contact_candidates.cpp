@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "forming/step/contact/contact_geometry.hpp"
@@ -99,8 +98,7 @@ struct StepPath {
 struct Bound {
   Index tool;
   contact::GapConstraint at_end;
-  double clearance = 0;  ///< gap that a middle node keeps so that its edge stays out of the tool, m
-  double held_below = std::numeric_limits<double>::infinity();  ///< gap above which a tool that grips lets go, m
+  double clearance = 0;    ///< gap that a middle node keeps so that its edge stays out of the tool, m
   bool lies_over = false;  ///< the edge lies over a corner or a rounding of the tool, which both ends touch
   bool of_edge = false;    ///< the tool is met by another point of the node's edge
 };
@@ -127,7 +125,6 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
     });
     if (same != bounds.end()) {
       same->clearance = std::max(0.0, same->at_end.gap - constraint->gap - step.placed.resting);
-      same->held_below = same->clearance + step.placed.at_tool;
       same->lies_over = step.lies_over(tool.index, *edge);
     } else if (bounds.size() < core::dim && constraint->gap <= reach) {
       bounds.push_back({tool.index, *constraint});
@@ -154,7 +151,7 @@ flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Boun
   // Glass that is drawn on a tool that grips is held from the run's first step, whichever way it is pulled.
   const bool drawn_on = state.totals.steps == 0 && std::abs(gap) <= placed.coincident;
   const bool grips = scene.tools[tool].friction.law == flow::Friction::Law::grip;
-  const bool tied = (drawn_on || (touched && gap <= bound.held_below)) && grips;
+  const bool tied = (drawn_on || (touched && gap <= bound.clearance + placed.at_tool)) && grips;
   // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew there,
   // because next to a corner the linearised gap can be negative for a node that is outside; but a wall that is extended
   // past a joint has no tool behind it.
