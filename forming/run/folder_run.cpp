@@ -20,19 +20,19 @@ Observers with_others(ResultWriter& results, CheckpointWriter& checkpoints, cons
 }  // namespace
 
 RunOutcome run_in_folder(const Scene& scene, const std::string& directory, const Observers& others,
-                         const StopRequest& stop, const remesh::Mesher& mesher) {
-  ResultWriter results(directory);
-  CheckpointWriter checkpoints(results);
+                         const StopRequest& stop, const remesh::Mesher& mesher, const RunFiles& files) {
+  ResultWriter results(directory, files.fields);
+  CheckpointWriter checkpoints(results, files);
   return run(scene, with_others(results, checkpoints, others), stop, mesher);
 }
 
 RunOutcome resume_in_folder(const Scene& scene, const std::string& directory, const Observers& others,
-                            const StopRequest& stop, const remesh::Mesher& mesher) {
+                            const StopRequest& stop, const remesh::Mesher& mesher, const RunFiles& files) {
   const std::string path = find_checkpoint(directory);
   Checkpoint from = read_checkpoint(path, scene);
   const bool case_changed = read_origin(path).fingerprint != scene.fingerprint;
-  ResultWriter results(directory, std::move(from.files));
-  CheckpointWriter checkpoints(results, from.outcome.state.totals.steps, case_changed);
+  ResultWriter results(directory, std::move(from.files), files.fields);
+  CheckpointWriter checkpoints(results, files, from.outcome.state.totals.steps, case_changed);
   return resume(scene, std::move(from.outcome), with_others(results, checkpoints, others), stop, mesher);
 }
 

@@ -35,12 +35,13 @@ bool has_ended(const CoarseCase& coarse) {
   return std::filesystem::exists(path) && !core::read_json(core::read_text(path), path).flag_of("stopped");
 }
 
-bool finish(const CoarseCase& coarse, const Observers& observers, const StopRequest& stop) {
+bool finish(const CoarseCase& coarse, const Observers& observers, const StopRequest& stop, const RunFiles& files) {
   const std::string& folder = coarse.directory;
   const Scene scene = read_scene(coarse.file, coarse.accuracy, coarse.overrides);
-  if (!has_checkpoint(folder)) std::filesystem::remove_all(folder);  // what was killed before its first checkpoint
-  const RunOutcome outcome = has_checkpoint(folder) ? resume_in_folder(scene, folder, observers, stop)
-                                                    : run_in_folder(scene, folder, observers, stop);
+  const bool is_begun = has_checkpoint(folder);
+  if (!is_begun) std::filesystem::remove_all(folder);  // what was killed before its first checkpoint
+  const RunOutcome outcome = is_begun ? resume_in_folder(scene, folder, observers, stop, remesh::triangulate, files)
+                                      : run_in_folder(scene, folder, observers, stop, remesh::triangulate, files);
   write_summary(folder, scene, outcome.state, outcome.facts);
   return !outcome.facts.stopped;
 }

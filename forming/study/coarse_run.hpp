@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "forming/report/error_bars.hpp"
+#include "forming/report/files/result_files.hpp"
 #include "forming/run/run.hpp"
 #include "forming/scene/scene.hpp"
 
@@ -28,7 +29,7 @@ std::vector<CoarseCase> coarse_cases(const Scene& scene, const std::string& dire
 bool has_ended(const CoarseCase& coarse);
 
 /// Runs it, or continues it where it was stopped; whether it has ended then.
-bool finish(const CoarseCase& coarse, const Observers& observers, const StopRequest& stop);
+bool finish(const CoarseCase& coarse, const Observers& observers, const StopRequest& stop, const RunFiles& files = {});
 
 /// Error bars of the quantities of a run by those of its coarser runs that came to their end.
 ErrorBars estimate_errors(const Quantities& run, const std::vector<CoarseCase>& coarse);

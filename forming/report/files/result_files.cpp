@@ -67,8 +67,9 @@ ResultFiles::ResultFiles(const Scene& scene, const std::string& directory, const
   for (std::size_t body = 0; body <= scene.tools.size(); ++body) {
     std::vector<core::PvdCollection::Entry> entries;
     for (std::size_t i = 0; i < synced_; ++i) entries.push_back({output_times_[i], vtu_file(body, i)});
-    collections_.emplace_back(directory + '/' + body_file(scene, body) + ".pvd");
-    collections_.back().set(entries);
+    const std::string path = directory + '/' + body_file(scene, body) + ".pvd";
+    collections_.emplace_back(path);
+    if (!entries.empty() || fs::exists(path)) collections_.back().set(entries);
   }
 }
 
@@ -106,6 +107,7 @@ void ResultFiles::fields(const State& state, const std::vector<core::InterfacePo
 }
 
 void ResultFiles::start_sync() {
+  if (synced_ == output_times_.size()) return;
   std::vector<std::string> files;
   for (; synced_ < output_times_.size(); ++synced_)
     for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
@@ -118,7 +120,7 @@ void ResultFiles::start_sync() {
 WrittenFiles ResultFiles::sync() {
   if (syncing_.valid()) syncing_.get();
   start_sync();
-  syncing_.get();
+  if (syncing_.valid()) syncing_.get();
   for (const auto* file : {&history_, &tools_, &interface_}) core::sync_to_disk(file->path());
   return {history_.size(), tools_.size(), interface_.size(), output_times_};
 }

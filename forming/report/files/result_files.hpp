@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
 #include <future>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,15 @@ struct WrittenFiles {
   std::int64_t history_size = 0, tools_size = 0, interface_size = 0;  ///< bytes
   std::vector<double> output_times;                                   ///< of the VTU files, s
   double stage_lowest = 0;  ///< lowest_downwards at the start of the present stage, m
+};
+
+/// What a run leaves on its way beside its tables. A run that is stopped or fails writes its last fields and a
+/// checkpoint all the same.
+struct RunFiles {
+  bool fields = true;             ///< VTU files and interface.csv
+  bool stage_checkpoints = true;  ///< at the end of each stage; those by wall time and steps are always written
+  /// Stages from whose end another run takes over: they have a checkpoint.
+  std::set<std::string> shared_stages = {};
 };
 
 /// The files of a run in its result folder; they observe and never steer.

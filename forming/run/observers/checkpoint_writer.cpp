@@ -7,12 +7,19 @@
 
 namespace parison::forming {
 
-CheckpointWriter::CheckpointWriter(ResultWriter& results, Index last_checkpoint, bool case_changed)
-    : results_(results), case_changed_(case_changed), steps_(last_checkpoint), written_at_(core::wall_seconds()) {}
+CheckpointWriter::CheckpointWriter(ResultWriter& results, const RunFiles& files, Index last_checkpoint,
+                                   bool case_changed)
+    : results_(results),
+      files_(files),
+      case_changed_(case_changed),
+      steps_(last_checkpoint),
+      written_at_(core::wall_seconds()) {}
 
-bool CheckpointWriter::is_due(const RunView& run) const {
+bool CheckpointWriter::is_due(const RunView& run, bool at_stage_boundary) const {
   const Output& output = run.scene.output;
-  return core::wall_seconds() - written_at_ >= output.checkpoint_interval ||
+  const std::string& stage = run.scene.stages[run.state.stage].name;
+  const bool is_wanted = files_.stage_checkpoints || !run.facts.reason.empty() || files_.shared_stages.count(stage) > 0;
+  return (at_stage_boundary && is_wanted) || core::wall_seconds() - written_at_ >= output.checkpoint_interval ||
          (output.checkpoint_steps && run.state.totals.steps - steps_ >= *output.checkpoint_steps);
 }
 
@@ -27,10 +34,9 @@ void CheckpointWriter::run_begins(const RunView& run) {
 }
 
 void CheckpointWriter::checkpoint_possible(const RunView& run, bool at_stage_boundary) {
-  if (run.state.totals.steps != steps_ && (at_stage_boundary || is_due(run))) {
-    write(run);
-  }
-  if (at_stage_boundary && run.state.stage_time > 0 && stage_end(run.scene, run.state) != StageEnd::none)
+  if (run.state.totals.steps != steps_ && is_due(run, at_stage_boundary)) write(run);
+  if (at_stage_boundary && run.state.totals.steps == steps_ && run.state.stage_time > 0 &&
+      stage_end(run.scene, run.state) != StageEnd::none)
     keep_checkpoint(results_.directory(), run.scene.stages[run.state.stage].name);
 }
 

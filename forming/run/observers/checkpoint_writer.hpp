@@ -4,13 +4,13 @@
 
 namespace parison::forming {
 
-/// Writes checkpoints into the result folder at the boundaries of stages and when the case's wall time or steps between
-/// checkpoints are over.
+/// Writes checkpoints into the result folder at the boundaries of stages that are to have one, where the run fails or
+/// is stopped, and when the case's wall time or steps between checkpoints are over.
 class CheckpointWriter : public RunObserver {
  public:
   /// `last_checkpoint` is the number of steps done at the one that the run is taken up from, -1 for a new run. Where
   /// the case has changed since, one of the new case is written at once.
-  explicit CheckpointWriter(ResultWriter& results, Index last_checkpoint = -1, bool case_changed = false);
+  CheckpointWriter(ResultWriter& results, const RunFiles& files, Index last_checkpoint = -1, bool case_changed = false);
 
   void run_begins(const RunView& run) override;
 
@@ -18,9 +18,10 @@ class CheckpointWriter : public RunObserver {
 
  private:
   void write(const RunView& run);
-  bool is_due(const RunView& run) const;
+  bool is_due(const RunView& run, bool at_stage_boundary) const;
 
   ResultWriter& results_;
+  const RunFiles& files_;
   bool case_changed_;
   Index steps_;        ///< done at the last checkpoint
   double written_at_;  ///< wall clock at the last checkpoint, s

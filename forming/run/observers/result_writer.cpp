@@ -8,9 +8,10 @@
 
 namespace parison::forming {
 
-ResultWriter::ResultWriter(std::string directory) : directory_(std::move(directory)) {}
-ResultWriter::ResultWriter(std::string directory, WrittenFiles written)
-    : directory_(std::move(directory)), written_(std::move(written)) {}
+ResultWriter::ResultWriter(std::string directory, bool with_fields)
+    : directory_(std::move(directory)), with_fields_(with_fields) {}
+ResultWriter::ResultWriter(std::string directory, WrittenFiles written, bool with_fields)
+    : directory_(std::move(directory)), with_fields_(with_fields), written_(std::move(written)) {}
 
 void ResultWriter::run_begins(const RunView& run) {
   surfaces_ = tool_surfaces(run.scene, run.state);
@@ -32,6 +33,7 @@ void ResultWriter::step_taken(const RunView& run, const State& before, const Ste
 }
 
 void ResultWriter::fields_due(const RunView& run, const State& at) {
+  if (!with_fields_ && run.facts.reason.empty()) return;
   files_->fields(at, run.scene.has_heat() ? thermal_interface(run.scene, at) : std::vector<core::InterfacePoint>{});
 }
 

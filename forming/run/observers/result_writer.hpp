@@ -12,10 +12,10 @@ namespace parison::forming {
 /// Writes the history, the fields and the interface of a run into its result folder.
 class ResultWriter : public RunObserver {
  public:
-  /// In a new folder, which is made when the run begins.
-  explicit ResultWriter(std::string directory);
+  /// In a new folder, which is made when the run begins. Without fields those of a run that fails or is stopped alone.
+  explicit ResultWriter(std::string directory, bool with_fields = true);
   /// In the folder of a run that is resumed; whatever was written since the checkpoint is cut off.
-  ResultWriter(std::string directory, WrittenFiles written);
+  ResultWriter(std::string directory, WrittenFiles written, bool with_fields = true);
 
   void run_begins(const RunView& run) override;
   void stage_begins(const RunView& run) override;
@@ -28,6 +28,7 @@ class ResultWriter : public RunObserver {
 
  private:
   std::string directory_;
+  bool with_fields_;
   std::optional<WrittenFiles> written_;  ///< before this run
   std::optional<ResultFiles> files_;
   std::vector<ToolSurface> surfaces_;

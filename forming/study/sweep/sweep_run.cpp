@@ -37,13 +37,23 @@ void take_over(const SweepPlan& plan, const SweepRun& run, const CoarseCase& one
     make_branch({run.name, one.directory, one.accuracy, one.overrides, BranchPoint{source, stage}, ""});
 }
 
+/// Only what is kept of the run, or what others take over.
+RunFiles files_of(const SweepPlan& plan, const SweepRun& run) {
+  RunFiles files;
+  files.fields = files.stage_checkpoints = plan.sweep.keep == Keep::all;
+  for (const SweepRun& other : plan.runs)
+    if (other.start && &plan.runs[other.start->run] == &run) files.shared_stages.insert(other.start->stage);
+  return files;
+}
+
 }  // namespace
 
 void make_run(const SweepPlan& plan, const SweepRun& run, bool (*stop)()) {
+  const RunFiles files = files_of(plan, run);
   for (const CoarseCase& one : cases_of(plan, run, plan.folder(run))) {
     if (!has_ended(one)) {
       if (run.start && !has_checkpoint(one.directory)) take_over(plan, run, one);
-      if (!finish(one, {}, stop)) return;
+      if (!finish(one, {}, stop, files)) return;
     }
     if (state_of(plan, run).status == SweepState::Status::failed) return;
   }

@@ -150,6 +150,31 @@ TEST(Observers, a_mistake_in_the_program_is_no_failed_run_and_leaves_the_last_ch
   }
 }
 
+TEST(Observers, a_run_without_fields_writes_tables_alone_until_it_is_stopped_and_goes_on_to_the_last_bit) {
+  namespace fs = std::filesystem;
+  const Scene scene = two_stages();
+  const std::string folder = tests::new_folder();
+  const auto has = [&](const std::string& name) { return fs::exists(folder + name); };
+  const RunFiles tables{false, false, {}}, shared{false, false, {scene.stages[0].name}};
+  const RunOutcome whole = run_in_folder(scene, folder + "/whole", {}, {}, remesh::triangulate, tables);
+  ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
+  EXPECT_EQ(fingerprint(whole.state), fingerprint(run(scene).state));
+  EXPECT_TRUE(fs::is_empty(folder + "/whole/vtu"));
+  EXPECT_FALSE(has("/whole/glass.pvd") || has("/whole/checkpoint.h5"));
+  EXPECT_GT(fs::file_size(folder + "/whole/history.csv"), 0u);
+
+  run_in_folder(scene, folder + "/shared", {}, {}, remesh::triangulate, shared);
+  EXPECT_TRUE(has("/shared/checkpoint_after_" + scene.stages[0].name + ".h5"));
+  EXPECT_FALSE(has("/shared/checkpoint_after_" + scene.stages[1].name + ".h5"));
+
+  int asked = 0;
+  const StopRequest after_five = [&] { return ++asked == 5; };
+  EXPECT_TRUE(run_in_folder(scene, folder + "/stopped", {}, after_five, remesh::triangulate, tables).facts.stopped);
+  EXPECT_TRUE(has("/stopped/checkpoint.h5") && has("/stopped/glass.pvd") && has("/stopped/vtu/glass_0000.vtu"));
+  const RunOutcome resumed = resume_in_folder(scene, folder + "/stopped", {}, {}, remesh::triangulate, tables);
+  EXPECT_EQ(fingerprint(resumed.state), fingerprint(whole.state));
+}
+
 TEST(Observers, a_request_to_stop_stops_after_the_step_and_changes_nothing_else) {
   const Scene scene = two_stages();
   int asked = 0;
