@@ -136,6 +136,19 @@ std::string accuracy_in(const CaseTable& root, const char* key, const char* usua
   return text;
 }
 
+/// The case with what holds for all runs; what it refuses of that carries its place in the goal file.
+Scene scene_with_settings(const CaseTable& root, const Goal& goal) {
+  try {
+    return read_scene(goal.case_path, goal.accuracy, goal.overrides);
+  } catch (const core::CaseError& error) {
+    const CaseNode* set = root.find("set");
+    if (!set || error.file != "--set" || error.key.empty()) throw;
+    for (const CaseNode& assignment : set->items)
+      if (assignment.text.rfind(error.key, 0) == 0) core::refuse(assignment, refusal_text(error));
+    core::refuse(*set, refusal_text(error));
+  }
+}
+
 }  // namespace
 
 Goal read_goal(const std::string& path,
@@ -155,7 +168,7 @@ Goal read_goal(const std::string& path,
     for (const CaseNode& assignment : core::list(*set)) goal.overrides.push_back(core::text(assignment));
   const CaseNode* runs = root.find("runs");
   goal.runs = static_cast<std::size_t>(runs ? core::count(*runs) : usual_runs);
-  const Scene scene = read_scene(goal.case_path, goal.accuracy, goal.overrides);
+  const Scene scene = scene_with_settings(root, goal);
   goal.variables = read_search_variables(root, goal.file, goal.case_path, goal.overrides);
   goal.target = read_target(root.get("goal"), goal.directory, scene);
   read_limits(root, scene, goal.limits);

@@ -22,7 +22,7 @@ std::string refusal_of(const SearchCase& search, const Scene& base, const Eigen:
   try {
     return new_tool_overlap(base, read_scene(search.case_path, search.accuracy, overrides));
   } catch (const core::CaseError& error) {
-    return error.what();
+    return refusal_text(error);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "core/case/case_text.hpp"
 #include "core/case/units.hpp"
@@ -17,6 +18,11 @@ using core::CaseTable;
 
 /// Steps of a search as a share of the bounds' distance, where none is given.
 constexpr double usual_step = 1.0 / 15;
+
+bool same_dimension(const std::string& one, const std::string& other) {
+  const auto a = core::parse_unit(one), b = core::parse_unit(other);
+  return one == other || (a && b && core::same_exponents(a->dimension, b->dimension));
+}
 
 /// The case with what holds for all runs.
 core::CaseFile case_with(const std::string& path, const std::vector<std::string>& overrides) {
@@ -33,22 +39,38 @@ void require_inside(const CaseNode& node, double value, const SearchVariable& va
                                  measure_text(bounds.to, bounds.unit)));
 }
 
-/// The start that is given, or what the case has.
-double start_of(const CaseTable& table, const SearchVariable& variable, const core::CaseFile& file) {
-  const CaseNode* given = table.find("start");
-  const CaseNode held = core::value_of(file, variable.key);
-  const bool is_value = held.kind == CaseNode::Kind::text || held.kind == CaseNode::Kind::number;
-  if (!given && !is_value) {
-    // A key that the case does not know is refused with those that it knows.
+/// What the case has at the key of a variable, nothing where it has no value there. A key that the case does not know
+/// is refused with those that it knows, at its place in the file of the search.
+std::optional<CaseNode> value_in_case(const CaseTable& table, const SearchVariable& variable,
+                                      const core::CaseFile& file) {
+  try {
+    const CaseNode held = core::value_of(file, variable.key);
+    if (held.kind == CaseNode::Kind::text || held.kind == CaseNode::Kind::number) return held;
     std::vector<std::string> overrides = file.overrides;
     overrides.push_back(variable.key + '=' + measure_text(variable.bounds.from, variable.bounds.unit));
     read_scene(file.path, "draft", overrides);
+  } catch (const core::CaseError& error) {
+    const CaseNode& key = table.get("key");
+    const std::string text = refusal_text(error), own = variable.key + ": ";
+    core::refuse(key, key.key == variable.key && text.rfind(own, 0) == 0 ? text.substr(own.size()) : text);
+  }
+  return std::nullopt;
+}
+
+/// The start that is given, or what the case has.
+double start_of(const CaseTable& table, const SearchVariable& variable, const core::CaseFile& file) {
+  const CaseNode* given = table.find("start");
+  const std::optional<CaseNode> held = value_in_case(table, variable, file);
+  if (!given && !held)
     core::refuse(table.node(),
                  fmt::format("the case gives {} no number to start from, allowed is a start", variable.key));
-  }
-  const CaseNode& node = given ? *given : held;
-  const double value = in_unit(read_measured(node), variable.bounds.unit, node);
-  require_inside(given ? *given : table.get("from"), value, variable);
+  const CaseNode& place = given ? *given : table.get("from");
+  const Measured start = read_measured(given ? *given : *held);
+  if (!given && !same_dimension(start.unit, variable.bounds.unit))
+    core::refuse(place, fmt::format("the unit \"{}\" was found, allowed is one of what the case has there, \"{}\"",
+                                    variable.bounds.unit, start.unit));
+  const double value = in_unit(start, variable.bounds.unit, place);
+  require_inside(place, value, variable);
   return value;
 }
 
@@ -82,6 +104,11 @@ SearchVariable read_variable(const CaseNode& node, const core::CaseFile& file) {
 }
 
 }  // namespace
+
+std::string refusal_text(const core::CaseError& error) {
+  const std::string text = error.what(), option = "--set: ";
+  return text.rfind(option, 0) == 0 ? text.substr(option.size()) : text;
+}
 
 double SearchVariable::coordinate(double value) const {
   return logarithmic ? std::log(value) : value;
