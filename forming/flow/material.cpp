@@ -73,4 +73,8 @@ double Carreau::log_derivative(double squared_rate) const {
   return log_factor(*this, core::Dual<double>{squared_rate, 1}).derivative;
 }
 
+double Friction::coefficient_at(double temperature) const {
+  return by_temperature ? std::exp((*by_temperature)(temperature)) : coefficient;
+}
+
 }  // namespace parison::flow

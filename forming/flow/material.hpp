@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "core/case/table.hpp"
 #include "forming/flow/viscosity/viscosity_table.hpp"
 
 namespace parison::flow {
@@ -52,6 +53,11 @@ struct Friction {
   enum class Law { slip, stick, navier, grip } law = Law::stick;  ///< grip: sticks in tension too
   double coefficient = 0;                                         ///< Navier beta, Pa.s/m
   std::optional<double> coulomb;                                  ///< cap of the shear stress, times contact pressure
+  /// ln beta over the temperature of the glass at the contact, K, instead of one beta.
+  std::optional<core::Table> by_temperature = {};
+
+  /// beta, Pa.s/m, at a temperature in K.
+  double coefficient_at(double temperature) const;
 };
 
 }  // namespace parison::flow

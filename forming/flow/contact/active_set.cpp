@@ -80,7 +80,9 @@ void add_friction(const Problem& problem, const std::vector<bool>& active, const
     if (constraint.friction_tool < 0) continue;
     const Index node = constraint.node, i = constraint.equalities[0].candidate;
     const auto& friction = problem.tools[constraint.friction_tool].friction;
-    const double navier = problem.candidates[i].contact_fraction * friction.coefficient * area[node];
+    const double beta =
+        friction.by_temperature ? friction.coefficient_at((*problem.temperature)[node]) : friction.coefficient;
+    const double navier = problem.candidates[i].contact_fraction * beta * area[node];
     constraints.tangential_stiffness[node] = navier;
     if (!friction.coulomb || !last || !active[i]) continue;
     const Point relative =

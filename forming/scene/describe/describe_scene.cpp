@@ -122,7 +122,7 @@ std::string friction_lines(const Scene& scene, const DimensionlessNumbers& numbe
   const bool moves = numbers.speed && has_moving_tool(scene);
   std::string text;
   for (const Tool& tool : scene.tools) {
-    const double coefficient = tool.friction.coefficient;
+    const double coefficient = tool.friction.coefficient_at(scene.glass.initial_temperature);
     if (tool.friction.law != flow::Friction::Law::navier) continue;
     const double share = 1 / (1 + coefficient * 0.5 * numbers.length / *numbers.viscosity);
     text += fmt::format("  {:<20}{:g} Pa.s/m: ", tool.name, coefficient);

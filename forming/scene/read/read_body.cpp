@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"
@@ -139,7 +140,17 @@ const NamedMaterial& find_material(const CaseNode& node, const BodyContext& cont
                                  fmt::join(names, ", ")));
 }
 
-flow::Friction read_friction(const CaseNode& node) {
+/// Pairs of a temperature of the glass at the contact and a coefficient, as ln beta over K.
+core::Table read_friction_table(const CaseNode& node, bool with_heat) {
+  if (!with_heat)
+    core::refuse(node, "a table over temperature was found and the glass carries no heat, allowed is one coefficient");
+  core::Table table = core::quantity_table(node, dimension::temperature, dimension::friction);
+  for (std::size_t i = 0; i < table.y.size(); ++i)
+    table.y[i] = std::log(core::positive(node.items[i].items[1], dimension::friction));
+  return table;
+}
+
+flow::Friction read_friction(const CaseNode& node, bool with_heat) {
   using Law = flow::Friction::Law;
   flow::Friction friction;
   if (node.kind != CaseNode::Kind::table) {
@@ -153,7 +164,11 @@ flow::Friction read_friction(const CaseNode& node) {
   const CaseTable table(node, {"law", "coefficient", "coulomb"});
   core::choice(table.get("law"), {"navier"});
   friction.law = Law::navier;
-  friction.coefficient = core::positive(table.get("coefficient"), dimension::friction);
+  const CaseNode& coefficient = table.get("coefficient");
+  if (coefficient.kind == CaseNode::Kind::list)
+    friction.by_temperature = read_friction_table(coefficient, with_heat);
+  else
+    friction.coefficient = core::positive(coefficient, dimension::friction);
   if (const auto* coulomb = table.find("coulomb")) friction.coulomb = core::positive(*coulomb, dimension::none);
   return friction;
 }
@@ -242,7 +257,7 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
     tool.emissivity = material.emissivity;
     table.get("temperature");
   }
-  if (context.with_flow) tool.friction = read_friction(table.get("friction"));
+  if (context.with_flow) tool.friction = read_friction(table.get("friction"), context.with_heat);
   if (const auto* item = table.find("swabbing")) tool.swabbing = core::positive(*item, dimension::none);
   if (const auto* item = table.find("position")) tool.position = core::quantity(*item, dimension::length);
   read_shape(table, context, tool);

@@ -52,6 +52,44 @@ TEST(Support, a_plane_block_on_a_slipping_plate_glides) {
   expect_solved(flow);
 }
 
+/// A stiff block on a plate whose friction changes along it with the temperature of the glass, drawn by a force f in
+/// its volume: v = f H L/int beta dx, with beta exponential between two temperatures; H, L: height and length.
+double gliding_error(int cells) {
+  constexpr double length = 0.01, height = 0.01, force = 1e4, low = 1e3, high = 1e5;
+  FlowProblem flow(tests::structured(cells, 4, [=](double s, double t) { return Point(length * s, height * t); }),
+                   Geometry::planar, 1e9);
+  for (Index n = 0; n < flow.mesh.node_count(); ++n) flow.temperature[n] = 1000 + 100 * flow.mesh.nodes[n][0] / length;
+  flow.problem.force = [=](const Point&) { return Point(force, 0); };
+  flow.problem.tools.resize(1);
+  flow.problem.tools[0].friction = {
+      Friction::Law::navier, 0, {}, core::Table{{1000, 1100}, {std::log(high), std::log(low)}}};
+  for (const Index node : flow.nodes_of("bottom")) flow.problem.candidates.push_back({node, 0, Point(0, 1), 0.0, true});
+  const auto solution = flow.solve();
+  EXPECT_TRUE(solution.converged) << solution.reason;
+  const double exact = force * height * std::log(high / low) / (high - low);
+  double error = 0;
+  for (Index n = 0; n < flow.mesh.node_count(); ++n)
+    error = std::max(error, std::abs(node_velocity(solution.velocity, n)[0] / exact - 1));
+  return error;
+}
+
+TEST(Support, a_block_glides_as_friction_by_temperature_lets_it_in_the_order_of_simpsons_rule) {
+  const double coarse = gliding_error(4), fine = gliding_error(8);
+  EXPECT_NEAR(std::log2(coarse / fine), 4, 0.3);
+  EXPECT_LT(gliding_error(16), 1e-5);
+}
+
+TEST(Support, friction_by_temperature_goes_through_its_points_and_is_constant_beyond) {
+  const Friction friction{
+      Friction::Law::navier, 0, {}, core::Table{{900, 1000, 1300}, {std::log(1e7), std::log(1e6), 0}}};
+  EXPECT_NEAR(friction.coefficient_at(1000), 1e6, 1e-3);
+  EXPECT_NEAR(friction.coefficient_at(950), std::sqrt(1e13), 1e-2);
+  EXPECT_NEAR(friction.coefficient_at(300), 1e7, 1e-2);
+  EXPECT_NEAR(friction.coefficient_at(2000), 1, 1e-9);
+  const Friction one{Friction::Law::navier, 5e4, {}};
+  EXPECT_EQ(one.coefficient_at(1000), 5e4);
+}
+
 TEST(Support, a_plane_body_hung_on_one_node_turns) {
   auto flow = block(Geometry::planar);
   flow.problem.tools[0].friction.law = Friction::Law::grip;

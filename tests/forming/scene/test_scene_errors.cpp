@@ -30,6 +30,22 @@ TEST(SceneErrors, navier_friction_without_its_coefficient) {
       << message;
 }
 
+TEST(SceneErrors, friction_by_temperature_that_is_no_table_of_it) {
+  const auto complaint = [](const std::string& coefficient) {
+    return complaint_about(
+        replaced("friction = \"slip\"", "friction = { law = \"navier\", coefficient = " + coefficient + " }"));
+  };
+  EXPECT_EQ(complaint(R"([["700 degC", "1e6 Pa.s/m"], ["1100 degC", "1e4 Pa.s/m"]])"), "");
+  const auto expect = [&](const std::string& coefficient, const std::string& sentence) {
+    const std::string found = complaint(coefficient);
+    EXPECT_NE(found.find(sentence), std::string::npos) << found;
+  };
+  expect(R"([["700 degC", "1e6 Pa.s/m"], ["700 degC", "1e4 Pa.s/m"]])", "allowed are rising entries");
+  expect(R"([["700 degC", "-1e6 Pa.s/m"]])", "above zero");
+  expect(R"([["700 mm", "1e6 Pa.s/m"]])", "is a length");
+  expect(R"(["1e6 Pa.s/m"])", "tool.friction.coefficient");
+}
+
 TEST(SceneErrors, wrong_unit) {
   expect_complaint("duration = \"2 s\"", "duration = \"2 mm\"",
                    "stage.duration: \"2 mm\" is a length, allowed is a time such as \"0.9 s\"");
