@@ -44,7 +44,7 @@ int report(const ReportRequest& request) {
     if (!folder.told.empty()) fmt::print("{}: {}\n", path, folder.told);
   }
   ReportCache cache;
-  const std::string page = page_text(title, report_data(request.folders, false, cache));
+  const std::string page = page_text(title, report_data(request.folders, false, cache, request.search));
   const std::string output =
       request.output.empty() ? (fs::path(request.folders[0]) / "report.html").string() : request.output;
   core::replace_file(output, page);

@@ -7,7 +7,8 @@ namespace parison::tools {
 
 struct ReportRequest {
   std::vector<std::string> folders;
-  std::string output;  ///< empty: report.html in the first folder
+  std::string output;       ///< empty: report.html in the first folder
+  std::string search = {};  ///< the course of the search that the runs come from, JSON; empty: none
 };
 
 /// Writes one page on the runs of some result folders and says where. Returns the exit code.

@@ -166,7 +166,7 @@ bool confirm(Course& course, int jobs) {
   std::vector<std::string> folders;
   for (const forming::SweepRun& run : plan.runs)
     if (fs::exists(plan.folder(run) + "/glass.pvd")) folders.push_back(plan.folder(run));
-  if (!folders.empty()) report({folders, course.output + "/report.html"});
+  if (!folders.empty()) report({folders, course.output + "/report.html", forming::course_text(goal, result)});
   return true;
 }
 

@@ -113,7 +113,53 @@ bool write_walls(const Goal& goal, const SearchResult& result, const std::string
   return true;
 }
 
+void add_list(core::JsonWriter& json, const char* key, const std::vector<double>& values) {
+  json.open_list(key);
+  for (const double value : values) json.add("", value);
+  json.close();
+}
+
+void add_variable(core::JsonWriter& json, const Goal& goal, const SearchResult& result, std::size_t k) {
+  const SearchVariable& variable = goal.variables[k];
+  const auto at = [&](const SearchRow& row) { return row.at[Eigen::Index(k)]; };
+  json.open_object("");
+  json.add("key", variable.key);
+  json.add("unit", variable.bounds.unit);
+  json.add("from", variable.bounds.from);
+  json.add("to", variable.bounds.to);
+  json.add("start", variable.value(at(result.rows.front())));
+  json.add("answer", variable.value(at(result.rows[result.best])));
+  std::vector<double> shares;
+  for (const SearchRow& row : result.rows)
+    shares.push_back((at(row) - variable.low()) / (variable.high() - variable.low()));
+  add_list(json, "share", shares);
+  json.close();
+}
+
 }  // namespace
+
+std::string course_text(const Goal& goal, const SearchResult& result) {
+  core::JsonWriter json;
+  json.add("sought", what_is_sought(goal));
+  json.add("good_enough", goal.target.good_enough);
+  json.add("ending", result.ending);
+  std::vector<double> values, best;
+  const SearchRow* leader = nullptr;
+  for (const SearchRow& row : result.rows) {
+    if (row.worth && (!leader || is_better(*row.worth, *leader->worth))) leader = &row;
+    values.push_back(row.worth ? row.worth->value : none);
+    best.push_back(leader ? leader->worth->value : none);
+  }
+  add_list(json, "values", values);
+  add_list(json, "best", best);
+  json.open_list("holds");
+  for (const SearchRow& row : result.rows) json.add("", row.worth && row.worth->holds());
+  json.close();
+  json.open_list("variables");
+  for (std::size_t k = 0; k < goal.variables.size(); ++k) add_variable(json, goal, result, k);
+  json.close();
+  return json.finish();
+}
 
 std::size_t best_row(const std::vector<SearchRow>& rows) {
   std::size_t best = 0;

@@ -37,6 +37,10 @@ std::size_t best_row(const std::vector<SearchRow>& rows);
 /// Reads a run with its coarser ones.
 Confirmed read_confirmed(const Goal& goal, const std::string& folder);
 
+/// The goal, whether the limits hold and the best so far over the runs, and where each variable was between its bounds
+/// (0 to 1), as JSON for a plot; null where a run has no results.
+std::string course_text(const Goal& goal, const SearchResult& result);
+
 /// Writes runs.csv, result.json, wall.csv, the case with the values of the best run in the folder `case`, and NAME.dxf
 /// of each tool that they give another outline. Returns the names of what it wrote.
 std::vector<std::string> write_search(const Goal& goal, const SearchResult& result, const std::string& output);

@@ -126,11 +126,13 @@ std::string without_tags(const std::string& json) {
 
 }  // namespace
 
-std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache) {
+std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache,
+                        const std::string& search) {
   Json runs = Json::array();
   PackedBytes bytes;
   for (const std::string& folder : folders) runs.push_back(run_json(folder, folders.size(), cache, bytes));
-  const Json page{{"program", PARISON_VERSION}, {"live", live}, {"runs", std::move(runs)}, {"bytes", bytes.text()}};
+  Json page{{"program", PARISON_VERSION}, {"live", live}, {"runs", std::move(runs)}, {"bytes", bytes.text()}};
+  if (!search.empty()) page["search"] = Json::parse(search);
   return without_tags(page.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 

@@ -16,7 +16,9 @@ struct ReportCache {
 };
 
 /// The data of a page on some result folders as a JSON text without any character that ends or opens a tag; `live`
-/// says that the page is to ask for more. Throws core::CaseError where one of them is no result folder.
-std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache);
+/// says that the page is to ask for more; `search` is the course of a search as JSON, or empty. Throws core::CaseError
+/// where one of them is no result folder.
+std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache,
+                        const std::string& search = {});
 
 }  // namespace parison::tools

@@ -31,7 +31,8 @@ class Charts {
     this.plots.forEach((plot) => plot.redraw(false, true));
   }
 
-  /** `series` are {label, x, y, colour, dash, error}; nothing where none has a value. With `upright` x goes up. */
+  /** `series` are {label, x, y, colour, dash, error, kind}, drawn as lines or by `kind` as "points" or "steps";
+   * nothing where none has a value. With `upright` x goes up. */
   chart({ title, note, series, xLabel = "time, s", yLabel, upright = false, logarithmic = false, height = 300 }) {
     const shown = series.filter((one) => one.x && one.y && one.y.some(Number.isFinite));
     if (!shown.length) return null;
@@ -119,7 +120,7 @@ class Charts {
           width: 2,
           dash: dashes[(one.dash || 0) % dashes.length],
           spanGaps: shown.length > 1,
-          points: { show: false },
+          ...kindOf(one.kind),
           value: (plot, value, k, at) =>
             value == null || at == null ? "" : withError(value, errors[i] ? errors[i].get(plot.data[0][at]) : 0),
         })),
@@ -133,6 +134,12 @@ class Charts {
       },
     };
   }
+}
+
+/** What makes points or steps of a line. */
+function kindOf(kind) {
+  if (kind === "points") return { paths: () => null, points: { show: true, size: 7, width: 2 } };
+  return { points: { show: false }, ...(kind === "steps" ? { paths: uPlot.paths.stepped({ align: 1 }) } : {}) };
 }
 
 /** A round number in few characters. */

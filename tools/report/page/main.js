@@ -50,6 +50,7 @@ function show(runs, program) {
   shown = { runs, charts, film };
   const parts = [
     overviewPart(runs),
+    searchPart(state.search, charts),
     stripPart(runs, film),
     film
       ? part("film", "Film", film.element)
@@ -75,6 +76,7 @@ function show(runs, program) {
 
 async function take(page) {
   const buffer = await unpacked(page.bytes);
+  state.search = page.search || null;
   const runs = page.runs.map((run, i) => new Run(run, buffer, i));
   const film = shown && shown.film,
     atEnd = !film || film.state.index >= film.times.length - 1;
