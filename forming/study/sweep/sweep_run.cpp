@@ -42,7 +42,7 @@ RunFiles files_of(const SweepPlan& plan, const SweepRun& run) {
   RunFiles files;
   files.fields = files.stage_checkpoints = plan.sweep.keep == Keep::all;
   for (const SweepRun& other : plan.runs)
-    if (other.start && &plan.runs[other.start->run] == &run) files.shared_stages.insert(other.start->stage);
+    if (other.start && plan.runs[other.start->run].name == run.name) files.shared_stages.insert(other.start->stage);
   return files;
 }
 
