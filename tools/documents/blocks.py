@@ -3,10 +3,11 @@
 import re
 import subprocess
 
-from documents import tables
+from documents import studies, tables
 from documents.store import ROOT, Missing
 
 BLOCK = re.compile(r"(^<!-- begin: (\w+)((?: [\w.]+)*) -->\n).*?^(<!-- end: \2 -->)", re.DOTALL | re.MULTILINE)
+BLOCKS = {**tables.BLOCKS, **studies.BLOCKS}
 MARK = re.compile(r"^<!-- (?:begin|end): ", re.MULTILINE)
 
 
@@ -22,9 +23,9 @@ def make(path, name, arguments):
     folder = path.parent.relative_to(ROOT).parts
     if folder[:1] == ("cases",) and len(folder) == 2 and name in tables.CASE_BLOCKS:
         return tables.CASE_BLOCKS[name](folder[1], *arguments)
-    if name in tables.BLOCKS:
-        return tables.BLOCKS[name](*arguments)
-    raise Missing(f"{path.relative_to(ROOT)}: a block \"{name}\" was found, allowed are {', '.join(sorted(tables.BLOCKS))}, in "
+    if name in BLOCKS:
+        return BLOCKS[name](*arguments)
+    raise Missing(f"{path.relative_to(ROOT)}: a block \"{name}\" was found, allowed are {', '.join(sorted(BLOCKS))}, in "
                   f"cases/*/README.md also {', '.join(sorted(tables.CASE_BLOCKS))}")
 
 
