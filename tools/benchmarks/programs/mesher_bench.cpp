@@ -87,8 +87,7 @@ class Comparison {
     bench::MeshFigures figures{};
     bool same = true;
     for (int i = 0; i < repeats_; ++i) {
-      const remesh::SizeField own = size;  // it remembers what was asked
-      const Made made = make(mesher, outline, own);
+      const Made made = make(mesher, outline, remesh::SizeField(size));  // a copy: it remembers what was asked
       seconds.push_back(made.seconds);
       if (!made.meshed.reason.empty()) {
         table_ << seen_ << ',' << mesher.name << ",nan,nan,nan,nan,nan,nan,nan,nan,nan,1,0\n";
