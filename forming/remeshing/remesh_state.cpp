@@ -92,22 +92,8 @@ void mesh_fitted_surface(const Scene& scene, const State& state, const remesh::C
   if (remesh::min_quality(restored) > 0) mesh = std::move(restored);
 }
 
-/// Interpolated at the nodes of the new mesh, each value within the range of the old cell that is nearest.
-Eigen::VectorXd interpolate_within_cells(const core::Mesh& old, const remesh::Transfer& transfer,
-                                         const Eigen::VectorXd& nodal) {
-  Eigen::VectorXd values = remesh::interpolate(old, transfer, nodal);
-  for (Index n = 0; n < values.size(); ++n) {
-    const auto& cell = old.cells()[transfer.cell[n]];
-    double low = nodal[cell[0]], high = low;
-    for (const Index node : cell) low = std::min(low, nodal[node]), high = std::max(high, nodal[node]);
-    values[n] = std::clamp(values[n], low, high);
-  }
-  return values;
-}
-
 /// The temperature on the new mesh by L2 projection, limited to the old extremes, with the heat content of the old
-/// mesh. Linear temperatures are carried along the surface: a projected skin would be off by kelvins, and the heat to
-/// the tools by per cents.
+/// mesh.
 void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   const Eigen::VectorXd& temperature = state.glass.temperature;
@@ -122,10 +108,7 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
     carried = field;
     return glass_heat(scene, next);
   };
-  std::vector<bool> on_surface(mesh.nodes.size(), false);
-  for (const Index node : contact_nodes(mesh)) on_surface[node] = true;
-  const Eigen::VectorXd skin = interpolate_within_cells(old, transfer, temperature);
-  const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order, on_surface, skin);
+  const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order);
   carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
 }
 
@@ -153,8 +136,7 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
         values = carry_along_surface(old, state.glass.*field.values, mesh);
       const bool in_contact = field.transfer == TransferRule::interpolate_in_contact;
       if (values.size() == 0 || (field.transfer != TransferRule::interpolate && !in_contact)) return;
-      values = in_contact ? carry_along_surface(old, state.glass.*field.values, mesh)
-                          : interpolate_components(old, transfer, state.glass.*field.values, field.components);
+      values = interpolate_components(old, transfer, state.glass.*field.values, field.components);
       for (Index n = 0; in_contact && n < mesh.node_count(); ++n)
         if (contact[n] < 0) values.segment(field.components * n, field.components).setZero();
     }
