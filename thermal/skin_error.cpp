@@ -17,6 +17,8 @@ using Eigen::VectorXd;
 /// the same measure.
 constexpr double depth_of_column = 12, smallest_cell = 0.03;
 constexpr int fewest_cells = 4;
+/// Growth of the cells of the fine mesh that stands for an exact solution.
+constexpr double fine_growth = 0.15;
 
 double penetration(const SkinSide& side, double time) {
   return std::sqrt(side.conductivity / side.capacity * time);
@@ -27,12 +29,23 @@ struct Column {
   MatrixXd stiffness, mass;
 };
 
-/// Positions of the vertices of a column under the surface, m.
+/// Whether the heat comes to the back of a layer.
+bool reaches_back(const SkinSide& side, double time) {
+  return side.depth < depth_of_column * penetration(side, time);
+}
+
+/// Positions of the vertices of a column under the surface, m. The last cell ends at the layer's back.
 std::vector<double> vertices(const SkinSide& side, double time) {
-  const double reach = penetration(side, time), first = std::max(side.first_cell, smallest_cell * reach);
+  const double reach = penetration(side, time);
+  const double first = std::max(side.first_cell, smallest_cell * std::min(reach, side.depth));
+  const double end = reaches_back(side, time) ? side.depth : depth_of_column * reach;
   std::vector<double> x{0};
-  while (static_cast<int>(x.size()) <= fewest_cells || x.back() < depth_of_column * reach)
+  while (x.back() < end || (std::isinf(side.depth) && static_cast<int>(x.size()) <= fewest_cells))
     x.push_back(x.back() + first + side.growth * x.back());
+  if (x.back() <= side.depth) return x;
+  const std::size_t last = x.size() - 1;
+  if (last > 1 && side.depth - x[last - 1] < 0.5 * (x[last] - x[last - 1])) x.pop_back();  // no cell thinner than half
+  x.back() = side.depth;
   return x;
 }
 
@@ -87,25 +100,18 @@ double discrete_heat(const Column& system, const VectorXd& hot, const VectorXd& 
   return heat;
 }
 
-}  // namespace
-
-double skin_error(const SkinSide& side, double h, double time) {
-  if (!(h > 0) || !(time > 0)) return 0;
-  const bool prescribed = std::isinf(h);
-  h = std::min(h, perfect_conductance(side.conductivity, side.first_cell));
+/// Heat that one layer gives to surroundings, on its mesh, J/m2.
+double discrete_heat(const SkinSide& side, double h, bool prescribed, double time) {
   Column system = column(side, time);
   system.stiffness(0, 0) += h;
   const VectorXd hot = VectorXd::Ones(system.mass.rows());
   VectorXd start = hot;
   if (prescribed) start[0] = 0;
-  const double heat = discrete_heat(system, hot, start, time);
-  return heat / exact_heat(1 / effusivity(side), h, time) - 1;
+  return discrete_heat(system, hot, start, time);
 }
 
-double skin_error(const SkinSide& first, const SkinSide& second, double h, double time) {
-  if (!(h > 0) || !(time > 0)) return 0;
-  h = std::min(h, 1 / (1 / perfect_conductance(first.conductivity, first.first_cell) +
-                       1 / perfect_conductance(second.conductivity, second.first_cell)));
+/// Heat that the first of two layers gives to the second, on their meshes, J/m2.
+double discrete_heat(const SkinSide& first, const SkinSide& second, double h, double time) {
   const Column a = column(first, time), b = column(second, time);
   const Eigen::Index n = a.mass.rows(), m = b.mass.rows();
   Column system{MatrixXd::Zero(n + m, n + m), MatrixXd::Zero(n + m, n + m)};
@@ -119,8 +125,36 @@ double skin_error(const SkinSide& first, const SkinSide& second, double h, doubl
   system.stiffness(n, 0) -= h;
   VectorXd hot = VectorXd::Zero(n + m);
   hot.head(n).setOnes();
-  return discrete_heat(system, hot, hot, time) / exact_heat(1 / effusivity(first) + 1 / effusivity(second), h, time) -
-         1;
+  return discrete_heat(system, hot, hot, time);
+}
+
+/// A layer on a mesh so fine that it stands for the exact solution.
+SkinSide fine(SkinSide side) {
+  side.first_cell = 0;
+  side.growth = fine_growth;
+  side.order = 2;
+  return side;
+}
+
+}  // namespace
+
+double skin_error(const SkinSide& side, double h, double time) {
+  if (!(h > 0) || !(time > 0)) return 0;
+  const bool prescribed = std::isinf(h);
+  h = std::min(h, perfect_conductance(side.conductivity, std::min(side.first_cell, side.depth)));
+  const double exact = reaches_back(side, time) ? discrete_heat(fine(side), h, prescribed, time)
+                                                : exact_heat(1 / effusivity(side), h, time);
+  return discrete_heat(side, h, prescribed, time) / exact - 1;
+}
+
+double skin_error(const SkinSide& first, const SkinSide& second, double h, double time) {
+  if (!(h > 0) || !(time > 0)) return 0;
+  h = std::min(h, 1 / (1 / perfect_conductance(first.conductivity, std::min(first.first_cell, first.depth)) +
+                       1 / perfect_conductance(second.conductivity, std::min(second.first_cell, second.depth))));
+  const double exact = reaches_back(first, time) || reaches_back(second, time)
+                           ? discrete_heat(fine(first), fine(second), h, time)
+                           : exact_heat(1 / effusivity(first) + 1 / effusivity(second), h, time);
+  return discrete_heat(first, second, h, time) / exact - 1;
 }
 
 double fitting_first_cell(const SkinSide& side, double h, double time, double tolerance) {

@@ -1,24 +1,28 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 
 namespace parison::thermal {
 
-/// A body that begins to exchange heat through its surface, as a half-space, and how its mesh resolves the skin.
+/// A body that begins to exchange heat through its surface, as a layer with an insulated back, and how its mesh
+/// resolves the skin.
 struct SkinSide {
   double conductivity;  ///< W/m/K
   double capacity;      ///< volumetric, J/m3/K
   double first_cell;    ///< height of the cells at the surface, m
   double growth = 0.5;  ///< of the cells' height with the depth
   int order = 2;        ///< polynomial degree of the temperature
+  double depth = std::numeric_limits<double>::infinity();  ///< of the layer, m: its volume over the area it exchanges by
 };
 
-/// Relative error of the heat that a half-space on such a mesh has given after `time`, s, to surroundings of another
-/// temperature through a conductance h, W/m2/K: that of the semi-discrete equations over the exact solution (Carslaw
-/// and Jaeger 1959, section 2.7), less 1. It is far above zero while the skin is thinner than the first cell.
+/// Relative error of the heat that a layer on such a mesh has given after `time`, s, to surroundings of another
+/// temperature through a conductance h, W/m2/K: that of the semi-discrete equations over the exact solution of a
+/// half-space (Carslaw and Jaeger 1959, section 2.7), or over that on a fine mesh where the heat has come to the back
+/// of the layer, less 1. It is far above zero while the skin is thinner than the first cell.
 /// With an infinite h the surface's nodes are set to the temperature of the surroundings at the start.
 double skin_error(const SkinSide& side, double h, double time);
 
-/// The same of two half-spaces of different temperatures brought together at time 0.
+/// The same of two layers of different temperatures brought together at time 0.
 double skin_error(const SkinSide& first, const SkinSide& second, double h, double time);
 
 /// The largest first cell, m, not above that of `side`, with which the error keeps within `tolerance`.

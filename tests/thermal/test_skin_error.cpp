@@ -72,6 +72,50 @@ TEST(SkinError, a_fitting_cell_keeps_the_tolerance_and_is_not_refined_without_ne
   EXPECT_LE(std::abs(skin_error(side, 1e9, 1e-3)), 3e-3);
 }
 
+constexpr double thickness = 10e-3;
+
+/// Heat that a slab of glass has given a slab of another conductivity, J, both insulated behind and on equal cells.
+double heat_between_slabs(double other_conductivity, int cells, double h, double time) {
+  const Material glass{density, core::constant(heat_capacity), core::constant(conductivity), {}};
+  const Material other{density, core::constant(heat_capacity), core::constant(other_conductivity), {}};
+  const std::vector<double> across = divide(0, thickness, 2);
+  const core::Mesh upper = rectangle(across, divide(0, thickness, cells));
+  const core::Mesh lower = rectangle(across, divide(-thickness, 0, cells));
+  Problem problem{core::Geometry::planar, {body(upper, glass), body(lower, other)}, {}, {}};
+  problem.interface = stack(upper, lower, problem.geometry);
+  problem.law = constant_conductance(h);
+  StepOptions options;
+  options.tolerance = 1e-3;
+  options.newton_tolerance = 1e-6;
+  StepMatrix matrix;
+  const StepOutcome outcome = advance(problem, 0,
+                                      {Eigen::VectorXd::Constant(upper.node_count(), start),
+                                       Eigen::VectorXd::Constant(lower.node_count(), air)},
+                                      time, options, matrix);
+  EXPECT_TRUE(outcome.converged) << outcome.reason;
+  return outcome.balance.interfaces[0].received;
+}
+
+TEST(SkinError, of_slabs_that_the_heat_crosses_is_that_of_the_program_where_half_spaces_say_too_little) {
+  const double diffusivity = conductivity / (density * heat_capacity), cell = 0.25 * thickness, h = 1e4;
+  double seldom_seen = 0;
+  for (const double ratio : {1e-2, 1.0, 1e2, 1e4})
+    for (const double fourier : {0.003, 0.01, 0.03, 0.1, 0.3}) {
+      const double time = fourier * thickness * thickness / diffusivity;
+      SkinSide glass{conductivity, density * heat_capacity, cell, 0, 2, thickness}, other = glass;
+      other.conductivity *= ratio;
+      const double estimated = skin_error(glass, other, h, time);
+      glass.depth = other.depth = std::numeric_limits<double>::infinity();
+      const double of_half_spaces = skin_error(glass, other, h, time);
+      const double found = heat_between_slabs(other.conductivity, 4, h, time) / heat_between_slabs(other.conductivity, 128, h, time) - 1;
+      std::printf("conductivity x %g, Fo %g: estimated %.4f, half-spaces %.4f, found %.4f\n", ratio, fourier, estimated,
+                  of_half_spaces, found);
+      EXPECT_NEAR(estimated, found, 0.1 * std::abs(found) + 1e-3);
+      seldom_seen = std::max(seldom_seen, std::abs(found) - std::abs(of_half_spaces));
+    }
+  EXPECT_GT(seldom_seen, 5e-3);
+}
+
 /// Highest temperature in a slab of glass a time after it met air, less that of the start, of the drop at the surface.
 double overshoot(double cell, double h, double time) {
   const Material material{density, core::constant(heat_capacity), core::constant(conductivity), {}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/element.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/state/skin_size.hpp"
@@ -38,17 +39,24 @@ Skin skin_at_tools(const Scene& scene, const State& state) {
   return worst;
 }
 
-/// Mean height of the cells along a boundary, m.
-double first_cell(const core::Mesh& mesh, Index boundary) {
-  double area = 0, length = 0;
+/// Mean height of the cells along a boundary, m, and the mesh's volume over the boundary's area, m.
+struct BoundaryLayer {
+  double first_cell = 0, depth = 0;
+};
+
+BoundaryLayer layer_under(const core::Mesh& mesh, Index boundary, core::Geometry geometry) {
+  double area = 0, length = 0, surface = 0;
   for (const auto& edge : mesh.boundary_edges()) {
     if (edge.boundary_id != boundary) continue;
     const auto& cell = mesh.cells()[edge.cell];
     const core::Point a = mesh.nodes[cell[1]] - mesh.nodes[cell[0]], b = mesh.nodes[cell[2]] - mesh.nodes[cell[0]];
     area += std::abs(a[0] * b[1] - a[1] * b[0]);
-    length += (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
+    const double of_edge = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
+    length += of_edge;
+    surface += of_edge * core::depth(geometry, mesh.nodes[edge.nodes[2]]);
   }
-  return length > 0 ? area / length : 0;
+  if (!(surface > 0)) return {};
+  return {area / length, core::volume(mesh, geometry) / surface};
 }
 
 Skin skin_at_surroundings(const Scene& scene, const State& state) {
@@ -58,9 +66,11 @@ Skin skin_at_surroundings(const Scene& scene, const State& state) {
     if (!data.thermal) continue;
     for (std::size_t b = 0; b < data.boundaries.size(); ++b) {
       const double h = surroundings_conductance(scene, body, b, state.stage);
-      const double cell = first_cell(mesh_of(state, body), static_cast<Index>(b));
-      if (h == 0 || cell == 0) continue;
-      const double error = std::abs(thermal::skin_error(skin_side(scene, body, cell), h, state.time));
+      const BoundaryLayer layer = layer_under(mesh_of(state, body), static_cast<Index>(b), scene.geometry);
+      if (h == 0 || layer.first_cell == 0) continue;
+      thermal::SkinSide side = skin_side(scene, body, layer.first_cell);
+      side.depth = layer.depth;
+      const double error = std::abs(thermal::skin_error(side, h, state.time));
       if (is_worse(error, worst.error))
         worst = {error, fmt::format("at boundary {} of {}", data.boundaries[b].name, data.name)};
     }

@@ -28,20 +28,24 @@ Eigen::VectorXd surface_cells(const core::Mesh& mesh) {
   return height;
 }
 
-/// Of a contact that goes on.
-double error_of(const Scene& scene, Index tool, const ContactSkin& skin) {
+/// Of the contact of a tool that goes on.
+double error_of(const Scene& scene, const State& state, Index tool, const ContactSkin& skin) {
   if (!(skin.area_time > 0) || !(skin.conductance > 0)) return 0;
   const double mean = 1 / skin.area_time, time = skin.area_time / skin.peak_area;
-  return std::abs(thermal::skin_error(skin_side(scene, glass_body, mean * skin.glass_cell),
-                                      skin_side(scene, body_of_tool(tool), mean * skin.tool_cell),
+  const auto side = [&](Index body, double cell) {
+    thermal::SkinSide result = skin_side(scene, body, mean * cell);
+    result.depth = core::volume(mesh_of(state, body), scene.geometry) / skin.peak_area;
+    return result;
+  };
+  return std::abs(thermal::skin_error(side(glass_body, skin.glass_cell), side(body_of_tool(tool), skin.tool_cell),
                                       mean * skin.conductance, time));
 }
 
 /// Makes an end of a contact.
-void close(const Scene& scene, Index tool, ContactSkin& skin) {
+void close(const Scene& scene, const State& state, Index tool, ContactSkin& skin) {
   ContactSkin after;
   after.exchanged = skin.exchanged;
-  after.wrong = skin.wrong + error_of(scene, tool, skin) * std::abs(skin.heat);
+  after.wrong = skin.wrong + error_of(scene, state, tool, skin) * std::abs(skin.heat);
   skin = after;
 }
 
@@ -72,7 +76,7 @@ void update_contact_skins(const Scene& scene, const std::vector<core::InterfaceP
   }
   for (std::size_t tool = 0; tool < tools; ++tool) {
     ContactSkin& skin = state.tools[tool].skin;
-    if (skin.peak_area > 0 && area[tool] < lost_contact * skin.peak_area) close(scene, Index(tool), skin);
+    if (skin.peak_area > 0 && area[tool] < lost_contact * skin.peak_area) close(scene, state, Index(tool), skin);
     const double heat = state.tools[tool].heat_received - heat_before[tool];
     skin.exchanged += std::abs(heat);
     if (area[tool] == 0) continue;
@@ -88,7 +92,7 @@ void update_contact_skins(const Scene& scene, const std::vector<core::InterfaceP
 double contact_skin_error(const Scene& scene, const State& state, Index tool) {
   ContactSkin skin = state.tools[tool].skin;
   if (!(skin.exchanged > 0)) return std::numeric_limits<double>::quiet_NaN();
-  close(scene, tool, skin);
+  close(scene, state, tool, skin);
   return skin.wrong / skin.exchanged;
 }
 
