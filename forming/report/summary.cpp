@@ -159,6 +159,7 @@ void add_bodies(JsonWriter& json, const Summary& summary) {
     json.add("heat_received_J", tool.heat_received);
     if (tool.radiated) json.add("heat_radiated_J", *tool.radiated);
     if (tool.from_enclosure) json.add("heat_from_enclosure_J", *tool.from_enclosure);
+    if (tool.energy_imbalance) json.add("energy_imbalance", *tool.energy_imbalance);
     json.add("surface_temperature_max_degC", celsius(tool.max_surface_temperature));
     json.add("hottest_time_s", tool.hottest.time);
     json.add("hottest_r_mm", 1e3 * tool.hottest.at[0]);
@@ -263,6 +264,9 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
                              body.heat_received,
                              scene.enclosure ? std::optional(body.heat_from_enclosure) : std::nullopt,
                              radiated,
+                             scene.has_heat() && scene.tools[i].thermal
+                                 ? std::optional(energy_imbalance(scene, state, static_cast<Index>(i)))
+                                 : std::nullopt,
                              max_temperature,
                              i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{},
                              body.offset,

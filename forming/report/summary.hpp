@@ -50,12 +50,13 @@ struct RunOutcome {
 
 struct ToolSummary {
   std::string name;
-  double heat_received;                  ///< J
-  std::optional<double> from_enclosure;  ///< light from other surfaces to its open ones, J; none without an enclosure
-  std::optional<double> radiated;        ///< the part of it that came as light, J; none without light in bands
-  double max_surface_temperature;        ///< so far, K; NaN where the tool carries no heat
-  Extreme hottest;                       ///< the same at the end of a step, with time and place
-  double position, force;                ///< m, N
+  double heat_received;                    ///< J
+  std::optional<double> from_enclosure;    ///< light from other surfaces to its open ones, J; none without an enclosure
+  std::optional<double> radiated;          ///< the part of it that came as light, J; none without light in bands
+  std::optional<double> energy_imbalance;  ///< see energy_imbalance; none where the tool carries no heat
+  double max_surface_temperature;          ///< so far, K; NaN where the tool carries no heat
+  Extreme hottest;                         ///< the same at the end of a step, with time and place
+  double position, force;                  ///< m, N
   std::vector<std::pair<std::string, double>> faces;  ///< boundaries with cooling or a given temperature, heat out, J
 };
 

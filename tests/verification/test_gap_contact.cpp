@@ -294,7 +294,7 @@ TEST_F(PressedPot, balances_its_heat) {
   const double change = glass_heat(scene, state) - state.glass.initial_heat;
   const double flows = state.totals.dissipation - state.totals.to_air - state.totals.to_tools;
   tests::expect_at_most("contact by the gap: heat balance of the pressed glass, relative to the heat exchanged",
-                        std::abs(change - flows) / state.totals.to_tools, 1e-6);
+                        std::abs(change - flows) / state.totals.to_tools, 1e-9);
 }
 
 TEST(Swabbing, multiplies_the_conductance_of_its_tool) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "thermal/cells/cell_kernels.hpp"
 #include "thermal/time/stage_solver.hpp"
 
 namespace parison::thermal {
@@ -146,6 +147,27 @@ StageValue begin(const HeatSystem& system, double time, const std::vector<Eigen:
   return start;
 }
 
+/// The algebraic error of the last stage leaves a body with a little more or less heat than was integrated. One change
+/// of all its temperatures that are not prescribed, within the error that the stage may have, makes that good, so that
+/// the balance closes whatever that tolerance, K, is.
+void restore_content(HeatBalance& balance, const HeatSystem& system, double tolerance, StageValue& end) {
+  Eigen::VectorXd missing = end.content - end.response.content, free = Eigen::VectorXd::Ones(system.size());
+  for (const PrescribedUnknown& at : system.prescribed) missing[at.unknown] = free[at.unknown] = 0;
+  Response capacity{Eigen::VectorXd::Zero(system.size()), Eigen::VectorXd::Zero(system.size()), {}};
+  add_cells(system, end.temperature, &free, capacity);
+  Eigen::VectorXd& gained = capacity.content;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const Index first = system.first_unknown[b], count = system.first_unknown[b + 1] - first;
+    const double per_kelvin = free.segment(first, count).dot(gained.segment(first, count));
+    const double wanted = per_kelvin > 0 ? missing.segment(first, count).sum() / per_kelvin : 0;
+    const double change = std::clamp(wanted, -tolerance, tolerance);
+    end.temperature.segment(first, count) += change * free.segment(first, count);
+    gained.segment(first, count) *= change;
+  }
+  end.response.content += gained;
+  for (const PrescribedUnknown& at : system.prescribed) accumulate_prescribed(balance, system, at, gained[at.unknown]);
+}
+
 /// Substep whose error would just meet the tolerance, from that of a trial step: the error falls with the third power.
 double fitting_size(const TrialStep& trial, double substep, double tolerance) {
   if (!trial.solved) return 0.25 * substep;
@@ -221,6 +243,7 @@ StepOutcome advance(const Problem& problem, double time, const std::vector<Eigen
   }
   const Eigen::VectorXd content = stage_value.response.content;
   integrate(run, stage_value, dt, outcome);
+  restore_content(outcome.balance, system, options.newton_tolerance, stage_value);
   accumulate_content(outcome.balance, system, content, stage_value.response.content);
   outcome.temperature = split(system, stage_value.temperature);
   outcome.factorisations = matrix.factorisations - factorisations_before;

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/io/files.hpp"
 #include "core/mesh/element.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
+#include "forming/state/start_temperature.hpp"
+#include "forming/step/heat/heat_step.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -18,13 +21,18 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+/// Heat that no entry of a balance explains, relative to what the glass has lost.
+double relative_to_heat_lost(const State& state, double unexplained) {
+  const Totals& totals = state.totals;
+  const double lost = std::abs(totals.to_tools + totals.to_air), round_off = 1e-9 * std::abs(state.glass.initial_heat);
+  return std::abs(unexplained) / std::max(lost, round_off);
+}
+
 /// From the present heat content itself, not from the changes that the heat solver reports.
 double energy_imbalance(const Scene& scene, const State& state) {
   const Totals& totals = state.totals;
-  const double unexplained =
-      glass_heat(scene, state) - state.glass.initial_heat + totals.to_tools + totals.to_air - totals.dissipation;
-  const double lost = std::abs(totals.to_tools + totals.to_air), round_off = 1e-9 * std::abs(state.glass.initial_heat);
-  return std::abs(unexplained) / std::max(lost, round_off);
+  return relative_to_heat_lost(state, glass_heat(scene, state) - state.glass.initial_heat + totals.to_tools +
+                                          totals.to_air - totals.dissipation);
 }
 
 /// Edges that a tool presses at all three nodes.
@@ -83,6 +91,16 @@ GlassFacts glass_facts(const Scene& scene, const State& state) {
   facts.highest = glass.temperature.maxCoeff();
   facts.energy_imbalance = energy_imbalance(scene, state);
   return facts;
+}
+
+double energy_imbalance(const Scene& scene, const State& state, Index tool) {
+  const ToolState& body = state.tools[tool];
+  const thermal::BodyView view = body_view(scene, state, body_of_tool(tool), body.mesh);
+  const double change =
+      thermal::heat_content(view, scene.geometry, body.temperature) -
+      thermal::heat_content(view, scene.geometry, start_temperature(scene, body_of_tool(tool), body.mesh));
+  const double given = std::accumulate(body.heat_through.begin(), body.heat_through.end(), 0.0);
+  return relative_to_heat_lost(state, change - body.heat_received + given);
 }
 
 HistoryRow history_row(const Scene& scene, const State& before, const State& state, const StepReport& report) {

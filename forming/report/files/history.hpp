@@ -24,6 +24,10 @@ struct GlassFacts {
 };
 GlassFacts glass_facts(const Scene& scene, const State& state);
 
+/// Change of a tool's heat content since the start that the heat received from the glass and given off through its
+/// boundaries does not explain, relative to the heat that the glass has lost. The tool must carry heat.
+double energy_imbalance(const Scene& scene, const State& state, Index tool);
+
 /// The numbers of one row of history.csv.
 struct HistoryRow {
   double time, dt, volume, glass_mean, heat_to_tools, heat_to_air, dissipation, energy_imbalance, contact_area;
