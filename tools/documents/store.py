@@ -23,7 +23,7 @@ VERIFICATION = ROOT / "tests/figures.json"
 PERFECT = '"1e9 W/m2/K"'
 
 # Tools of oxidised iron, which light of the glass reaches.
-EMISSIVITIES = {"jar": ("grey_iron", "H13")}
+EMISSIVITIES = {"jar": ("grey_iron", "H13"), "bottle": ("grey_iron",), "tumbler": ("grey_iron", "H13")}
 MODELS = ("rosseland", "none", "p1", "transfer", "enclosure")
 
 
@@ -69,8 +69,8 @@ RUNS = {
         **light_runs("jar"),
         **slope_runs(),
     },
-    "bottle": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
-    "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", [])},
+    "bottle": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", []), **light_runs("bottle")},
+    "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", []), **light_runs("tumbler")},
     "nnpb": {"draft": ("draft", []), "standard": ("standard", [])},
     "flute": {"draft": ("draft", []), "standard": ("standard", [])},
     "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.2 s", "dimension.reheat=1.8 s", "dimension.run=0.5 s"])},
@@ -79,6 +79,13 @@ RUNS = {
     "contact_cylinders": {"draft": ("draft", [])},
     "shell_inflation": {"draft": ("draft", []), "standard": ("standard", [])},
 }
+
+
+def own_runs(case):
+    """The runs of a case but those that compare models of radiation."""
+    return [name for name in RUNS[case] if not name.startswith(("light_", "slope_"))]
+
+
 KEPT = ("accuracy", "overrides", "time_s", "cpu_seconds", "steps", "remeshes", "timing", "volume_drift", "max_volume_drift",
         "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "max_reynolds", "outer_within_0.2mm_of_tools",
         "temperature_overshoot_K", "remeshing", "glass", "tools", "thickness", "quantities")

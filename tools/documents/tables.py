@@ -182,9 +182,9 @@ def tools(case, name):
 
 
 def cost(case, *names):
-    """Steps, remeshes and CPU time; shared machines scatter."""
+    """Steps, remeshes and CPU time, without names of all runs but those that compare models; shared machines scatter."""
     rows = []
-    for name in names or store.RUNS[case]:
+    for name in names or store.own_runs(case):
         run = store.run(case, name)
         whole = sum(run["timing"].values())
         shares = [f"{part} {100 * seconds / whole:.0f} %" for part, seconds in run["timing"].items() if seconds > 0.005 * whole]
