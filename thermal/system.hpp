@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -72,6 +73,10 @@ struct KeptCells {
 /// Prepares the equations of a problem, which must outlive them. `kept`, by body, reuses what has not changed since the
 /// last call; null computes all anew.
 HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept = nullptr);
+/// Why there are no equations to solve, a sentence; empty where there are.
+inline std::string why_not_solvable(const HeatSystem& system) {
+  return system.enclosure ? system.enclosure->traced->failure : std::string();
+}
 /// Where light was traced last for a system that was made with these.
 TracedPlaces traced_places(const std::vector<KeptCells>& kept);
 

@@ -160,6 +160,25 @@ TEST(Enclosure, a_tool_that_is_not_in_place_is_not_seen) {
   EXPECT_EQ(enclosed(pair.problem, 1400, 740)[0], 0);
 }
 
+TEST(Enclosure, a_cavity_whose_views_cannot_be_closed_is_refused_with_the_place) {
+  GlassAboveTool pair(Geometry::axisymmetric, 2, Glass::grey, 0.004, 0);
+  core::Mesh inside_out = *pair.problem.bodies[1].mesh;
+  double low = 1, high = -1;
+  for (const Point& x : inside_out.nodes) low = std::min(low, x[1]), high = std::max(high, x[1]);
+  for (Point& x : inside_out.nodes) x[1] = low + high - x[1];
+  const core::Mesh* sound = pair.problem.bodies[1].mesh;
+  for (const core::Mesh* mesh : {sound, static_cast<const core::Mesh*>(&inside_out)}) {
+    pair.problem.bodies[1].mesh = mesh;
+    StepMatrix matrix;
+    const StepOutcome outcome = advance(pair.problem, 0, pair.start, 0.1, {}, matrix);
+    EXPECT_EQ(outcome.converged, mesh == sound) << outcome.reason;
+    if (mesh == sound) continue;
+    EXPECT_NE(outcome.reason.find("the views of the open surfaces cannot be closed"), std::string::npos)
+        << outcome.reason;
+    EXPECT_NE(outcome.reason.find("mm, allowed are 1 %"), std::string::npos) << outcome.reason;
+  }
+}
+
 /// Light between a cup of glass and a rod in it, by a mesh of its own.
 Eigen::VectorXd cup_and_rod(int along, int across) {
   const Material glass{2400, core::constant(1300), core::constant(1.3), {}},

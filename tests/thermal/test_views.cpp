@@ -90,8 +90,27 @@ TEST(Views, closed_views_are_reciprocal_and_their_rows_have_the_areas_as_sums) {
   }
 }
 
+/// Area whose rays are lost, of all, of a rod in a tube with a thick wall, the rod moved to a radius and turned inside
+/// out on request; without the outer face the outline of the tube is open.
+double lost_beside_a_rod(double rod, bool inside_out, bool open) {
+  std::vector<Surface> surfaces{{{1, 0}, {1, 2}}, {{1.5, 0}, {1, 0}}, {{1, 2}, {1.5, 2}}, {{1.5, 2}, {1.5, 0}}};
+  if (open) surfaces.erase(surfaces.begin());
+  const std::vector<Surface> faces{{{rod, 2}, {rod, 0}}, {{rod, 0}, {0, 0}}, {{0, 2}, {rod, 2}}};
+  for (const Surface& face : faces) surfaces.push_back(inside_out ? Surface{face.to, face.from} : face);
+  const auto edges = view_edges(surfaces, round_section, 20);
+  const Views views = trace_views(edges, round_section, static_cast<Index>(surfaces.size()), 2000);
+  return views.lost.sum() / areas(edges, surfaces.size()).sum();
+}
+
+TEST(Views, rays_are_lost_where_an_outline_is_open_or_inside_out_and_not_where_bodies_overlap) {
+  EXPECT_EQ(lost_beside_a_rod(0.5, false, false), 0);
+  EXPECT_LT(lost_beside_a_rod(1.2, false, false), 2e-3) << "a rod that overlaps the tube";
+  EXPECT_GT(lost_beside_a_rod(0.5, true, false), 0.02) << "a rod inside out";
+  EXPECT_GT(lost_beside_a_rod(0.5, false, true), 0.02) << "a tube without its inner face";
+}
+
 TEST(Views, a_patch_that_sees_less_than_its_area_sees_itself_for_the_rest) {
-  Views views{Eigen::MatrixXd::Zero(3, 3), Eigen::Vector3d(0, 0, 0.1)};
+  Views views{Eigen::MatrixXd::Zero(3, 3), Eigen::Vector3d(0, 0, 0.1), Eigen::Vector3d::Zero()};
   views.between(0, 1) = views.between(1, 0) = 1;
   const Views made = closed(views, Eigen::Array3d(2, 1, 0.5));
   EXPECT_NEAR(made.between.row(0).sum(), 2, 1e-12);

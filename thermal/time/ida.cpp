@@ -217,6 +217,8 @@ IdaOutcome IdaIntegrator::advance_to(double time) {
   const double end = time - run.start;
   assert(end > run.accumulated_until);
   IdaOutcome outcome;
+  outcome.reason = why_not_solvable(run.system);
+  if (!outcome.reason.empty()) return outcome;
   long steps_before = 0, steps_after = 0;
   IDAGetNumSteps(run.ida, &steps_before);
   const Index factorisations_before = run.matrix.factorisations;

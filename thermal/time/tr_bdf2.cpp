@@ -231,10 +231,12 @@ void integrate(Integration& run, StageValue& start, double dt, StepOutcome& outc
 StepOutcome advance(const Problem& problem, double time, const std::vector<Eigen::VectorXd>& temperature, double dt,
                     const StepOptions& options, StepMatrix& matrix) {
   const HeatSystem system = make_heat_system(problem, &matrix.kept);
+  StepOutcome outcome;
+  outcome.reason = why_not_solvable(system);
+  if (!outcome.reason.empty()) return outcome;
   prepare(matrix, system);
   const Index factorisations_before = matrix.factorisations;
   Integration run{system, options, matrix};
-  StepOutcome outcome;
   outcome.balance = zero_balance(system);
   StageValue stage_value = begin(system, time, temperature, outcome.balance);
   if (!stage_value.response.power.allFinite() || !stage_value.response.content.allFinite()) {

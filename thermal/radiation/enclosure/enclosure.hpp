@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/case/time_function.hpp"
@@ -37,6 +38,7 @@ struct TracedViews {
   double unseen = 0;          ///< area open then of edges without a patch, m2
   double patch_length = 0;    ///< in the section, m
   double patch_area = 0;      ///< of a mean patch, m2
+  std::string failure;        ///< why the views cannot be closed, with the place; empty where they can
 };
 
 /// Point of the surface of a patch. Where a body is in contact the points of the interface take the covered area off.

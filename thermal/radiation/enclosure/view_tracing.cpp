@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thermal/radiation/enclosure/view_tracing.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -16,6 +18,7 @@ constexpr int patch_count = 64;  ///< as many have the length of the surface
 constexpr int rays_of_patch = 256;
 constexpr double moved_far = 0.5;   ///< of the length of a patch, before views are traced anew
 constexpr double opened_far = 0.5;  ///< the same of the area of a patch that a tool covers or uncovers
+constexpr double most_lost = 0.01;  ///< share of what all open surfaces send, before they are refused
 
 std::vector<Point> placed_nodes(const BodyView& body) {
   std::vector<Point> nodes = body.mesh->nodes;
@@ -88,6 +91,33 @@ std::vector<ViewEdge> view_edges(const HeatSystem& system, const TracedViews& tr
   return views;
 }
 
+/// A sentence with the place where too much of what the open surfaces send is lost; empty where it is not.
+std::string why_not_closed(const HeatSystem& system, const TracedViews& traced) {
+  const auto middle_node = [&](const OpenEdge& at) {
+    return system.problem->bodies[at.body].mesh->boundary_edges()[at.edge].nodes[2];
+  };
+  Eigen::ArrayXd sent = Eigen::ArrayXd::Zero(traced.views.lost.size());
+  for (const OpenEdge& at : traced.edges)
+    if (at.patch >= 0) sent[at.patch] += traced.edge_open[at.body][at.edge];
+  if (sent.size() == 0 || !(traced.views.lost.sum() > most_lost * sent.sum())) return "";
+  Eigen::Index worst;
+  traced.views.lost.maxCoeff(&worst);
+  Point place = Point::Zero();
+  double weight = 0;
+  for (const OpenEdge& at : traced.edges) {
+    if (at.patch != worst) continue;
+    const double area = traced.edge_open[at.body][at.edge];
+    place += area * traced.nodes[at.body][middle_node(at)];
+    weight += area;
+  }
+  place *= 1e3 / weight;
+  return fmt::format(
+      "enclosure: the views of the open surfaces cannot be closed: {:.2g} % of what they send ends behind a surface, "
+      "most of it from near ({:.4g}, {:.4g}) mm, allowed are {:g} %; an outline in sight of that place is open, "
+      "crosses itself or runs the wrong way round",
+      100 * traced.views.lost.sum() / sent.sum(), place[0], place[1], 100 * most_lost);
+}
+
 /// Takes the patches out that see no other and not themselves.
 void drop_alone(TracedViews& traced) {
   const Eigen::ArrayXd seen = traced.views.between.rowwise().sum().array();
@@ -101,6 +131,7 @@ void drop_alone(TracedViews& traced) {
     if (edge.patch >= 0) edge.patch = number[edge.patch];
   traced.views.between = traced.views.between(kept, kept).eval();
   traced.views.open = traced.views.open(kept).eval();
+  traced.views.lost = traced.views.lost(kept).eval();
 }
 
 void set_areas(TracedViews& traced, const EdgeAreas& open, const EdgeAreas& full) {
@@ -133,6 +164,7 @@ std::shared_ptr<const TracedViews> trace(const HeatSystem& system, std::vector<s
   Index patches;
   traced->edges = divide(system, *traced, patches);
   traced->views = trace_views(view_edges(system, *traced), system.problem->geometry, patches, rays_of_patch);
+  traced->failure = why_not_closed(system, *traced);
   if (patches > 0) drop_alone(*traced);
   set_areas(*traced, traced->edge_open, traced->edge_full);
   for (const auto& body : traced->edge_full)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace parison::thermal {
@@ -26,6 +27,31 @@ double length_of(const ViewEdge& edge) {
   return (edge.points[1] - edge.points[0]).norm();
 }
 
+/// How often the outlines wind around a point: minus one for each body that it is in. Counted along a line from there
+/// upwards along a coordinate, or downwards.
+int winding(const std::vector<ViewEdge>& edges, const Point& x, int coordinate, double sense) {
+  const int other = 1 - coordinate;
+  int count = 0;
+  const auto cross = [&](const Point& a, const Point& b) {
+    if ((a[other] > x[other]) == (b[other] > x[other])) return;
+    const double at = a[coordinate] + (x[other] - a[other]) / (b[other] - a[other]) * (b[coordinate] - a[coordinate]);
+    if (sense * (at - x[coordinate]) > 0) count += (b[other] > a[other]) == ((coordinate == 0) == (sense > 0)) ? 1 : -1;
+  };
+  for (const ViewEdge& edge : edges) {
+    cross(edge.points[0], edge.points[2]);
+    cross(edge.points[2], edge.points[1]);
+  }
+  return count;
+}
+
+/// Whether a point of an edge has air before it. Lines that disagree about it have met an open outline.
+bool is_in_air(const std::vector<ViewEdge>& edges, Index e, Point x) {
+  constexpr double aside = 1e-3;  // of the edge
+  const Point along = edges[e].points[1] - edges[e].points[0];
+  x += aside * Point(-along[1], along[0]);
+  return winding(edges, x, 0, 1) >= 0 || winding(edges, x, 1, 1) >= 0 || winding(edges, x, 1, -1) >= 0;
+}
+
 /// Counts where the light of the edges arrives.
 class ViewTracer {
  public:
@@ -33,7 +59,9 @@ class ViewTracer {
       : edges_(edges),
         geometry_(geometry),
         section_(points_of(edges), size_of(edges), geometry, true),
-        views_{Eigen::MatrixXd::Zero(patches, patches), Eigen::VectorXd::Zero(patches)} {}
+        in_air_(edges.size()),
+        views_{Eigen::MatrixXd::Zero(patches, patches), Eigen::VectorXd::Zero(patches),
+               Eigen::VectorXd::Zero(patches)} {}
 
   /// Sends `count` rays from an edge, evenly along it and with the cosine law.
   void send(Index e, int count) {
@@ -72,13 +100,24 @@ class ViewTracer {
     const Index from = edges_[e].patch;
     if (!hit || (!hit->from_behind && edges_[hit->edge].patch < 0))
       views_.open[from] += area;
-    else if (!hit->from_behind)
+    else if (hit->from_behind)
+      views_.lost[from] += is_lost(e, s, hit->distance) ? area : 0;
+    else
       views_.between(from, edges_[hit->edge].patch) += area;
+  }
+
+  /// Of a ray that has ended behind a surface. Where bodies touch some end so within the length of an edge.
+  bool is_lost(Index e, double s, double distance) {
+    if (distance < length_of(edges_[e])) return false;
+    if (!in_air_[e]) in_air_[e] = is_in_air(edges_, e, edges_[e].points[2]);
+    const Eigen::Vector3d x = section_.point(e, s);
+    return *in_air_[e] && is_in_air(edges_, e, {x[0], x[2]});
   }
 
   const std::vector<ViewEdge>& edges_;
   Geometry geometry_;
   Section section_;
+  std::vector<std::optional<bool>> in_air_;  ///< before the middle of each edge, where it was asked for
   Views views_;
   long sent_ = 0;
 };

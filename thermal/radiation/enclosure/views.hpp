@@ -18,10 +18,12 @@ struct ViewEdge {
 struct Views {
   Eigen::MatrixXd between;  ///< patches; symmetric
   Eigen::VectorXd open;     ///< of each with the surroundings
+  Eigen::VectorXd lost;     ///< area of each whose rays began in the air and ended behind a surface; no view has it
 };
 
-/// Traces `rays` rays from each patch, straight through the air until they meet an edge. Rays that go astray, because
-/// bodies touch or overlap where they start, are left out.
+/// Traces `rays` rays from each patch, straight through the air until they meet an edge. Rays that begin inside a body,
+/// where bodies touch or overlap, are left out. One that begins in the air and ends behind a surface is lost: the
+/// outline there is open, crosses itself or runs the wrong way round.
 Views trace_views(const std::vector<ViewEdge>& edges, Geometry geometry, Index patches, int rays);
 
 /// Views that are reciprocal and whose rows have the areas as sums, to round-off: between_ij d_i d_j, open_i d_i with
