@@ -12,7 +12,8 @@ struct SkinSide {
   double first_cell;    ///< height of the cells at the surface, m
   double growth = 0.5;  ///< of the cells' height with the depth
   int order = 2;        ///< polynomial degree of the temperature
-  double depth = std::numeric_limits<double>::infinity();  ///< of the layer, m: its volume over the area it exchanges by
+  double depth =
+      std::numeric_limits<double>::infinity();  ///< of the layer, m: its volume over the area it exchanges by
 };
 
 /// Relative error of the heat that a layer on such a mesh has given after `time`, s, to surroundings of another

@@ -30,6 +30,11 @@ namespace {
 /// Largest number of flow solves in one step.
 constexpr int max_coupling_iterations = 4;
 
+/// Shares of the volume that a step may miss, before another coupling iteration is made and before it is rejected after
+/// the last one. Where contacts hold the whole surface the volume cannot be corrected: a prediction from the last
+/// iteration has to make it good, or a shorter step.
+constexpr double iterated_missed_volume = 2e-7, rejected_missed_volume = 5e-7;
+
 /// Factor on the motion tolerance in the first step of a stage, which is predicted from rest.
 constexpr double initial_fraction = 0.1;
 
@@ -296,7 +301,8 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
     if (!start.air && result.report.predictor_corrector_difference > tolerance)
       tolerance = initial_fraction * scene.accuracy.motion_tolerance;
     return gained == 0 && result.report.predictor_corrector_difference <= tolerance &&
-           !rejected_for_work(scene, result.report);
+           !rejected_for_work(scene, result.report) &&
+           missed_volume(scene, state, result.state.glass.velocity, dt) <= iterated_missed_volume;
   };
   std::optional<flow::Solution> solution;
   for (int iteration = 0; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
@@ -313,6 +319,11 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
     result.reason = collision_without_contact(start, result.state);
     result.unrecoverable = !result.reason.empty() && dt <= scene.accuracy.initial_step;
     if (result.reason.empty()) result.reason = fmt::format("the step moves glass {:.2g} um into a tool", 1e6 * gained);
+    return false;
+  }
+  const double missed = missed_volume(scene, state, result.state.glass.velocity, dt);
+  if (missed > rejected_missed_volume && dt > min_step_ratio * scene.accuracy.initial_step) {
+    result.reason = fmt::format("the step changes the volume of the glass by {:.2g}", missed);
     return false;
   }
   auto& totals = result.state.totals;

@@ -88,12 +88,12 @@ double heat_between_slabs(double other_conductivity, int cells, double h, double
   options.tolerance = 1e-3;
   options.newton_tolerance = 1e-6;
   StepMatrix matrix;
-  const StepOutcome outcome = advance(problem, 0,
-                                      {Eigen::VectorXd::Constant(upper.node_count(), start),
-                                       Eigen::VectorXd::Constant(lower.node_count(), air)},
-                                      time, options, matrix);
+  const StepOutcome outcome = advance(
+      problem, 0,
+      {Eigen::VectorXd::Constant(upper.node_count(), start), Eigen::VectorXd::Constant(lower.node_count(), air)}, time,
+      options, matrix);
   EXPECT_TRUE(outcome.converged) << outcome.reason;
-  return outcome.balance.interfaces[0].received;
+  return outcome.balance.pairs[0].received;
 }
 
 TEST(SkinError, of_slabs_that_the_heat_crosses_is_that_of_the_program_where_half_spaces_say_too_little) {
@@ -107,7 +107,8 @@ TEST(SkinError, of_slabs_that_the_heat_crosses_is_that_of_the_program_where_half
       const double estimated = skin_error(glass, other, h, time);
       glass.depth = other.depth = std::numeric_limits<double>::infinity();
       const double of_half_spaces = skin_error(glass, other, h, time);
-      const double found = heat_between_slabs(other.conductivity, 4, h, time) / heat_between_slabs(other.conductivity, 128, h, time) - 1;
+      const double found =
+          heat_between_slabs(other.conductivity, 4, h, time) / heat_between_slabs(other.conductivity, 128, h, time) - 1;
       std::printf("conductivity x %g, Fo %g: estimated %.4f, half-spaces %.4f, found %.4f\n", ratio, fourier, estimated,
                   of_half_spaces, found);
       EXPECT_NEAR(estimated, found, 0.1 * std::abs(found) + 1e-3);

@@ -26,12 +26,18 @@ constexpr double volume_recovery_time = 5e-3;
 /// the contacts prevent the dilatation.
 constexpr double min_response = 0.5;
 
+/// Volume after straight motion at `velocity` over dt, m3, for which nodes inside the mesh do not count.
+double moved_volume(const Scene& scene, const core::Mesh& start, const Eigen::VectorXd& velocity, double dt) {
+  core::Mesh end = start;
+  for (const auto& edge : start.boundary_edges())
+    for (const Index n : edge.nodes) end.nodes[n] = start.nodes[n] + dt * flow::node_velocity(velocity, n);
+  return core::volume(end, scene.geometry);
+}
+
 /// Volume gained by straight motion at `velocity` over dt, m3, in excess of dt times the integral of div v over the
 /// midpoint mesh.
 double volume_error(const Scene& scene, const core::Mesh& start, const core::Mesh& midpoint,
                     const Eigen::VectorXd& velocity, double dt) {
-  core::Mesh end = start;
-  for (Index n = 0; n < end.node_count(); ++n) end.nodes[n] += dt * flow::node_velocity(velocity, n);
   double divergence_volume = 0;
   for (const auto& edge : midpoint.boundary_edges())
     for (const auto& rule : core::edge_rule(3)) {
@@ -39,7 +45,7 @@ double volume_error(const Scene& scene, const core::Mesh& start, const core::Mes
       for (int i = 0; i < 3; ++i)
         divergence_volume += dt * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(velocity, edge.nodes[i]));
     }
-  return core::volume(end, scene.geometry) - core::volume(start, scene.geometry) - divergence_volume;
+  return moved_volume(scene, start, velocity, dt) - core::volume(start, scene.geometry) - divergence_volume;
 }
 
 double excess_volume(const Scene& scene, const State& state) {
@@ -114,6 +120,11 @@ void correct_volume(const Scene& scene, const State& state, double dt, flow::Equ
   const Eigen::VectorXd velocity = equilibrium.response.unknowns.head(mode.size());
   const auto rate = correction_rate(scene, state.glass.mesh, velocity, mode, dt, target_volume(scene, state, dt));
   if (rate) flow::add_dilatation(*rate, equilibrium);
+}
+
+double missed_volume(const Scene& scene, const State& state, const Eigen::VectorXd& velocity, double dt) {
+  const double missed = moved_volume(scene, state.glass.mesh, velocity, dt) - target_volume(scene, state, dt);
+  return std::abs(missed) / state.glass.initial_volume;
 }
 
 Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen::VectorXd velocity, double dt) {

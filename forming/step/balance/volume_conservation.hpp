@@ -26,6 +26,10 @@ double prescribed_dilatation_rate(const Scene& scene, const State& state, const 
 /// Leaves it unchanged where the mode is missing or hardly changes the volume.
 void correct_volume(const Scene& scene, const State& state, double dt, flow::Equilibrium& equilibrium);
 
+/// Volume by which a step of length dt with such velocities (two per node, m/s) misses its `target_volume`, as a share
+/// of the initial volume.
+double missed_volume(const Scene& scene, const State& state, const Eigen::VectorXd& velocity, double dt);
+
 /// The velocity (two per node, m/s) with so much of the state's last dilatation mode that straight motion over dt leads
 /// to the initial volume; unchanged where the mode is unknown or hardly changes the volume.
 Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen::VectorXd velocity, double dt);
