@@ -46,6 +46,8 @@ TEST_F(VolumeConservation, the_error_of_straight_motion_is_offset) {
   const double dt = 0.1, growth = (1 + dt / 2) * (1 + dt / 2) * (1 - dt) - 1;
   EXPECT_NEAR(prescribed_dilatation_rate(scene, state, mesh, &velocity, dt), -growth / dt, 1e-9);
   EXPECT_GT(std::abs(growth), 1e-3);
+  EXPECT_NEAR(missed_volume(scene, state, velocity, dt), std::abs(growth), 1e-9);
+  EXPECT_NEAR(missed_volume(scene, gob(1e-3), 0 * velocity, 1e-3), 0.2e-3, 1e-12);  // less than a step makes good
 }
 
 TEST_F(VolumeConservation, the_dilatation_mode_leads_motion_to_the_initial_volume) {
