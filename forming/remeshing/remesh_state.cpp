@@ -93,7 +93,8 @@ void mesh_fitted_surface(const Scene& scene, const State& state, const remesh::C
 }
 
 /// The temperature on the new mesh by L2 projection, limited to the old extremes, with the heat content of the old
-/// mesh.
+/// mesh. The surface has the old temperatures point by point: a projected skin would be off by kelvins, and the heat to
+/// the tools by per cents.
 void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   const Eigen::VectorXd& temperature = state.glass.temperature;
@@ -108,7 +109,9 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
     carried = field;
     return glass_heat(scene, next);
   };
-  const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order);
+  std::vector<bool> on_surface(mesh.nodes.size(), false);
+  for (const Index node : surface_nodes(mesh)) on_surface[node] = true;
+  const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order, on_surface);
   carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
 }
 
@@ -136,7 +139,8 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
         values = carry_along_surface(old, state.glass.*field.values, mesh);
       const bool in_contact = field.transfer == TransferRule::interpolate_in_contact;
       if (values.size() == 0 || (field.transfer != TransferRule::interpolate && !in_contact)) return;
-      values = interpolate_components(old, transfer, state.glass.*field.values, field.components);
+      values = in_contact ? carry_along_surface(old, state.glass.*field.values, mesh)
+                          : interpolate_components(old, transfer, state.glass.*field.values, field.components);
       for (Index n = 0; in_contact && n < mesh.node_count(); ++n)
         if (contact[n] < 0) values.segment(field.components * n, field.components).setZero();
     }

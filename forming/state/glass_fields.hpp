@@ -30,7 +30,7 @@ struct GlassFields {
 enum class Location { node, quadrature_point };
 /// What a scene must have for the field to exist.
 enum class Needs { nothing, heat_or_flow, flow, gap_law };
-/// How the field gets to a new mesh: with the heat content kept, by interpolation, by interpolation and zero off the
+/// How the field gets to a new mesh: with the heat content kept, by interpolation, along the surface and zero off the
 /// contacts, along the surface alone, from the nearest surface node in contact, or not at all.
 enum class TransferRule { conserve_heat, interpolate, interpolate_in_contact, along_surface, nearest_contact, reset };
 /// What a stage's start does to it: keep it, reset it to its value at rest, or reset it where its tool is no longer

@@ -41,16 +41,22 @@ Eigen::VectorXd MassMatrix::multiply(const Eigen::VectorXd& x) const {
   return result;
 }
 
-Eigen::VectorXd MassMatrix::solve(const Eigen::VectorXd& load, const Eigen::VectorXd& start) const {
+Eigen::VectorXd MassMatrix::solve(const Eigen::VectorXd& load, const Eigen::VectorXd& start,
+                                  const std::vector<bool>& given) const {
   constexpr int most = 60;
   constexpr double tolerance = 1e-28;  // square of the relative residual
   if (!(diagonal_.minCoeff() > 0)) return start;
-  Eigen::VectorXd x = start, residual = load - multiply(x), preconditioned = residual.cwiseQuotient(diagonal_),
-                  direction = preconditioned;
+  const auto leave_out = [&](Eigen::VectorXd vector) {
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (given[i]) vector[static_cast<Index>(i)] = 0;
+    return vector;
+  };
+  Eigen::VectorXd x = start, residual = leave_out(load - multiply(x)),
+                  preconditioned = residual.cwiseQuotient(diagonal_), direction = preconditioned;
   const double whole = load.dot(load.cwiseQuotient(diagonal_));
   double square = residual.dot(preconditioned);
   for (int i = 0; i < most && square > tolerance * whole; ++i) {
-    const Eigen::VectorXd image = multiply(direction);
+    const Eigen::VectorXd image = leave_out(multiply(direction));
     const double curvature = direction.dot(image);
     if (!(curvature > 0)) return start;
     x += square / curvature * direction;

@@ -14,8 +14,10 @@ class MassMatrix {
 
   /// Solves by conjugate gradients with Jacobi preconditioning from `start` to round-off. The preconditioned condition
   /// number is small whatever the mesh (A. J. Wathen, IMA J. Numer. Anal. 7 (1987) 449-457). Returns `start` where a
-  /// folded cell makes the matrix indefinite.
-  Eigen::VectorXd solve(const Eigen::VectorXd& load, const Eigen::VectorXd& start) const;
+  /// folded cell makes the matrix indefinite. Where `given` is set, by unknown, the value of `start` stays and its
+  /// equation is left out; empty: nowhere.
+  Eigen::VectorXd solve(const Eigen::VectorXd& load, const Eigen::VectorXd& start,
+                        const std::vector<bool>& given = {}) const;
 
  private:
   const core::Mesh& mesh_;

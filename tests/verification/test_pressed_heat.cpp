@@ -8,9 +8,11 @@
 
 #include "figure.hpp"
 #include "forming/pot_scene.hpp"
+#include "forming/remeshing/remesh_state.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/scene_text.hpp"
+#include "forming/step/heat/heat_step.hpp"
 
 namespace parison::forming {
 namespace {
@@ -62,6 +64,29 @@ TEST(PressedHeat, is_balanced_in_glass_and_tools_through_flow_contact_light_and_
     open.at_most(1e-9);
   }
   EXPECT_GT(meshes, static_cast<Index>(models.size())) << "no new mesh but those of the stage's start";
+}
+
+TEST(PressedHeat, flows_on_at_the_same_rates_after_a_new_mesh) {
+  for (const Model& model : models) {
+    const Scene scene =
+        scene_of(replaced("duration = \"0.4 s\"", "duration = \"0.05 s\"", lit_pot(model.radiation, model.enclosure)));
+    const RunOutcome outcome = run_in_folder(scene, tests::absent_folder(), {});
+    ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    const RemeshedState remeshed = remesh_state(scene, outcome.state, RemeshReason::quality);
+    ASSERT_TRUE(remeshed.ok) << remeshed.reason;
+    const HeatRates before = heat_rates(scene, outcome.state), after = heat_rates(scene, remeshed.state);
+    const double all = before.to_air + before.light_to_air + before.conducted.sum() + before.radiated.sum();
+    EXPECT_GT(before.conducted.minCoeff(), 0.1 * all);
+    tests::Figure changed("pressed pot by " + model.name + ", a new mesh changes the heat rate to a partner by, of all",
+                          "%");
+    changed.add(100 * std::abs(after.to_air - before.to_air) / all);
+    changed.add(100 * std::abs(after.light_to_air - before.light_to_air) / all);
+    changed.add(100 * ((after.conducted - before.conducted) / all).abs().maxCoeff());
+    changed.add(100 * ((after.radiated - before.radiated) / all).abs().maxCoeff());
+    changed.at_most(0.3);
+    for (Eigen::Index tool = 0; tool < 2; ++tool)
+      EXPECT_NEAR(after.conducted[tool] / before.conducted[tool], 1, 1e-2) << model.name;
+  }
 }
 
 }  // namespace

@@ -168,18 +168,34 @@ HeatOutcome advance_by_ida(const Scene& scene, State& state, const std::vector<c
   return {true, "", static_cast<int>(outcome.steps)};
 }
 
+/// What a moving heat problem points to.
+struct MovingParts {
+  Meshes meshes;
+  core::Mesh mass;
+  Eigen::VectorXd wall_thickness;
+};
+
+MovingParts moving_parts(const Scene& scene, const State& state) {
+  return {meshes_of(state), mass_mesh(state), limiting_wall_thickness(scene, state.glass.mesh)};
+}
+
+/// The problem of a stage in which something moves; the parts and the state must outlive it.
+thermal::Problem moving_problem(const Scene& scene, const State& state, const MovingParts& parts,
+                                const std::vector<core::InterfacePoint>& interface, long& clamped_lookups) {
+  auto problem = make_problem(scene, state, parts.meshes, interface, clamped_lookups);
+  thermal::BodyView& glass = problem.bodies[glass_body];
+  glass.mass_mesh = &parts.mass;
+  if (parts.wall_thickness.size() > 0) glass.wall_thickness = &parts.wall_thickness;
+  problem.traced = &state.light;
+  return problem;
+}
+
 HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                                const std::vector<double>& dissipation, double dt, Workspace& workspace) {
   workspace.static_stage.reset();
-  const auto meshes = meshes_of(state);
-  const core::Mesh mass = mass_mesh(state);
-  auto problem = make_problem(scene, state, meshes, interface, workspace.clamped_lookups);
-  thermal::BodyView& glass = problem.bodies[glass_body];
-  glass.mass_mesh = &mass;
-  if (!dissipation.empty()) glass.source = &dissipation;
-  problem.traced = &state.light;
-  const Eigen::VectorXd wall_thickness = limiting_wall_thickness(scene, state.glass.mesh);
-  if (wall_thickness.size() > 0) glass.wall_thickness = &wall_thickness;
+  const MovingParts parts = moving_parts(scene, state);
+  auto problem = moving_problem(scene, state, parts, interface, workspace.clamped_lookups);
+  if (!dissipation.empty()) problem.bodies[glass_body].source = &dissipation;
   thermal::StepOptions options;
   options.tolerance = temperature_tolerance(scene);
   options.newton_tolerance = newton_fraction * options.tolerance;
@@ -210,6 +226,25 @@ double temperature_tolerance(const Scene& scene) {
   constexpr double of_span = 2e-3;
   const double span = temperature_range(scene).span(), tolerance = scene.accuracy.temperature_tolerance;
   return span > 0 ? std::min(tolerance, of_span * span) : tolerance;
+}
+
+HeatRates heat_rates(const Scene& scene, const State& state) {
+  const auto interface = thermal_interface(scene, state);
+  const MovingParts parts = moving_parts(scene, state);
+  long clamped_lookups = 0;
+  const auto problem = moving_problem(scene, state, parts, interface, clamped_lookups);
+  const thermal::HeatSystem system = thermal::make_heat_system(problem);
+  const thermal::Flows flows = thermal::evaluate_flows(system, state.time, thermal::join(system, temperatures(state)));
+  const double light = flows.light_to_air[glass_body];
+  const auto tools = static_cast<Eigen::Index>(state.tools.size());
+  HeatRates rates{flows.to_air[glass_body] - light, light, Eigen::ArrayXd::Zero(tools), Eigen::ArrayXd::Zero(tools)};
+  for (std::size_t p = 0; p < system.pairs.size(); ++p) {
+    const auto pair = static_cast<Eigen::Index>(p);
+    const Index tool = system.pairs[p].second - body_of_tool(0);
+    rates.conducted[tool] += flows.across[pair] - flows.radiated[pair];
+    rates.radiated[tool] += flows.radiated[pair];
+  }
+  return rates;
 }
 
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,

@@ -21,6 +21,14 @@ struct HeatOutcome {
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace);
 
+/// Heat that leaves the glass in a state, W.
+struct HeatRates {
+  double to_air;                       ///< to air and, without light in bands, to the surroundings
+  double light_to_air;                 ///< light in bands, to the surroundings and what an enclosure has there
+  Eigen::ArrayXd conducted, radiated;  ///< by tool, through the contacts
+};
+HeatRates heat_rates(const Scene& scene, const State& state);
+
 /// A body with what its boundaries exchange heat with in the present stage, on one of its meshes, which it points to.
 thermal::BodyView body_view(const Scene& scene, const State& state, Index body, const core::Mesh& mesh);
 
