@@ -98,23 +98,25 @@ double mean(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& no
 }
 
 Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
-                const Eigen::VectorXd& nodal, int order, const std::vector<bool>& interpolated) {
+                const Eigen::VectorXd& nodal, int order, std::vector<bool> is_given, const Eigen::VectorXd& given) {
   const MassMatrix mass(to, geometry, order);
-  const Eigen::VectorXd at_nodes = interpolate(from, transfer, nodal);
+  const Eigen::VectorXd interpolated = interpolate(from, transfer, nodal);
   const bool quadratic = order == 2;
-  const Eigen::VectorXd start = quadratic ? at_nodes : Eigen::VectorXd(at_nodes.head(to.vertex_count()));
-  std::vector<bool> given = interpolated;
-  if (!given.empty()) given.resize(static_cast<std::size_t>(start.size()));
+  Eigen::VectorXd start = quadratic ? interpolated : Eigen::VectorXd(interpolated.head(to.vertex_count()));
+  if (!is_given.empty()) is_given.resize(static_cast<std::size_t>(start.size()));
+  const auto for_each_given = [&](const auto& what) {
+    for (std::size_t i = 0; i < is_given.size(); ++i)
+      if (is_given[i]) what(static_cast<Index>(i));
+  };
+  for_each_given([&](Index i) { start[i] = given[i]; });
   // Where the old mesh lies on itself both of its cells count; elsewhere the plain projection is kept.
   const Eigen::VectorXd near = crosses_itself(from) ? start : Eigen::VectorXd::Zero(start.size());
   const Eigen::VectorXd load =
       overlay_load(from, to, geometry, nodal, quadratic ? near : core::from_vertices(to, near));
   Carried carried;
-  carried.value = mass.solve(mass.multiply(near) + (quadratic ? load : core::to_vertices(to, load)), start, given);
+  carried.value = mass.solve(mass.multiply(near) + (quadratic ? load : core::to_vertices(to, load)), start, is_given);
   set_ranges(from, transfer, nodal, carried);
-  for (std::size_t i = 0; i < given.size(); ++i)
-    if (given[i])
-      carried.low[static_cast<Index>(i)] = carried.high[static_cast<Index>(i)] = start[static_cast<Index>(i)];
+  for_each_given([&](Index i) { carried.low[i] = carried.high[i] = given[i]; });
   carried.value = carried.value.cwiseMax(carried.low).cwiseMin(carried.high);
   return carried;
 }

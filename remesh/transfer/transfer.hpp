@@ -27,10 +27,11 @@ struct Carried {
 
 /// L2 projection of the old field onto quadratic functions (order 2) or linear ones (order 1) of the new mesh. Each
 /// value is limited to the range of the old cell it lies in, widened by half of that range on both sides. At the nodes
-/// of the new mesh in `interpolated`, empty for none, the value is that of the old field there and no other, the rest
-/// is projected beside them.
+/// of the new mesh in `is_given`, empty for none, the value is that of `given` and no other; the rest is projected
+/// beside them.
 Carried project(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry, const Transfer& transfer,
-                const Eigen::VectorXd& nodal, int order, const std::vector<bool>& interpolated = {});
+                const Eigen::VectorXd& nodal, int order, std::vector<bool> is_given = {},
+                const Eigen::VectorXd& given = {});
 
 /// The conserved quantity of a field as a function of its nodal values.
 using Content = std::function<double(const Eigen::VectorXd&)>;
