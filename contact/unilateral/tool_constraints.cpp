@@ -30,6 +30,21 @@ double turn_between(const Segment& before, const Segment& after) {
   return std::atan2(cross(in, out), in.dot(out));
 }
 
+/// The segments of an outline without those that are shorter than a joint and much shorter than both neighbours.
+std::vector<Index> without_slivers(const core::Profile& outline) {
+  constexpr double much = 0.1;
+  const double joint = core::tolerance::junction * core::size(outline);
+  const auto count = static_cast<Index>(outline.segments.size());
+  std::vector<Index> kept;
+  for (Index i = 0; i < count; ++i) {
+    const double length = core::length(outline.segments[i]);
+    const double before = core::length(outline.segments[i > 0 ? i - 1 : count - 1]);
+    const double after = core::length(outline.segments[i + 1 < count ? i + 1 : 0]);
+    if (length > joint || length > much * std::min(before, after)) kept.push_back(i);
+  }
+  return kept;
+}
+
 /// Whether the open straight line between a and b crosses a segment.
 bool crosses(const Segment& segment, const Point& a, const Point& b) {
   constexpr double margin = 1e-6;
@@ -110,7 +125,7 @@ void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& fo
   const double t = core::projected_parameter(segment(i), x);
   const Point closest_point = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
   const double gap = (x - closest_point).dot(normal);
-  if (std::abs(gap) <= reach && !hidden(i, closest_point)) found.push_back({gap, normal, i});
+  if (std::abs(gap) <= reach && !hidden(i, closest_point)) found.push_back({gap, normal, segments[i].index});
 }
 
 /// Adds the constraint of the joint after segment i to a point that projects onto neither segment.
@@ -123,8 +138,8 @@ void ToolConstraints::Query::add_joint(Index i, std::vector<GapConstraint>& foun
     return;
   const double distance = arm.norm(), side = arm.dot(before.normal_after) < 0 ? -1 : 1;
   if ((side < 0 && !before.smooth_after) || hidden(i, joint)) return;
-  found.push_back(
-      {side * distance, distance > 1e-3 * coincident ? Point(side / distance * arm) : before.normal_after, i});
+  found.push_back({side * distance, distance > 1e-3 * coincident ? Point(side / distance * arm) : before.normal_after,
+                   before.index});
 }
 
 /// A point inside the tool is projected to the closest point of the outline: of the segments with negative gaps only
@@ -132,23 +147,28 @@ void ToolConstraints::Query::add_joint(Index i, std::vector<GapConstraint>& foun
 /// kept.
 void ToolConstraints::Query::keep_closest_exterior(std::vector<GapConstraint>& found) const {
   if (found.empty()) return;
-  const Index nearest = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
-                          return std::abs(a.gap) < std::abs(b.gap);
-                        })->segment;
+  const auto place = [&](const GapConstraint& c) {
+    Index i = 0;
+    while (segments[i].index != c.segment) ++i;
+    return i;
+  };
+  const Index nearest = place(*std::min_element(
+      found.begin(), found.end(), [](const auto& a, const auto& b) { return std::abs(a.gap) < std::abs(b.gap); }));
   const auto needless = [&](const GapConstraint& c) {
-    if (c.segment == nearest || joined_at_reentrant_corner(c.segment, nearest)) return false;
-    return c.gap < (joined(c.segment, nearest) ? coincident : 0.0);
+    const Index i = place(c);
+    if (i == nearest || joined_at_reentrant_corner(i, nearest)) return false;
+    return c.gap < (joined(i, nearest) ? coincident : 0.0);
   };
   found.erase(std::remove_if(found.begin(), found.end(), needless), found.end());
 }
 
 ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_boundaries)
     : in_contact_(no_box()), coincident_(core::tolerance::coincident * core::size(tool)) {
-  const auto& segments = tool.segments;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Segment &segment = segments[i], &next = segments[i + 1 < segments.size() ? i + 1 : 0];
+  const std::vector<Index> kept = without_slivers(tool);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const Segment &segment = tool.segments[kept[k]], &next = tool.segments[kept[k + 1 < kept.size() ? k + 1 : 0]];
     const double turn = turn_between(segment, next);
-    segments_.push_back({&segment, bounds(segment), bool(contact_boundaries[segment.boundary_id]),
+    segments_.push_back({&segment, kept[k], bounds(segment), bool(contact_boundaries[segment.boundary_id]),
                          end_tolerance * core::length(segment), turn < -smooth_angle, std::abs(turn) <= smooth_angle,
                          (core::normal_at(segment, 1) + core::normal_at(next, 0)).normalized()});
     if (segments_.back().in_contact) in_contact_ = united(in_contact_, segments_.back().bounds);

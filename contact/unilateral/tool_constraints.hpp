@@ -22,7 +22,9 @@ extern const double smooth_cosine;
 /// The constraints that the contact boundaries of a tool put on points nearer than `reach`, m: at most core::dim,
 /// smallest gap first. A segment constrains the points that project onto it. In a re-entrant corner both segments
 /// constrain a point, around a convex corner the corner point does. Smoothly joined segments give one constraint. The
-/// end points of the contact boundaries give none. The profile must outlive this object.
+/// end points of the contact boundaries give none. A segment of some micrometres between two long ones, as rounded
+/// coordinates leave it, counts as the joint of these: its plane says nothing about the outline a millimetre away. The
+/// profile must outlive this object.
 class ToolConstraints {
  public:
   ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_boundaries);
@@ -33,6 +35,7 @@ class ToolConstraints {
   /// A segment and its joint with the next one.
   struct BoundedSegment {
     const core::Segment* segment;
+    core::Index index;  ///< in the profile
     Box bounds;
     bool in_contact;                     ///< belongs to a contact boundary
     double slack;                        ///< length beyond its ends that still counts as on the segment, m

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/step/step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -60,8 +62,10 @@ bool find_velocities(const StepStart& start, MidpointPredictor& predictor, Works
 
 /// Whether every cell of the glass has kept its sense.
 bool has_no_inverted_cells(StepResult& result) {
-  if (remesh::min_quality(result.state.glass.mesh) > 0) return true;
-  result.reason = "a cell of the glass mesh is inverted";
+  const core::Mesh& mesh = result.state.glass.mesh;
+  if (remesh::min_quality(mesh) > 0) return true;
+  const Point at = mesh.nodes[mesh.cells()[remesh::quality(mesh).min_quality_cell][0]];
+  result.reason = fmt::format("a cell of the glass mesh is inverted at ({:.2f}, {:.2f}) mm", 1e3 * at[0], 1e3 * at[1]);
   return false;
 }
 

@@ -86,6 +86,22 @@ TEST(ToolGap, both_sides_of_a_re_entrant_corner_constrain_even_behind_them) {
     }
 }
 
+TEST(ToolGap, a_fold_of_micrometres_as_rounded_coordinates_leave_it_is_not_felt_beside_it) {
+  for (const double fold : {1e-6, 2.5e-6}) {
+    const Point joint(0.01, 0), back(0.01 + fold, fold);
+    const Outline folded =
+        Pen({0, -0.02}).free({0.02, -0.02}).free({0.02, 0}).contact(joint).contact(back).contact({0, fold}).close();
+    for (const double x : {0.0095, 0.0098, 0.00995, 0.01005, 0.0102, 0.0105})
+      for (const double y : {1e-6, 2e-5, 2e-4}) {
+        const auto found = gaps(folded, x, fold + y);
+        ASSERT_EQ(found.size(), 1u) << x << ' ' << y;
+        EXPECT_NEAR(found[0].normal[1], 1, 1e-9);
+        EXPECT_NEAR(found[0].gap, y, 1.01 * fold);
+        EXPECT_EQ(found[0].segment, x < 0.01 ? 4 : 2);
+      }
+  }
+}
+
 TEST(ToolGap, a_sharp_corner_outside_pushes_from_its_point_and_inside_the_shortest_way_out) {
   const Outline corner = Pen({-0.02, -0.02}).free({0, -0.02}).contact({0, 0}).contact({-0.02, 0}).close();
   const auto off = gaps(corner, 3e-4, 1e-4);
