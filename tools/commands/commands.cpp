@@ -258,10 +258,13 @@ void add_optimise(CLI::App& app, Command& chosen) {
 
 void add_calibrate(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<CalibrateRequest>();
-  auto* command = add_command(app, "calibrate", "fit constants of a case to measured temperatures and walls", chosen,
-                              request, calibrate);
+  auto* command =
+      add_command(app, "calibrate", "fit constants of a case to measured temperatures, strokes, forces and walls",
+                  chosen, request, calibrate);
   command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
-  command->add_option("data", request->data, "CSV files: time_s and PROBE_degC; thickness_mm and arc_mm or z_mm")
+  command
+      ->add_option("data", request->data,
+                   "CSV files: time_s and PROBE_degC, TOOL_position_mm, TOOL_force_N; thickness_mm and arc_mm or z_mm")
       ->required();
   command->add_option("--vary", request->varied, "\"KEY=FROM to TO\": a constant and its bounds; may be repeated")
       ->required()
@@ -270,6 +273,10 @@ void add_calibrate(CLI::App& app, Command& chosen) {
   command->add_option("--temperature-noise", request->temperature_noise, "standard deviation of the thermocouples")
       ->capture_default_str();
   command->add_option("--thickness-noise", request->thickness_noise, "standard deviation of the walls")
+      ->capture_default_str();
+  command->add_option("--position-noise", request->position_noise, "standard deviation of the strokes of tools")
+      ->capture_default_str();
+  command->add_option("--force-noise", request->force_noise, "standard deviation of the forces on tools")
       ->capture_default_str();
   command->add_option("--accuracy", request->accuracy, "draft, standard or fine")->capture_default_str();
   command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);

@@ -116,7 +116,7 @@ void write_fit(const Calibration& calibration, const FitIntervals& intervals, co
   Eigen::Index row = 0;
   for (const forming::MeasuredCurve& curve : calibration.curves)
     for (std::size_t i = 0; i < curve.at.size(); ++i, ++row)
-      text += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", core::csv_text(curve.probe.empty() ? "wall" : curve.probe),
+      text += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", core::csv_text(curve.column.empty() ? "wall" : curve.column),
                           curve.at[i], curve.value[i], curve.value[i] + residual[row] * curve.noise);
   core::replace_file(output + "/fit.csv", text);
 }
@@ -124,7 +124,7 @@ void write_fit(const Calibration& calibration, const FitIntervals& intervals, co
 double noise_in(const std::string& text, const char* unit, const char* option) {
   core::CaseNode node;
   node.kind = core::CaseNode::Kind::text;
-  node.file = node.key = option;
+  node.file = option;
   node.text = text;
   const double noise = forming::in_unit(forming::read_measured(node), unit, node);
   if (!(noise > 0)) core::refuse(node, fmt::format("\"{}\" was found, allowed is a noise above zero", text));
@@ -142,7 +142,9 @@ Calibration read_calibration(const CalibrateRequest& request) {
       forming::varied_constants(request.varied, request.case_path, request.overrides, scene.has_flow());
   calibration.keep = forming::Keep::history;
   const forming::CalibrationNoise noise{noise_in(request.temperature_noise, "K", "--temperature-noise"),
-                                        noise_in(request.thickness_noise, "mm", "--thickness-noise")};
+                                        noise_in(request.thickness_noise, "mm", "--thickness-noise"),
+                                        noise_in(request.position_noise, "mm", "--position-noise"),
+                                        noise_in(request.force_noise, "N", "--force-noise")};
   std::size_t rows = 0;
   for (const std::string& path : request.data)
     for (forming::MeasuredCurve& curve : forming::read_measurements(path, scene, noise)) {
@@ -202,6 +204,8 @@ int calibrate(const CalibrateRequest& request) {
   const int jobs = usual_jobs(request.jobs);
   fmt::print("{} at {} accuracy: {} constants, {} curves, {} runs at once, in {}\n", request.case_path,
              request.accuracy, calibration.variables.size(), calibration.curves.size(), jobs, output);
+  for (const forming::MeasuredCurve& curve : calibration.curves)
+    fmt::print("  {}: {} values of {}\n", curve.column.empty() ? "wall" : curve.column, curve.at.size(), curve.file);
   fmt::print("  rms of the misfit in units of the noise, then the constants\n");
   std::fflush(stdout);
   catch_signals();

@@ -11,7 +11,7 @@ namespace parison::tools {
 struct CalibrateRequest {
   std::string case_path, accuracy = "draft", output;
   std::vector<std::string> data, overrides, varied;
-  std::string temperature_noise = "1 K", thickness_noise = "0.05 mm";
+  std::string temperature_noise = "1 K", thickness_noise = "0.05 mm", position_noise = "0.1 mm", force_noise = "10 N";
   std::size_t runs = 100;
   int jobs = 0;  ///< 0: as many as there are cores
 };

@@ -31,6 +31,23 @@ int column(const std::vector<std::string_view>& heading, std::initializer_list<c
   return -1;
 }
 
+/// Where a table has what, -1 where it does not.
+struct WallColumns {
+  std::size_t count;
+  int thickness, arc, height, radius;
+  int at() const { return arc >= 0 ? arc : height; }
+};
+
+WallColumns wall_columns(const std::string& path, std::string_view heading) {
+  const auto cells = core::split_at_commas(heading);
+  const WallColumns found{cells.size(), column(cells, {"thickness_mm"}), column(cells, {"arc_mm"}),
+                          column(cells, {"z_mm", "z_outer_mm"}), column(cells, {"r_mm", "r_outer_mm"})};
+  if (found.thickness < 0 || found.at() < 0)
+    throw core::CaseError(fmt::format(
+        "{}:1: the heading \"{}\" was found, allowed is one with thickness_mm, and arc_mm or z_mm", path, heading));
+  return found;
+}
+
 Wall sample(const WallTable& table) {
   Wall wall;
   for (std::size_t i = 0; i < wall_places; ++i) {
@@ -80,28 +97,27 @@ WallTable read_wall_table(const std::string& path) {
   core::Lines lines(text);
   std::string_view line;
   lines.next(line);
-  const auto heading = core::split_at_commas(line);
-  const int thickness = column(heading, {"thickness_mm"}), arc = column(heading, {"arc_mm"}),
-            height = column(heading, {"z_mm", "z_outer_mm"}), radius = column(heading, {"r_mm", "r_outer_mm"});
-  const int at = arc >= 0 ? arc : height;
-  if (thickness < 0 || at < 0)
-    throw core::CaseError(fmt::format(
-        "{}:1: the heading \"{}\" was found, allowed is one with thickness_mm, and arc_mm or z_mm", path, line));
-  WallTable table{arc >= 0, {}, {}, {}, {}, 0};
+  const WallColumns columns = wall_columns(path, line);
+  WallTable table{columns.arc >= 0, {}, {}, {}, {}, 0};
   while (lines.next(line)) {
+    if (core::trimmed(line).empty()) continue;
     const auto cells = core::split_at_commas(line);
-    const auto cell = [&](int i) { return i >= 0 && i < int(cells.size()) ? number_in(cells[std::size_t(i)]) : none; };
-    if (std::isfinite(cell(at))) table.arc_end = cell(at);
-    if (!std::isfinite(cell(at)) || !std::isfinite(cell(thickness))) continue;
-    if (!table.at.empty() && cell(at) <= table.at.back()) {
-      if (arc >= 0) continue;
-      throw core::CaseError(fmt::format("{}:{}: the height {} was found after {}, allowed are rising heights", path,
-                                        lines.number(), cell(at), table.at.back()));
+    if (cells.size() != columns.count)
+      throw core::CaseError(fmt::format("{}:{}: {} cells were found, allowed are {} as in the heading", path,
+                                        lines.number(), cells.size(), columns.count));
+    const auto cell = [&](int i) { return i >= 0 ? number_in(cells[std::size_t(i)]) : none; };
+    const double at = cell(columns.at()), thickness = cell(columns.thickness);
+    if (std::isfinite(at)) table.arc_end = at;
+    if (!std::isfinite(at) || !std::isfinite(thickness)) continue;
+    if (!table.at.empty() && at <= table.at.back()) {
+      if (table.over_arc && at == table.at.back()) continue;
+      throw core::CaseError(fmt::format("{}:{}: the {} {} was found after {}, allowed are rising ones", path,
+                                        lines.number(), table.over_arc ? "arc" : "height", at, table.at.back()));
     }
-    table.at.push_back(cell(at));
-    table.thickness.push_back(cell(thickness));
-    table.radius.push_back(cell(radius));
-    table.height.push_back(cell(height));
+    table.at.push_back(at);
+    table.thickness.push_back(thickness);
+    table.radius.push_back(cell(columns.radius));
+    table.height.push_back(cell(columns.height));
   }
   if (table.at.size() < 2)
     throw core::CaseError(

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <tuple>
 
 #include "core/case/given_file.hpp"
 #include "core/io/files.hpp"
@@ -17,45 +18,58 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* time_heading = "time_s";
-constexpr const char* temperature_ending = "_degC";
+constexpr const char* what_is_read =
+    "time_s and PROBE_degC, TOOL_position_mm or TOOL_force_N, or thickness_mm and arc_mm or z_mm, with numbers";
 
-/// A table of numbers by its headings; a cell that is none is NaN.
+/// A table by its headings.
 struct Table {
+  std::string path;
   std::vector<std::string> headings;
-  std::vector<std::vector<double>> rows;
+  std::vector<std::vector<std::string>> rows;
   std::vector<int> lines;
 
   int find(const std::string& heading) const {
     const auto at = std::find(headings.begin(), headings.end(), heading);
     return at == headings.end() ? -1 : static_cast<int>(at - headings.begin());
   }
-};
 
-double number_in(std::string_view cell) {
-  cell = core::trimmed(cell);
-  double value = std::numeric_limits<double>::quiet_NaN();
-  const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return read.ec == std::errc{} && read.ptr == cell.data() + cell.size() ? value
-                                                                         : std::numeric_limits<double>::quiet_NaN();
-}
+  /// NaN where the cell is no number.
+  double number(std::size_t row, std::size_t column) const {
+    const std::string& cell = rows[row][column];
+    double value = std::numeric_limits<double>::quiet_NaN();
+    const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    return read.ec == std::errc{} && read.ptr == cell.data() + cell.size() ? value
+                                                                           : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// NaN where nothing was measured, which an empty cell or "nan" says.
+  double measured(std::size_t row, std::size_t column) const {
+    const std::string& cell = rows[row][column];
+    const double value = number(row, column);
+    if (!std::isfinite(value) && !cell.empty() && cell != "nan")
+      throw core::CaseError(fmt::format("{}:{}: {}: \"{}\" was found, allowed are a number, an empty cell and nan",
+                                        path, lines[row], headings[column], cell));
+    return value;
+  }
+};
 
 Table read_table(const std::string& path) {
   const std::string text = core::read_text(path);
   Table table;
+  table.path = path;
   core::Lines lines(text);
   for (std::string_view line; lines.next(line);) {
     if (core::trimmed(line).empty()) continue;
-    const auto cells = core::split_at_commas(line);
+    std::vector<std::string> cells;
+    for (const auto cell : core::split_at_commas(line)) cells.emplace_back(core::trimmed(cell));
     if (table.headings.empty()) {
-      for (const auto cell : cells) table.headings.emplace_back(core::trimmed(cell));
+      table.headings = std::move(cells);
       continue;
     }
-    std::vector<double> row;
-    for (const auto cell : cells) row.push_back(number_in(cell));
-    if (row.size() != table.headings.size())
+    if (cells.size() != table.headings.size())
       throw core::CaseError(fmt::format("{}:{}: {} cells were found, allowed are {} as in the heading", path,
-                                        lines.number(), row.size(), table.headings.size()));
-    table.rows.push_back(std::move(row));
+                                        lines.number(), cells.size(), table.headings.size()));
+    table.rows.push_back(std::move(cells));
     table.lines.push_back(lines.number());
   }
   return table;
@@ -72,14 +86,45 @@ bool ends_with(const std::string& text, const std::string& ending) {
   return text.size() > ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-void require_probe(const std::string& path, const std::string& probe, const Scene& scene) {
+/// What histories are measured: the ending of their columns behind the name, and what is named.
+struct HistoryKind {
+  const char* ending;
+  const char* what;
   std::vector<std::string> names;
-  for (const Probe& one : scene.probes) names.push_back(one.name);
-  if (std::count(names.begin(), names.end(), probe)) return;
-  throw core::CaseError(
-      fmt::format("{}:1: column \"{}{}\": the case has no probe \"{}\"{}, allowed are {}", path, probe,
-                  temperature_ending, probe, core::did_you_mean(probe, names),
-                  names.empty() ? "those of a case with probes" : fmt::format("{}", fmt::join(names, ", "))));
+  double noise;
+};
+
+template <class Things>
+std::vector<std::string> names_of(const Things& things) {
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+std::vector<HistoryKind> history_kinds(const Scene& scene, const CalibrationNoise& noise) {
+  return {{"_degC", "probe", names_of(scene.probes), noise.temperature},
+          {"_position_mm", "tool", names_of(scene.tools), noise.position},
+          {"_force_N", "tool", names_of(scene.tools), noise.force}};
+}
+
+/// The kind of a column; null for one that is no measurement of the case. A probe or tool that the case does not have,
+/// and one with another unit, are refused.
+const HistoryKind* kind_of(const Table& table, const std::string& heading, const std::vector<HistoryKind>& kinds) {
+  for (const HistoryKind& kind : kinds) {
+    if (!ends_with(heading, kind.ending)) continue;
+    const std::string name = heading.substr(0, heading.size() - std::string_view(kind.ending).size());
+    if (std::count(kind.names.begin(), kind.names.end(), name)) return &kind;
+    throw core::CaseError(fmt::format("{}:1: column \"{}\": the case has no {} \"{}\"{}, allowed are {}", table.path,
+                                      heading, kind.what, name, core::did_you_mean(name, kind.names),
+                                      kind.names.empty() ? fmt::format("those of a case with {}s", kind.what)
+                                                         : fmt::format("{}", fmt::join(kind.names, ", "))));
+  }
+  for (const HistoryKind& kind : kinds)
+    for (const std::string& name : kind.names)
+      if (heading.rfind(name + '_', 0) == 0)
+        throw core::CaseError(fmt::format(
+            "{}:1: column \"{}\": allowed are PROBE_degC, TOOL_position_mm and TOOL_force_N", table.path, heading));
+  return nullptr;
 }
 
 double longest_time(const Scene& scene) {
@@ -88,23 +133,35 @@ double longest_time(const Scene& scene) {
   return sum;
 }
 
-MeasuredCurve temperatures(const std::string& path, const Table& table, std::size_t column, const Scene& scene,
-                           double noise) {
-  const std::string& heading = table.headings[column];
-  MeasuredCurve curve{path, heading.substr(0, heading.size() - std::string(temperature_ending).size()), false, {}, {},
-                      noise};
-  require_probe(path, curve.probe, scene);
+MeasuredCurve curve_over_time(const Table& table, std::size_t column, double noise, double end) {
+  MeasuredCurve curve{table.path, table.headings[column], false, {}, {}, noise};
   const auto time = static_cast<std::size_t>(table.find(time_heading));
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const double at = table.rows[i][time], value = table.rows[i][column];
+    const double at = table.measured(i, time), value = table.measured(i, column);
     if (!std::isfinite(value)) continue;
-    if (!(at >= 0 && at <= longest_time(scene)))
+    if (!(at >= 0 && at <= end))
       throw core::CaseError(fmt::format("{}:{}: the time {} s was found, allowed is 0 to the end of the case, {} s",
-                                        path, table.lines[i], at, longest_time(scene)));
+                                        table.path, table.lines[i], at, end));
     curve.at.push_back(at);
     curve.value.push_back(value);
   }
   return curve;
+}
+
+/// The thickness over the height, rising: of a wall that goes back at its end, as in a push-up, the part before.
+std::pair<std::vector<double>, std::vector<double>> over_height(const WallTable& wall) {
+  std::vector<double> height = wall.height, thickness = wall.thickness;
+  if (height.back() < height.front()) {
+    std::reverse(height.begin(), height.end());
+    std::reverse(thickness.begin(), thickness.end());
+  }
+  std::pair<std::vector<double>, std::vector<double>> rising;
+  for (std::size_t i = 0; i < height.size(); ++i)
+    if (rising.first.empty() || height[i] > rising.first.back()) {
+      rising.first.push_back(height[i]);
+      rising.second.push_back(thickness[i]);
+    }
+  return rising;
 }
 
 }  // namespace
@@ -124,17 +181,16 @@ std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scen
     const WallTable wall = read_wall_table(path);
     curves.push_back({path, "", wall.over_arc, wall.at, wall.thickness, noise.thickness});
   } else if (table.find(time_heading) >= 0) {
+    const std::vector<HistoryKind> kinds = history_kinds(scene, noise);
     for (std::size_t i = 0; i < table.headings.size(); ++i)
-      if (ends_with(table.headings[i], temperature_ending))
-        curves.push_back(temperatures(path, table, i, scene, noise.temperature));
+      if (const HistoryKind* kind = kind_of(table, table.headings[i], kinds))
+        curves.push_back(curve_over_time(table, i, kind->noise, longest_time(scene)));
   }
   curves.erase(std::remove_if(curves.begin(), curves.end(), [](const auto& curve) { return curve.at.empty(); }),
                curves.end());
   if (curves.empty())
     throw core::CaseError(
-        fmt::format("{}: no measurements were found, allowed are the columns time_s and PROBE_degC, "
-                    "or thickness_mm and arc_mm or z_mm, with numbers",
-                    path));
+        fmt::format("{}: no measurements were found, allowed are the columns {}", path, what_is_read));
   return curves;
 }
 
@@ -189,18 +245,20 @@ std::vector<SearchVariable> varied_constants(const std::vector<std::string>& tex
 
 std::optional<std::vector<double>> model_at(const MeasuredCurve& curve, const std::string& folder) {
   std::vector<double> x, y, found;
-  if (curve.probe.empty()) {
+  if (curve.column.empty()) {
     if (!fs::exists(folder + "/thickness.csv")) return std::nullopt;
     const WallTable wall = read_wall_table(folder + "/thickness.csv");
-    x = curve.over_arc ? wall.at : wall.height;
-    y = wall.thickness;
+    if (curve.over_arc)
+      x = wall.at, y = wall.thickness;
+    else
+      std::tie(x, y) = over_height(wall);
   } else {
     const Table table = read_table(folder + "/history.csv");
-    const int time = table.find(time_heading), probe = table.find(curve.probe + temperature_ending);
-    if (time < 0 || probe < 0) return std::nullopt;
-    for (const std::vector<double>& row : table.rows) {
-      x.push_back(row[std::size_t(time)]);
-      y.push_back(row[std::size_t(probe)]);
+    const int time = table.find(time_heading), column = table.find(curve.column);
+    if (time < 0 || column < 0) return std::nullopt;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      x.push_back(table.number(i, std::size_t(time)));
+      y.push_back(table.number(i, std::size_t(column)));
     }
   }
   if (x.size() < 2) return std::nullopt;

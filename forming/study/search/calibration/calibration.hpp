@@ -9,14 +9,14 @@
 
 namespace parison::forming {
 
-/// Measurements of one kind: a thermocouple over time, or the wall over its arc or height.
+/// Measurements of one kind: a thermocouple, a tool's place or its force over time, or the wall over its arc or height.
 struct MeasuredCurve {
   std::string file;
-  std::string probe;          ///< of the case; empty for the wall
+  std::string column;         ///< of history.csv, such as couple_degC; empty for the wall
   bool over_arc = false;      ///< the wall
   std::vector<double> at;     ///< s; mm
-  std::vector<double> value;  ///< degC; mm
-  double noise;               ///< standard deviation, K; mm
+  std::vector<double> value;  ///< degC; mm; N
+  double noise;               ///< standard deviation, K; mm; N
 };
 
 /// What is fitted, and to what.
@@ -27,10 +27,13 @@ struct Calibration : SearchCase {
 struct CalibrationNoise {
   double temperature = 1;   ///< K
   double thickness = 0.05;  ///< mm
+  double position = 0.1;    ///< mm
+  double force = 10;        ///< N
 };
 
-/// Reads tables with the columns time_s and PROBE_degC, or thickness_mm and arc_mm or z_mm. Throws core::CaseError
-/// with file and line where a column, a probe or a number is wrong, or a time is after the end of the case.
+/// Reads tables with the columns time_s and PROBE_degC, TOOL_position_mm, TOOL_force_N, or thickness_mm and arc_mm or
+/// z_mm. Throws core::CaseError with file and line where a column, a name or a number is wrong, or a time is after the
+/// end of the case. Columns of other names are left out.
 std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scene& scene,
                                              const CalibrationNoise& noise);
 

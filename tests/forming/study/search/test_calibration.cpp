@@ -134,12 +134,54 @@ class CalibrationTest : public ::testing::Test {
 TEST_F(CalibrationTest, what_is_wrong_in_the_data_is_told_with_its_line) {
   EXPECT_NE(refusal("time_s,cuple_degC\n1,450\n2,460\n").find("no probe \"cuple\" (did you mean \"couple\"?)"),
             std::string::npos);
+  EXPECT_NE(refusal("time_s,irn_force_N\n1,450\n").find("no tool \"irn\" (did you mean \"iron\"?)"), std::string::npos);
+  EXPECT_NE(refusal("time_s,couple_degC,couple_K\n1,450,723\n").find("column \"couple_K\": allowed are PROBE_degC"),
+            std::string::npos);
+  EXPECT_NE(refusal("time_s,couple_degC\n1,warm\n").find("data.csv:2: couple_degC: \"warm\" was found"),
+            std::string::npos);
   EXPECT_NE(refusal("time_s,couple_degC\n1,450\n9,460\n").find("data.csv:3: the time 9 s was found"),
             std::string::npos);
   EXPECT_NE(refusal("time_s,couple_degC\n1\n").find("1 cells were found, allowed are 2"), std::string::npos);
   EXPECT_NE(refusal("a,b\n1,2\n").find("no measurements were found"), std::string::npos);
   EXPECT_NE(refusal("z_mm,thickness_mm\n1,2\n2,2\n").find("the glass of the case does not flow"), std::string::npos);
   EXPECT_EQ(refusal("time_s,couple_degC\n1,450\n2,460\n"), "");
+  EXPECT_EQ(refusal("time_s,couple_degC,remark\n1,450,\n1.5,nan,lost\n2,460,\n"), "");
+}
+
+TEST_F(CalibrationTest, strokes_and_forces_are_read_beside_temperatures_each_with_its_noise) {
+  const auto curves =
+      read_measurements(data("time_s,iron_force_N,couple_degC,iron_position_mm\n1,40,450,0\n2,41,,0.1\n"),
+                        read_scene(case_path, "draft"), {2, 0.05, 0.3, 7});
+  ASSERT_EQ(curves.size(), 3u);
+  EXPECT_EQ(curves[0].column, "iron_force_N");
+  EXPECT_EQ(curves[0].noise, 7);
+  EXPECT_EQ(curves[1].at, std::vector<double>{1});
+  EXPECT_EQ(curves[1].noise, 2);
+  EXPECT_EQ(curves[2].value, (std::vector<double>{0, 0.1}));
+  EXPECT_EQ(curves[2].noise, 0.3);
+}
+
+TEST_F(CalibrationTest, a_wall_over_the_height_is_compared_however_the_outline_runs) {
+  const std::string model = folder + "/thickness.csv";
+  const MeasuredCurve curve{"wall.csv", "", false, {5, 15}, {2, 3}, 1};
+  core::write_text(model, "arc_mm,z_outer_mm,thickness_mm\n0,0,1\n10,10,2\n20,20,3\n25,18,9\n");
+  EXPECT_EQ(model_at(curve, folder), (std::vector<double>{1.5, 2.5}));
+  core::write_text(model, "arc_mm,z_outer_mm,thickness_mm\n0,20,3\n10,10,2\n20,0,1\n");
+  EXPECT_EQ(model_at(curve, folder), (std::vector<double>{1.5, 2.5}));
+}
+
+TEST_F(CalibrationTest, a_wall_table_with_a_decimal_comma_or_a_falling_arc_is_refused) {
+  const auto refused = [&](const std::string& text) {
+    try {
+      read_wall_table(data(text));
+      return std::string();
+    } catch (const core::CaseError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_NE(refused("arc_mm,thickness_mm\n0,2,4\n1,2,5\n").find("csv:2: 3 cells were found"), std::string::npos);
+  EXPECT_NE(refused("arc_mm,thickness_mm\n0,2\n4,2\n3,2\n").find("csv:4: the arc 3 was found after 4"),
+            std::string::npos);
 }
 
 TEST_F(CalibrationTest, constants_are_searched_by_their_logarithms_and_temperatures_are_not) {
