@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "forming/scene/accuracy.hpp"
+#include "forming/study/setting_error.hpp"
 
 namespace parison::forming {
 namespace {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "forming/study/comparison/tool_overlap.hpp"
+#include "forming/study/setting_error.hpp"
 
 namespace parison::forming {
 

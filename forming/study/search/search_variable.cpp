@@ -8,7 +8,9 @@
 
 #include "core/case/case_text.hpp"
 #include "core/case/units.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/scene/scene.hpp"
+#include "forming/study/setting_error.hpp"
 
 namespace parison::forming {
 namespace {
@@ -24,9 +26,10 @@ bool same_dimension(const std::string& one, const std::string& other) {
   return one == other || (a && b && core::same_exponents(a->dimension, b->dimension));
 }
 
-/// The case with what holds for all runs.
+/// The case with what holds for all runs, and the bundled materials that it names.
 core::CaseFile case_with(const std::string& path, const std::vector<std::string>& overrides) {
   core::CaseFile file = core::read_case_file(path);
+  add_library_materials(file);
   for (const std::string& assignment : overrides) core::override_value(file, assignment);
   return file;
 }
@@ -104,11 +107,6 @@ SearchVariable read_variable(const CaseNode& node, const core::CaseFile& file) {
 }
 
 }  // namespace
-
-std::string refusal_text(const core::CaseError& error) {
-  const std::string text = error.what(), option = "--set: ";
-  return text.rfind(option, 0) == 0 ? text.substr(option.size()) : text;
-}
 
 double SearchVariable::coordinate(double value) const {
   return logarithmic ? std::log(value) : value;

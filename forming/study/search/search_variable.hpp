@@ -8,9 +8,6 @@
 
 namespace parison::forming {
 
-/// What the case says against an assignment, without the option `--set`, which a search's user has not given.
-std::string refusal_text(const core::CaseError& error);
-
 /// A key or a named dimension of a case that a search changes between bounds. Where it is searched by its logarithm its
 /// coordinate is ln(value), else the value in the unit of the bounds.
 struct SearchVariable {

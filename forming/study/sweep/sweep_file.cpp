@@ -133,8 +133,10 @@ Sweep read_sweep(const std::string& path) {
     core::refuse(root.get("accuracy"), fmt::format("\"{}\" was found, allowed are draft, standard, fine, coarser or "
                                                    "finer ones",
                                                    sweep.accuracy));
-  if (const CaseNode* set = root.find("set"))
+  if (const CaseNode* set = root.find("set")) {
     for (const CaseNode& assignment : core::list(*set)) sweep.overrides.push_back(core::text(assignment));
+    sweep.set = *set;
+  }
   if (const CaseNode* design = root.find("design"))
     sweep.design = static_cast<Design>(core::choice(*design, {"grid", "list", "latin_hypercube", "sobol"}));
   if (const CaseNode* bars = root.find("error_bars")) sweep.error_bars = core::flag(*bars);

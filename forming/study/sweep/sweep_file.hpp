@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/case/case_file.hpp"
+
 namespace parison::forming {
 
 /// How the values of the variables are combined.
@@ -26,6 +28,7 @@ struct Sweep {
   std::string name;             ///< the file without its folder and ending
   std::string case_path, accuracy;
   std::vector<std::string> overrides;  ///< of all runs
+  core::CaseNode set;                  ///< these in the file, with their lines; of a sweep without one empty
   std::vector<SweepVariable> variables;
   Design design = Design::grid;
   std::size_t runs = 0;

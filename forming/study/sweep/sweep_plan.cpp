@@ -11,12 +11,22 @@
 #include "core/io/files.hpp"
 #include "forming/run/resume/case_change.hpp"
 #include "forming/study/comparison/tool_overlap.hpp"
+#include "forming/study/setting_error.hpp"
 
 namespace parison::forming {
 namespace {
 
 std::string assignment(const SweepVariable& variable, const std::string& value) {
   return variable.key + '=' + value;
+}
+
+/// The case with what holds for all runs.
+Scene base_scene(const Sweep& sweep) {
+  try {
+    return read_scene(sweep.case_path, sweep.accuracy, sweep.overrides);
+  } catch (const core::CaseError& error) {
+    refuse_setting(sweep.set.items.empty() ? nullptr : &sweep.set, error);
+  }
 }
 
 /// The case of a run; what is refused carries its row and what it sets.
@@ -29,7 +39,7 @@ Scene checked_scene(const Sweep& sweep, const Scene& base, std::size_t row, cons
     std::vector<std::string> settings;
     for (std::size_t i = 0; i < values.size(); ++i) settings.push_back(assignment(sweep.variables[i], values[i]));
     throw core::CaseError(
-        fmt::format("{}: row {} ({}): {}", sweep.file, row + 1, fmt::join(settings, ", "), error.what()));
+        fmt::format("{}: row {} ({}): {}", sweep.file, row + 1, fmt::join(settings, ", "), refusal_text(error)));
   }
 }
 
@@ -117,7 +127,7 @@ std::vector<std::string> overrides_of(const Sweep& sweep, const std::vector<std:
 
 SweepPlan plan_sweep(const Sweep& sweep, const std::string& output) {
   SweepPlan plan{sweep, output, {}};
-  const Scene base = read_scene(sweep.case_path, sweep.accuracy, sweep.overrides);
+  const Scene base = base_scene(sweep);
   const auto values = sweep_values(sweep);
   for (std::size_t row = 0; row < values.size(); ++row) {
     const Scene scene = checked_scene(sweep, base, row, values[row]);

@@ -8,6 +8,7 @@
 #include "core/case/case_error.hpp"
 #include "forming/study/audit.hpp"
 #include "forming/study/comparison/tool_overlap.hpp"
+#include "forming/study/setting_error.hpp"
 #include "forming/study/sweep/design.hpp"
 
 namespace parison::forming {
@@ -20,7 +21,7 @@ std::string refusal_of(const UncertaintyStudy& study, const Scene& base, const s
   try {
     return new_tool_overlap(base, read_scene(study.case_path, study.accuracy, overrides));
   } catch (const core::CaseError& error) {
-    return error.what();
+    return refusal_text(error);
   }
 }
 

@@ -168,7 +168,7 @@ TEST_F(SweepTest, rows_may_be_added_to_a_sweep_and_none_may_become_another) {
 
 TEST_F(SweepTest, a_row_that_is_refused_is_named_with_its_values) {
   expect_refused(head + replaced("pot", "pan", temperatures),
-                 " row 1 (tool.pan.temperature=470 degC): --set: tool.pan.temperature: no entry \"pan\" was found");
+                 " row 1 (tool.pan.temperature=470 degC): tool.pan.temperature: no entry \"pan\" was found");
   expect_refused(head + "[[variable]]\nkey = \"tool.plunger.position\"\nvalues = [\"0 mm\", \"-2 mm\"]\n",
                  " row 2 (tool.plunger.position=-2 mm): ");
 }
