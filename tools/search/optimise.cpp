@@ -87,25 +87,19 @@ Box box_of(const Goal& goal) {
   return box;
 }
 
-/// The norm of the residual at which the goal is as good as it need be.
-double good_norm(const Goal& goal) {
-  const bool is_wall = goal.target.kind != forming::Target::Kind::value;
-  if (is_wall) return goal.target.good_enough / 100;
-  return goal.target.good_enough / std::max(std::abs(goal.target.value), 1e-9);
-}
-
 std::string search_by_least_squares(Course& course) {
   using Ending = forming::LeastSquaresResult::Ending;
   const Box box = box_of(course.goal);
-  const auto found = forming::least_squares(
-      box.start,
-      {box.low, box.high, box.step, course.goal.runs, Eigen::Index(course.goal.limits.size()), good_norm(course.goal)},
-      [&](const std::vector<VectorXd>& places) {
-        std::vector<std::optional<VectorXd>> residuals;
-        for (const auto& worth : ask(course, places))
-          residuals.push_back(worth ? std::optional(worth->residual) : std::nullopt);
-        return residuals;
-      });
+  const auto found =
+      forming::least_squares(box.start,
+                             {box.low, box.high, box.step, course.goal.runs, Eigen::Index(course.goal.limits.size()),
+                              forming::good_norm(course.goal)},
+                             [&](const std::vector<VectorXd>& places) {
+                               std::vector<std::optional<VectorXd>> residuals;
+                               for (const auto& worth : ask(course, places))
+                                 residuals.push_back(worth ? std::optional(worth->residual) : std::nullopt);
+                               return residuals;
+                             });
   switch (found.ending) {
     case Ending::good_enough:
       return "the goal is good enough";
@@ -123,14 +117,18 @@ std::string search_by_least_squares(Course& course) {
 
 std::string search_scalar(Course& course) {
   const Box box = box_of(course.goal);
+  constexpr double none = -std::numeric_limits<double>::infinity();
   const auto ending = forming::scalar_search(
-      box.start, {box.low, box.high, box.step, course.goal.runs, course.goal.limits.size()},
+      box.start,
+      {box.low, box.high, box.step, course.goal.runs, course.goal.limits.size(),
+       forming::good_value(course.goal).value_or(none)},
       [&](const VectorXd& at) -> std::optional<forming::ScalarValue> {
         const auto found = ask(course, {at});
         if (found.empty() || !found.front()) return std::nullopt;
         return forming::ScalarValue{found.front()->value, found.front()->excess};
       },
       [&] { return course.stopped; });
+  if (ending == forming::ScalarEnding::good_enough) return "the goal is good enough";
   if (ending == forming::ScalarEnding::no_more_runs) return "the runs are used up";
   return ending == forming::ScalarEnding::stopped ? "stopped on request"
                                                   : "the steps have become as small as the noise of the runs";
@@ -224,9 +222,10 @@ int close_search(const Goal& goal, Course& course) {
     fmt::print(stderr, "parison: no run that was made holds all limits; the answer misses them least\n");
     return run_failed;
   }
-  if (goal.target.good_enough > 0 && best.worth->value > goal.target.good_enough && !goal.target.is_scalar()) {
-    fmt::print(stderr, "parison: no run that was made reaches {:g}; the answer is the nearest, {:.4g}\n",
-               goal.target.good_enough, best.worth->value);
+  if (const auto good = forming::good_value(goal); good && best.worth->value > *good) {
+    const double sign = goal.target.kind == forming::Target::Kind::most ? -1 : 1;
+    fmt::print(stderr, "parison: no run that was made reaches {:g}; the answer is the nearest, {:.4g}\n", sign * *good,
+               sign * best.worth->value);
     return run_failed;
   }
   return 0;

@@ -9,6 +9,7 @@
 #include "core/case/case_text.hpp"
 #include "core/io/files.hpp"
 #include "forming/report/files/case_copy.hpp"
+#include "forming/scene/materials/material_library.hpp"
 
 namespace parison::forming {
 namespace {
@@ -71,6 +72,10 @@ std::vector<std::string> write_case(const SearchCase& search, const Eigen::Vecto
   core::CaseFile file = core::read_case_file(search.case_path);
   std::vector<std::string> overrides = search.overrides;
   for (std::string& setting : settings_at(search.variables, at)) overrides.push_back(std::move(setting));
+  const bool changes_material = std::any_of(overrides.begin(), overrides.end(), [](const std::string& assignment) {
+    return assignment.rfind("material.", 0) == 0;
+  });
+  if (changes_material) add_library_materials(file);
   for (const std::string& assignment : overrides) core::override_value(file, assignment);
   const Scene found = read_scene(search.case_path, search.accuracy, overrides);
   std::filesystem::remove_all(case_copy_folder(output));

@@ -104,6 +104,19 @@ std::optional<Worth> worth(const Goal& goal, const Outcome& outcome) {
   return found;
 }
 
+std::optional<double> good_value(const Goal& goal) {
+  const Target& target = goal.target;
+  if (!target.good_enough) return std::nullopt;
+  return target.kind == Target::Kind::most ? -*target.good_enough : *target.good_enough;
+}
+
+double good_norm(const Goal& goal) {
+  const Target& target = goal.target;
+  if (!target.good_enough) return 0;
+  if (target.kind == Target::Kind::value) return *target.good_enough / scale_of(target.unit, target.value);
+  return *target.good_enough / 100;
+}
+
 std::string what_is_sought(const Goal& goal) {
   using Kind = Target::Kind;
   switch (goal.target.kind) {

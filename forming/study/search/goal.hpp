@@ -21,11 +21,14 @@ struct Limit {
 /// or the least or the most of a quantity.
 struct Target {
   enum class Kind { even_wall, wall, value, least, most } kind;
-  std::string quantity;  ///< of value, least, most
-  double value = 0;      ///< of it in its unit; of a wall one thickness, mm
-  WallTable wall;        ///< where a table is given
+  std::string quantity;    ///< of value, least, most
+  std::string unit = "%";  ///< of it
+  double value = 0;        ///< of it in its unit; of a wall one thickness, mm
+  WallTable wall;          ///< where a table is given
   WallPart part;
-  double good_enough = 0;  ///< the search ends below this: rms of a wall in %, a difference in the quantity's unit
+  /// Where the search ends: at an rms of a wall in %, a difference in the quantity's unit, the least or the most
+  /// itself.
+  std::optional<double> good_enough;
 
   bool is_scalar() const { return kind == Kind::least || kind == Kind::most; }
 };
@@ -53,6 +56,12 @@ bool is_better(const Worth& a, const Worth& b);
 
 /// Nothing where the run lacks what the goal needs.
 std::optional<Worth> worth(const Goal& goal, const Outcome& outcome);
+
+/// The worth's value at which the goal is as good as it need be; nothing where the file does not say.
+std::optional<double> good_value(const Goal& goal);
+
+/// The norm of the residual at which it is; 0 where the file does not say.
+double good_norm(const Goal& goal);
 
 /// What the value is, in words: "rms deviation of the wall from its mean, %".
 std::string what_is_sought(const Goal& goal);

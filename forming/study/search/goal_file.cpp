@@ -31,15 +31,51 @@ const Quantity& known_quantity(const CaseNode& node, const std::vector<Quantity>
                                  core::did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
-/// Refuses temperatures of the glass that nothing in the case is as hot or as cold as.
-void require_reachable(const CaseNode& node, const Quantity& quantity, double value, const Scene& scene) {
-  if (quantity.unit != "degC") return;
+/// The case of a goal, and what its runs can reach.
+struct Reach {
+  const Scene& scene;
+  std::vector<Quantity> known;
+  TemperatureRange temperatures;  ///< of all runs, K
+};
+
+/// The temperatures in the case, with each variable at its bounds too.
+TemperatureRange temperatures_of(const Goal& goal, const Scene& scene) {
+  TemperatureRange range = temperature_range(scene);
+  for (const SearchVariable& variable : goal.variables)
+    for (const double end : {variable.low(), variable.high()}) {
+      std::vector<std::string> overrides = goal.overrides;
+      overrides.push_back(variable.key + '=' + variable.text(end));
+      try {
+        const TemperatureRange found = temperature_range(read_scene(goal.case_path, goal.accuracy, overrides));
+        range = {std::min(range.min_temperature, found.min_temperature),
+                 std::max(range.max_temperature, found.max_temperature)};
+      } catch (const core::CaseError&) {
+        continue;  // told with the corners of the bounds
+      }
+    }
+  return range;
+}
+
+/// Weights, thicknesses and times are not negative; heat, heights and temperatures may be.
+bool is_never_negative(const std::string& name) {
+  static const std::vector<std::string> names{"weight",        "wall_rms",       "wall_min",
+                                              "thickness_min", "thickness_mean", "extent_r_max"};
+  return std::count(names.begin(), names.end(), name) > 0 || name.rfind("time_", 0) == 0 ||
+         name.rfind("peak_force_", 0) == 0;
+}
+
+/// Refuses what lies beyond that which a quantity can be: `low` and `high` are where it is wanted.
+void require_reachable(const CaseNode& node, const Quantity& quantity, double low, double high, const Reach& reach) {
   constexpr double zero = 273.15;
-  const TemperatureRange range = temperature_range(scene);
-  if (value + zero < range.min_temperature || value + zero > range.max_temperature)
+  const double found = std::isfinite(low) ? low : high;
+  const double coldest = reach.temperatures.min_temperature - zero, hottest = reach.temperatures.max_temperature - zero;
+  if (quantity.unit == "degC" && (high < coldest || low > hottest))
     core::refuse(node, fmt::format("{:g} degC was found, which no run can reach, allowed is what lies between the "
                                    "coldest and the hottest of the case, {:g} and {:g} degC",
-                                   value, range.min_temperature - zero, range.max_temperature - zero));
+                                   found, coldest, hottest));
+  if (is_never_negative(quantity.name) && high < 0)
+    core::refuse(node,
+                 fmt::format("{:g} {} was found, which no run can reach, allowed is 0 or more", found, quantity.unit));
 }
 
 void read_wall(const CaseNode& node, const std::string& directory, Target& target) {
@@ -74,46 +110,55 @@ WallPart read_part(const CaseTable& table) {
   return part;
 }
 
-Target read_target(const CaseNode& node, const std::string& directory, const Scene& scene) {
+/// What ends a search: a share of a wall, a difference of a value, the least or the most itself.
+double read_good_enough(const CaseNode& node, const Target& target) {
+  const bool difference = target.kind == Kind::value && target.unit == "degC";
+  const double found = in_unit(read_measured(node), difference ? "K" : target.unit, node);
+  if (!target.is_scalar() && !(found > 0))
+    core::refuse(node, fmt::format("{:g} was found, allowed is more than 0, as runs scatter", found));
+  return found;
+}
+
+Target read_target(const CaseNode& node, const std::string& directory, const Reach& reach) {
   const CaseTable table(node, {"wall", "from", "to", "quantity", "value", "least", "most", "good_enough"});
-  const std::vector<Quantity> known = known_quantities(scene);
-  Target target{Kind::even_wall, "", 0, {}, read_part(table), 0};
+  Target target{Kind::even_wall, "", "%", 0, {}, read_part(table), {}};
   int goals = 0;
-  std::string unit = "%";
   if (const CaseNode* wall = table.find("wall")) {
     ++goals;
-    if (!scene.has_flow()) core::refuse(*wall, "the glass of the case does not flow, allowed are goals without a wall");
+    if (!reach.scene.has_flow())
+      core::refuse(*wall, "the glass of the case does not flow, allowed are goals without a wall");
     read_wall(*wall, directory, target);
   }
   for (const auto& [key, kind] : {std::pair{"quantity", Kind::value}, {"least", Kind::least}, {"most", Kind::most}})
     if (const CaseNode* named = table.find(key)) {
       ++goals;
-      const Quantity& quantity = known_quantity(*named, known);
+      const Quantity& quantity = known_quantity(*named, reach.known);
       target.kind = kind;
       target.quantity = quantity.name;
-      unit = quantity.unit;
+      target.unit = quantity.unit;
       if (kind != Kind::value) continue;
       const CaseNode& value = table.get("value");
       target.value = in_unit(read_measured(value), quantity.unit, value);
-      require_reachable(value, quantity, target.value, scene);
+      require_reachable(value, quantity, target.value, target.value, reach);
     }
   if (goals != 1)
     core::refuse(node, fmt::format("{} goals were found, allowed is one of wall, quantity, least and most", goals));
-  if (const CaseNode* good = table.find("good_enough"))
-    target.good_enough = in_unit(read_measured(*good), unit == "degC" ? "K" : unit, *good);
+  if (const CaseNode* value = table.find("value"); value && target.kind != Kind::value)
+    core::refuse(*value, "a value without a quantity was found, allowed is one only of a quantity");
+  if (const CaseNode* good = table.find("good_enough")) target.good_enough = read_good_enough(*good, target);
   return target;
 }
 
-void read_limits(const CaseTable& root, const Scene& scene, std::vector<Limit>& limits) {
-  const std::vector<Quantity> known = known_quantities(scene);
+void read_limits(const CaseTable& root, const Reach& reach, std::vector<Limit>& limits) {
   for (const CaseNode* node : root.tables("limit")) {
     const CaseTable table(*node, {"quantity", "at_least", "at_most"});
-    const Quantity& quantity = known_quantity(table.get("quantity"), known);
+    const Quantity& quantity = known_quantity(table.get("quantity"), reach.known);
     double low = -infinity, high = infinity;
     const auto read = [&](const char* key, bool at_least, double& end) {
       const CaseNode* given = table.find(key);
       if (!given) return;
       end = in_unit(read_measured(*given), quantity.unit, *given);
+      require_reachable(*given, quantity, at_least ? end : -infinity, at_least ? infinity : end, reach);
       limits.push_back({quantity.name, quantity.unit, end, at_least});
     };
     read("at_least", true, low);
@@ -142,11 +187,7 @@ Scene scene_with_settings(const CaseTable& root, const Goal& goal) {
   try {
     return read_scene(goal.case_path, goal.accuracy, goal.overrides);
   } catch (const core::CaseError& error) {
-    const CaseNode* set = root.find("set");
-    if (!set || error.file != "--set" || error.key.empty()) throw;
-    for (const CaseNode& assignment : set->items)
-      if (assignment.text.rfind(error.key, 0) == 0) core::refuse(assignment, refusal_text(error));
-    core::refuse(*set, refusal_text(error));
+    refuse_setting(root.find("set"), error);
   }
 }
 
@@ -171,8 +212,9 @@ Goal read_goal(const std::string& path,
   goal.runs = static_cast<std::size_t>(runs ? core::count(*runs) : usual_runs);
   const Scene scene = scene_with_settings(root, goal);
   goal.variables = read_search_variables(root, goal.file, goal.case_path, goal.overrides);
-  goal.target = read_target(root.get("goal"), goal.directory, scene);
-  read_limits(root, scene, goal.limits);
+  const Reach reach{scene, known_quantities(scene), temperatures_of(goal, scene)};
+  goal.target = read_target(root.get("goal"), goal.directory, reach);
+  read_limits(root, reach, goal.limits);
   if (goal.runs < goal.variables.size() + 2)
     throw core::CaseError(fmt::format("{}: runs: {} were found, allowed are at least two more than variables, {}",
                                       goal.file, goal.runs, goal.variables.size() + 2));

@@ -141,7 +141,7 @@ void add_variable(core::JsonWriter& json, const Goal& goal, const SearchResult& 
 std::string course_text(const Goal& goal, const SearchResult& result) {
   core::JsonWriter json;
   json.add("sought", what_is_sought(goal));
-  json.add("good_enough", goal.target.good_enough);
+  json.add("good_enough", good_value(goal).value_or(0));
   json.add("ending", result.ending);
   std::vector<double> values, best;
   const SearchRow* leader = nullptr;

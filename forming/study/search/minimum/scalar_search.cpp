@@ -24,7 +24,7 @@ struct Asked {
   Eigen::VectorXd at = {};
   ScalarValue last = {};
   double worst = 0;
-  bool has_worst = false;
+  bool has_worst = false, is_good = false;
 };
 
 /// In place of a run that failed: worse than any seen, with all limits missed.
@@ -47,7 +47,9 @@ const ScalarValue& value_at(Asked& asked, const double* x) {
   asked.last = found ? *found : failed_value(asked);
   if (found) asked.worst = asked.has_worst ? std::max(asked.worst, found->value) : found->value;
   asked.has_worst = asked.has_worst || found.has_value();
-  if (asked.stopped()) nlopt_force_stop(asked.search);
+  asked.is_good =
+      asked.is_good || (found && found->value <= asked.options.good_enough && (found->excess.array() <= 0).all());
+  if (asked.is_good || asked.stopped()) nlopt_force_stop(asked.search);
   return asked.last;
 }
 
@@ -80,6 +82,7 @@ ScalarEnding scalar_search(const Eigen::VectorXd& start, const ScalarOptions& op
   nlopt_set_maxeval(search.get(), static_cast<int>(options.runs));
   double least = 0;
   const nlopt_result ending = nlopt_optimize(search.get(), at.data(), &least);
+  if (asked.is_good) return ScalarEnding::good_enough;
   if (ending == NLOPT_FORCED_STOP) return ScalarEnding::stopped;
   return ending == NLOPT_MAXEVAL_REACHED ? ScalarEnding::no_more_runs : ScalarEnding::converged;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <optional>
 
 namespace parison::forming {
@@ -15,9 +16,10 @@ struct ScalarValue {
 struct ScalarOptions {
   Eigen::VectorXd low, high, step;
   std::size_t runs = 120, limits = 0;
+  double good_enough = -std::numeric_limits<double>::infinity();  ///< ends at this value or below, where limits hold
 };
 
-enum class ScalarEnding { converged, no_more_runs, stopped };
+enum class ScalarEnding { good_enough, converged, no_more_runs, stopped };
 
 /// The least value under limits, by linear models over a simplex of places as wide as the steps, which no derivative
 /// and little noise enters (COBYLA of NLopt; M. J. D. Powell, Advances in Optimization and Numerical Analysis (1994)
