@@ -30,11 +30,11 @@ def path_of(case, study):
 
 
 def even_wall(thickness, lowest):
-    """The rms deviation of a wall above a height, % of its mean by area of the outer side, and its thinnest place, mm, at the 401 places of the
+    """The rms deviation of a wall above a height, % of its mean by area of the outer side, and its thinnest place, mm, at the 201 places of the
     outer arc at which a search takes them (`sample` and `add_wall` of forming/study/search/outcome.cpp)."""
     with open(thickness, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    places = np.linspace(0, max(float(row["arc_mm"]) for row in rows), 401)
+    places = np.linspace(0, max(float(row["arc_mm"]) for row in rows), 201)
     known = [row for row in rows if row["thickness_mm"] != "nan"]
     arc, radius, height, wall = (np.array([float(row[key]) for row in known]) for key in ("arc_mm", "r_outer_mm", "z_outer_mm", "thickness_mm"))
     counts = np.interp(places, arc, height) >= lowest
@@ -75,14 +75,19 @@ def measure_tolerances(case, folder=None):
     path_of(case, "uncertainty").write_text(json.dumps(rounded(kept), indent=1) + "\n")
 
 
-def searches(*cases):
+def searches():
+    """A row for each case whose search was run."""
     rows = []
-    for case in cases:
+    for case in SEARCHED:
+        if not path_of(case, "search").exists():
+            continue
         found = read(path_of(case, "search"), f"tools/readme_figures --search {case}")
         best, confirmed = found["best"], found["best"]["confirmed"]
         rows.append([case, *(f"{digits(found[name]['value'])} %" for name in ("drawn", "start")), f"{digits(best['value'])} %",
                      f"{digits(confirmed['value'])} ± {digits(confirmed['error'])} %",
                      f"{digits(found['drawn']['wall_min'], 3)}, {digits(best['wall_min'], 3)} mm", str(found["runs"]), found["ending"]])
+    if not rows:
+        raise Missing(f"no search is stored; tools/readme_figures --search {SEARCHED[0]} runs one")
     return table(["case", "rms over mean as drawn, draft", "at the start of the search", "of the answer", "of the answer at standard",
                   "thinnest as drawn, of the answer", "draft runs", "why it ended"], rows)
 
