@@ -43,6 +43,20 @@ Noise noise_of(std::vector<double> values) {
   return {sum / (count - 1), sum / quantile(boost::math::chi_squared(count - 1), 0.95)};
 }
 
+/// Values that are the same but for round-off become the same, so that no tolerance is said to make their scatter.
+std::vector<double> without_round_off(std::vector<double> values, const Quantity& at_mean) {
+  constexpr double round_off = 1e-9;
+  const double bar = std::isfinite(at_mean.error) ? at_mean.error : 0;
+  const double negligible = round_off * std::max(std::abs(at_mean.value), bar);
+  const bool same = std::all_of(values.begin(), values.end(), [&](double value) {
+    return !std::isfinite(value) || std::abs(value - at_mean.value) <= negligible;
+  });
+  if (!same) return values;
+  for (double& value : values)
+    if (std::isfinite(value)) value = at_mean.value;
+  return values;
+}
+
 /// What the analysis of a quantity rests on.
 struct Study {
   const UncertaintyPlan& plan;
@@ -108,7 +122,9 @@ void add_quantities(const Study& study, const Runs& runs, UncertaintyResult& res
     std::vector<double> unchanged = same ? same->values : std::vector<double>{};
     unchanged.push_back(quantity.value);
     const Noise noise = noise_of(unchanged);
-    const auto effects = column ? effects_of(study, of_done(column->values, runs.done), noise.at_least) : std::nullopt;
+    const auto effects =
+        column ? effects_of(study, without_round_off(of_done(column->values, runs.done), quantity), noise.at_least)
+               : std::nullopt;
     if (effects)
       result.quantities.push_back(
           {quantity.name, quantity.unit, quantity.value, quantity.error, std::sqrt(noise.variance), *effects});
