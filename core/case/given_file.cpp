@@ -17,6 +17,11 @@ std::string read_given_file(const CaseNode& at, const std::string& path, const s
   return std::move(file.content);
 }
 
+Lines::Lines(std::string_view text) : rest_(text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (rest_.substr(0, byte_order_mark.size()) == byte_order_mark) rest_.remove_prefix(byte_order_mark.size());
+}
+
 bool Lines::next(std::string_view& line) {
   if (rest_.empty()) return false;
   const auto end = rest_.find('\n');

@@ -12,10 +12,11 @@ namespace parison::core {
 /// is not there with `allowed`: "a CSV file with its path relative to the case file".
 std::string read_given_file(const CaseNode& at, const std::string& path, const std::string& allowed);
 
-/// Gives out a text line by line without its ends of line; false at its end.
+/// Gives out a text line by line without its ends of line, nor the mark with which spreadsheets begin a file; false at
+/// its end.
 class Lines {
  public:
-  explicit Lines(std::string_view text) : rest_(text) {}
+  explicit Lines(std::string_view text);
   bool next(std::string_view& line);
   int number() const { return number_; }  ///< of the last line, from 1
 

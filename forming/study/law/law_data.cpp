@@ -137,7 +137,6 @@ std::vector<LawMeasurement> read_law_data(const std::string& path, const std::fu
     std::string line(next);
     if (line.find_first_not_of(" \t,") == line.npos) continue;
     if (columns.empty()) {
-      if (line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // the mark with which spreadsheets begin a file
       if (line.find(';') != line.npos && line.find(',') == line.npos)
         core::refuse(at, "semicolons between the columns were found, allowed are commas, with points in the numbers");
       columns = read_heading(at, line);

@@ -115,6 +115,23 @@ TEST(Scene, an_outline_may_come_from_a_csv_file) {
   EXPECT_NE(complaint_about(text).find("outline.csv:3: glass.boundary.csv: "), std::string::npos);
 }
 
+TEST(Scene, the_headings_of_a_csv_outline_say_which_column_is_which) {
+  const auto text = replaced("path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"", "csv = \"outline.csv\"");
+  const auto volume = [&](const std::string& table) {
+    std::ofstream(write_scene(text) + "/outline.csv") << table;
+    return revolved_volume(scene_of(text).glass.profile);
+  };
+  const double disc = M_PI * 4e-4 * 0.01;
+  EXPECT_NEAR(volume("r_mm,z_mm\n0,0\n20,0\n20,10\n0,10\n"), disc, 1e-15);
+  EXPECT_NEAR(volume("z_mm, r_cm\n0,0\n0,2\n10,2\n10,0\n"), disc, 1e-15);
+  EXPECT_NEAR(volume("\xEF\xBB\xBFy_cm,x_mm\n0,0\n0,20\n1,20\n1,0\n"), disc, 1e-15);
+  for (const char* heading : {"r_mm,r_mm", "z_mm,y_mm", "a_mm,z_mm", "r_mm,T_mm", "r,z"}) {
+    std::ofstream(write_scene(text) + "/outline.csv") << heading << "\n0,0\n20,0\n20,10\n0,10\n";
+    EXPECT_NE(complaint_about(text).find("outline.csv:1: glass.boundary.csv: the heading "), std::string::npos)
+        << heading;
+  }
+}
+
 TEST(Scene, arcs_meet_lines_and_the_axis_exactly) {
   const auto scene = scene_of(replaced("(0, 0) (20, 0) (20, 10) (0, 10) mm",
                                        "arc centre (0, 20) mm radius 20 mm from -90 deg to 90 deg",

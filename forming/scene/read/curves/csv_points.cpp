@@ -19,17 +19,28 @@ using core::Point;
 using core::Segment;
 namespace dimension = core::dimension;
 
-/// The unit of each column, behind the last '_' of its heading (r_mm).
-std::vector<std::string_view> units_of(const CaseNode& row, std::string_view line,
-                                       const std::vector<std::string_view>& headings) {
-  std::vector<std::string_view> units;
-  for (const auto heading : headings) {
-    if (heading.find('_') == heading.npos)
+struct Column {
+  std::size_t coordinate;  ///< 0 for r or x, 1 for z or y
+  std::string_view unit;
+};
+
+/// What each column has, by its heading: r_mm, or r_outer_mm.
+std::vector<Column> columns_of(const CaseNode& row, std::string_view line,
+                               const std::vector<std::string_view>& headings) {
+  std::vector<Column> columns;
+  for (const auto cell : headings) {
+    const auto heading = core::trimmed(cell), name = heading.substr(0, heading.find('_'));
+    const auto coordinate = name == "r" || name == "x" ? 0U : name == "z" || name == "y" ? 1U : 2U;
+    if (name.size() == heading.size() || coordinate >= core::dim)
       core::refuse(
           row, fmt::format("the heading is missing (\"{}\" was found), allowed is a heading such as r_mm,z_mm", line));
-    units.push_back(heading.substr(heading.find_last_of('_') + 1));
+    columns.push_back({coordinate, heading.substr(heading.find_last_of('_') + 1)});
   }
-  return units;
+  if (columns[0].coordinate == columns[1].coordinate)
+    core::refuse(row, fmt::format("the heading \"{}\" names one coordinate twice, allowed is a heading such as "
+                                  "r_mm,z_mm",
+                                  line));
+  return columns;
 }
 
 }  // namespace
@@ -40,7 +51,7 @@ std::vector<Segment> read_csv_points(const CaseNode& node, const std::string& di
       core::read_given_file(node, path.string(), "a CSV file with its path relative to the case file");
   CaseNode row = node;
   row.file = path.string();
-  std::vector<std::string_view> units;
+  std::vector<Column> columns;
   std::vector<Segment> parts;
   core::Lines lines(content);
   for (std::string_view line; lines.next(line);) {
@@ -50,14 +61,15 @@ std::vector<Segment> read_csv_points(const CaseNode& node, const std::string& di
     if (cells.size() == core::dim + 1 && core::trimmed(cells.back()).empty()) cells.pop_back();
     if (cells.size() != core::dim)
       core::refuse(row, fmt::format("\"{}\" has {} columns, allowed are {}", line, cells.size(), core::dim));
-    if (units.empty()) {
-      units = units_of(row, line, cells);
+    if (columns.empty()) {
+      columns = columns_of(row, line, cells);
       continue;
     }
     if (parts.size() == max_segments) core::refuse(row, fmt::format("allowed are up to {} points", max_segments));
     parts.emplace_back();
     for (std::size_t i = 0; i < core::dim; ++i)
-      parts.back().end[i] = core::text_quantity(row, fmt::format("{} {}", cells[i], units[i]), dimension::length);
+      parts.back().end[columns[i].coordinate] =
+          core::text_quantity(row, fmt::format("{} {}", cells[i], columns[i].unit), dimension::length);
   }
   if (parts.empty())
     core::refuse(node, fmt::format("no points were found in \"{}\", allowed is a heading such as r_mm,z_mm and rows "
