@@ -85,6 +85,37 @@ TEST(HostileInput, entities_that_contradict_themselves_are_refused) {
   expect_refused(with_drawing("disc.dxf", arc + "1e8\n50\n0\n51\n1e-7\n" + end), "an arc with a radius of 1e+05 m");
 }
 
+TEST(HostileInput, what_is_not_parallel_to_the_plane_of_a_dxf_drawing_is_refused) {
+  const auto lines = [](const std::string& height) {
+    const auto line = [](const std::string& from, const std::string& to) {
+      return "0\nLINE\n10\n" + from + "\n11\n" + to + "\n";
+    };
+    return "0\nSECTION\n2\nENTITIES\n" + line("0\n20\n0\n30\n5", "20\n21\n0\n31\n5") +
+           line("20\n20\n0\n30\n5", "20\n21\n10\n31\n" + height) + line("20\n20\n10", "0\n21\n10") + end;
+  };
+  EXPECT_EQ(complaint_about(with_drawing("disc.dxf", lines("5"))), "");
+  EXPECT_EQ(complaint_about(with_drawing("disc.dxf", lines("5.00001"))), "");
+  expect_refused(with_drawing("disc.dxf", lines("6")),
+                 "disc.dxf:20: glass.boundary.path.file: a LINE that is not parallel to the plane of x and y");
+  const auto seen_from = [](const std::string& direction) {
+    return replaced("70\n0\n", "70\n0\n" + direction, polyline("0") + end);
+  };
+  EXPECT_EQ(complaint_about(with_drawing("disc.dxf", seen_from("210\n0\n220\n1e-17\n230\n1\n"))), "");
+  for (const char* direction : {"210\n0\n220\n0.7\n230\n0.7\n", "220\n-1\n230\n0\n"})
+    expect_refused(with_drawing("disc.dxf", seen_from(direction)), "a LWPOLYLINE that is not parallel to the plane");
+  expect_refused(with_drawing("disc.dxf", seen_from("230\n-1\n")), "a LWPOLYLINE with a negative extrusion direction");
+}
+
+TEST(HostileInput, a_block_of_a_dxf_drawing_that_is_seen_from_behind_is_refused) {
+  const auto inserted = [](const std::string& direction) {
+    const std::string entities = "0\nSECTION\n2\nENTITIES\n", outline = polyline("0").substr(entities.size());
+    return "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nDISC\n" + outline + "0\nENDBLK\n0\nENDSEC\n" + entities +
+           "0\nINSERT\n2\nDISC\n10\n0\n20\n0\n" + direction + end;
+  };
+  EXPECT_EQ(complaint_about(with_drawing("disc.dxf", inserted("230\n1\n"))), "");
+  expect_refused(with_drawing("disc.dxf", inserted("230\n-1\n")), "an INSERT with a negative extrusion direction");
+}
+
 TEST(HostileInput, a_path_of_ten_thousand_points_and_blanks_is_read_and_one_of_more_than_20000_refused) {
   const auto path = [](int points, const std::string& blanks) {
     std::string text;

@@ -29,11 +29,7 @@ class DxfCurves {
   DxfCurves(const DxfFile& file, double unit) : file_(file), unit_(unit) {}
 
   void add(const Entity& entity) {
-    if (number(entity, 230, 1) < 0)
-      refuse(entity,
-             fmt::format(
-                 "a {} with a negative extrusion direction (seen from behind) was found, allowed is a positive one",
-                 entity.kind));
+    require_flat(entity);
     if (entity.kind == "LINE")
       add_line(point(entity, 10, 20), point(entity, 11, 21));
     else if (entity.kind == "ARC")
@@ -59,6 +55,28 @@ class DxfCurves {
                                  entity.kind));
   }
 
+  /// Refuses what is seen from behind, and what is not parallel to the plane of x and y: its shape would be that of its
+  /// shadow.
+  void require_flat(const Entity& entity) const {
+    constexpr double flat = 1e-4;  // slope that changes a length by 5e-9
+    if (number(entity, 230, 1) < 0)
+      refuse(entity, fmt::format("{} {} with a negative extrusion direction (seen from behind) was found, allowed is a "
+                                 "positive one",
+                                 article(entity), entity.kind));
+    const bool is_line = entity.kind == "LINE", is_ellipse = entity.kind == "ELLIPSE";
+    const bool has_own_plane = !is_line && entity.kind != "SPLINE";  // the others have all three coordinates
+    const double across = has_own_plane ? std::max(spread(entity, {210}, true), spread(entity, {220}, true)) : 0.0;
+    const std::vector<std::vector<int>> heights =
+        is_line ? std::vector<std::vector<int>>{{30, 31}} : std::vector<std::vector<int>>{{30}, {31}};
+    double rise = 0, extent = 0;
+    for (const auto& codes : heights) rise = std::max(rise, spread(entity, codes, is_ellipse && codes.front() == 31));
+    for (const int code : {10, 11, 20, 21}) extent = std::max(extent, spread(entity, {code}, true));
+    if (across > flat || rise > flat * extent)
+      refuse(entity, fmt::format("{} {} that is not parallel to the plane of x and y was found, allowed is a section "
+                                 "drawn in that plane",
+                                 article(entity), entity.kind));
+  }
+
   /// Moves the curves from one on as a block is inserted.
   void place(std::size_t first, const DxfPlacement& placement) {
     for (std::size_t i = first; i < curves.size(); ++i) {
@@ -81,6 +99,10 @@ class DxfCurves {
     double bulge;
   };
 
+  static const char* article(const Entity& entity) {
+    return std::string("AEI").find(entity.kind.front()) == std::string::npos ? "a" : "an";
+  }
+
   [[noreturn]] void refuse(const Entity& entity, const std::string& message) const {
     file_.refuse(entity.line, message);
   }
@@ -91,6 +113,16 @@ class DxfCurves {
     if (std::isnan(otherwise))
       refuse(entity, fmt::format("a {} without group {} was found, allowed is one with it", entity.kind, code));
     return otherwise;
+  }
+
+  /// The largest difference between the values of some groups of an entity, of one of them also from 0.
+  double spread(const Entity& entity, const std::vector<int>& codes, bool from_zero = false) const {
+    std::vector<double> values(from_zero, 0.0);
+    for (const Group& group : entity.groups)
+      if (std::count(codes.begin(), codes.end(), group.code)) values.push_back(file_.number(group));
+    if (values.empty()) return 0;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *high - *low;
   }
 
   Point point(const Entity& entity, int x, int y) const { return unit_ * Point(number(entity, x), number(entity, y)); }
@@ -248,6 +280,7 @@ class Drawing {
     bool wanted = false;
     for (const Entity& inside : block.entities) add(inside, layer, wanted, depth + 1);
     curves.require_end_of_polyline();
+    if (curves.curves.size() > first) curves.require_flat(entity);
     curves.place(first, placement);
   }
 
