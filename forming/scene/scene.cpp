@@ -37,6 +37,34 @@ bool read_enclosure(const core::CaseNode& node, const Scene& scene) {
   return true;
 }
 
+/// Refuses planes of symmetry that show more images of the bodies than those of one mirror or of two at right angles.
+void refuse_many_mirrors(const core::CaseNode& enclosure, const Scene& scene) {
+  constexpr double same = 1e-6;  // of the size of the glass, and of an angle
+  struct Line {
+    core::Point at, along;
+  };
+  std::vector<Line> lines;
+  const auto add = [&](const Body& body, double offset) {
+    for (const core::Segment& segment : body.profile.segments) {
+      if (body.boundaries[segment.boundary_id].kind != BoundaryKind::symmetry) continue;
+      const core::Point at = segment.start + offset * core::axis_direction();
+      const core::Point along = (segment.end - segment.start).normalized(), normal(-along[1], along[0]);
+      if (scene.geometry == core::Geometry::axisymmetric && std::abs(normal[0]) > std::abs(normal[1])) continue;
+      const auto is_same = [&](const Line& other) {
+        return std::abs(normal.dot(other.along)) < same &&
+               std::abs(normal.dot(other.at - at)) < same * core::size(scene.glass.profile);
+      };
+      if (std::none_of(lines.begin(), lines.end(), is_same)) lines.push_back({at, along});
+    }
+  };
+  add(scene.glass, 0);
+  for (const Tool& tool : scene.tools) add(tool, tool.position);
+  if (lines.size() > 2 || (lines.size() == 2 && std::abs(lines[0].along.dot(lines[1].along)) > same))
+    core::refuse(enclosure,
+                 fmt::format("true was found with {} planes of symmetry{}, allowed are one, or two at right angles",
+                             lines.size(), scene.geometry == core::Geometry::planar ? "" : " across the axis"));
+}
+
 void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
   scene.geometry = context.geometry;
   scene.glass = read_glass(root.get("glass"), context);
@@ -46,6 +74,7 @@ void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
   context.with_light = scene.has_light() || scene.enclosure;
   refuse_repeated_names(root.tables("tool"));
   for (const auto* tool : root.tables("tool")) scene.tools.push_back(read_tool(*tool, context));
+  if (scene.enclosure) refuse_many_mirrors(*root.find("enclosure"), scene);
   for (const auto* node : root.tables("interface"))
     for (auto& interface : read_interfaces(*node, scene)) scene.interfaces.push_back(std::move(interface));
 }

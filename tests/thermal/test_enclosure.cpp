@@ -202,5 +202,44 @@ TEST(Enclosure, another_mesh_changes_the_heat_rates_by_little) {
   off.at_most(0.3);
 }
 
+/// Light that comes to hot glass from itself, W, of rectangles of which some sides may be planes of symmetry.
+struct Part {
+  double x[2], z[2];
+  std::vector<Side> symmetric = {};
+};
+double light_of_itself(Geometry geometry, const std::vector<Part>& parts) {
+  const Material glass{2400, core::constant(1300), core::constant(1.3), {}};
+  std::vector<core::Mesh> meshes;
+  for (const Part& part : parts) {
+    meshes.push_back(rectangle(divide(part.x[0], part.x[1], 4), divide(part.z[0], part.z[1], 16)));
+    for (const Side side : part.symmetric) meshes.back().edit().boundaries[side].kind = core::BoundaryKind::symmetry;
+  }
+  Problem problem{geometry, {}, {}, {}};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    problem.bodies.push_back(open_body(meshes[i], glass, 1));
+    for (const Side side : parts[i].symmetric) problem.bodies.back().light.surroundings[side].reset();
+  }
+  problem.enclosure = true;
+  const HeatSystem system = make_heat_system(problem);
+  return evaluate_flows(system, 0, Eigen::VectorXd::Constant(system.size(), 1000)).from_enclosure.sum();
+}
+
+TEST(Enclosure, planes_of_symmetry_are_mirrors) {
+  const auto compare = [](Geometry geometry, double share, const std::vector<Part>& part,
+                          const std::vector<Part>& whole) {
+    const double alone = light_of_itself(geometry, part), all = light_of_itself(geometry, whole);
+    ASSERT_GT(all, 0);
+    EXPECT_NEAR(alone / (share * all), 1, 0.005);
+  };
+  const Part wall{{0.02, 0.025}, {0, 0.04}, {bottom}}, rod{{0, 0.005}, {0.01, 0.03}, {left}};
+  compare(Geometry::planar, 0.25, {wall, rod},
+          {{{0.02, 0.025}, {-0.04, 0.04}},
+           {{-0.025, -0.02}, {-0.04, 0.04}},
+           {{-0.005, 0.005}, {0.01, 0.03}},
+           {{-0.005, 0.005}, {-0.03, -0.01}}});
+  compare(Geometry::axisymmetric, 0.5, {wall, rod},
+          {{{0.02, 0.025}, {-0.04, 0.04}}, rod, {{0, 0.005}, {-0.03, -0.01}, {left}}});
+}
+
 }  // namespace
 }  // namespace parison::thermal::test

@@ -187,5 +187,28 @@ TEST(RadiationKeys, check_names_the_model_and_the_audit_takes_it_out) {
   EXPECT_EQ(found, 2);
 }
 
+TEST(RadiationKeys, an_enclosure_between_planes_of_symmetry_that_show_many_images_is_refused) {
+  const std::string plate =
+      "geometry = \"axisymmetric\"\nenclosure = true\n"
+      "stage = [{ name = \"rest\", duration = \"1 s\" }]\n"
+      "air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n"
+      "case = \"plate\"\n[glass]\nmaterial = \"flint\"\ntemperature = \"1000 degC\"\n";
+  const auto ring = [&](const std::string& top) {
+    return plate +
+           "boundary = [{ name = \"bottom\", path = \"(10, 0) (20, 0) mm\", condition = \"symmetry\" }, "
+           "{ name = \"outer\", path = \"(20, 10) mm\", condition = \"air\" }, "
+           "{ name = \"top\", path = \"(10, 10) mm\", condition = \"" +
+           top +
+           "\" }, "
+           "{ name = \"inner\", path = \"(10, 0) mm\", condition = \"air\" }]\n";
+  };
+  EXPECT_EQ(complaint_about(ring("air")), "");
+  EXPECT_NE(complaint_about(ring("symmetry"))
+                .find("enclosure: true was found with 2 planes of symmetry across the axis, allowed are one, or two at "
+                      "right angles"),
+            std::string::npos)
+      << complaint_about(ring("symmetry"));
+}
+
 }  // namespace
 }  // namespace parison::forming

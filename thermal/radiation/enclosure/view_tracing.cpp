@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "thermal/system.hpp"
@@ -67,26 +67,52 @@ double open_length(const HeatSystem& system, const TracedViews& traced) {
   return length;
 }
 
-/// The edges as the air sees them; of a planar section with a plane of symmetry also behind that mirror.
+/// A plane of symmetry, seen as a mirror.
+struct Mirror {
+  Point at, normal;
+};
+
+/// The planes of symmetry of all bodies, each once; the axis is none.
+std::vector<Mirror> mirrors_of(const HeatSystem& system, const TracedViews& traced) {
+  constexpr double same = 1e-3;  // of a patch
+  std::vector<Mirror> mirrors;
+  for (const OpenEdge& at : traced.edges) {
+    const core::Mesh& mesh = *system.problem->bodies[at.body].mesh;
+    const core::BoundaryEdge& edge = mesh.boundary_edges()[at.edge];
+    if (mesh.boundaries()[edge.boundary_id].kind != core::BoundaryKind::symmetry) continue;
+    const Point x = traced.nodes[at.body][edge.nodes[0]];
+    const Point along = (traced.nodes[at.body][edge.nodes[1]] - x).normalized(), normal(-along[1], along[0]);
+    const bool on_axis =
+        system.problem->geometry == Geometry::axisymmetric && std::abs(normal[0]) > std::abs(normal[1]);
+    const auto is_same = [&](const Mirror& other) {
+      return std::abs(normal.dot(other.normal)) > 1 - same &&
+             std::abs(other.normal.dot(x - other.at)) < same * traced.patch_length;
+    };
+    if (!on_axis && std::none_of(mirrors.begin(), mirrors.end(), is_same)) mirrors.push_back({x, normal});
+  }
+  return mirrors;
+}
+
+/// The edges as the air sees them, also behind the planes of symmetry.
 std::vector<ViewEdge> view_edges(const HeatSystem& system, const TracedViews& traced) {
   std::vector<ViewEdge> views;
-  std::optional<double> mirror;
   for (const OpenEdge& at : traced.edges) {
     const core::Mesh& mesh = *system.problem->bodies[at.body].mesh;
     const core::BoundaryEdge& edge = mesh.boundary_edges()[at.edge];
     const auto& x = traced.nodes[at.body];
-    const bool symmetric = mesh.boundaries()[edge.boundary_id].kind == core::BoundaryKind::symmetry;
-    if (symmetric && system.problem->geometry == Geometry::planar) mirror = x[edge.nodes[0]][0];
-    if (symmetric) continue;
+    if (mesh.boundaries()[edge.boundary_id].kind == core::BoundaryKind::symmetry) continue;
     views.push_back({{x[edge.nodes[1]], x[edge.nodes[0]], x[edge.nodes[2]]},
                      at.patch,
                      at.patch < 0 ? 0 : std::max(0.0, traced.edge_open[at.body][at.edge])});
   }
-  if (!mirror) return views;
-  const auto mirrored = [&](const Point& p) { return Point(2 * *mirror - p[0], p[1]); };
-  for (std::size_t i = 0, count = views.size(); i < count; ++i) {
-    const SectionEdge& x = views[i].points;
-    views.push_back({{mirrored(x[1]), mirrored(x[0]), mirrored(x[2])}, views[i].patch, 0});
+  for (const Mirror& mirror : mirrors_of(system, traced)) {
+    const auto mirrored = [&](const Point& x) -> Point {
+      return x - 2 * mirror.normal.dot(x - mirror.at) * mirror.normal;
+    };
+    for (std::size_t i = 0, count = views.size(); i < count; ++i) {
+      const SectionEdge& x = views[i].points;
+      views.push_back({{mirrored(x[1]), mirrored(x[0]), mirrored(x[2])}, views[i].patch, 0});
+    }
   }
   return views;
 }
