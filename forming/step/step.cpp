@@ -17,6 +17,7 @@
 #include "forming/step/heat/thermal_interface.hpp"
 #include "forming/step/predictor.hpp"
 #include "forming/step/step_start.hpp"
+#include "forming/step/symmetry_planes.hpp"
 #include "remesh/mesher/quality.hpp"
 
 namespace parison::forming {
@@ -26,10 +27,10 @@ namespace {
 /// Times numerics.min_step: a step below counts as collapsed.
 constexpr double short_step = 10;
 
-/// Gives how far the furthest node went beyond the axis, m; it is put back.
+/// Gives how far the furthest node went beyond the axis, where it is put back, or lies beyond a plane of symmetry, m.
 double move_nodes(core::Geometry geometry, const Eigen::VectorXd& velocity, double dt, core::Mesh& mesh) {
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += dt * flow::node_velocity(velocity, n);
-  return keep_beside_axis(geometry, mesh);
+  return std::max(keep_beside_axis(geometry, mesh), depth_beyond_symmetry_planes(geometry, mesh));
 }
 
 /// Velocities of tools that move by position where nothing flows.

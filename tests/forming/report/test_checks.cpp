@@ -172,6 +172,33 @@ tools = ["cup"]
   }
 }
 
+TEST(Checks, glass_that_passes_its_plane_of_symmetry_is_told) {
+  // The upper half of a shell: pressure from outside closes the hole and presses the glass on through the plane.
+  const std::string text = R"(case = "collapse"
+geometry = "axisymmetric"
+stage = [{ name = "press", duration = "1.5 s", pressure.outer = "0.2 bar" }]
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e3 Pa.s" }
+[glass]
+material = "liquid"
+mesh = { mapped = [3, 24] }
+boundary = [{ name = "equator", path = "(10, 0) (12, 0) mm", condition = "symmetry" },
+  { name = "outer", path = "arc centre (0, 0) mm radius 12 mm from 0 deg to 90 deg", condition = "air" },
+  { name = "axis", path = "(0, 10) mm", condition = "symmetry" },
+  { name = "inner", path = "arc centre (0, 0) mm radius 10 mm from 90 deg to 0 deg", condition = "air" }]
+)";
+  const auto of_axis = [](const RunOutcome& outcome) {
+    return *std::find_if(outcome.facts.checks.begin(), outcome.facts.checks.end(),
+                         [](const Check& check) { return check.name == "axis"; });
+  };
+  const auto collapsed = run_in_folder(scene_of(text), tests::absent_folder());
+  EXPECT_GT(of_axis(collapsed).value, 0.1);
+  EXPECT_FALSE(trustworthy(collapsed.facts.checks));
+  const auto shrunk = run_in_folder(scene_of(replaced("1.5 s", "20 ms", text)), tests::absent_folder());
+  EXPECT_LT(of_axis(shrunk).value, 1e-9);
+}
+
 /// The disc pressed at 10 mm/s to half its height between plates without friction or heat.
 const std::string slipping_press = [] {
   std::string text = replaced("heat_capacity = \"1300 J/kg/K\"\nconductivity = \"1.3 W/m/K\"\n", "");
