@@ -33,15 +33,25 @@ double least_edge(const Scene& scene, const Body& body) {
   return cells_per_edge * core::size(body.profile) / scene.accuracy.max_cells;
 }
 
+/// Growth of the divisions of a mapped mesh along the direction in which they differ most.
+double growth_of(const MeshSpec::Mapped& mapped) {
+  const auto along = [](Index count, double ratio) {
+    return count > 1 ? std::pow(std::max(ratio, 1 / ratio), 1.0 / (count - 1)) - 1 : 0.0;
+  };
+  return std::max(along(mapped.along_first, mapped.ratio_first), along(mapped.along_second, mapped.ratio_second));
+}
+
 }  // namespace
 
 thermal::SkinSide skin_side(const Scene& scene, Index body, double first_cell) {
   const Body& data = body_of(scene, body);
   const thermal::Material& material = *data.thermal;
   const double temperature = data.initial_temperature;
-  const double growth = body == glass_body ? scene.accuracy.glass_growth : scene.accuracy.tool_growth;
+  double growth =
+      data.mesh.growth.value_or(body == glass_body ? scene.accuracy.glass_growth : scene.accuracy.tool_growth);
+  if (data.mesh.mapped) growth = std::max(growth, growth_of(*data.mesh.mapped));
   return {thermal::conductivity(material, temperature, 0), material.density * material.heat_capacity(temperature),
-          first_cell, data.mesh.growth.value_or(growth), scene.accuracy.temperature_order};
+          first_cell, growth, scene.accuracy.temperature_order};
 }
 
 double active_time(const Scene& scene, Index tool) {

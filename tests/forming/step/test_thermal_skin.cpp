@@ -7,6 +7,7 @@
 #include "../scene_text.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/run/folder_run.hpp"
+#include "forming/state/skin_size.hpp"
 
 namespace parison::forming {
 namespace {
@@ -54,6 +55,23 @@ TEST(ThermalSkin, a_jump_of_a_millikelvin_gives_heat_in_proportion) {
 TEST(ThermalSkin, contact_better_than_perfect_is_perfect_and_ends) {
   EXPECT_LT(error({1e12, 0.2}), 1e-2);
   EXPECT_LT(error({1e18, 0.2}), 1e-2);
+}
+
+TEST(ThermalSkin, of_a_mapped_mesh_knows_how_its_divisions_grow) {
+  const auto four_sides =
+      replaced(R"({ name = "surface", path = "(0, 0) (20, 0) (20, 10) (0, 10) mm", condition = "contact" })",
+               R"({ name = "bottom", path = "(0, 0) (20, 0) mm", condition = "contact" },
+         { name = "side", path = "(20, 10) mm", condition = "contact" },
+         { name = "surface", path = "(0, 10) mm", condition = "contact" })");
+  const auto growth = [&](const std::string& mesh) {
+    const auto text = replaced("[glass]\n", "[glass]\nmesh = { " + mesh + " }\n", four_sides);
+    return skin_side(scene_of(text), glass_body, 1e-4).growth;
+  };
+  const double usual = growth("mapped = [29, 2]");
+  EXPECT_LT(usual, 1);
+  EXPECT_NEAR(growth("mapped = [29, 2], ratio = [1, 20]"), 19, 1e-12);  // the second division is 20 times the first
+  EXPECT_NEAR(growth("mapped = [3, 29], ratio = [0.0625, 1]"), 3, 1e-12);
+  EXPECT_EQ(growth("mapped = [29, 40], ratio = [1, 20]"), usual);
 }
 
 }  // namespace
