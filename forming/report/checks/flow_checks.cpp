@@ -46,10 +46,17 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
                       "hole closes at such a plane the whole section in place of its half"});
 }
 
+/// Whether the glass still has a mapped mesh with a single division from side to side: the recovery has nothing to
+/// compare there.
+bool has_single_division(const Scene& scene, const State& state) {
+  const auto& mapped = scene.glass.mesh.mapped;
+  return mapped && std::min(mapped->along_first, mapped->along_second) == 1 && remeshes(state) == 0;
+}
+
 void add_mesh_checks(const Scene& scene, const State& state, Checks& checks) {
   const Totals& totals = state.totals;
   const RemeshStatistics& remeshing = totals.remeshing;
-  constexpr double unresolved_limit = 0.05;
+  constexpr double unresolved_limit = 0.03;
   // Motion that loses less than counts as motion at all, as of a drop that becomes as round as its mesh can be, is
   // none to resolve: it stays below the limit.
   const double measure = std::max(totals.sampled_work, least_loss(scene, state) / unresolved_limit);
@@ -58,6 +65,11 @@ void add_mesh_checks(const Scene& scene, const State& state, Checks& checks) {
                     "about so much of the work is dissipated by motion that the glass mesh does not resolve, and "
                     "shapes, forces and times are wrong by up to as much; a "
                     "smaller numerics.surface_size or mesh.size of the glass, or more numerics.elements_across helps"});
+  if (scene.glass.mesh.mapped)
+    checks.push_back(
+        {"single_division", has_single_division(scene, state) ? 1.0 : 0.0, 0, no_limit, "",
+         "the mapped mesh of the glass has a single division from side to side, and how much of the flow it "
+         "does not resolve cannot be told; two divisions or more help"});
   checks.push_back({"failed_meshes", static_cast<double>(remeshing.failed), 1, no_limit, "",
                     "so many new glass meshes could not be made and the old ones stayed in use, as a rule next to thin "
                     "films or folds; a smaller numerics.surface_size may help"});

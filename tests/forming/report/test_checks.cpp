@@ -123,6 +123,37 @@ const std::vector<Spoilt> spoilt_numbers = {
      [](State& state, RunFacts&, double x) { state.totals.capped_work = x * state.totals.work.dissipation; }},
 };
 
+TEST(Checks, a_mapped_mesh_of_a_single_division_is_told) {
+  const auto told = [](const std::string& divisions) {
+    const std::string text = R"(case = "block"
+geometry = "planar"
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e4 Pa.s" }
+[glass]
+material = "liquid"
+mesh = { mapped = )" + divisions +
+                             R"( }
+boundary = [ { name = "bottom", path = "(0, 0) (10, 0) mm", condition = "symmetry" }, { name = "side", path = "(10, 10) mm", condition = "air" },
+  { name = "top", path = "(0, 10) mm", condition = "air" }, { name = "middle", path = "(0, 0) mm", condition = "symmetry" } ]
+[[stage]]
+name = "press"
+duration = "0.01 s"
+pressure.top = "0.1 bar"
+)";
+    const Scene scene = scene_of(text);
+    const RunOutcome outcome = run(scene);
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    const Checks found = checks(scene, outcome.state, outcome.facts);
+    const auto at =
+        std::find_if(found.begin(), found.end(), [](const Check& c) { return c.name == "single_division"; });
+    return at != found.end() && at->value > at->limit;
+  };
+  EXPECT_TRUE(told("[1, 5]"));
+  EXPECT_TRUE(told("[5, 1]"));
+  EXPECT_FALSE(told("[2, 5]"));
+}
+
 TEST(Checks, each_tells_of_its_own_number_and_of_no_other_also_where_it_is_no_number) {
   const Scene scene = scene_of(small_scene);
   const RunOutcome whole = run(scene, {}, {});
