@@ -38,6 +38,8 @@ struct Goal : SearchCase {
   std::string directory, name;
   std::string confirm;   ///< accuracy at which the answer is run with error bars; empty: not at all
   std::size_t runs = 0;  ///< of the search at most
+  /// How many times at most the search is corrected by the run of its answer at `confirm`; 0 where that is not finer.
+  std::size_t corrections = 0;
   Target target;
   std::vector<Limit> limits;
 };

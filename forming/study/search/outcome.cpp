@@ -59,19 +59,6 @@ Wall sample(const WallTable& table) {
   return wall;
 }
 
-void add_wall(const Wall& wall, const WallPart& part, Quantities& quantities) {
-  const std::vector<double> shares = area_shares(wall, part);
-  const double mean = mean_thickness(wall, shares);
-  double squares = 0, least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    squares += shares[i] * std::pow(wall.thickness[i] - mean, 2);
-    if (shares[i] > 0) least = std::min(least, wall.thickness[i]);
-  }
-  if (!std::isfinite(least)) return;
-  quantities.values.push_back({"wall_rms", "%", 100 * std::sqrt(squares) / mean, 100});
-  quantities.values.push_back({"wall_min", "mm", least, least});
-}
-
 void add_summary(const core::JsonValue& summary, Quantities& quantities) {
   if (const core::JsonValue* glass = summary.find("glass"))
     if (const double mass = glass->number_of("mass_kg"); std::isfinite(mass))
@@ -141,6 +128,19 @@ double mean_thickness(const Wall& wall, const std::vector<double>& shares) {
   double mean = 0;
   for (std::size_t i = 0; i < shares.size(); ++i) mean += shares[i] * wall.thickness[i];
   return mean;
+}
+
+void add_wall(const Wall& wall, const WallPart& part, Quantities& quantities) {
+  const std::vector<double> shares = area_shares(wall, part);
+  const double mean = mean_thickness(wall, shares);
+  double squares = 0, least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    squares += shares[i] * std::pow(wall.thickness[i] - mean, 2);
+    if (shares[i] > 0) least = std::min(least, wall.thickness[i]);
+  }
+  if (!std::isfinite(least)) return;
+  quantities.values.push_back({"wall_rms", "%", 100 * std::sqrt(squares) / mean, 100});
+  quantities.values.push_back({"wall_min", "mm", least, least});
 }
 
 Outcome read_outcome(const std::string& folder, const WallPart& part) {

@@ -42,6 +42,9 @@ std::vector<double> area_shares(const Wall& wall, const WallPart& part);
 /// Mean thickness of a part, mm.
 double mean_thickness(const Wall& wall, const std::vector<double>& shares);
 
+/// Adds `wall_rms` and `wall_min` of a part to the quantities, where a place lies in it.
+void add_wall(const Wall& wall, const WallPart& part, Quantities& quantities);
+
 /// The quantities that runs of a scene have for goals and limits, with their units; some only where the run makes them.
 std::vector<Quantity> known_quantities(const Scene& scene);
 
