@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "forming/study/search/fidelity.hpp"
 #include "forming/study/search/goal_file.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
 #include "forming/study/search/minimum/scalar_search.hpp"
@@ -16,6 +17,7 @@
 #include "tools/program/folder_lock.hpp"
 #include "tools/program/stop_request.hpp"
 #include "tools/report/report.hpp"
+#include "tools/search/finer_runs.hpp"
 #include "tools/search/search_runs.hpp"
 
 namespace parison::tools {
@@ -35,14 +37,24 @@ struct Course {
   SearchRuns runs;
   SearchResult result = {};
   bool stopped = false;
+  forming::Correction correction = {};  ///< after the first
 };
 
 std::string row_line(const Goal& goal, const SearchRow& row) {
-  std::string line = row.worth ? fmt::format("{:>9.4g}{}", row.worth->value, row.worth->holds() ? "  " : " !")
-                               : std::string("   failed  ");
+  const auto& worth = row.counted_worth();
+  std::string line =
+      worth ? fmt::format("{:>9.4g}{}", worth->value, worth->holds() ? "  " : " !") : std::string("   failed  ");
   for (std::size_t i = 0; i < goal.variables.size(); ++i)
     line += fmt::format("  {:.4g}", goal.variables[i].value(row.at[Eigen::Index(i)]));
-  return row.worth ? line : line + "  " + row.outcome.reason;
+  if (!worth) return line + "  " + row.outcome.reason;
+  return row.corrected ? line + fmt::format("  corrected, {:.4g} at {}", row.worth->value, goal.accuracy) : line;
+}
+
+/// The worth of a run with the difference of the two accuracies added.
+void count_corrected(const Course& course, SearchRow& row) {
+  if (!row.worth) return;
+  row.corrected = forming::corrected(row.outcome, course.correction, course.goal.target.part);
+  row.corrected_worth = forming::worth(course.goal, *row.corrected);
 }
 
 void add_row(Course& course, const VectorXd& at, const MadeRun& run) {
@@ -52,21 +64,36 @@ void add_row(Course& course, const VectorXd& at, const MadeRun& run) {
     row.worth = forming::worth(course.goal, row.outcome);
     if (!row.worth && row.outcome.reason.empty()) row.outcome.reason = "it lacks what the goal needs";
   }
+  row.corrections = course.result.corrections;
+  if (row.corrections > 0) count_corrected(course, row);
   fmt::print("[{:>{}}/{}] {}\n", course.result.rows.size() + 1, fmt::formatted_size("{}", course.goal.runs),
              course.goal.runs, row_line(course.goal, row));
   std::fflush(stdout);
   course.result.rows.push_back(std::move(row));
 }
 
-/// The worth of places, nothing where a run failed; fewer where stopped.
+/// The row with the values of a place, null where they have not been run.
+const SearchRow* find_row(const Course& course, const VectorXd& at) {
+  const auto values = forming::settings_at(course.goal.variables, at);
+  for (const SearchRow& row : course.result.rows)
+    if (forming::settings_at(course.goal.variables, row.at) == values) return &row;
+  return nullptr;
+}
+
+/// The worth of places, nothing where a run failed; fewer where stopped. What has been run is not run again.
 std::vector<std::optional<Worth>> ask(Course& course, const std::vector<VectorXd>& places) {
-  const std::vector<MadeRun> made = course.runs.make(places);
+  std::vector<VectorXd> waiting;
+  for (const VectorXd& at : places)
+    if (!find_row(course, at)) waiting.push_back(at);
+  const std::vector<MadeRun> made = waiting.empty() ? std::vector<MadeRun>() : course.runs.make(waiting);
+  for (std::size_t i = 0; i < made.size(); ++i) add_row(course, waiting[i], made[i]);
+  course.stopped = course.stopped || made.size() < waiting.size();
   std::vector<std::optional<Worth>> found;
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    add_row(course, places[i], made[i]);
-    found.push_back(course.result.rows.back().worth);
+  for (const VectorXd& at : places) {
+    const SearchRow* row = find_row(course, at);
+    if (!row) break;
+    found.push_back(row->counted_worth());
   }
-  course.stopped = course.stopped || made.size() < places.size();
   return found;
 }
 
@@ -87,19 +114,18 @@ Box box_of(const Goal& goal) {
   return box;
 }
 
-std::string search_by_least_squares(Course& course) {
+std::string search_by_least_squares(Course& course, const VectorXd& start, std::size_t runs) {
   using Ending = forming::LeastSquaresResult::Ending;
   const Box box = box_of(course.goal);
-  const auto found =
-      forming::least_squares(box.start,
-                             {box.low, box.high, box.step, course.goal.runs, Eigen::Index(course.goal.limits.size()),
-                              forming::good_norm(course.goal)},
-                             [&](const std::vector<VectorXd>& places) {
-                               std::vector<std::optional<VectorXd>> residuals;
-                               for (const auto& worth : ask(course, places))
-                                 residuals.push_back(worth ? std::optional(worth->residual) : std::nullopt);
-                               return residuals;
-                             });
+  const auto found = forming::least_squares(
+      start,
+      {box.low, box.high, box.step, runs, Eigen::Index(course.goal.limits.size()), forming::good_norm(course.goal)},
+      [&](const std::vector<VectorXd>& places) {
+        std::vector<std::optional<VectorXd>> residuals;
+        for (const auto& worth : ask(course, places))
+          residuals.push_back(worth ? std::optional(worth->residual) : std::nullopt);
+        return residuals;
+      });
   switch (found.ending) {
     case Ending::good_enough:
       return "the goal is good enough";
@@ -115,13 +141,12 @@ std::string search_by_least_squares(Course& course) {
   return "stopped on request";
 }
 
-std::string search_scalar(Course& course) {
+std::string search_scalar(Course& course, const VectorXd& start, std::size_t runs) {
   const Box box = box_of(course.goal);
   constexpr double none = -std::numeric_limits<double>::infinity();
   const auto ending = forming::scalar_search(
-      box.start,
-      {box.low, box.high, box.step, course.goal.runs, course.goal.limits.size(),
-       forming::good_value(course.goal).value_or(none)},
+      start,
+      {box.low, box.high, box.step, runs, course.goal.limits.size(), forming::good_value(course.goal).value_or(none)},
       [&](const VectorXd& at) -> std::optional<forming::ScalarValue> {
         const auto found = ask(course, {at});
         if (found.empty() || !found.front()) return std::nullopt;
@@ -134,41 +159,65 @@ std::string search_scalar(Course& course) {
                                                   : "the steps have become as small as the noise of the runs";
 }
 
-/// Runs the start and the answer with error bars at the accuracy of the answer; false where stopped.
+/// Runs the start and the answer at the accuracy of `confirm` where that has not been done; false where stopped.
 bool confirm(Course& course, int jobs) {
+  SearchResult& result = course.result;
+  if (course.goal.confirm.empty() || !result.rows[result.best].worth) return true;
+  const std::string number = result.corrections == 0 ? "" : fmt::format("_{}", result.corrections + 1);
+  std::vector<Finer> wanted;
+  if (result.confirmed.empty()) wanted.push_back({"start", 0});
+  if (result.best != 0 && !result.confirmed_of(result.best)) wanted.push_back({"answer" + number, result.best});
+  if (wanted.empty()) return true;
+  fmt::print("the {} at {} accuracy with error bars\n",
+             wanted.size() > 1 ? "start and the answer" : (result.best == 0 ? "start" : "answer"), course.goal.confirm);
+  std::fflush(stdout);
+  return run_finer(course.goal, result, wanted, course.output, "confirmed" + number, jobs);
+}
+
+/// Adds the difference of the two accuracies at the answer to all runs, those to come too; false where nothing speaks
+/// for it or no run is left.
+bool correct(Course& course) {
   const Goal& goal = course.goal;
   SearchResult& result = course.result;
-  if (goal.confirm.empty() || !result.rows[result.best].worth) return true;
-  forming::SearchCase finer = goal;
-  finer.accuracy = goal.confirm;
-  std::vector<VectorXd> places{result.rows.front().at};
-  if (result.best != 0) places.push_back(result.rows[result.best].at);
-  forming::SweepPlan plan = forming::plan_runs(finer, places, course.output + "/confirmed");
-  plan.sweep.error_bars = true;
-  plan.sweep.keep = forming::Keep::all;
-  plan.runs.front().name = "start";
-  if (places.size() > 1) plan.runs.back().name = "answer";
-  fmt::print("the start and the answer at {} accuracy with error bars\n", goal.confirm);
+  const SearchRow& answer = result.rows[result.best];
+  const forming::Confirmed* fine = result.confirmed_of(result.best);
+  if (result.corrections >= goal.corrections || result.rows.size() >= goal.runs || !fine || !fine->worth) return false;
+  if (!answer.counted_worth() || !forming::is_misled(goal, *answer.counted_worth(), *fine->worth)) return false;
+  course.correction = forming::correction_from(answer.outcome, fine->outcome);
+  ++result.corrections;
+  for (SearchRow& row : result.rows) count_corrected(course, row);
+  fmt::print("at {} accuracy the answer is {:.4g}{}, in place of {:.4g}{}: the difference is added to all runs\n",
+             goal.confirm, fine->value, fine->holds ? "" : " !", answer.worth->value,
+             answer.worth->holds() ? "" : " !");
   std::fflush(stdout);
-  std::vector<forming::SweepState> states;
-  std::size_t made = 0;
-  if (!make_runs(plan, states, jobs, made)) return false;
-  const auto read = [&](std::size_t i) {
-    if (states[i].status == forming::SweepState::Status::done)
-      return forming::read_confirmed(goal, plan.folder(plan.runs[i]));
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    return forming::Confirmed{none, none, false, states[i].reason};
-  };
-  result.start = read(0);
-  result.answer = read(places.size() - 1);
-  std::vector<std::string> folders;
-  for (const forming::SweepRun& run : plan.runs)
-    if (fs::exists(plan.folder(run) + "/glass.pvd")) folders.push_back(plan.folder(run));
-  if (!folders.empty()) report({folders, course.output + "/report.html", forming::course_text(goal, result)});
   return true;
 }
 
-std::string confirmed_text(const std::optional<forming::Confirmed>& confirmed) {
+/// Searches, and where the finer accuracy does not bear the answer out, searches on corrected by it.
+void find_answer(Course& course, int jobs) {
+  SearchResult& result = course.result;
+  VectorXd start = box_of(course.goal).start;
+  for (std::size_t runs = course.goal.runs;; runs = course.goal.runs - result.rows.size() + 1) {
+    result.ending = course.goal.target.is_scalar() ? search_scalar(course, start, runs)
+                                                   : search_by_least_squares(course, start, runs);
+    if (course.stopped) return;
+    result.best = forming::best_row(result.rows);
+    course.stopped = !confirm(course, jobs);
+    if (course.stopped || !correct(course)) break;
+    start = result.rows[result.best].at;  // its run is there: one more than are left
+  }
+  if (result.corrections > 0) result.best = forming::best_confirmed_row(result);
+}
+
+void write_report(const Goal& goal, const SearchResult& result, const std::string& output) {
+  std::vector<std::string> folders;
+  for (const forming::Confirmed& confirmed : result.confirmed)
+    if (const std::string folder = output + '/' + confirmed.folder; fs::exists(folder + "/glass.pvd"))
+      folders.push_back(folder);
+  if (!folders.empty()) report({folders, output + "/report.html", forming::course_text(goal, result)});
+}
+
+std::string confirmed_text(const forming::Confirmed* confirmed) {
   if (!confirmed) return "";
   if (!confirmed->reason.empty()) return "  no results: " + confirmed->reason;
   return std::isfinite(confirmed->bar) ? fmt::format("{:>11.4g} +- {:.2g}", confirmed->value, confirmed->bar)
@@ -178,12 +227,15 @@ std::string confirmed_text(const std::optional<forming::Confirmed>& confirmed) {
 /// The start beside the answer: goal, limits, variables.
 void print_answer(const Goal& goal, const SearchResult& result) {
   const SearchRow &start = result.rows.front(), &best = result.rows[result.best];
-  const auto value = [](const SearchRow& row) { return row.worth ? row.worth->value : std::nan(""); };
-  fmt::print("\n  {:<40}{:>12}{:>12}\n", "", "start", "answer");
+  const auto value = [](const SearchRow& row) {
+    return row.counted_worth() ? row.counted_worth()->value : std::nan("");
+  };
+  fmt::print("\n  {:<40}{:>12}{:>12}\n", result.corrections > 0 ? "corrected by " + goal.confirm : "", "start",
+             "answer");
   fmt::print("  {:<40}{:>12.4g}{:>12.4g}\n", forming::what_is_sought(goal), value(start), value(best));
   for (const forming::Limit& limit : goal.limits) {
     const auto at = [&](const SearchRow& row) {
-      const forming::Quantity* found = row.outcome.quantities.find(limit.quantity);
+      const forming::Quantity* found = row.counted_outcome().quantities.find(limit.quantity);
       return found ? found->value : std::nan("");
     };
     fmt::print(
@@ -199,13 +251,18 @@ void print_answer(const Goal& goal, const SearchResult& result) {
     fmt::print("  {:<40}{:>12.5g}{:>12.5g} {}{}\n", variable.key, at(start), at(best), variable.bounds.unit,
                held ? "  at its bound" : "");
   }
-  if (result.answer)
-    fmt::print("  at {} accuracy: start {}, answer {}\n", goal.confirm, confirmed_text(result.start),
-               confirmed_text(result.answer));
+  if (result.confirmed.empty()) return;
+  fmt::print("  at {} accuracy: start {}, answer {}\n", goal.confirm, confirmed_text(result.confirmed_of(0)),
+             confirmed_text(result.confirmed_of(result.best)));
+  for (const forming::Confirmed& other : result.confirmed)
+    if (other.row != 0 && other.row != result.best)
+      fmt::print("    worse there: {}{}{}\n", other.folder, confirmed_text(&other),
+                 other.worth && !other.holds ? ", misses a limit" : "");
 }
 
 int close_search(const Goal& goal, Course& course) {
   SearchResult& result = course.result;
+  write_report(goal, result, course.output);
   const std::vector<std::string> written = forming::write_search(goal, result, course.output);
   const SearchRow& best = result.rows[result.best];
   if (best.worth) print_answer(goal, result);
@@ -218,14 +275,15 @@ int close_search(const Goal& goal, Course& course) {
                result.rows.front().outcome.reason);
     return run_failed;
   }
-  if (!best.worth->holds()) {
+  const Worth& worth = *forming::worth_of_answer(result);
+  if (!worth.holds()) {
     fmt::print(stderr, "parison: no run that was made holds all limits; the answer misses them least\n");
     return run_failed;
   }
-  if (const auto good = forming::good_value(goal); good && best.worth->value > *good) {
+  if (const auto good = forming::good_value(goal); good && worth.value > *good) {
     const double sign = goal.target.kind == forming::Target::Kind::most ? -1 : 1;
     fmt::print(stderr, "parison: no run that was made reaches {:g}; the answer is the nearest, {:.4g}\n", sign * *good,
-               sign * best.worth->value);
+               sign * worth.value);
     return run_failed;
   }
   return 0;
@@ -254,11 +312,7 @@ int optimise(const OptimiseRequest& request) {
   fs::create_directories(output);
   const FolderLock lock(output);
   Course course{goal, output, SearchRuns(goal, output, jobs)};
-  course.result.ending = goal.target.is_scalar() ? search_scalar(course) : search_by_least_squares(course);
-  if (!course.stopped) {
-    course.result.best = forming::best_row(course.result.rows);
-    course.stopped = !confirm(course, jobs);
-  }
+  find_answer(course, jobs);
   if (!course.stopped) return close_search(goal, course);
   fmt::print(stderr, "parison: stopped on request; the same command goes on with it\n");
   return run_failed;

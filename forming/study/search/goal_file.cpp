@@ -19,6 +19,7 @@ using Kind = Target::Kind;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int usual_runs = 120;
+constexpr double usual_corrections = 1, most_corrections = 10;
 
 const Quantity& known_quantity(const CaseNode& node, const std::vector<Quantity>& known) {
   const std::string& name = core::text(node);
@@ -182,6 +183,21 @@ std::string accuracy_in(const CaseTable& root, const char* key, const char* usua
   return text;
 }
 
+/// None where the answer is not run at a finer accuracy than the search.
+std::size_t read_corrections(const CaseTable& root, const Goal& goal) {
+  double found = usual_corrections;
+  if (const CaseNode* node = root.find("corrections")) {
+    const std::string allowed = fmt::format("allowed is a whole number from 0 to {:g}", most_corrections);
+    if (node->kind != CaseNode::Kind::number) core::refuse(*node, "no number was found, " + allowed);
+    found = node->number;
+    if (!(found >= 0 && found <= most_corrections && found == std::floor(found)))
+      core::refuse(*node, fmt::format("{:g} was found, {}", found, allowed));
+  }
+  const auto level = [](const std::string& accuracy) { return read_accuracy(accuracy).effective_level(); };
+  if (goal.confirm.empty() || level(goal.confirm) <= level(goal.accuracy)) return 0;
+  return static_cast<std::size_t>(found);
+}
+
 /// The case with what holds for all runs; what it refuses of that carries its place in the goal file.
 Scene scene_with_settings(const CaseTable& root, const Goal& goal) {
   try {
@@ -196,7 +212,8 @@ Scene scene_with_settings(const CaseTable& root, const Goal& goal) {
 Goal read_goal(const std::string& path,
                const std::function<std::string(const std::string&, const std::string&)>& find_case) {
   const core::CaseFile file = core::read_case_file(path);
-  const CaseTable root(file.root, {"case", "accuracy", "confirm", "set", "runs", "variable", "goal", "limit"});
+  const CaseTable root(file.root,
+                       {"case", "accuracy", "confirm", "set", "runs", "corrections", "variable", "goal", "limit"});
   Goal goal;
   goal.file = file.path;
   goal.directory = file.directory;
@@ -210,6 +227,7 @@ Goal read_goal(const std::string& path,
     for (const CaseNode& assignment : core::list(*set)) goal.overrides.push_back(core::text(assignment));
   const CaseNode* runs = root.find("runs");
   goal.runs = static_cast<std::size_t>(runs ? core::count(*runs) : usual_runs);
+  goal.corrections = read_corrections(root, goal);
   const Scene scene = scene_with_settings(root, goal);
   goal.variables = read_search_variables(root, goal.file, goal.case_path, goal.overrides);
   const Reach reach{scene, known_quantities(scene), temperatures_of(goal, scene)};

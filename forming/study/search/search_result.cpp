@@ -41,11 +41,15 @@ std::string with_unit(const std::string& name, std::string unit) {
   return core::csv_text(unit.empty() ? name : name + '_' + unit);
 }
 
+std::string worth_fields(const std::optional<Worth>& worth) {
+  return worth ? field(worth->value) + (worth->holds() ? ",yes" : ",no") : "nan,";
+}
+
 void write_runs(const Goal& goal, const SearchResult& result, const std::string& output) {
   const std::vector<Quantity> quantities = columns(result.rows);
   std::string text = "run";
   for (const SearchVariable& variable : goal.variables) text += ',' + with_unit(variable.key, variable.bounds.unit);
-  text += ",status,value,limits_hold";
+  text += ",status,value,limits_hold,corrections,corrected_value,corrected_limits_hold";
   for (const Quantity& quantity : quantities) text += ',' + with_unit(quantity.name, quantity.unit);
   text += ",reason\n";
   for (std::size_t i = 0; i < result.rows.size(); ++i) {
@@ -53,16 +57,29 @@ void write_runs(const Goal& goal, const SearchResult& result, const std::string&
     text += row.folder.empty() ? fmt::format("refused_{:04}", i + 1) : row.folder;
     for (std::size_t k = 0; k < goal.variables.size(); ++k)
       text += ',' + field(goal.variables[k].value(row.at[Eigen::Index(k)]));
-    text += row.worth ? fmt::format(",done,{},{}", field(row.worth->value), row.worth->holds() ? "yes" : "no")
-                      : std::string(",failed,nan,");
+    text += row.worth ? ",done," + worth_fields(row.worth) : std::string(",failed,nan,");
+    text += fmt::format(",{},{}", row.corrections, worth_fields(row.corrected_worth));
     for (const Quantity& column : quantities) text += ',' + field(quantity(row, column.name));
     text += ',' + core::csv_text(row.outcome.reason) + '\n';
   }
   core::replace_file(output + "/runs.csv", text);
 }
 
-void add_row(core::JsonWriter& json, const char* key, const Goal& goal, const SearchRow& row,
-             const std::optional<Confirmed>& confirmed) {
+void add_confirmed(core::JsonWriter& json, const char* key, const Goal& goal, const SearchResult& result,
+                   const Confirmed& confirmed) {
+  json.open_object(key);
+  json.add("run", result.rows[confirmed.row].folder);
+  json.add("folder", confirmed.folder);
+  json.add("accuracy", goal.confirm);
+  json.add("value", confirmed.value);
+  json.add("error", confirmed.bar);
+  json.add("limits_hold", confirmed.holds);
+  json.add("reason", confirmed.reason);
+  json.close();
+}
+
+void add_row(core::JsonWriter& json, const char* key, const Goal& goal, const SearchResult& result, std::size_t index) {
+  const SearchRow& row = result.rows[index];
   json.open_object(key);
   json.add("run", row.folder);
   json.open_object("values");
@@ -74,15 +91,14 @@ void add_row(core::JsonWriter& json, const char* key, const Goal& goal, const Se
   json.open_object("quantities");
   for (const Quantity& quantity : row.outcome.quantities.values) json.add(quantity.name, quantity.value);
   json.close();
-  if (confirmed) {
-    json.open_object("confirmed");
-    json.add("accuracy", goal.confirm);
-    json.add("value", confirmed->value);
-    json.add("error", confirmed->bar);
-    json.add("limits_hold", confirmed->holds);
-    json.add("reason", confirmed->reason);
+  if (row.corrected_worth) {
+    json.open_object("corrected");
+    json.add("value", row.corrected_worth->value);
+    json.add("limits_hold", row.corrected_worth->holds());
     json.close();
   }
+  if (const Confirmed* confirmed = result.confirmed_of(index))
+    add_confirmed(json, "confirmed", goal, result, *confirmed);
   json.close();
 }
 
@@ -95,8 +111,12 @@ void write_json(const Goal& goal, const SearchResult& result, const std::string&
   json.add("failed", static_cast<long>(std::count_if(result.rows.begin(), result.rows.end(),
                                                      [](const SearchRow& row) { return !row.worth; })));
   json.add("ending", result.ending);
-  add_row(json, "start", goal, result.rows.front(), result.start);
-  add_row(json, "best", goal, result.rows[result.best], result.answer);
+  json.add("corrections", static_cast<long>(result.corrections));
+  add_row(json, "start", goal, result, 0);
+  add_row(json, "best", goal, result, result.best);
+  json.open_list("confirmed");
+  for (const Confirmed& confirmed : result.confirmed) add_confirmed(json, "", goal, result, confirmed);
+  json.close();
   core::replace_file(output + "/result.json", json.finish());
 }
 
@@ -140,20 +160,21 @@ void add_variable(core::JsonWriter& json, const Goal& goal, const SearchResult& 
 
 std::string course_text(const Goal& goal, const SearchResult& result) {
   core::JsonWriter json;
-  json.add("sought", what_is_sought(goal));
+  json.add("sought", what_is_sought(goal) + (result.corrections > 0 ? ", corrected by " + goal.confirm : ""));
   json.add("good_enough", good_value(goal).value_or(0));
   json.add("ending", result.ending);
   std::vector<double> values, best;
   const SearchRow* leader = nullptr;
   for (const SearchRow& row : result.rows) {
-    if (row.worth && (!leader || is_better(*row.worth, *leader->worth))) leader = &row;
-    values.push_back(row.worth ? row.worth->value : none);
-    best.push_back(leader ? leader->worth->value : none);
+    const auto& worth = row.counted_worth();
+    if (worth && (!leader || is_better(*worth, *leader->counted_worth()))) leader = &row;
+    values.push_back(worth ? worth->value : none);
+    best.push_back(leader ? leader->counted_worth()->value : none);
   }
   add_list(json, "values", values);
   add_list(json, "best", best);
   json.open_list("holds");
-  for (const SearchRow& row : result.rows) json.add("", row.worth && row.worth->holds());
+  for (const SearchRow& row : result.rows) json.add("", row.counted_worth() && row.counted_worth()->holds());
   json.close();
   json.open_list("variables");
   for (std::size_t k = 0; k < goal.variables.size(); ++k) add_variable(json, goal, result, k);
@@ -163,16 +184,37 @@ std::string course_text(const Goal& goal, const SearchResult& result) {
 
 std::size_t best_row(const std::vector<SearchRow>& rows) {
   std::size_t best = 0;
-  for (std::size_t i = 1; i < rows.size(); ++i)
-    if (rows[i].worth && (!rows[best].worth || is_better(*rows[i].worth, *rows[best].worth))) best = i;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto &own = rows[i].counted_worth(), &before = rows[best].counted_worth();
+    if (own && (!before || is_better(*own, *before))) best = i;
+  }
   return best;
+}
+
+const Confirmed* SearchResult::confirmed_of(std::size_t row) const {
+  for (const Confirmed& one : confirmed)
+    if (one.row == row) return &one;
+  return nullptr;
+}
+
+std::size_t best_confirmed_row(const SearchResult& result) {
+  const Confirmed* best = nullptr;
+  for (const Confirmed& one : result.confirmed)
+    if (one.worth && (!best || is_better(*one.worth, *best->worth))) best = &one;
+  return best ? best->row : result.best;
+}
+
+const std::optional<Worth>& worth_of_answer(const SearchResult& result) {
+  const Confirmed* confirmed = result.confirmed_of(result.best);
+  if (result.corrections > 0 && confirmed && confirmed->worth) return confirmed->worth;
+  return result.rows[result.best].counted_worth();
 }
 
 Confirmed read_confirmed(const Goal& goal, const std::string& folder) {
   const Outcome own = read_outcome(folder, goal.target.part);
   const auto found = worth(goal, own);
   if (!found) return {none, none, false, own.reason.empty() ? "it lacks what the goal needs" : own.reason};
-  Confirmed confirmed{found->value, none, found->holds(), ""};
+  Confirmed confirmed{found->value, none, found->holds(), "", own, found};
   for (std::size_t i = 0; i < coarse_folders.size(); ++i) {
     const std::string coarse = folder + '/' + coarse_folders[i];
     if (!std::filesystem::exists(coarse + "/summary.json")) continue;
