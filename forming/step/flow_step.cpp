@@ -268,7 +268,7 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
 /// difference is the share of the dissipation that the mesh does not resolve (Zienkiewicz and Zhu 1992).
 void sample_resolution(const Scene& scene, const State& state, const flow::Solution& solution, double dt,
                        Totals& totals) {
-  constexpr Index every = 10;
+  constexpr Index every = 15;
   if (state.totals.steps % every != 0) return;
   const double work = dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
   const double error = remesh::rate_error(state.glass.mesh, scene.geometry, solution.velocity).relative();

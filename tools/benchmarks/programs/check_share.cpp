@@ -23,7 +23,7 @@ namespace {
 using namespace parison;
 
 constexpr int every = 8;        ///< steps from one that is measured to the next
-constexpr int flow_every = 10;  ///< steps from one of which the run compares the rate of deformation to the next
+constexpr int flow_every = 15;  ///< steps from one of which the run compares the rate of deformation to the next
 
 class CheckShare : public forming::RunObserver {
  public:
