@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -190,6 +191,16 @@ double volume(const Mesh& mesh, Geometry geometry) {
       sum += fraction * point.area * point.position[0] * point.normal[0];
     }
   return static_cast<double>(sum);
+}
+
+double mean_wall(const Mesh& mesh) {
+  double area = 0, outline = 0;
+  for (const BoundaryEdge& edge : mesh.boundary_edges()) {
+    const Point &a = mesh.nodes[edge.nodes[0]], &b = mesh.nodes[edge.nodes[1]];
+    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    if (mesh.kind_of(edge) != BoundaryKind::symmetry) outline += (b - a).norm();
+  }
+  return 2 * std::abs(area) / outline;
 }
 
 double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal,

@@ -100,6 +100,8 @@ Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load)
 double size(const Mesh& mesh);
 /// Volume of the body, m3 (of the full revolution, or per metre of depth times 1 m).
 double volume(const Mesh& mesh, Geometry geometry);
+/// Section of the body over half its outline, m: the thickness of a wall, the radius of a drop.
+double mean_wall(const Mesh& mesh);
 /// Integral of a function of a P2 field over the volume by triangle_rule(4), the function's unit times m3.
 double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal,
                 const std::function<double(double)>& function);

@@ -8,6 +8,7 @@
 #include "forming/remeshing/tool_corners.hpp"
 #include "forming/state/skin_size.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/penetration.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/sizing/recovery.hpp"
 #include "remesh/surface/axis_closing.hpp"
@@ -45,6 +46,16 @@ bool has_stretched_edges(const Scene& scene, const State& state) {
         (mesh.nodes[middle] - mesh.nodes[first]).norm() + (mesh.nodes[last] - mesh.nodes[middle]).norm();
     return mesh.kind_of(edge) != BoundaryKind::symmetry && length > limit;
   });
+}
+
+/// Whether an edge that has slipped past a corner of a tool cuts into it by so much of the edge length there, and by
+/// twice as much as the last new mesh left: a node at the corner brings it out again.
+bool cuts_into_tool(const Scene& scene, const State& state) {
+  constexpr double max_cut = 0.02, new_cut = 2;
+  const RemeshStatistics& remeshing = state.totals.remeshing;
+  const double limit =
+      std::max(max_cut * scene.accuracy.surface_size * remeshing.coarsening_factor, new_cut * remeshing.left_in_tools);
+  return max_edge_penetration(scene, state, limit) > limit;
 }
 
 }  // namespace
@@ -89,7 +100,8 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
 bool needs_remesh(const Scene& scene, const State& state) {
   return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
          (scene.geometry == core::Geometry::axisymmetric && remesh::has_reached_axis(state.glass.mesh)) ||
-         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_stretched_edges(scene, state));
+         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_stretched_edges(scene, state)) ||
+         cuts_into_tool(scene, state);
 }
 
 }  // namespace parison::forming

@@ -13,7 +13,7 @@
 #include "forming/run/warnings.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/carrier.hpp"
-#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/penetration.hpp"
 #include "forming/step/step_control.hpp"
 
 namespace parison::forming {

@@ -93,6 +93,7 @@ struct RemeshStatistics {
   double transfer_overshoot = 0;      ///< furthest that a new temperature went beyond all old ones, K
   double min_quality = 1;             ///< of a cell after any remesh
   double min_median = 1;              ///< quality of the median cell after any remesh
+  double left_in_tools = 0;           ///< depth of the deepest edge in a tool after the last remesh, m
   Index failed = 0;                   ///< new meshes that could not be made
   double lap_volume = 0;              ///< of the air in those, m3
   Index laps = 0;                     ///< small folds of the glass onto itself that were closed
@@ -112,7 +113,8 @@ struct Totals {
   long clamped_lookups = 0;         ///< evaluations of h outside its table
   double max_penetration = 0;       ///< max penetration of a glass node into a tool at any step, m
   double max_edge_penetration = 0;  ///< the same of a point on an edge in contact, m
-  double max_drift = 0;             ///< of the glass volume at any step, relative to the start, without sign
+  double penetration_share = 0, edge_penetration_share = 0;  ///< both over the mean wall of the glass at that step
+  double max_drift = 0;  ///< of the glass volume at any step, relative to the start, without sign
   double max_reynolds = 0;
   double overshoot = 0;        ///< of any temperature above the hottest of the scene at any step, K
   double viscous_heating = 0;  ///< by which dissipation can at most have heated a point of the glass, K

@@ -70,6 +70,7 @@ void visit_remeshing(Visitor visit, Statistics& remeshing) {
   visit("transfer_overshoot", remeshing.transfer_overshoot);
   visit("min_quality", remeshing.min_quality);
   visit("min_median", remeshing.min_median);
+  visit("left_in_tools", remeshing.left_in_tools);
   visit("failed", remeshing.failed);
   visit("laps", remeshing.laps);
   visit("lap_volume", remeshing.lap_volume);
@@ -102,6 +103,8 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("clamped_lookups", totals.clamped_lookups);
   visit("max_penetration", totals.max_penetration);
   visit("max_edge_penetration", totals.max_edge_penetration);
+  visit("penetration_share", totals.penetration_share);
+  visit("edge_penetration_share", totals.edge_penetration_share);
   visit("max_drift", totals.max_drift);
   visit("max_reynolds", totals.max_reynolds);
   visit("overshoot", totals.overshoot);

@@ -17,6 +17,7 @@
 #include "forming/step/contact/carrier.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/contact_prediction.hpp"
+#include "forming/step/contact/penetration.hpp"
 #include "forming/step/predictor.hpp"
 #include "forming/step/step_control.hpp"
 #include "remesh/sizing/recovery.hpp"

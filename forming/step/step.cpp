@@ -10,6 +10,7 @@
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/penetration.hpp"
 #include "forming/step/flow_step.hpp"
 #include "forming/step/heat/contact_opening.hpp"
 #include "forming/step/heat/heat_step.hpp"
@@ -130,10 +131,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   ++after.totals.steps;
   if (dt < short_step * scene.accuracy.min_step) ++after.totals.short_steps;
   after.totals.clamped_lookups = workspace.clamped_lookups;
-  if (!workspace.static_stage) {
-    after.totals.max_penetration = max_penetration(scene, after, after.totals.max_penetration);
-    after.totals.max_edge_penetration = max_edge_penetration(scene, after, after.totals.max_edge_penetration);
-  }
+  if (!workspace.static_stage) note_penetration(scene, after);
   if (scene.has_flow()) after.totals.max_drift = std::max(after.totals.max_drift, std::abs(volume_drift(scene, after)));
   result.report.dt = dt;
   // Where nothing moves the heat integrator alone chooses the steps.

@@ -3,9 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "forming/flow/problem.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
-#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/penetration.hpp"
 
 namespace parison::forming {
 

@@ -12,30 +12,19 @@ namespace parison::forming {
 
 namespace {
 
-/// Section of the glass over half its outline, m: the thickness of a wall, the radius of a drop.
-double wall_scale(const core::Mesh& mesh) {
-  double area = 0, outline = 0;
-  for (const auto& edge : mesh.boundary_edges()) {
-    const core::Point &a = mesh.nodes[edge.nodes[0]], &b = mesh.nodes[edge.nodes[1]];
-    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-    if (mesh.kind_of(edge) != BoundaryKind::symmetry) outline += (b - a).norm();
-  }
-  return 2 * std::abs(area) / outline;
-}
-
 void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
   const Totals& totals = state.totals;
-  const double wall = wall_scale(state.glass.mesh);
+  const double wall = core::mean_wall(state.glass.mesh);
   checks.push_back({"volume_drift", totals.max_drift, 1e-3, 1e-2, "%",
                     "the glass had so much more or less volume than at its start, and its wall is wrong by about as "
                     "much; a smaller numerics.strain_per_step helps"});
   if (!scene.tools.empty()) {
-    checks.push_back({"penetration", totals.max_penetration / wall, 1e-2, 0.1, "%",
-                      "a node of the glass was inside a tool by so much of the mean wall; a smaller "
-                      "numerics.strain_per_step or numerics.surface_size helps"});
-    checks.push_back({"edge_penetration", totals.max_edge_penetration / wall, 5e-2, 0.25, "%",
-                      "an edge of the glass cut into a tool by so much of the mean wall; a smaller "
-                      "numerics.surface_size, or a finer --accuracy, helps"});
+    checks.push_back({"penetration", totals.penetration_share, 1e-2, 0.1, "%",
+                      "a node of the glass was inside a tool by so much of the mean wall of that moment; a "
+                      "smaller numerics.strain_per_step or numerics.surface_size helps"});
+    checks.push_back({"edge_penetration", totals.edge_penetration_share, 5e-2, 0.25, "%",
+                      "an edge of the glass cut into a tool by so much of the mean wall of that moment; a "
+                      "smaller numerics.surface_size, or a finer --accuracy, helps"});
   }
   const auto is_symmetry = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::symmetry; };
   if (scene.geometry == core::Geometry::axisymmetric ||

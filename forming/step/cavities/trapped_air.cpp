@@ -7,6 +7,7 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/flow/contact/constraints.hpp"
 #include "forming/step/cavities/air_cavities.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
 
 namespace parison::forming {
 

@@ -46,20 +46,4 @@ double keep_beside_axis(core::Geometry geometry, core::Mesh& mesh);
 /// Constraints of a node whose normals differ by less than 3 degrees (this is the cosine) count as one.
 inline constexpr double same_direction = 0.9986;
 
-/// A glass node inside an active tool.
-struct Penetration {
-  Index node, tool;
-  double depth;  ///< from the contact boundaries, m
-};
-/// All penetrations after a time `ahead`, s, with the present velocities.
-std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead);
-
-/// Depth of the deepest glass node inside an active tool, m, or `known` where that is more; with what earlier steps
-/// had as `known` little is searched.
-double max_penetration(const Scene& scene, const State& state, double known = 0);
-
-/// Depth of the deepest of nine points on each edge of the glass that may touch, in an active tool, m, or `known`:
-/// between nodes, a corner or a small radius of a tool can be deeper.
-double max_edge_penetration(const Scene& scene, const State& state, double known = 0);
-
 }  // namespace parison::forming

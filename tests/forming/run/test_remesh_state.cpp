@@ -12,6 +12,7 @@
 #include "forming/run/folder_run.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/penetration.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/sizing/recovery.hpp"

@@ -7,7 +7,7 @@
 #include "../scene_text.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
-#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/penetration.hpp"
 #include "forming/step/step.hpp"
 
 namespace parison::forming {

@@ -11,7 +11,7 @@
 #include "forming/run/folder_run.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/balance/work.hpp"
-#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/penetration.hpp"
 #include "forming/step/heat/contact_skin.hpp"
 #include "forming/step/heat/temperature_bounds.hpp"
 #include "remesh/sizing/recovery.hpp"

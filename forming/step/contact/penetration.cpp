@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/contact/penetration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/unilateral/tool_gap.hpp"
+#include "core/mesh/element.hpp"
+#include "core/mesh/profile.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/placed_tools.hpp"
+
+namespace parison::forming {
+
+std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead) {
+  std::vector<Penetration> found;
+  const core::Mesh& glass = state.glass.mesh;
+  const auto surface = surface_nodes(glass);
+  for (const Index tool : active_tools(scene, state)) {
+    const auto& profile = scene.tools[tool].profile;
+    const contact::ToolGap gap(profile, contact_boundaries(scene.tools[tool]));
+    const ToolState& body = state.tools[tool];
+    const Point moved = (body.offset + ahead * body.velocity) * core::axis_direction();
+    for (const Index node : surface) {
+      Point local = glass.nodes[node] - moved;
+      if (ahead > 0 && scene.has_flow()) local += ahead * flow::node_velocity(state.glass.velocity, node);
+      const double depth = core::contains(profile, local) ? -gap(local) : 0;
+      if (depth > 0 && std::isfinite(depth)) found.push_back({node, tool, depth});
+    }
+  }
+  return found;
+}
+
+double max_penetration(const Scene& scene, const State& state, double known) {
+  const core::Mesh& glass = state.glass.mesh;
+  const auto surface = surface_nodes(glass);
+  for (const Index tool : active_tools(scene, state)) {
+    const contact::ToolGap gap(scene.tools[tool].profile, contact_boundaries(scene.tools[tool]));
+    const Point offset = state.tools[tool].offset * core::axis_direction();
+    std::size_t closest = 0;
+    for (const Index node : surface) known = gap.deepest(glass.nodes[node] - offset, known, closest);
+  }
+  return known;
+}
+
+double max_edge_penetration(const Scene& scene, const State& state, double known) {
+  constexpr int points = 8;
+  const core::Mesh& mesh = state.glass.mesh;
+  for (const Index tool : active_tools(scene, state)) {
+    const contact::ToolGap gap(scene.tools[tool].profile, contact_boundaries(scene.tools[tool]));
+    const Point offset = state.tools[tool].offset * core::axis_direction();
+    std::size_t closest = 0;
+    for (const auto& edge : mesh.boundary_edges()) {
+      if (mesh.kind_of(edge) != BoundaryKind::contact) continue;
+      const bool near = std::any_of(edge.nodes.begin(), edge.nodes.end(),
+                                    [&](Index node) { return state.glass.contact_tool[node] == tool; });
+      for (int k = 0; near && k <= points; ++k) {
+        const auto n = core::edge_shape(double(k) / points);
+        Point x = -offset;
+        for (int i = 0; i < 3; ++i) x += n[i] * mesh.nodes[edge.nodes[i]];
+        known = gap.deepest(x, known, closest);
+      }
+    }
+  }
+  return known;
+}
+
+void note_penetration(const Scene& scene, State& state) {
+  Totals& totals = state.totals;
+  const double wall = core::mean_wall(state.glass.mesh);
+  const auto note = [&](auto&& deepest, double& depth, double& share) {
+    const double found = deepest(scene, state, std::min(depth, share * wall));
+    depth = std::max(depth, found);
+    share = std::max(share, found / wall);
+  };
+  note(max_penetration, totals.max_penetration, totals.penetration_share);
+  note(max_edge_penetration, totals.max_edge_penetration, totals.edge_penetration_share);
+}
+
+}  // namespace parison::forming

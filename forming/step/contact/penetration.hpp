@@ -1,0 +1,29 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+/// A glass node inside an active tool.
+struct Penetration {
+  Index node, tool;
+  double depth;  ///< from the contact boundaries, m
+};
+/// All penetrations after a time `ahead`, s, with the present velocities.
+std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead);
+
+/// Depth of the deepest glass node inside an active tool, m, or `known` where that is more; with what earlier steps
+/// had as `known` little is searched.
+double max_penetration(const Scene& scene, const State& state, double known = 0);
+
+/// Depth of the deepest of nine points on each edge of the glass that may touch, in an active tool, m, or `known`:
+/// between nodes, a corner or a small radius of a tool can be deeper.
+double max_edge_penetration(const Scene& scene, const State& state, double known = 0);
+
+/// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then.
+void note_penetration(const Scene& scene, State& state);
+
+}  // namespace parison::forming
