@@ -1,0 +1,26 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "tools/commands/commands.hpp"
+
+namespace parison::tools {
+
+inline constexpr const char* what_a_case_is =
+    "folder that holds a case.toml, a case file, or the name of a bundled case";
+
+/// Adds a command whose options fill a request, with what is to be done with that.
+template <typename Request>
+CLI::App* add_command(CLI::App& app, const char* name, const char* what, Command& chosen,
+                      const std::shared_ptr<Request>& request, int (*work)(const Request&)) {
+  auto* command = app.add_subcommand(name, what);
+  command->callback([&chosen, request, work] { chosen = [request, work] { return work(*request); }; });
+  return command;
+}
+
+/// Adds the commands that run one case, and those that make many runs, with their options.
+void add_run_commands(CLI::App& app, Command& chosen);
+void add_study_commands(CLI::App& app, Command& chosen);
+
+}  // namespace parison::tools

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <string>
+
+#include "tools/commands/command_options.hpp"
+#include "tools/commands/new_case.hpp"
+#include "tools/commands/run/run_command.hpp"
+#include "tools/commands/study/audit.hpp"
+#include "tools/commands/study/cycle.hpp"
+#include "tools/program/bundled_cases.hpp"
+
+namespace parison::tools {
+namespace {
+
+void add_case_options(CLI::App& command, RunRequest& request) {
+  command.add_option("case", request.case_path, what_a_case_is)->required()->transform(find_case);
+  command.add_option("--accuracy", request.accuracy, "draft, standard, fine, or an error such as 0.5%")
+      ->capture_default_str();
+  command.add_option("--set", request.overrides, "KEY=VALUE that replaces the value in the case file; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void add_run(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<RunRequest>();
+  auto* command = add_command(app, "run", "run a case", chosen, request, run);
+  add_case_options(*command, *request);
+  command->add_option("--output", request->output, "new folder for the results [results/NAME]");
+  command->add_flag("--keep-going", request->keep_going,
+                    "exit code 0 also where a check is far beyond its limit: results not trustworthy");
+  command->add_flag("-v,--verbose", request->verbose, "first say all that `parison check` says");
+  command->add_flag("--error-bars", request->error_bars, "estimate the error of each result by two coarser runs");
+}
+
+void add_resume(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<RunRequest>();
+  auto* command = add_command(app, "resume", "continue a run from its last checkpoint", chosen, request, resume);
+  command->add_option("results", request->output, "folder with the results of the run")->required();
+  command->add_option("--case", request->case_path, "the case, where it has moved or a corrected one is wanted")
+      ->transform(find_case);
+  command->add_option("--after", request->after, "name of a stage: from its end instead of the last checkpoint");
+  command
+      ->add_option("--set", request->overrides, "KEY=VALUE as for run, in stages that are still to come or in output")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_flag("--keep-going", request->keep_going,
+                    "exit code 0 also where a check is far beyond its limit: results not trustworthy");
+  command->add_flag("--error-bars", request->error_bars, "as for run; also for a run that has completed");
+}
+
+void add_check(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<RunRequest>();
+  auto* command = add_command(app, "check", "read a case and say what it needs", chosen, request, check);
+  add_case_options(*command, *request);
+  command->add_option("--picture", request->picture,
+                      "SVG file for the section with tools, glass and axis; FILE_timing.svg gets the timing");
+}
+
+void add_new(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<NewRequest>();
+  auto* command = add_command(app, "new", "begin a case like a bundled one", chosen, request, new_case);
+  command->add_option("folder", request->folder, "new folder; its name is that of the case")->required();
+  command->add_option("--like", request->like, "name of a bundled case")->capture_default_str();
+}
+
+void add_audit(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<AuditRequest>();
+  auto* command =
+      add_command(app, "audit", "run a case coarsely with each part of its model in and out", chosen, request, audit);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("--accuracy", request->accuracy, "of all runs; coarse ones take seconds")->capture_default_str();
+  command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
+}
+
+void add_cycle(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<CycleRequest>();
+  auto* command = add_command(app, "cycle", "find the tool temperatures to which production settles, and its container",
+                              chosen, request, cycle);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("--accuracy", request->accuracy, "of all runs")->capture_default_str();
+  command->add_option("--cycle-time", request->cycle_time,
+                      "time from one container to the next with the same tools, \"12 s\" [that of the case's timing]");
+  command
+      ->add_option("--tolerance", request->tolerance,
+                   "by which no tool surface may differ from the settled one, nor change in a plain cycle")
+      ->capture_default_str();
+  command->add_option("--max-runs", request->max_runs, "forming runs of the search at most")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--output", request->output, "new folder for the results [results/cycle_NAME]");
+  command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
+}
+
+}  // namespace
+
+void add_run_commands(CLI::App& app, Command& chosen) {
+  add_run(app, chosen);
+  add_resume(app, chosen);
+  add_check(app, chosen);
+  add_new(app, chosen);
+  add_audit(app, chosen);
+  add_cycle(app, chosen);
+}
+
+}  // namespace parison::tools

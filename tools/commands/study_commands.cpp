@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/case/case_error.hpp"
+#include "tools/commands/command_options.hpp"
+#include "tools/commands/study/fit_law.hpp"
+#include "tools/comparison/compare.hpp"
+#include "tools/program/bundled_cases.hpp"
+#include "tools/search/calibrate.hpp"
+#include "tools/search/optimise.hpp"
+#include "tools/sweep/sweep.hpp"
+#include "tools/tradeoff/tradeoff.hpp"
+#include "tools/uncertainty/uncertainty.hpp"
+
+namespace parison::tools {
+namespace {
+
+void add_tradeoff(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<TradeoffRequest>();
+  TradeoffRequest& trade = *request;
+  auto* command =
+      add_command(app, "tradeoff", "run a convergence study of settings and model parts: error against CPU time",
+                  chosen, request, tradeoff);
+  command->add_option("case", trade.case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("--output", trade.output,
+                      "folder of the study; variants that have run there are not run again [results/tradeoff_NAME]");
+  command->add_option("--reference", trade.reference,
+                      "accuracy of the reference that the others are compared with [fine; \"fine coarser 0.5\" where "
+                      "the case maps its mesh]");
+  command->add_option("--base", trade.base, "accuracy at which one setting at a time is changed")
+      ->capture_default_str();
+  command->add_option("--study", trade.study, "TOML file of [[variant]] tables that replaces the standard study");
+  command->add_option("--only", trade.groups, "groups to run: accuracy, mesh, time, coupling, order, model")
+      ->delimiter(',');
+  command->add_option("--set", trade.overrides, "KEY=VALUE for every variant")->take_all()->allow_extra_args(false);
+  command->add_option("--jobs", trade.jobs, "runs at once, one thread each")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--timings", trade.timings, "runs of a variant below a minute of CPU time; the least time counts")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_flag("--list", trade.list, "name the variants and run none");
+}
+
+void add_compare(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<CompareRequest>();
+  auto* command = add_command(app, "compare", "compare finished runs of a case: differences with their error bars",
+                              chosen, request, compare);
+  command->add_option("base", request->base, "result folder that the others are compared with")->required();
+  command->add_option("others", request->others, "result folders of the same case with other settings")->required();
+  command->add_option("--quantity", request->quantity, "by which the last table ranks the runs [thickness_min]");
+  command->add_option("--output", request->output, "folder for comparison.csv and .json, profiles.csv and .svg");
+}
+
+/// The variants in the order of the command line: a --set belongs to the --variant before it, one before all of them is
+/// a variant of its own.
+std::vector<forming::WhatIfVariant> variants_of(const CLI::App& command, const CLI::Option* variant,
+                                                const CLI::Option* set) {
+  std::vector<forming::WhatIfVariant> variants;
+  std::size_t names = 0, sets = 0;
+  for (const CLI::Option* option : command.parse_order()) {
+    if (option == variant) variants.push_back({variant->results().at(names++), {}});
+    if (option != set) continue;
+    const std::string& assignment = set->results().at(sets++);
+    if (names == 0)
+      variants.push_back(forming::variant_of(assignment));
+    else
+      variants.back().overrides.push_back(assignment);
+  }
+  return variants;
+}
+
+void add_what_if(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<WhatIfRequest>();
+  WhatIfRequest& asked = *request;
+  auto* command = app.add_subcommand("what-if", "run a case and changes of it, and say which differences are real");
+  command->add_option("case", asked.case_path, what_a_case_is)->required()->transform(find_case);
+  const auto* variant = command->add_option("--variant", "name of a variant; the --set behind it belong to it")
+                            ->type_name("NAME")
+                            ->take_all()
+                            ->allow_extra_args(false);
+  const auto* set = command->add_option("--set", "what is changed; without --variant each is one of its own")
+                        ->type_name("KEY=VALUE")
+                        ->take_all()
+                        ->allow_extra_args(false);
+  command->add_option("--base", asked.overrides, "KEY=VALUE for all runs, the base too")
+      ->take_all()
+      ->allow_extra_args(false);
+  auto* accuracy = command->add_option("--accuracy", asked.accuracy, "of all runs")->capture_default_str();
+  command
+      ->add_option("--resolve", asked.resolve,
+                   "choose the accuracy that lets a difference of this size be seen: 0.02mm of the thinnest wall, or "
+                   "QUANTITY=SIZE")
+      ->excludes(accuracy);
+  command->add_option("--quantity", asked.quantity, "by which the last table ranks the variants [thickness_min]");
+  command->add_option("--output", asked.output,
+                      "folder of the runs; those already there are used [results/what_if_NAME]");
+  command->add_option("--jobs", asked.jobs, "runs at once, one thread each")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  command->callback([&chosen, request, command, variant, set] {
+    request->variants = variants_of(*command, variant, set);
+    chosen = [request] { return what_if(*request); };
+  });
+}
+
+void add_engine_options(CLI::App& command, const std::shared_ptr<SweepRequest>& request) {
+  command.add_option("--engine", request->engine, "local: the cores of this machine; slurm: tasks of job arrays")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  const auto add = [&](const char* name, const std::string& prefix, const char* help) {
+    const auto keep = [request, prefix](const std::vector<std::string>& given) {
+      for (const std::string& value : given) request->slurm_options.push_back(prefix + value);
+    };
+    command.add_option_function<std::vector<std::string>>(name, keep, help)->take_all()->allow_extra_args(false);
+  };
+  add("--partition", "--partition=", "of Slurm");
+  add("--time", "--time=", "that Slurm gives a run, as for sbatch");
+  add("--slurm-option", "", "further option of sbatch, such as --slurm-option=--mem=2G; may be repeated");
+}
+
+void add_sweep(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<SweepRequest>();
+  auto* command = add_command(app, "sweep", "run a case with many values of its keys: table of the results", chosen,
+                              request, sweep);
+  command->add_option("file", request->file, "TOML file with the case, the design and [[variable]] tables")->required();
+  command->add_option("--output", request->output,
+                      "folder of the runs; those already there are used [results/sweep_FILE]");
+  command
+      ->add_option("--jobs", request->jobs,
+                   "runs at once, one thread each [as many as there are cores, or as Slurm lets]")
+      ->check(CLI::Range(1, 100000));
+  command->add_flag("--list", request->list, "read and check all runs, print them and run none");
+  add_engine_options(*command, request);
+  command
+      ->add_option("--row", request->row, "makes this row alone, of a sweep that was begun: what a task of Slurm does")
+      ->check(CLI::Range(1, 100000));
+}
+
+void add_optimise(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<OptimiseRequest>();
+  auto* command = add_command(app, "optimise", "search for the dimensions and settings that a goal wants", chosen,
+                              request, optimise);
+  command->add_option("file", request->file, "TOML file with the case, [[variable]] tables, [goal] and limits")
+      ->required();
+  command->add_option("--output", request->output,
+                      "folder of the runs; those already there are used [results/optimise_FILE]");
+  command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--check", request->check, "read and check the goal and the corners of the bounds, run nothing");
+}
+
+void add_calibrate(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<CalibrateRequest>();
+  auto* command =
+      add_command(app, "calibrate", "fit constants of a case to measured temperatures, strokes, forces and walls",
+                  chosen, request, calibrate);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command
+      ->add_option("data", request->data,
+                   "CSV files: time_s and PROBE_degC, TOOL_position_mm, TOOL_force_N; thickness_mm and arc_mm or z_mm")
+      ->required();
+  command->add_option("--vary", request->varied, "\"KEY=FROM to TO\": a constant and its bounds; may be repeated")
+      ->required()
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--temperature-noise", request->temperature_noise, "standard deviation of the thermocouples")
+      ->capture_default_str();
+  command->add_option("--thickness-noise", request->thickness_noise, "standard deviation of the walls")
+      ->capture_default_str();
+  command->add_option("--position-noise", request->position_noise, "standard deviation of the strokes of tools")
+      ->capture_default_str();
+  command->add_option("--force-noise", request->force_noise, "standard deviation of the forces on tools")
+      ->capture_default_str();
+  command->add_option("--accuracy", request->accuracy, "draft, standard or fine")->capture_default_str();
+  command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
+  command->add_option("--runs", request->runs, "of the fit at most")
+      ->capture_default_str()
+      ->check(CLI::Range(3, 10000));
+  command->add_option("--output", request->output,
+                      "folder of the runs; those already there are used [results/calibrate_DATA]");
+  command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_uncertainty(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<UncertaintyRequest>();
+  auto* command =
+      add_command(app, "uncertainty", "run a case with values drawn from its tolerances: bars, Sobol indices", chosen,
+                  request, uncertainty);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("--accuracy", request->accuracy, "draft, standard or fine")->capture_default_str();
+  command->add_option("--set", request->overrides, "KEY=VALUE, also with a tolerance; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--runs", request->runs, "with drawn values [eight a tolerance, 32 at least]")
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--seed", request->seed, "of the drawn values")->capture_default_str();
+  command->add_option("--output", request->output,
+                      "folder of the runs; those already there are used [results/uncertainty_NAME]");
+  command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--list", request->list, "read and check all runs, print them and run none");
+}
+
+void add_fit_law(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<FitLawRequest>();
+  auto* command =
+      add_command(app, "fit-law", "fit the pressure-viscosity law to measurements", chosen, request, fit_law);
+  command->add_option("data", request->data, "CSV file: p and h, or q, T_glass and T_tool; eta or T_glass")->required();
+  command->add_option("--fix", request->fixed, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--case", request->case_path, "case whose glass gives the viscosity at T_glass")
+      ->transform(find_case);
+  command->add_flag("--relative", request->relative,
+                    "weigh residuals as shares: for scatter that grows with the value");
+}
+
+}  // namespace
+
+void add_study_commands(CLI::App& app, Command& chosen) {
+  add_tradeoff(app, chosen);
+  add_compare(app, chosen);
+  add_what_if(app, chosen);
+  add_sweep(app, chosen);
+  add_optimise(app, chosen);
+  add_calibrate(app, chosen);
+  add_uncertainty(app, chosen);
+  add_fit_law(app, chosen);
+}
+
+}  // namespace parison::tools
