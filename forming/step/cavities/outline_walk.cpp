@@ -24,6 +24,14 @@ struct Event {
   OutlinePlace place{};  ///< on the other tool
 };
 
+/// What a walk along a symmetry line comes to first: glass, a tool, or the corner with another symmetry line.
+struct LineEnd {
+  double ahead = std::numeric_limits<double>::infinity();  ///< m
+  Index arc = -1, run = -1;                                ///< of the glass, of a tool; neither at a corner
+  Point point = Point::Zero();
+  std::optional<Point> turned;  ///< direction in which the walk leaves a corner
+};
+
 class Walker {
  public:
   Walker(const WalkScene& scene, Index from_node)
@@ -34,7 +42,8 @@ class Walker {
 
  private:
   bool advance();
-  bool follow_line(const Point& from, const Point& direction);
+  bool follow_line(Point from, Point direction);
+  LineEnd end_of_line(const Point& from, const Point& direction) const;
   bool finish_chord();
   Event first_event() const;
   void meet_targets(Event& first) const;
@@ -164,30 +173,47 @@ bool Walker::advance() {
   return true;
 }
 
-/// Goes on with the next body on the symmetry line; false where it is the glass, or where there is none.
-bool Walker::follow_line(const Point& from, const Point& direction) {
-  double least = std::numeric_limits<double>::infinity();
-  const auto is_next = [&](const Point& x, const Point& line) {
-    const double ahead = (x - from).dot(direction), off = std::abs(cross(x - from, direction));
-    const bool found = line.dot(direction) < -0.99 && off <= scene_.seal_gap && ahead > -scene_.seal_gap;
-    if (!found || ahead >= least) return false;
-    least = ahead;
-    return true;
+/// What lies ahead on the line, and lines with a body on them that cross it on the side of the gap.
+LineEnd Walker::end_of_line(const Point& from, const Point& direction) const {
+  constexpr double opposite = -0.99, crossing = 0.1;  // of unit directions: product, cross product
+  LineEnd first;
+  const auto meet = [&](const Point& x, const Point& line, Index arc, Index run) {
+    const Point to = x - from;
+    const double turn = cross(direction, line);
+    const bool is_same_line = line.dot(direction) < opposite;
+    if (!is_same_line && turn < crossing) return;
+    const double ahead = is_same_line ? to.dot(direction) : cross(to, line) / turn;
+    const double off = is_same_line ? -std::abs(cross(to, direction)) : cross(to, direction) / turn;
+    if (off < -scene_.seal_gap || ahead <= -scene_.seal_gap || ahead >= first.ahead) return;
+    if (is_same_line)
+      first = {ahead, arc, run, x, {}};
+    else
+      first = {ahead, -1, -1, from + ahead * direction, -line};
   };
-  Index arc = -1, next = -1;
-  Point point = from;
-  for (const auto& target : scene_.line_targets)
-    if (is_next(target.point, target.direction)) arc = target.arc, point = target.point;
+  for (const auto& target : scene_.line_targets) meet(target.point, target.direction, target.arc, -1);
   for (Index run = 0; run < static_cast<Index>(runs_.size()); ++run)
-    if (runs_[run].open_line_before && is_next(runs_[run].points.front(), *runs_[run].open_line_before)) next = run;
-  if (next >= 0) {
-    here_ = from;
-    go_to({next, 0, 0});
-    near_.assign(runs_.size(), false);
-    return true;
+    if (runs_[run].open_line_before) meet(runs_[run].points.front(), *runs_[run].open_line_before, -1, run);
+  return first;
+}
+
+/// Goes on with the next body on the symmetry line, or on the one that it meets at a corner; false where it is the
+/// glass, or where there is none.
+bool Walker::follow_line(Point from, Point direction) {
+  constexpr int most_corners = 8;
+  here_ = from;
+  for (int corner = 0; corner <= most_corners; ++corner) {
+    const LineEnd end = end_of_line(from, direction);
+    if (end.run >= 0) {
+      go_to({end.run, 0, 0});
+      near_.assign(runs_.size(), false);
+      return true;
+    }
+    if (end.arc >= 0 || end.turned) add(-1, end.point);
+    walk_.arc = end.arc;
+    if (!end.turned) return false;
+    from = end.point;
+    direction = *end.turned;
   }
-  if (arc >= 0) add(-1, point);
-  walk_.arc = arc;
   return false;
 }
 

@@ -163,6 +163,44 @@ TEST(AirCavities, the_volume_changes_with_the_tool_as_its_area_says) {
   EXPECT_NEAR(before[0].tool_area[1], -M_PI * 9e-6, 1e-9);
 }
 
+/// A quarter of a shell between the axis and the plane z = 0, in the hole of which nothing else is.
+core::Mesh quarter_shell(double inner, double outer) {
+  core::Mesh mesh = tests::structured(4, 8, [=](double s, double t) -> Point {
+    const double radius = 1e-3 * (inner + s * (outer - inner)), angle = M_PI / 2 * t;
+    return {t == 1 ? 0.0 : radius * std::cos(angle), t == 0 ? 0.0 : radius * std::sin(angle)};
+  });
+  for (const Index side : {0, 2}) mesh.edit().boundaries[side].kind = core::BoundaryKind::symmetry;
+  return mesh;
+}
+
+TEST(AirCavities, the_corner_of_two_symmetry_lines_closes_a_cavity) {
+  for (const Geometry geometry : {Geometry::axisymmetric, Geometry::planar}) {
+    const core::Mesh mesh = quarter_shell(10, 12);
+    const std::vector<Index> contact_tool(mesh.nodes.size(), -1);
+    const auto found = air_cavities({mesh, geometry, exposed_edges(mesh, contact_tool), contact_tool}, {}, 0, gap);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].volume / (geometry == Geometry::planar ? M_PI / 4 * 1e-4 : 2 * M_PI / 3 * 1e-6), 1, 2e-4);
+    EXPECT_EQ(found[0].edges.size(), 8u);
+  }
+}
+
+TEST(AirCavities, a_tool_at_a_plane_and_glass_at_the_axis_close_a_cavity_by_their_corner) {
+  // A tube between planes of symmetry at z = 0 and at z = 20 mm, with a disc of glass in it.
+  Scenery scene(0, 10, 4, 12);
+  scene.add(Pen(mm(10, 20)).contact(mm(10, 0)).free(mm(15, 0)).free(mm(15, 20)).close());
+  scene.touch(1, 0);
+  const std::vector<OutlinedTool> placed{{0, &scene.tools[0].profile, {false, true}, {true, false}, 0}};
+  const ExposedGlass glass{scene.mesh, Geometry::axisymmetric, exposed_edges(scene.mesh, scene.contact_tool),
+                           scene.contact_tool};
+  const auto found = air_cavities(glass, tool_outlines(placed, Geometry::axisymmetric, 0.5e-3, 1e-6), 1, gap);
+  ASSERT_EQ(found.size(), 2u);
+  for (const auto& cavity : found) {
+    const double length = cavity.volume < M_PI * 100e-6 * 6e-3 ? 4e-3 : 8e-3;
+    EXPECT_NEAR(cavity.volume, M_PI * 100e-6 * length, 1e-15);
+    EXPECT_NEAR(cavity.tool_area[0], 0, 1e-15);
+  }
+}
+
 TEST(AirCavities, a_planar_cavity_between_two_symmetry_planes_is_found) {
   Scenery scene(0, 10, 4, 12);
   scene.mesh.edit().boundaries[1].kind = core::BoundaryKind::symmetry;

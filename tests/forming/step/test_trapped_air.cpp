@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "forming/run/run.hpp"
 #include "forming/scene_parts.hpp"
 #include "forming/scene_text.hpp"
 #include "forming/state/initial_state.hpp"
@@ -114,6 +115,32 @@ TEST(TrappedAirState, a_pressure_of_the_stage_opens_a_cavity_and_a_case_without_
       replaced("law = \"isothermal\", temperature = \"500 degC\", ambient = \"1 bar\"", "law = \"vented\"", ring));
   const State drawn = initial_state(vented);
   EXPECT_FALSE(step_start(vented, drawn, 1e-3).air);
+}
+
+TEST(TrappedAirState, half_a_closed_shell_between_axis_and_plane_is_compressed_to_equal_pressures) {
+  // Half an atmosphere of overpressure from outside: at rest the air inside has two thirds of its volume.
+  const std::string text = R"(case = "half_shell"
+geometry = "axisymmetric"
+trapped_air = { law = "isothermal", temperature = "500 degC", ambient = "1 bar" }
+stage = [{ name = "press", duration = "1 s", pressure.outer = "0.5 bar" }]
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e3 Pa.s" }
+[glass]
+material = "liquid"
+mesh = { mapped = [3, 16] }
+boundary = [{ name = "equator", path = "(10, 0) (12, 0) mm", condition = "symmetry" },
+  { name = "outer", path = "arc centre (0, 0) mm radius 12 mm from 0 deg to 90 deg", condition = "air" },
+  { name = "axis", path = "(0, 10) mm", condition = "symmetry" },
+  { name = "inner", path = "arc centre (0, 0) mm radius 10 mm from 90 deg to 0 deg", condition = "air" }]
+)";
+  const RunOutcome outcome = run(scene_of(text), {}, {});
+  ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+  const CavityAir& air = outcome.state.cavity_air;
+  ASSERT_EQ(air.volume.size(), 1u);
+  EXPECT_NEAR(air.amount[0] / (1e5 * 2 * M_PI / 3 * 1e-6), 1, 1e-3);
+  EXPECT_NEAR(air.volume[0] / (2 * M_PI / 3 * 1e-6), 2.0 / 3, 2e-3);
+  EXPECT_NEAR(air.energy[0] / air.volume[0], 1.5e5, 1e-3 * 1.5e5);
 }
 
 }  // namespace
