@@ -86,17 +86,22 @@ double exact_heat(double inverse_effusivity, double h, double time) {
   return h * time * ((scaled - 1) / (y * y) + 2 / (y * std::sqrt(M_PI)));
 }
 
-/// Heat that leaves the unknowns that are `hot`, 1, in a system by its modes, J/m2; they begin at `start`, K.
-double discrete_heat(const Column& system, const VectorXd& hot, const VectorXd& start, double time) {
+/// Heat that the unknowns which are `hot`, 1, give up in a time, J/m2: by the conductance h times the `jump` between
+/// two surfaces, from the modes of the system, which begins at `start`, K. The sum over the jump keeps its digits where
+/// the heat is next to nothing of what the layers hold.
+double discrete_heat(const Column& system, const VectorXd& hot, const VectorXd& start, const VectorXd& jump, double h,
+                     double time) {
   const VectorXd scale = system.mass.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd mass = scale.asDiagonal() * system.mass * scale.asDiagonal();
   const MatrixXd stiffness = scale.asDiagonal() * system.stiffness * scale.asDiagonal();
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(stiffness, mass);
-  const VectorXd content = modes.eigenvectors().transpose() * scale.cwiseProduct(system.mass * hot);
+  const VectorXd across = modes.eigenvectors().transpose() * scale.cwiseProduct(jump);
   const VectorXd amplitude = modes.eigenvectors().transpose() * scale.cwiseProduct(system.mass * start);
   double heat = hot.dot(system.mass * (hot - start));  // taken at the start
-  for (Eigen::Index i = 0; i < amplitude.size(); ++i)
-    heat -= content[i] * amplitude[i] * std::expm1(-std::max(modes.eigenvalues()[i], 0.0) * time);
+  for (Eigen::Index i = 0; i < amplitude.size(); ++i) {
+    const double decay = std::max(modes.eigenvalues()[i], 0.0) * time;
+    heat += h * across[i] * amplitude[i] * time * (decay > 0 ? -std::expm1(-decay) / decay : 1);
+  }
   return heat;
 }
 
@@ -104,10 +109,11 @@ double discrete_heat(const Column& system, const VectorXd& hot, const VectorXd& 
 double discrete_heat(const SkinSide& side, double h, bool prescribed, double time) {
   Column system = column(side, time);
   system.stiffness(0, 0) += h;
-  const VectorXd hot = VectorXd::Ones(system.mass.rows());
+  const Eigen::Index n = system.mass.rows();
+  const VectorXd hot = VectorXd::Ones(n);
   VectorXd start = hot;
   if (prescribed) start[0] = 0;
-  return discrete_heat(system, hot, start, time);
+  return discrete_heat(system, hot, start, VectorXd::Unit(n, 0), h, time);
 }
 
 /// Heat that the first of two layers gives to the second, on their meshes, J/m2.
@@ -125,7 +131,7 @@ double discrete_heat(const SkinSide& first, const SkinSide& second, double h, do
   system.stiffness(n, 0) -= h;
   VectorXd hot = VectorXd::Zero(n + m);
   hot.head(n).setOnes();
-  return discrete_heat(system, hot, hot, time);
+  return discrete_heat(system, hot, hot, VectorXd::Unit(n + m, 0) - VectorXd::Unit(n + m, n), h, time);
 }
 
 /// A layer on a mesh so fine that it stands for the exact solution.

@@ -72,6 +72,18 @@ TEST(SkinError, a_fitting_cell_keeps_the_tolerance_and_is_not_refined_without_ne
   EXPECT_LE(std::abs(skin_error(side, 1e9, 1e-3)), 3e-3);
 }
 
+TEST(SkinError, of_next_to_no_heat_is_next_to_nothing) {
+  // Layers of one temperature each: the heat is h times the jump, to the share of their contents that it is.
+  const double content = 2400 * 1300, depth = 5e-3, time = 0.5;
+  for (const double conducts : {1e4, 1e6, 1e8})
+    for (const double h : {1e-6, 1e-3, 1.0, 100.0}) {
+      const SkinSide glass{conducts, content, 1e-3, 0.5, 2, depth}, heavy{1e6, 7200e9, 2e-3, 0.5, 2, depth};
+      const double share = h * time / (content * depth);
+      EXPECT_LT(std::abs(skin_error(glass, heavy, h, time)), 1e-6 + share) << conducts << ' ' << h;
+      EXPECT_LT(std::abs(skin_error(glass, h, time)), 1e-6 + share) << conducts << ' ' << h;
+    }
+}
+
 constexpr double thickness = 10e-3;
 
 /// Heat that a slab of glass has given one of other conductivity and heat capacity, J, both insulated behind and on
