@@ -85,6 +85,20 @@ TEST(HostileInput, entities_that_contradict_themselves_are_refused) {
   expect_refused(with_drawing("disc.dxf", arc + "1e8\n50\n0\n51\n1e-7\n" + end), "an arc with a radius of 1e+05 m");
 }
 
+TEST(HostileInput, a_dxf_drawing_in_another_unit_than_the_case_says_is_refused) {
+  const auto in_units = [](const std::string& number) {
+    return with_drawing("disc.dxf", "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + number +
+                                        "\n9\n$MEASUREMENT\n70\n1\n0\nENDSEC\n" + polyline("0") + end);
+  };
+  for (const char* none_or_mm : {"0", "4", "     4", "15", "99"}) EXPECT_EQ(complaint_about(in_units(none_or_mm)), "");
+  expect_refused(
+      in_units("1"),
+      "disc.dxf:8: glass.boundary.path.file: $INSUNITS 1 was found, a drawing in inches, where the case says "
+      "that its unit is 0.001 m");
+  for (const char* other : {"2", "5", "6", "13"}) expect_refused(in_units(other), "allowed is the same unit, or 0");
+  expect_refused(in_units("mm"), "allowed is a number");
+}
+
 TEST(HostileInput, what_is_not_parallel_to_the_plane_of_a_dxf_drawing_is_refused) {
   const auto lines = [](const std::string& height) {
     const auto line = [](const std::string& from, const std::string& to) {

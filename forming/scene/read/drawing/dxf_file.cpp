@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -45,6 +46,8 @@ class Sections {
   /// False at the end of the file.
   bool take(const DxfGroup& group) {
     if (group.code == 0) return begin(group);
+    if (after_units_ && group.code == 70) units_ = group;
+    after_units_ = group.code == 9 && group.value == "$INSUNITS";
     if (after_section_ && group.code == 2) {
       blocks_ = group.value == "BLOCKS";
       inside_ = blocks_ || group.value == "ENTITIES";
@@ -58,6 +61,7 @@ class Sections {
   }
 
   bool inside_entities() const { return inside_; }
+  const std::optional<DxfGroup>& units() const { return units_; }
 
  private:
   /// A section, an entity or an end.
@@ -73,8 +77,21 @@ class Sections {
   const DxfFile& file_;
   const std::function<void(const DxfEntity&)>& use_;
   DxfEntity entity_;
-  bool inside_ = false, blocks_ = false, after_section_ = false;
+  std::optional<DxfGroup> units_;  ///< of the variable $INSUNITS
+  bool inside_ = false, blocks_ = false, after_section_ = false, after_units_ = false;
 };
+
+/// A unit of lengths by its number in a DXF file.
+struct DxfUnit {
+  const char* name;
+  double metres;
+};
+/// Those from 1 on, in their order; from 15 on no container is drawn in them.
+constexpr std::array dxf_units{
+    DxfUnit{"inches", 0.0254}, DxfUnit{"feet", 0.3048},  DxfUnit{"miles", 1609.344},  DxfUnit{"mm", 1e-3},
+    DxfUnit{"cm", 1e-2},       DxfUnit{"m", 1.0},        DxfUnit{"km", 1e3},          DxfUnit{"microinches", 2.54e-8},
+    DxfUnit{"mils", 2.54e-5},  DxfUnit{"yards", 0.9144}, DxfUnit{"angstroms", 1e-10}, DxfUnit{"nm", 1e-9},
+    DxfUnit{"um", 1e-6},       DxfUnit{"dm", 0.1}};
 
 }  // namespace
 
@@ -94,7 +111,21 @@ double DxfFile::number(const DxfGroup& group) const {
   return *value;
 }
 
-void read_entities(const DxfFile& file, const std::string& content, const std::function<void(const DxfEntity&)>& use) {
+void require_same_unit(const DxfFile& file, const DxfGroup& drawn, double unit) {
+  constexpr double same = 1e-4;
+  const double number = file.number(drawn);
+  if (!(number >= 1 && number <= double(dxf_units.size()) && number == std::floor(number))) return;
+  const DxfUnit& own = dxf_units[static_cast<std::size_t>(number) - 1];
+  if (std::abs(own.metres / unit - 1) > same)
+    file.refuse(drawn.line,
+                fmt::format("$INSUNITS {:g} was found, a drawing in {}, where the case says that its unit is {:g} m; "
+                            "allowed is the same unit, or 0 for none (set the units in the CAD program, or correct "
+                            "unit in the case)",
+                            number, own.name, unit));
+}
+
+std::optional<DxfGroup> read_entities(const DxfFile& file, const std::string& content,
+                                      const std::function<void(const DxfEntity&)>& use) {
   core::Lines lines(content);
   Sections sections(file, use);
   bool ended = false;
@@ -103,7 +134,7 @@ void read_entities(const DxfFile& file, const std::string& content, const std::f
     if (!group) break;
     ended = !sections.take(*group);
   }
-  if (ended && !sections.inside_entities()) return;
+  if (ended && !sections.inside_entities()) return sections.units();
   file.refuse(lines.number(),
               fmt::format("the file ends without {}, so a part of it is missing, allowed is a whole DXF file",
                           sections.inside_entities() ? "the ENDSEC of its entities" : "EOF"));

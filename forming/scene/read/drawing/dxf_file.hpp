@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lines of an ASCII DXF file; private to the reading of drawings.
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,8 +36,13 @@ struct DxfFile {
   double number(const DxfGroup& group) const;
 };
 
-/// Calls `use` with each entity of the sections BLOCKS and ENTITIES, in their order. Refuses a file that ends before
-/// its ENDSEC or its EOF, and lines that are no groups.
-void read_entities(const DxfFile& file, const std::string& content, const std::function<void(const DxfEntity&)>& use);
+/// Calls `use` with each entity of the sections BLOCKS and ENTITIES, in their order, and gives the group with the unit
+/// of the drawing, $INSUNITS, where the file has one. Refuses a file that ends before its ENDSEC or its EOF, and lines
+/// that are no groups.
+std::optional<DxfGroup> read_entities(const DxfFile& file, const std::string& content,
+                                      const std::function<void(const DxfEntity&)>& use);
+
+/// Refuses a unit of the drawing, $INSUNITS, that is another one than that of the case, m; 0 stands for none.
+void require_same_unit(const DxfFile& file, const DxfGroup& drawn, double unit);
 
 }  // namespace parison::forming

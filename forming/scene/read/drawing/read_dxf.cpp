@@ -298,7 +298,8 @@ std::vector<Segment> read_dxf(const CaseNode& node, const std::string& path, con
   const std::string content = core::read_given_file(node, path, "a drawing with its path relative to the case file");
   const DxfFile file{node, path};
   Drawing drawing(file, layer, unit);
-  read_entities(file, content, [&](const Entity& entity) { drawing.take(entity); });
+  const auto units = read_entities(file, content, [&](const Entity& entity) { drawing.take(entity); });
+  if (units) require_same_unit(file, *units, unit);
   DxfCurves& curves = drawing.curves;
   curves.require_end_of_polyline();
   const double straight = tolerance::joined * size_of(curves.curves);
