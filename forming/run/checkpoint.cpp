@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
@@ -131,20 +132,34 @@ std::vector<std::string> read_overrides(const Hdf5Group& file) {
   return overrides;
 }
 
-/// The case has changed; refused where the run has used what changed, or where the result folder does not have it as it
-/// was.
+std::uint64_t fingerprint_in(const Hdf5Group& file) {
+  return static_cast<std::uint64_t>(file.read_integer("fingerprint"));
+}
+
+/// The case as a run had it: the copy in its result folder, or the file it was read from where that has not changed
+/// since; empty where neither has it as it was.
+std::string case_as_it_was(const std::string& folder, const std::string& accuracy, const Hdf5Group& file) {
+  for (const std::string& known : {case_copy_folder(folder), file.read_string("case_file")}) {
+    const std::string text = std::filesystem::is_directory(known) ? known + "/case.toml" : known;
+    if (!std::filesystem::exists(text)) continue;
+    try {
+      if (read_scene(known, accuracy, read_overrides(file)).fingerprint == fingerprint_in(file)) return known;
+    } catch (const core::CaseError&) {  // it can no longer be read as it was
+    }
+  }
+  return {};
+}
+
+/// The case has changed; refused where the run has used what changed, or where nothing has it as it was.
 void require_unused_change(const std::string& path, const Scene& scene, const Hdf5Group& file) {
-  const std::string before = case_copy_folder(std::filesystem::path(path).parent_path().string());
-  const std::vector<std::string> overrides = read_overrides(file);
   const auto stage = static_cast<Index>(file.open("state").read_integer("stage"));
-  const bool is_known = std::filesystem::exists(before + "/case.toml") &&
-                        read_scene(before, scene.accuracy_name, overrides).fingerprint ==
-                            static_cast<std::uint64_t>(file.read_integer("fingerprint"));
-  if (!is_known)
+  const std::string before =
+      case_as_it_was(std::filesystem::path(path).parent_path().string(), scene.accuracy_name, file);
+  if (before.empty())
     throw core::CaseError(fmt::format(
         "{}: a checkpoint of the case \"{}\" with another case file was found, allowed is one of \"{}\" as it is now",
         path, file.read_string("case"), scene.name));
-  const std::string key = used_change(before, overrides, scene, stage);
+  const std::string key = used_change(before, read_overrides(file), scene, stage);
   if (!key.empty())
     throw core::CaseError(fmt::format(
         "{}: {} has changed, which the run up to this checkpoint has used; allowed are changes of output and "
@@ -152,10 +167,23 @@ void require_unused_change(const std::string& path, const Scene& scene, const Hd
         path, key, scene.stages.at(stage).name));
 }
 
+/// Whether the copy of a result folder is the case of one of its checkpoints; nothing where it cannot be read.
+std::optional<bool> is_of_a_checkpoint(const std::string& copy, const std::string& directory) {
+  try {
+    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+      if (entry.path().extension() != ".h5" || !core::read_hdf5(entry.path()).problem.empty()) continue;
+      const CaseOrigin origin = read_origin(entry.path());
+      if (read_scene(copy, origin.accuracy, origin.overrides).fingerprint == origin.fingerprint) return true;
+    }
+    return false;
+  } catch (const core::CaseError&) {
+    return {};
+  }
+}
+
 void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
   require_version(path, file);
-  if (static_cast<std::uint64_t>(file.read_integer("fingerprint")) != scene.fingerprint)
-    require_unused_change(path, scene, file);
+  if (fingerprint_in(file) != scene.fingerprint) require_unused_change(path, scene, file);
   const std::string accuracy = file.read_string("accuracy");
   if (accuracy != scene.accuracy_name)
     throw core::CaseError(fmt::format("{}: a checkpoint at {} accuracy was found, allowed is one at {} accuracy", path,
@@ -210,8 +238,19 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
 CaseOrigin read_origin(const std::string& path) {
   const Hdf5Group file = core::open_hdf5(path);
   require_version(path, file);
-  return {file.read_string("case_file"), file.read_string("accuracy"), read_overrides(file),
-          static_cast<std::uint64_t>(file.read_integer("fingerprint"))};
+  return {file.read_string("case_file"), file.read_string("accuracy"), read_overrides(file), fingerprint_in(file)};
+}
+
+void require_unchanged_copy(const std::string& directory, const Scene& scene) {
+  const std::string folder = case_copy_folder(directory), copy = folder + "/case.toml";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(copy, error) || std::filesystem::equivalent(scene.file, copy, error)) return;
+  const bool has_same_text = core::read_text(copy) == core::read_text(scene.file);
+  if (is_of_a_checkpoint(folder, directory).value_or(has_same_text)) return;
+  throw core::CaseError(
+      fmt::format("{}: this copy of the case, or a drawing beside it, is no longer that of the run, which is taken up "
+                  "with \"{}\"; allowed is a change there, or this copy itself with --case {}",
+                  copy, scene.file, folder));
 }
 
 }  // namespace parison::forming

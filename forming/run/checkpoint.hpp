@@ -32,4 +32,8 @@ struct CaseOrigin {
 };
 CaseOrigin read_origin(const std::string& path);
 
+/// Refuses (core::CaseError) a result folder whose copy of the case is that of none of its checkpoints, where the run
+/// is not taken up with the copy itself: whoever has changed it expects the run to go on with it.
+void require_unchanged_copy(const std::string& directory, const Scene& scene);
+
 }  // namespace parison::forming

@@ -13,6 +13,7 @@
 #include "core/case/case_error.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/process/run_error.hpp"
+#include "forming/run/checkpoint.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/scene/accuracy.hpp"
@@ -162,6 +163,7 @@ std::pair<Snapshot, py::dict> run(const std::shared_ptr<Scene>& scene, const std
     const py::gil_scoped_release others;
     const tools::OneBlasThread one_thread;
     const auto stop = [&] { return callback.stops(); };
+    if (again) forming::require_unchanged_copy(directory, *scene);
     outcome = again ? forming::resume_in_folder(*scene, directory, {&callback}, stop)
                     : forming::run_in_folder(*scene, directory, {&callback}, stop);
     forming::write_summary(directory, *scene, outcome.state, outcome.facts);

@@ -283,6 +283,30 @@ TEST_F(Resume, with_a_change_of_what_the_run_has_used_it_is_refused_by_its_key) 
       std::string::npos);
 }
 
+TEST_F(Resume, a_changed_copy_of_the_case_is_refused_or_taken_up_where_it_is_named) {
+  run_in_folder(scene, in("parts"), {}, stop_after(5));
+  const std::string copy = in("parts/case/case.toml"), text = core::read_text(copy);
+  EXPECT_NO_THROW(require_unchanged_copy(in("parts"), scene));
+  for (const auto& [from, to] : {std::pair{rest, "name = \"rest\"\nduration = \"0.05 s\""},
+                                 std::pair{std::string("[material.glass]"), "[material.glas]"}}) {
+    core::write_text(copy, replaced(from, to, text));
+    try {
+      require_unchanged_copy(in("parts"), scene);
+      FAIL() << to;
+    } catch (const core::CaseError& error) {
+      EXPECT_NE(std::string(error.what()).find("/parts/case/case.toml: this copy of the case"), std::string::npos);
+    }
+  }
+  core::write_text(copy, replaced(rest, "name = \"rest\"\nduration = \"0.05 s\"", text));
+  const Scene now = read_scene(in("parts/case"), "draft");
+  EXPECT_NO_THROW(require_unchanged_copy(in("parts"), now));
+  const auto outcome = resume_in_folder(now, in("parts"));
+  ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+  EXPECT_NEAR(outcome.state.time, 0.15, 1e-12);
+  // A case that has changed where it is, and the copy as it was; and a case that is again as at the end of a stage.
+  EXPECT_NO_THROW(require_unchanged_copy(in("parts"), scene));
+}
+
 TEST_F(Resume, a_result_folder_has_the_case_that_was_run) {
   run_in_folder(scene, in("copy"), {}, stop_after(1));
   EXPECT_EQ(core::read_text(in("copy/case/case.toml")), core::read_text(in("case.toml")));
@@ -305,9 +329,11 @@ std::string reason_when_hindered(const Scene& scene, const std::string& folder, 
 }
 
 TEST_F(Resume, a_run_out_of_room_says_so_and_goes_on_from_its_last_checkpoint_when_there_is_room) {
-  const std::string reason = reason_when_hindered(scene, in("full"), [] {
+  run_in_folder(scene, in("begun"), {}, stop_after(5));
+  const auto begun = static_cast<rlim_t>(fs::file_size(in("begun/checkpoint.h5")));
+  const std::string reason = reason_when_hindered(scene, in("full"), [&] {
     std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit room{197500, 197500};
+    const rlimit room{begun + 1000, begun + 1000};  // a checkpoint of later stages is larger
     ::setrlimit(RLIMIT_FSIZE, &room);
   });
   EXPECT_TRUE(

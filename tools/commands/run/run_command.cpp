@@ -130,6 +130,7 @@ int resume(const RunRequest& request) {
         fmt::format("{}: its case \"{}\" no longer exists, give its new location with --case", output, origin.file));
   const Scene scene = forming::read_scene(request.case_path.empty() ? origin.file : request.case_path, origin.accuracy,
                                           origin.overrides);
+  forming::require_unchanged_copy(output, scene);
   forming::read_checkpoint(checkpoint, scene);  // refuses a changed case before anything is given up
   if (!request.after.empty()) forming::return_to_stage_end(output, request.after);
   if (const std::string damage = forming::damage_of_last_checkpoint(output); !damage.empty())
