@@ -28,6 +28,19 @@ struct TemperatureBounds {
   double undershoot = 0, overshoot = 0;  ///< of the node furthest beyond, integral over time, K s
 };
 
+/// How far temperatures of a body went beyond the table of a property.
+struct TableExcess {
+  double error = 0;  ///< estimated relative error of the property, mean over the volume or the surface, largest so far
+  double furthest = 0;  ///< beyond the table, K
+  double seconds = 0;   ///< in which some temperature was beyond it
+};
+
+/// The same of all properties of a body.
+struct TablesExcess {
+  TableExcess conductivity, heat_capacity;
+  TableExcess flow;  ///< viscosity of the glass, friction of the glass on a tool
+};
+
 /// The glass at an instant; its mesh moves with it.
 struct GlassState : GlassFields {
   core::Mesh mesh;
@@ -37,6 +50,7 @@ struct GlassState : GlassFields {
   double initial_heat = 0;        ///< heat content at the start, J
   ActiveContacts active_contacts;
   TemperatureBounds bounds;
+  TablesExcess tables;
 };
 
 /// The thermal contact of the glass with a tool that goes on, and what the contacts before it left: by these the run
@@ -68,6 +82,7 @@ struct ToolState {
   double max_surface_temperature = 0;  ///< highest temperature so far on its contact boundaries, K
   ContactSkin skin;
   TemperatureBounds bounds;
+  TablesExcess tables;
 };
 
 /// Why the glass was given a new mesh, and the names of these reasons.

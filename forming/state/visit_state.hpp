@@ -26,6 +26,19 @@ void visit_bounds(Visitor visit, Bounds& bounds) {
   visit("overshoot", bounds.overshoot);
 }
 
+template <typename Visitor, typename Tables>
+void visit_tables(Visitor visit, Tables& tables) {
+  visit("conductivity_error", tables.conductivity.error);
+  visit("conductivity_furthest", tables.conductivity.furthest);
+  visit("conductivity_seconds", tables.conductivity.seconds);
+  visit("heat_capacity_error", tables.heat_capacity.error);
+  visit("heat_capacity_furthest", tables.heat_capacity.furthest);
+  visit("heat_capacity_seconds", tables.heat_capacity.seconds);
+  visit("flow_error", tables.flow.error);
+  visit("flow_furthest", tables.flow.furthest);
+  visit("flow_seconds", tables.flow.seconds);
+}
+
 /// Lists every value of a state with its name: one list serves writing, reading and comparing. A visitor takes a name
 /// and a value, and gives a visitor for a named part.
 template <typename Visitor, typename Tool>
@@ -44,6 +57,7 @@ void visit_tool(Visitor visit, Tool& tool) {
   visit("max_surface_temperature", tool.max_surface_temperature);
   visit_skin(visit.part("skin"), tool.skin);
   visit_bounds(visit.part("bounds"), tool.bounds);
+  visit_tables(visit.part("tables"), tool.tables);
 }
 
 template <typename Visitor, typename Glass>
@@ -58,6 +72,7 @@ void visit_glass(Visitor visit, Glass& glass) {
   visit("active_contact_tool", glass.active_contacts.tool);
   visit("active_contact_normal", glass.active_contacts.normal);
   visit_bounds(visit.part("bounds"), glass.bounds);
+  visit_tables(visit.part("tables"), glass.tables);
 }
 
 template <typename Visitor, typename Statistics>

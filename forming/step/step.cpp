@@ -15,6 +15,7 @@
 #include "forming/step/heat/contact_opening.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/heat/surface_temperature.hpp"
+#include "forming/step/heat/table_excess.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
 #include "forming/step/predictor.hpp"
 #include "forming/step/step_start.hpp"
@@ -131,6 +132,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   ++after.totals.steps;
   if (dt < short_step * scene.accuracy.min_step) ++after.totals.short_steps;
   after.totals.clamped_lookups = workspace.clamped_lookups;
+  update_table_excess(scene, dt, after);
   if (!workspace.static_stage) note_penetration(scene, after);
   if (scene.has_flow()) after.totals.max_drift = std::max(after.totals.max_drift, std::abs(volume_drift(scene, after)));
   result.report.dt = dt;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+
+#include "forming/flow/viscosity/composition.hpp"
 
 namespace parison::flow {
 
@@ -35,6 +38,23 @@ ViscosityTable::Value ViscosityTable::operator()(double temperature) const {
   const double rise = logarithm_[i + 1] - logarithm_[i], m0 = width * slope_[i], m1 = width * slope_[i + 1];
   const double c2 = 3 * rise - 2 * m0 - m1, c3 = m0 + m1 - 2 * rise;
   return {logarithm_[i] + s * (m0 + s * (c2 + s * c3)), (m0 + s * (2 * c2 + 3 * s * c3)) / width};
+}
+
+double ViscosityTable::error_beyond(double temperature) const {
+  const std::size_t last = temperature_.size() - 1, middle = temperature_.size() / 2;
+  if (temperature >= coldest() && temperature <= hottest()) return 0;
+  const std::size_t end = temperature < coldest() ? 0 : last;
+  const double excess = temperature - temperature_[end];
+  const double of_arrhenius = std::abs(slope_[end] * excess * excess / temperature);
+  if (last < 2) return of_arrhenius;
+  const auto decades = [this](std::size_t i) { return logarithm_[i] / std::log(10); };
+  const Viscosity law = vft_through({temperature_[last], temperature_[middle], temperature_[0]},
+                                    {decades(last), decades(middle), decades(0)});
+  if (!(law.B > 0) || !(law.T0 > 0 && law.T0 < coldest())) return of_arrhenius;
+  if (temperature <= law.T0) return std::numeric_limits<double>::infinity();
+  const auto of_law = [&](double T) { return std::log(10) * law.B / (T - law.T0); };
+  const double slope = -of_law(temperature_[end]) / (temperature_[end] - law.T0);
+  return std::abs(of_law(temperature) - of_law(temperature_[end]) - slope * excess);
 }
 
 }  // namespace parison::flow

@@ -18,6 +18,12 @@ class ViscosityTable {
 
   Value operator()(double temperature) const;
 
+  double coldest() const { return temperature_.front(); }  ///< of the points, K
+  double hottest() const { return temperature_.back(); }
+  /// By how much ln eta beyond the points is estimated to be wrong: against the law of Vogel, Fulcher and Tammann
+  /// through the first, the middle and the last, or Arrhenius' law where they give none. Zero between the points.
+  double error_beyond(double temperature) const;
+
  private:
   std::vector<double> temperature_;  ///< K
   std::vector<double> logarithm_;    ///< ln eta

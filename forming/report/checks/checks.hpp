@@ -14,6 +14,9 @@ void add_heat_checks(const Scene& scene, const State& state, Checks& checks);
 /// Those of the motion: work, volume, penetration, axis, contacts, steps, inertia, caps.
 void add_flow_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks);
 
+/// That of tables over temperature, where the scene has some.
+void add_table_check(const Scene& scene, const State& state, Checks& checks);
+
 /// The list `checks` and the verdict as keys of summary.json.
 void add_checks(core::JsonWriter& json, const Checks& checks, bool completed);
 /// What the checks say together, of a run that came to its end or did not.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "../scene_text.hpp"
@@ -123,6 +125,48 @@ const std::vector<Spoilt> spoilt_numbers = {
      [](State& state, RunFacts&, double x) { state.totals.capped_work = x * state.totals.work.dissipation; }},
 };
 
+/// The check of tables over temperature, of the small scene with some values of it replaced; absent without a table.
+std::optional<Check> table_check(const std::string& from, const std::string& to) {
+  const auto outcome = run(scene_of(replaced(from, to)), {}, {});
+  EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+  for (const Check& check : outcome.facts.checks)
+    if (check.name == "property_tables") return check;
+  return {};
+}
+
+TEST(Checks, temperatures_beyond_the_table_of_a_property_are_told) {
+  EXPECT_FALSE(table_check("", ""));
+  const std::string constant = "conductivity = \"1.3 W/m/K\"";
+  const auto conductivity = [&](const std::string& hottest) {
+    return table_check(constant, "conductivity = [[\"20 degC\", \"1 W/m/K\"], [\"" + hottest + "\", \"1.3 W/m/K\"]]");
+  };
+  EXPECT_EQ(conductivity("1100 degC")->value, 0);
+  EXPECT_LT(conductivity("1001 degC")->value, 1e-3);  // glass behind the skin is a little too hot for a moment
+  const Check beyond = *conductivity("800 degC");
+  EXPECT_NEAR(beyond.value, 0.3 / 780 * 200 / 1.3, 2e-3);  // the glass begins at 1000 degC and cools
+  EXPECT_EQ(beyond.verdict(), Verdict::beyond);
+  EXPECT_NE(beyond.sentence.find("the conductivity of the glass may be wrong"), std::string::npos);
+  EXPECT_NE(beyond.sentence.find("beyond the table for 3 s, by up to 20"), std::string::npos) << beyond.sentence;
+}
+
+TEST(Checks, glass_far_hotter_than_the_measured_viscosities_is_told) {
+  // Points of a law of Vogel, Fulcher and Tammann up to a temperature, used by glass of 1000 degC.
+  const auto law = [](double celsius) { return std::pow(10, -2.309 + 3922 / (celsius - 291)); };
+  const auto told = [&](double hottest) {
+    std::string points;
+    for (double T = 500; T < hottest + 1; T += 50) points += fmt::format("[\"{} degC\", \"{} Pa.s\"], ", T, law(T));
+    return *table_check("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }",
+                        "viscosity = { law = \"table\", points = [" + points + "] }");
+  };
+  EXPECT_EQ(told(1000).verdict(), Verdict::inside);
+  const Check far = told(950);
+  EXPECT_EQ(far.verdict(), Verdict::beyond);
+  const double slope = std::log(10) * 3922 / std::pow(950 - 291, 2),
+               exact = std::log(law(1000) / law(950)) + 50 * slope;
+  EXPECT_GT(far.value, 0.5 * exact);
+  EXPECT_LT(far.value, 2 * exact);
+}
+
 TEST(Checks, a_mapped_mesh_of_a_single_division_is_told) {
   const auto told = [](const std::string& divisions) {
     const std::string text = R"(case = "block"
@@ -152,6 +196,51 @@ pressure.top = "0.1 bar"
   EXPECT_TRUE(told("[1, 5]"));
   EXPECT_TRUE(told("[5, 1]"));
   EXPECT_FALSE(told("[2, 5]"));
+}
+
+TEST(Checks, a_thick_shell_of_two_divisions_is_told_and_one_of_four_is_right) {
+  // Blown up until its inner radius has grown from a to 2.25 a, by a' = p a/(4 eta (1 - a^3/b^3)).
+  const double a = 5e-3, b = 20e-3, growth = 2.25, eta = 1e8, pressure = 1e6, shell = b * b * b - a * a * a;
+  const auto remaining = [&](double r) { return 1 - r * r * r / (shell + r * r * r); };
+  double time = 0;
+  constexpr int parts = 1000;
+  for (int i = 0; i < parts; ++i) {
+    const double step = (growth - 1) * a / parts, r = a + (i + 0.5) * step;
+    time += 4 * eta * remaining(r) / (pressure * r) * step;
+  }
+  const double wall = std::cbrt(shell + std::pow(growth * a, 3)) - growth * a;
+  const auto blown = [&](int divisions) {
+    const std::string text = fmt::format(R"(case = "shell"
+geometry = "axisymmetric"
+stage = [{{ name = "blow", duration = "{} s", pressure.inner = "{} Pa" }}]
+numerics = {{ surface_size = "2.5 mm", skin_size = "2.5 mm", strain_per_step = 0.04, max_step = "{} s" }}
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = {{ law = "constant", value = "{} Pa.s" }}
+[glass]
+material = "liquid"
+mesh = {{ mapped = [{}, 24] }}
+boundary = [{{ name = "equator", path = "(5, 0) (20, 0) mm", condition = "symmetry" }},
+  {{ name = "outer", path = "arc centre (0, 0) mm radius 20 mm from 0 deg to 90 deg", condition = "air" }},
+  {{ name = "axis", path = "(0, 5) mm", condition = "symmetry" }},
+  {{ name = "inner", path = "arc centre (0, 0) mm radius 5 mm from 90 deg to 0 deg", condition = "air" }}]
+)",
+                                         time, pressure, time / 5, eta, divisions);
+    const std::string folder = tests::absent_folder();
+    const Scene scene = scene_of(text);
+    const RunOutcome outcome = run_in_folder(scene, folder);
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    const auto& all = outcome.facts.checks;
+    const auto check =
+        std::find_if(all.begin(), all.end(), [](const Check& one) { return one.name == "flow_resolution"; });
+    const double off = write_summary(folder, scene, outcome.state, outcome.facts).thickness.mean / wall - 1;
+    std::printf("%d divisions: wall off by %.4f, flow_resolution %.4f\n", divisions, off, check->value);
+    return std::pair{off, check->verdict()};
+  };
+  EXPECT_EQ(blown(2).second, Verdict::beyond);
+  const auto [off, verdict] = blown(4);
+  EXPECT_LT(std::abs(off), 3e-3);
+  EXPECT_EQ(verdict, Verdict::inside);
 }
 
 TEST(Checks, each_tells_of_its_own_number_and_of_no_other_also_where_it_is_no_number) {
