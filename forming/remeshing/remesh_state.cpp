@@ -93,22 +93,9 @@ void mesh_fitted_surface(const Scene& scene, const State& state, const remesh::C
   if (remesh::min_quality(restored) > 0) mesh = std::move(restored);
 }
 
-/// Interpolated at the nodes of the new mesh, each value within the range of the old cell that is nearest.
-Eigen::VectorXd interpolate_within_cells(const core::Mesh& old, const remesh::Transfer& transfer,
-                                         const Eigen::VectorXd& nodal) {
-  Eigen::VectorXd values = remesh::interpolate(old, transfer, nodal);
-  for (Index n = 0; n < values.size(); ++n) {
-    const auto& cell = old.cells()[transfer.cell[n]];
-    double low = nodal[cell[0]], high = low;
-    for (const Index node : cell) low = std::min(low, nodal[node]), high = std::max(high, nodal[node]);
-    values[n] = std::clamp(values[n], low, high);
-  }
-  return values;
-}
-
 /// The temperature on the new mesh by L2 projection, limited to the old extremes, with the heat content of the old
-/// mesh. Linear temperatures are carried along the surface: a projected skin would be off by kelvins, and the heat to
-/// the tools by per cents.
+/// mesh. Those of the surface are carried along it: a projected skin would be off by kelvins, and the heat to the tools
+/// by per cents, and so would that of the old inside where a new node lies below the old surface.
 void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   const Eigen::VectorXd& temperature = state.glass.temperature;
@@ -125,7 +112,7 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
   };
   std::vector<bool> on_surface(mesh.nodes.size(), false);
   for (const Index node : contact_nodes(mesh)) on_surface[node] = true;
-  const Eigen::VectorXd skin = interpolate_within_cells(old, transfer, temperature);
+  const Eigen::VectorXd skin = carry_along_surface(old, temperature, mesh);
   const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order, on_surface, skin);
   carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
 }
@@ -140,8 +127,7 @@ Eigen::VectorXd interpolate_components(const core::Mesh& old, const remesh::Tran
   return carried.reshaped();
 }
 
-/// The fields but the temperature on the new mesh, each by its rule; the tools in contact come before the pressures
-/// that depend on them.
+/// The fields but the temperature on the new mesh, each by its rule.
 void carry_fields(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   const std::vector<Index> contact = carried_contact(scene, state, transfer, mesh);
@@ -152,12 +138,8 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
     } else {
       if (field.transfer == TransferRule::along_surface && values.size() > 0)
         values = carry_along_surface(old, state.glass.*field.values, mesh);
-      const bool in_contact = field.transfer == TransferRule::interpolate_in_contact;
-      if (values.size() == 0 || (field.transfer != TransferRule::interpolate && !in_contact)) return;
-      values = in_contact ? carry_along_surface(old, state.glass.*field.values, mesh)
-                          : interpolate_components(old, transfer, state.glass.*field.values, field.components);
-      for (Index n = 0; in_contact && n < mesh.node_count(); ++n)
-        if (contact[n] < 0) values.segment(field.components * n, field.components).setZero();
+      if (field.transfer == TransferRule::interpolate && values.size() > 0)
+        values = interpolate_components(old, transfer, state.glass.*field.values, field.components);
     }
     if (field.transfer == TransferRule::reset) {
       values.resize(field.components * place_count(field.location, mesh));

@@ -20,7 +20,7 @@ struct GlassFields {
   Eigen::VectorXd acceleration;      ///< between the last two steps
   Eigen::VectorXd dilatation_mode;   ///< velocities that change the volume at 1/s everywhere; zero where unknown
   Eigen::VectorXd temperature_rate;  ///< over the last step
-  Eigen::VectorXd contact_pressure;  ///< zero where nothing presses
+  Eigen::VectorXd contact_pressure;  ///< zero where nothing presses; after a new mesh, what edges had between nodes too
   std::vector<Index> contact_tool;   ///< index into Scene::tools of the tool that presses on the node, -1 where none
   std::vector<Index> previous_contact_tool;  ///< the same a step earlier
   Eigen::VectorXd contact_opening;  ///< of the gap to a tool beyond that at first touch; zero where nothing touches
@@ -30,9 +30,9 @@ struct GlassFields {
 enum class Location { node, quadrature_point };
 /// What a scene must have for the field to exist.
 enum class Needs { nothing, heat_or_flow, flow, gap_law };
-/// How the field gets to a new mesh: with the heat content kept, by interpolation, along the surface and zero off the
-/// contacts, along the surface alone, from the nearest surface node in contact, or not at all.
-enum class TransferRule { conserve_heat, interpolate, interpolate_in_contact, along_surface, nearest_contact, reset };
+/// How the field gets to a new mesh: with the heat content kept, by interpolation, along the surface, from the nearest
+/// surface node in contact, or not at all.
+enum class TransferRule { conserve_heat, interpolate, along_surface, nearest_contact, reset };
 /// What a stage's start does to it: keep it, reset it to its value at rest, or reset it where its tool is no longer
 /// active.
 enum class StageStart { keep, reset, reset_without_tool };
@@ -96,7 +96,7 @@ inline constexpr auto glass_fields = std::make_tuple(
                      &GlassFields::contact_tool),
     FieldDeclaration("previous_contact_tool", "", Location::node, 1, Needs::nothing, TransferRule::nearest_contact,
                      StageStart::keep, WithinStep::of_step, FieldOutput::none, "", &GlassFields::previous_contact_tool),
-    FieldDeclaration("contact_pressure", "Pa", Location::node, 1, Needs::nothing, TransferRule::interpolate_in_contact,
+    FieldDeclaration("contact_pressure", "Pa", Location::node, 1, Needs::nothing, TransferRule::along_surface,
                      StageStart::reset_without_tool, WithinStep::of_step, FieldOutput::value, "contact_pressure_Pa",
                      &GlassFields::contact_pressure),
     FieldDeclaration("contact_opening", "m", Location::node, 1, Needs::gap_law, TransferRule::along_surface,
