@@ -140,6 +140,19 @@ struct Edge {
   std::vector<core::InterfacePoint>& points;
 };
 
+/// Divides a group of segments where the contact weight changes its law, and at the front of a contact, where the
+/// pressure falls to zero within the edge.
+Parts parts_of(const Edge& edge, const SegmentGroup& group, const Master& master) {
+  const SegmentGap &first = edge.gaps[group.first], &last = edge.gaps[group.last - 1];
+  Parts parts = group.status != ContactStatus::open ? Parts{{first.begin(), last.end()}, 2}
+                                                    : cut_at_transition(first, master.transition_gap);
+  std::array<double, 3> pressure{};
+  for (int i = 0; i < 3; ++i) pressure[i] = edge.pressure[edge.view.slave.edge.nodes[i]];
+  const auto [low, high] = std::minmax_element(pressure.begin(), pressure.end());
+  if (*low <= 0 && *high > 0) cut_at_zeros(pressure, parts);
+  return parts;
+}
+
 /// Adds the Gauss points of a group of segments, except where the contact weight is zero.
 void add_points(const Edge& edge, const SegmentGroup& group, const Master& master) {
   const SurfaceEdge& slave = edge.view.slave.edge;
@@ -147,8 +160,7 @@ void add_points(const Edge& edge, const SegmentGroup& group, const Master& maste
   const SegmentGap *gap_at = &edge.gaps[group.first], *last_gap = &edge.gaps[group.last - 1];
   const double fraction = last_gap->end() - gap_at->begin();
   const int contact_points = is_affine(slave, fraction) && is_affine(facing, 1) ? affine_points : curved_points;
-  const Parts parts = group.status != ContactStatus::open ? Parts{{gap_at->begin(), last_gap->end()}, 2}
-                                                          : cut_at_transition(*gap_at, master.transition_gap);
+  const Parts parts = parts_of(edge, group, master);
   for (int part = 1; part < parts.count; ++part) {
     const double begin = parts.end[part - 1], length = parts.end[part] - begin;
     const bool in_contact =

@@ -75,4 +75,21 @@ Parts cut_at_transition(const SegmentGap& gap, double width) {
   return parts;
 }
 
+void cut_at_zeros(const std::array<double, 3>& values, Parts& parts) {
+  constexpr double apart = 1e-6;  // of the edge, from another end
+  const auto [first, last, middle] = values;
+  const double a = 2 * (first + last) - 4 * middle, b = 4 * middle - 3 * first - last;
+  const double square = b * b - 4 * a * first;
+  if (!(square > 0)) return;
+  const double q = -0.5 * (b + std::copysign(std::sqrt(square), b));  // not the difference of near numbers
+  for (const double root : {q / a, first / q}) {
+    const auto end = parts.end.begin() + parts.count;
+    const auto above = std::upper_bound(parts.end.begin(), end, root);
+    if (above == parts.end.begin() || above == end || *above - root < apart || root - *(above - 1) < apart) continue;
+    std::copy_backward(above, end, end + 1);
+    *above = root;
+    ++parts.count;
+  }
+}
+
 }  // namespace parison::contact

@@ -36,9 +36,11 @@ ContactStatus contact_status(const SegmentGap& gap, double width);
 
 /// Division of a segment into parts: its ends and the cuts between them, in order.
 struct Parts {
-  std::array<double, 4> end;
+  std::array<double, 6> end;
   int count;  ///< number of ends and cuts
 };
+/// Cuts parts where a quadratic along the edge, given by its values at s = 0, 1 and 0.5, passes zero.
+void cut_at_zeros(const std::array<double, 3>& values, Parts& parts);
 /// Cuts a segment where the gap passes 0 and the transition gap, so that the contact weight is a polynomial of the gap
 /// on each part.
 Parts cut_at_transition(const SegmentGap& gap, double width);
