@@ -40,6 +40,9 @@ struct BodyView {
   const std::vector<double>* source = nullptr;  ///< W at each point of triangle_rule(4), cell by cell; null: none
   core::TimeFunction source_factor = 1;         ///< multiplies `source`
   SurfaceLight light = {};
+  /// Of a body whose absorption varies: the temperatures by node, K, at which it is taken. Null: `advance` takes those
+  /// of the middle of the step.
+  const Eigen::VectorXd* absorption_at = nullptr;
 };
 
 /// Whether the wall thickness limits the radiation inside the body.

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thermal/properties.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace parison::thermal {
+
+bool absorption_varies(const Material& material) {
+  const auto varies = [](const Band& band) { return !band.relative.x.empty(); };
+  return has_light(material) && std::any_of(material.radiation->bands.begin(), material.radiation->bands.end(), varies);
+}
 
 double conductivity(const Material& material, double temperature, double thin_wall) {
   return Conductivity(material)(temperature, thin_wall);
@@ -13,6 +19,27 @@ Conductivity::Conductivity(const Material& material) : phonon_(material.conducti
   if (!is_rosseland(material)) return;
   const double n = material.radiation->refractive_index;
   radiant_ = 16.0 / 3 * n * n * stefan_boltzmann / material.radiation->absorption;
+  relative_ = material.radiation->relative;
+}
+
+void Conductivity::add_varying(const PointValues& temperature, const PointValues& thin_wall,
+                               PointValues& values) const {
+  for (int q = 0; q < 6; ++q)
+    for (int lane = 0; lane < batch_size; ++lane) {
+      double radiant = 0;
+      add_radiant(temperature[q][lane], thin_wall[q][lane], radiant);
+      values[q][lane] += radiant;
+    }
+}
+
+void Conductivity::add_varying_derivatives(const PointValues& temperature, const PointValues& thin_wall,
+                                           PointValues& derivatives) const {
+  for (int q = 0; q < 6; ++q)
+    for (int lane = 0; lane < batch_size; ++lane) {
+      const double T = core::positive_part(double(temperature[q][lane]));
+      const double depth = relative_(T) + added_depth(thin_wall[q][lane]);
+      derivatives[q][lane] += radiant_ * T * T * (3 - T * relative_.derivative(T) / depth) / depth;
+    }
 }
 
 Enthalpy::Enthalpy(const core::Table& heat_capacity) : capacity_(heat_capacity) {

@@ -13,7 +13,8 @@ namespace parison::thermal {
 /// Part of the spectrum in which a glass absorbs alike; it begins where the band before it ends.
 struct Band {
   double up_to;       ///< wavelength in vacuum, m; infinite for the rest of the spectrum
-  double absorption;  ///< absorption coefficient kappa, 1/m
+  double absorption;  ///< absorption coefficient kappa, 1/m; that of the first entry where it depends on temperature
+  core::Table relative = {};  ///< kappa over `absorption`, by temperature, K; empty: the same at all temperatures
 };
 
 /// Internal radiation. Rosseland (1924): it adds to the conductivity k_r = 16/3 n^2 sigma T^3 / kappa, T in K, which
@@ -27,6 +28,7 @@ struct Radiation {
   bool thin_wall = true;  ///< rosseland: multiply k_r by thin_wall_factor of the local wall thickness
   Model model = Model::rosseland;
   std::vector<Band> bands = {};  ///< of all but rosseland: wavelengths rise
+  core::Table relative = {};     ///< rosseland: kappa over `absorption`, by temperature, K; empty: the same at all
 };
 
 /// Thermal properties of a body; tables over temperature in K.
@@ -55,6 +57,9 @@ inline bool has_light(const Material& material) {
   return material.radiation && material.radiation->model != Radiation::Model::rosseland;
 }
 
+/// Whether a band of that light absorbs otherwise at another temperature.
+bool absorption_varies(const Material& material);
+
 /// A SurfaceExchange at one time.
 struct ExchangeCoefficients {
   double h;                    ///< W/m2/K
@@ -68,9 +73,10 @@ inline ExchangeCoefficients coefficients_at(const SurfaceExchange& exchange, dou
 
 inline constexpr double content_reference = 273.15;  ///< K, where enthalpy and heat content are zero
 
-/// Factor on the Rosseland conductivity in a wall of thickness w, m: 1/(1 + 4/(3 kappa w)). It makes the radiative flux
-/// between two black walls that of the diffusion approximation with a temperature jump at the walls (Deissler 1964),
-/// n^2 sigma (T1^4 - T2^4)/(1 + 3 kappa w/4), close to the exact flux in thick and in thin walls.
+/// Factor on the Rosseland conductivity in a wall of thickness w, m: 1/(1 + 4/(3 kappa w)), with kappa of the first
+/// entry where it depends on temperature, for which `conductivity` corrects it. It makes the radiative flux between two
+/// black walls that of the diffusion approximation with a temperature jump at the walls (Deissler 1964), n^2 sigma
+/// (T1^4 - T2^4)/(1 + 3 kappa w/4), close to the exact flux in thick and in thin walls.
 template <typename Number>
 [[gnu::always_inline]] inline Number thin_wall_factor(const Radiation& radiation, const Number& wall_thickness) {
   return radiation.thin_wall ? 1 / (1 + 4 / (3 * radiation.absorption * wall_thickness)) : Number{} + 1;
@@ -93,6 +99,16 @@ class Conductivity {
   void set_derivatives(const PointValues& temperature, const PointValues& thin_wall, PointValues& derivatives) const;
 
  private:
+  void add_radiant(double temperature, double thin_wall, double& sum) const {
+    if (relative_.x.empty()) return add_radiant<double>(temperature, thin_wall, sum);
+    const double T = core::positive_part(temperature);
+    sum += radiant_ * T * T * T / (relative_(temperature) + added_depth(thin_wall));
+  }
+  /// What the walls add to a relative absorption a: 1/(1 + 4/(3 a kappa w)) = a/(a + 4/(3 kappa w)).
+  static double added_depth(double thin_wall) { return 1 / thin_wall - 1; }
+  void add_varying(const PointValues& temperature, const PointValues& thin_wall, PointValues& values) const;
+  void add_varying_derivatives(const PointValues& temperature, const PointValues& thin_wall,
+                               PointValues& derivatives) const;
   template <typename Number>
   [[gnu::always_inline]] void add_radiant(const Number& temperature, const Number& thin_wall, Number& sum) const {
     const Number T = core::positive_part(temperature);
@@ -100,7 +116,8 @@ class Conductivity {
   }
 
   core::Table phonon_;
-  double radiant_ = 0;  ///< W/m/K4
+  core::Table relative_;  ///< absorption over that which `radiant_` belongs to; empty: 1
+  double radiant_ = 0;    ///< W/m/K4
 };
 
 /// Specific enthalpy and its derivative, the heat capacity.
@@ -139,6 +156,7 @@ template <typename Law>
     detail::set_each(
         temperature, [this](double T) { return phonon_(T); }, values);
   if (radiant_ == 0) return;
+  if (!relative_.x.empty()) return add_varying(temperature, thin_wall, values);
   for (int q = 0; q < 6; ++q) add_radiant(temperature[q], thin_wall[q], values[q]);
 }
 
@@ -151,6 +169,7 @@ template <typename Law>
     detail::set_each(
         temperature, [this](double T) { return phonon_.derivative(T); }, derivatives);
   if (radiant_ == 0) return;
+  if (!relative_.x.empty()) return add_varying_derivatives(temperature, thin_wall, derivatives);
   for (int q = 0; q < 6; ++q) {
     const VectorizedArray T = core::positive_part(temperature[q]);
     derivatives[q] += 3 * radiant_ * thin_wall[q] * T * T;

@@ -23,7 +23,9 @@ std::array<Index, 3> light_unknowns(const std::array<Index, 3>& nodes, int order
 bool same_laws(const Radiation& a, const Radiation& b) {
   if (a.model != b.model || a.refractive_index != b.refractive_index || a.bands.size() != b.bands.size()) return false;
   for (std::size_t k = 0; k < a.bands.size(); ++k)
-    if (a.bands[k].up_to != b.bands[k].up_to || a.bands[k].absorption != b.bands[k].absorption) return false;
+    if (a.bands[k].up_to != b.bands[k].up_to || a.bands[k].absorption != b.bands[k].absorption ||
+        a.bands[k].relative.x != b.bands[k].relative.x || a.bands[k].relative.y != b.bands[k].relative.y)
+      return false;
   return true;
 }
 
@@ -135,10 +137,27 @@ void factorise(Light& light, const HeatSystem& system, Index first_boundary_edge
     core::SymmetricMatrix& matrix = kept.assembly.matrix;
     std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
     const LightGroup& group = kept.laws.group(k);
-    assemble_group(cells, light.volumes, mesh_of(light, system).cell_count(), light.order, group.diffusion,
-                   group.absorption, kept.assembly);
+    assemble_group(cells, light.volumes, light.relative_of(k), mesh_of(light, system).cell_count(), light.order,
+                   group.diffusion, group.absorption, kept.assembly);
     assemble_surface(light, k, system, first_boundary_edge, matrix);
     light.solvable = kept.factor[k].factorise(matrix) && light.solvable;
+  }
+}
+
+/// Sets the absorption at the points where it depends on temperature.
+void set_relative_absorption(Light& light, const BodyView& view, int temperature_order) {
+  light.kept->varies = absorption_varies(*view.material);
+  if (!light.kept->varies) return;
+  assert(view.absorption_at);
+  const Field temperature =
+      at_points(light.batches.data(), light.batches.size(), temperature_order, view.absorption_at->data());
+  for (const Band& band : view.material->radiation->bands) {
+    Field& relative = light.relative.emplace_back();
+    if (band.relative.x.empty()) continue;
+    relative = temperature;
+    for (PointValues& values : relative)
+      for (VectorizedArray& at : values)
+        for (int lane = 0; lane < core::batch_size; ++lane) at[lane] = band.relative(at[lane]);
   }
 }
 
@@ -157,6 +176,7 @@ Light make_light(const HeatSystem& system, Index body, Index first_boundary_edge
   for (std::size_t b = 0; b < light.batches.size(); ++b)
     core::set_nodes(mesh.cells(), static_cast<Index>(b), light.batches[b]);
   light.volumes = make_volumes(view, system.problem->geometry);
+  set_relative_absorption(light, view, system.problem->order);
   add_edges(light, system, first_boundary_edge);
   add_contacts(light, system);
   if (view.material->radiation->model == Radiation::Model::transfer) {

@@ -48,6 +48,7 @@ struct KeptLight {
   core::Assembly assembly;             ///< cliques: the cells, then the boundary edges
   std::vector<core::Cholesky> factor;  ///< by group
   KeptTraces<TracedRays> rays;         ///< of the model transfer
+  bool varies = false;                 ///< whether the absorption depends on temperature
 
   KeptLight(const Radiation& given, int its_order) : radiation(given), laws(given), order(its_order) {}
 };
@@ -68,12 +69,18 @@ struct Light {
   std::optional<RayEnclosure> enclosure;  ///< of that model: what lies outside is not the surroundings alone
   std::shared_ptr<KeptLight> kept;
   bool solvable;  ///< false where a factorisation failed, on a mesh with cells inverted: all heat by light is NaN
+  std::vector<Field> relative = {};  ///< by band: absorption at the points over that of its groups; empty where it is 1
 
   const LightLaws& laws() const { return kept->laws; }
   /// Coefficients of a group's flux through an edge, and through a point of the interface to the surroundings, where
   /// it would be open, and to the tool.
   double coefficient(int group, const LightEdge& edge) const {
     return edge.black ? laws().group(group).black : laws().group(group).open;
+  }
+  /// The same by group, null where it is 1.
+  const Field* relative_of(int group) const {
+    const auto band = static_cast<std::size_t>(laws().group(group).band);
+    return relative.empty() || relative[band].empty() ? nullptr : &relative[band];
   }
   double open(int group, const LightContact& contact) const { return contact.open ? laws().group(group).open : 0; }
   double to_tool(int group, const LightContact& contact) const { return laws().to_tool(group, contact.emissivity); }

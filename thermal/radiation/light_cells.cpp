@@ -29,11 +29,14 @@ template <int N>
 }
 
 template <int N>
-[[gnu::always_inline]] inline void set_local(const CellBatch& cells, const PointValues& volume, double diffusion,
-                                             double absorption, std::array<UnknownValues<N>, N>& local) {
+[[gnu::always_inline]] inline void set_local(const CellBatch& cells, const PointValues& volume,
+                                             const PointValues* relative, double mean_diffusion, double mean_absorption,
+                                             std::array<UnknownValues<N>, N>& local) {
   const auto& shapes = cell_shapes<N>();
   local = {};
-  for (int q = 0; q < core::cell_points; ++q)
+  for (int q = 0; q < core::cell_points; ++q) {
+    const VectorizedArray more = relative ? (*relative)[q] : VectorizedArray{} + 1;
+    const VectorizedArray diffusion = mean_diffusion / more, absorption = mean_absorption * more;
     for (int j = 0; j < N; ++j) {
       const double da = shapes.derivative_a(q, j), db = shapes.derivative_b(q, j);
       const VectorizedArray flow_a = diffusion * (da * cells.aa[q] + db * cells.ab[q]),
@@ -43,16 +46,17 @@ template <int N>
         local[i][j] +=
             shapes.derivative_a(q, i) * flow_a + shapes.derivative_b(q, i) * flow_b + shapes.value(q, i) * absorbed;
     }
+  }
 }
 
 template <int N>
 [[gnu::always_inline]] inline void assemble_of_order(const std::vector<CellBatch>& cells, const Field& volumes,
-                                                     core::Index cell_count, double diffusion, double absorption,
-                                                     core::Assembly& assembly) {
+                                                     const Field* relative, core::Index cell_count, double diffusion,
+                                                     double absorption, core::Assembly& assembly) {
   std::array<UnknownValues<N>, N> local;
   std::array<double, N * N> of_cell{};
   for (std::size_t g = 0; g < cells.size(); ++g) {
-    set_local<N>(cells[g], volumes[g], diffusion, absorption, local);
+    set_local<N>(cells[g], volumes[g], relative ? &(*relative)[g] : nullptr, diffusion, absorption, local);
     const auto batch = static_cast<core::Index>(g);
     for (int lane = 0; lane < core::filled_lanes(cell_count, batch); ++lane) {
       for (int i = 0; i < N; ++i)
@@ -106,12 +110,13 @@ template <int N>
 }
 
 [[gnu::target_clones("avx2", "default")]] void assemble_group(const std::vector<CellBatch>& cells, const Field& volumes,
-                                                              core::Index cell_count, int order, double diffusion,
-                                                              double absorption, core::Assembly& assembly) {
+                                                              const Field* relative, core::Index cell_count, int order,
+                                                              double diffusion, double absorption,
+                                                              core::Assembly& assembly) {
   if (order == 2)
-    assemble_of_order<6>(cells, volumes, cell_count, diffusion, absorption, assembly);
+    assemble_of_order<6>(cells, volumes, relative, cell_count, diffusion, absorption, assembly);
   else
-    assemble_of_order<3>(cells, volumes, cell_count, diffusion, absorption, assembly);
+    assemble_of_order<3>(cells, volumes, relative, cell_count, diffusion, absorption, assembly);
 }
 
 }  // namespace parison::thermal

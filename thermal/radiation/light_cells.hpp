@@ -23,8 +23,8 @@ Field at_points(const BatchIndices<6>* batches, std::size_t count, int order, co
 void add_from_points(const BatchIndices<6>* batches, const Field& values, int order, double* unknowns);
 
 /// Adds diffusion int grad N_i . grad N_j + absorption int N_i N_j of a body's cells to the matrix, whose cliques
-/// begin with the cells.
-void assemble_group(const std::vector<CellBatch>& cells, const Field& volumes, core::Index cell_count, int order,
-                    double diffusion, double absorption, core::Assembly& assembly);
+/// begin with the cells. `relative` multiplies the absorption and divides the diffusion at each point; null: 1.
+void assemble_group(const std::vector<CellBatch>& cells, const Field& volumes, const Field* relative,
+                    core::Index cell_count, int order, double diffusion, double absorption, core::Assembly& assembly);
 
 }  // namespace parison::thermal

@@ -15,11 +15,10 @@ Field emission_slope(const Light& light, int group, const Field& temperature) {
   Field slope(temperature.size());
   const LightLaws& laws = light.laws();
   for (std::size_t g = 0; g < slope.size(); ++g)
-    for (int q = 0; q < core::cell_points; ++q) {
+    for (int q = 0; q < core::cell_points; ++q)
       for (int lane = 0; lane < core::batch_size; ++lane)
         slope[g][q][lane] = laws.irradiation(group, temperature[g][q][lane]).derivative;
-      slope[g][q] *= laws.group(group).absorption * light.volumes[g][q];
-    }
+  multiply_by_absorption(light, group, slope);
   return slope;
 }
 

@@ -40,11 +40,10 @@ Field emission_at(const Light& light, int group, const Field& temperature) {
   Field emitted(temperature.size());
   const LightLaws& laws = light.laws();
   for (std::size_t g = 0; g < emitted.size(); ++g)
-    for (int q = 0; q < core::cell_points; ++q) {
+    for (int q = 0; q < core::cell_points; ++q)
       for (int lane = 0; lane < core::batch_size; ++lane)
         emitted[g][q][lane] = laws.irradiation(group, temperature[g][q][lane]).value;
-      emitted[g][q] *= laws.group(group).absorption * light.volumes[g][q];
-    }
+  multiply_by_absorption(light, group, emitted);
   return emitted;
 }
 
@@ -148,6 +147,16 @@ void add_to_tools(const HeatSystem& system, const Eigen::ArrayXd& to_tool, Flows
 
 }  // namespace
 
+void multiply_by_absorption(const Light& light, int group, Field& values) {
+  const double absorption = light.laws().group(group).absorption;
+  const Field* relative = light.relative_of(group);
+  for (std::size_t g = 0; g < values.size(); ++g)
+    for (int q = 0; q < core::cell_points; ++q) {
+      values[g][q] *= absorption * light.volumes[g][q];
+      if (relative) values[g][q] *= (*relative)[g][q];
+    }
+}
+
 Field at_cell_points(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {
   return at_points(system.batches.data() + system.bodies[light.body].first_batch, light.batches.size(),
                    system.problem->order, temperature.data());
@@ -176,9 +185,7 @@ GroupLight solve_group(const Light& light, int group, const GroupSource& source)
   GroupLight found{at_points(light.batches.data(), light.batches.size(), light.order, G.data()),
                    {},
                    Eigen::ArrayXd(static_cast<Index>(light.contacts.size()))};
-  const double absorption = light.laws().group(group).absorption;
-  for (std::size_t g = 0; g < found.absorbed.size(); ++g)
-    for (int q = 0; q < core::cell_points; ++q) found.absorbed[g][q] *= absorption * light.volumes[g][q];
+  multiply_by_absorption(light, group, found.absorbed);
   for (const LightEdge& edge : light.edges) {
     auto& at = found.edges.emplace_back();
     for (int q = 0; q < 3; ++q) at[q] = at_point(G, edge.light, edge.light_shape[q].data());

@@ -8,6 +8,9 @@ namespace parison::thermal {
 
 /// Temperatures at the quadrature points of the glass, K, or changes of them.
 Field at_cell_points(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature);
+/// Multiplies numbers at the quadrature points by the absorption coefficient of a group there, 1/m, and by the volume
+/// of the points, m3.
+void multiply_by_absorption(const Light& light, int group, Field& values);
 
 /// What cells and surface send in a group, W: at the quadrature points of the cells, of the edges and of the interface.
 struct GroupSource {

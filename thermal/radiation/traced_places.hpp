@@ -13,6 +13,7 @@ namespace parison::thermal {
 struct TracedPlaces {
   std::vector<core::Point> rays;        ///< nodes of the glass, m
   std::vector<core::Index> surfaces;    ///< what its boundaries were to light
+  std::vector<double> absorption;       ///< of each band in each zone of the glass, 1/m; empty where it never changes
   std::vector<core::Point> views;       ///< nodes of all bodies in an enclosure, m
   std::vector<double> open_area, area;  ///< m2, of their boundary edges: what no tool covered, and in all
 };

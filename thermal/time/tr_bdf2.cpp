@@ -226,10 +226,9 @@ void integrate(Integration& run, StageValue& start, double dt, StepOutcome& outc
   outcome.converged = true;
 }
 
-}  // namespace
-
-StepOutcome advance(const Problem& problem, double time, const std::vector<Eigen::VectorXd>& temperature, double dt,
-                    const StepOptions& options, StepMatrix& matrix) {
+/// A step in which the absorption of every body is given or does not depend on temperature.
+StepOutcome advance_once(const Problem& problem, double time, const std::vector<Eigen::VectorXd>& temperature,
+                         double dt, const StepOptions& options, StepMatrix& matrix) {
   const HeatSystem system = make_heat_system(problem, &matrix.kept);
   StepOutcome outcome;
   outcome.reason = why_not_solvable(system);
@@ -251,6 +250,33 @@ StepOutcome advance(const Problem& problem, double time, const std::vector<Eigen
   outcome.factorisations = matrix.factorisations - factorisations_before;
   outcome.solves = run.solves;
   return outcome;
+}
+
+/// Whether the step has to find the temperatures at which a body absorbs.
+bool wants_absorption(const BodyView& body) {
+  return !body.absorption_at && absorption_varies(*body.material);
+}
+
+void take_absorption_at(const std::vector<Eigen::VectorXd>& temperature, Problem& problem) {
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b)
+    if (absorption_varies(*problem.bodies[b].material)) problem.bodies[b].absorption_at = &temperature[b];
+}
+
+}  // namespace
+
+StepOutcome advance(const Problem& problem, double time, const std::vector<Eigen::VectorXd>& temperature, double dt,
+                    const StepOptions& options, StepMatrix& matrix) {
+  if (std::none_of(problem.bodies.begin(), problem.bodies.end(), wants_absorption))
+    return advance_once(problem, time, temperature, dt, options, matrix);
+  Problem given = problem;
+  take_absorption_at(temperature, given);
+  const StepOutcome first = advance_once(given, time, temperature, dt, options, matrix);
+  if (!first.converged) return first;
+  std::vector<Eigen::VectorXd> middle = temperature;
+  for (std::size_t b = 0; b < middle.size(); ++b) middle[b] = 0.5 * (temperature[b] + first.temperature[b]);
+  take_absorption_at(middle, given);
+  given.traced = nullptr;  // what was kept by the first
+  return advance_once(given, time, temperature, dt, options, matrix);
 }
 
 }  // namespace parison::thermal

@@ -41,7 +41,8 @@ Optics optics_of(const Material& material) {
   const double everything = std::numeric_limits<double>::infinity();
   if (!material.radiation) return {1.5, {}};
   if (material.radiation->bands.empty())
-    return {material.radiation->refractive_index, {{everything, material.radiation->absorption}}};
+    return {material.radiation->refractive_index,
+            {{everything, material.radiation->absorption, material.radiation->relative}}};
   return {material.radiation->refractive_index, material.radiation->bands};
 }
 
@@ -56,10 +57,10 @@ LineOfSight::LineOfSight(const core::Mesh& mesh, core::Geometry geometry, const 
   for (const Band& part : optics.bands) {
     if (part.up_to <= from) continue;
     const double to = std::min(part.up_to, band.to);
-    if (to > from) parts_.push_back({BandEmission(from, to), part.absorption});
+    if (to > from) parts_.push_back({BandEmission(from, to), part.absorption, part.relative});
     from = std::max(from, to);
   }
-  if (from < band.to) parts_.push_back({BandEmission(from, band.to), std::numeric_limits<double>::infinity()});
+  if (from < band.to) parts_.push_back({BandEmission(from, band.to), std::numeric_limits<double>::infinity(), {}});
 }
 
 Eigen::ArrayXd LineOfSight::emission(double temperature) const {
@@ -71,19 +72,21 @@ Eigen::ArrayXd LineOfSight::emission(double temperature) const {
 /// Light along a path, its source linear in the optical depth between places; `share` becomes that behind the path.
 /// Divided by the square of the index, which the surface takes away again.
 double LineOfSight::emitted_along(const Ray& ray, double length, Eigen::ArrayXd& share) const {
-  double sum = 0, last = 0;
-  Eigen::ArrayXd source = emission(temperature_(section_.project(ray.at(0))));
+  double sum = 0, last = 0, before = temperature_(section_.project(ray.at(0)));
+  Eigen::ArrayXd source = emission(before);
   for (int k = 1; k <= intervals; ++k) {
     const double at = 0.5 * length * (1 - std::cos(pi * k / intervals));
-    const Eigen::ArrayXd next = emission(temperature_(section_.project(ray.at(at))));
+    const double temperature = temperature_(section_.project(ray.at(at)));
+    const Eigen::ArrayXd next = emission(temperature);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      const double depth = parts_[i].absorption * (at - last), passed = std::exp(-depth);
+      const double absorption = 0.5 * (parts_[i].absorption_at(before) + parts_[i].absorption_at(temperature));
+      const double depth = absorption * (at - last), passed = std::exp(-depth);
       const double share_of_end = depth > 1e-4 ? (1 - passed) / depth : 1 - depth / 2 + depth * depth / 6;
       sum += share[i] * ((1 - share_of_end) * source[i] + (share_of_end - passed) * next[i]);
       share[i] *= passed;
     }
     source = next;
-    last = at;
+    last = at, before = temperature;
   }
   return sum;
 }

@@ -45,7 +45,12 @@ class LineOfSight {
   /// A part of the camera's band in which the glass absorbs alike.
   struct Part {
     BandEmission emission;
-    double absorption;  ///< 1/m; infinite where the glass is opaque
+    double absorption;     ///< 1/m; infinite where the glass is opaque
+    core::Table relative;  ///< factor on it by temperature, K; empty: 1
+
+    double absorption_at(double temperature) const {
+      return relative.x.empty() ? absorption : absorption * relative(temperature);
+    }
   };
   /// A ray that still has to be followed, with the share of its radiance, by part, that reaches the camera.
   struct Beam {

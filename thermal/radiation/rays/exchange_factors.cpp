@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "thermal/radiation/fresnel.hpp"
 
@@ -42,24 +43,25 @@ struct Collected {
 
 /// Light of one band along a ray.
 struct BandOnRay {
-  double absorption, left = 1;  ///< 1/m; what is left of the light since the end of the first chord
-  double least = trapped;       ///< where that ends
-  Collected source, sink;       ///< what the first chord and the patch send, and what takes it, of 1
+  Eigen::VectorXd absorption;  ///< by zone, 1/m
+  double left = 1;             ///< what is left of the light since the end of the first chord
+  double least = trapped;      ///< where that ends
+  Collected source, sink;      ///< what the first chord and the patch send, and what takes it, of 1
 
-  BandOnRay(double kappa, Index size) : absorption(kappa), source(size), sink(size) {}
+  BandOnRay(Eigen::VectorXd kappa, Index size) : absorption(std::move(kappa)), source(size), sink(size) {}
 };
 
 class Tracer {
  public:
   Tracer(const core::Mesh& mesh, Geometry geometry, const Zones& zones, const std::vector<RaySurface>& surface,
-         Index patches, double index, const std::vector<double>& absorption)
+         Index patches, double index, const std::vector<Eigen::VectorXd>& absorption)
       : section_(mesh, geometry),
         zones_(zones),
         surface_(surface),
         index_(index),
         first_patch_(zones.function_count()),
         passed_(zones.size(), Eigen::Matrix3d::Zero()) {
-    for (const double kappa : absorption) {
+    for (const Eigen::VectorXd& kappa : absorption) {
       bands_.emplace_back(kappa, first_patch_ + patches);
       factors_.push_back(ExchangeFactors::Zero(first_patch_ + patches, first_patch_ + patches));
     }
@@ -101,10 +103,11 @@ class Tracer {
     for (std::size_t b = 0; b < bands_.size(); ++b) {
       ExchangeFactors& factors = factors_[b];
       factors = (0.5 * (factors + factors.transpose())).eval();
-      const double emission = 4 * index_ * index_ * bands_[b].absorption;
-      for (Index z = 0; z < zones_.size(); ++z)
+      for (Index z = 0; z < zones_.size(); ++z) {
+        const double emission = 4 * index_ * index_ * bands_[b].absorption[z];
         factors.block<zone_functions, zone_functions>(zone_functions * z, zone_functions * z) +=
             emission * (Eigen::Matrix3d::Identity() - passed_[z]);
+      }
     }
     return std::move(factors_);
   }
@@ -162,7 +165,8 @@ class Tracer {
 
   void pass_first(BandOnRay& band, ExchangeFactors& factors, double weight) {
     for (const Segment& segment : segments_) {
-      const double depth = band.absorption * segment.length, transmitted = std::exp(-depth), share = 1 - transmitted;
+      const double depth = band.absorption[segment.zone] * segment.length, transmitted = std::exp(-depth),
+                   share = 1 - transmitted;
       const Index at = zone_functions * segment.zone;
       for (int i = 0; i < zone_functions; ++i) {
         const double taken = weight * share * segment.values[i];
@@ -178,7 +182,7 @@ class Tracer {
   void pass(BandOnRay& band) const {
     if (band.left <= band.least) return;
     for (const Segment& segment : segments_) {
-      const double transmitted = std::exp(-band.absorption * segment.length);
+      const double transmitted = std::exp(-band.absorption[segment.zone] * segment.length);
       const double taken = band.left * (1 - transmitted);
       for (int i = 0; i < zone_functions; ++i)
         band.sink.add(zone_functions * segment.zone + i, taken * segment.values[i]);
@@ -223,7 +227,7 @@ class Tracer {
 
 std::vector<ExchangeFactors> trace_exchange(const core::Mesh& mesh, Geometry geometry, const Zones& zones,
                                             const std::vector<RaySurface>& surface, Index patches, double index,
-                                            const std::vector<double>& absorption, int rays) {
+                                            const std::vector<Eigen::VectorXd>& absorption, int rays) {
   Tracer tracer(mesh, geometry, zones, surface, patches, index, absorption);
   const bool only_mirrors = patches == 0;
   double length = 0;

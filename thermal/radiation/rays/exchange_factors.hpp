@@ -20,10 +20,11 @@ struct RaySurface {
 /// outside, diffuse.
 using ExchangeFactors = Eigen::MatrixXd;
 
-/// Those of each absorption coefficient, 1/m, by `rays` rays, which begin at the surface at places and in directions of
-/// a low-discrepancy sequence and are followed, with specular reflection by Fresnel's equations, until little is left.
+/// Those of each band, whose absorption coefficient, 1/m, is given for each zone, by `rays` rays, which begin at the
+/// surface at places and in directions of a low-discrepancy sequence and are followed, with specular reflection by
+/// Fresnel's equations, until little is left.
 std::vector<ExchangeFactors> trace_exchange(const core::Mesh& mesh, Geometry geometry, const Zones& zones,
                                             const std::vector<RaySurface>& surface, Index patches, double index,
-                                            const std::vector<double>& absorption, int rays);
+                                            const std::vector<Eigen::VectorXd>& absorption, int rays);
 
 }  // namespace parison::thermal

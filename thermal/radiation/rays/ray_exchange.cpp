@@ -14,6 +14,7 @@ constexpr int most_zones = 80;    ///< boxes that have the area of the section
 constexpr int cells_of_zone = 3;  ///< of the mesh, at the least
 constexpr int ray_count = 4000;
 constexpr double moved_far = 0.5;  ///< distance, of a box, that the glass moves before rays are traced anew
+constexpr double changed = 0.02;   ///< share by which the absorption of a zone changes before that
 
 /// By boundary of the glass: a mirror where it is neither open nor black nor touched.
 std::vector<SurfaceKind> surface_kinds(const Light& light, const HeatSystem& system) {
@@ -76,12 +77,41 @@ Zones make_zones(const Field& volumes, const core::Mesh& mesh, Geometry geometry
   return {position, volume, area, std::clamp(mesh.cell_count() / cells_of_zone, 1, most_zones)};
 }
 
-/// Traces the rays on a mesh of the body, whose quadrature points have these volumes, m3.
+/// Adds the numbers at the quadrature points to the zones that they lie in.
+Eigen::VectorXd sum_in_zones(const TracedRays& traced, const Field& values) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(traced.zones.size());
+  for (std::size_t b = 0; b < values.size(); ++b)
+    for (int q = 0; q < core::cell_points; ++q)
+      for (int lane = 0; lane < core::batch_size; ++lane) sum[traced.zone[b][q][lane]] += values[b][q][lane];
+  return sum;
+}
+
+Field product(Field a, const Field& b) {
+  for (std::size_t g = 0; g < a.size(); ++g)
+    for (int q = 0; q < core::cell_points; ++q) a[g][q] *= b[g][q];
+  return a;
+}
+
+/// Absorption of each band in each zone, 1/m: the mean over the volumes of the quadrature points, m3.
+std::vector<Eigen::VectorXd> zone_absorption(const Light& light, const TracedRays& traced, const Field& volumes) {
+  std::vector<Eigen::VectorXd> absorption;
+  for (int k = 0; k < light.laws().group_count(); ++k) {
+    absorption.emplace_back(Eigen::VectorXd::Constant(traced.zones.size(), light.laws().group(k).absorption));
+    if (const Field* relative = light.relative_of(k))
+      absorption.back().array() *=
+          sum_in_zones(traced, product(volumes, *relative)).array() / sum_in_zones(traced, volumes).array();
+  }
+  return absorption;
+}
+
+/// Traces the rays on a mesh of the body, whose quadrature points have these volumes, m3; `given` are the absorption
+/// coefficients of the zones, 1/m, band after band, empty for the present ones.
 std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& system, const core::Mesh& mesh,
-                                        const Field& volumes, const std::vector<SurfaceKind>& kinds) {
+                                        const Field& volumes, const std::vector<SurfaceKind>& kinds,
+                                        const std::vector<double>& given) {
   const Geometry geometry = system.problem->geometry;
   auto traced = std::make_shared<TracedRays>(
-      TracedRays{mesh.nodes, mesh.cells(), kinds, make_zones(volumes, mesh, geometry), {}, 0, {}, {}, {}});
+      TracedRays{mesh.nodes, mesh.cells(), kinds, make_zones(volumes, mesh, geometry), {}, 0, {}, {}, {}, {}});
   traced->surface = divide_surface(mesh, kinds, traced->zones.box_size(), traced->patches);
   traced->zone.assign(volumes.size(), {});
   traced->values.assign(volumes.size(), {});
@@ -90,12 +120,23 @@ std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& sy
     const ZoneValues values = traced->zones.values(zone, x);
     for (int i = 0; i < zone_functions; ++i) traced->values[b][i][q][lane] = values[i];
   });
-  std::vector<double> absorption;
-  absorption.reserve(light.laws().group_count());
-  for (int k = 0; k < light.laws().group_count(); ++k) absorption.push_back(light.laws().group(k).absorption);
+  traced->absorption = zone_absorption(light, *traced, volumes);
+  auto next = given.begin();
+  for (Eigen::VectorXd& band : traced->absorption)
+    for (double& kappa : band)
+      if (!given.empty()) kappa = *next++;
   traced->factors = trace_exchange(mesh, geometry, traced->zones, traced->surface, traced->patches,
-                                   light.kept->radiation.refractive_index, absorption, ray_count);
+                                   light.kept->radiation.refractive_index, traced->absorption, ray_count);
   return traced;
+}
+
+/// Whether the zones had these coefficients, band after band; empty: what they always have.
+bool has_absorption(const TracedRays& traced, const std::vector<double>& given) {
+  auto next = given.begin();
+  for (const Eigen::VectorXd& band : traced.absorption)
+    for (const double kappa : band)
+      if (!given.empty() && kappa != *next++) return false;
+  return true;
 }
 
 /// Goes back to the rays that were traced at given places.
@@ -106,14 +147,17 @@ void recall(KeptTraces<TracedRays>& kept, const Light& light, const HeatSystem& 
   }
   std::vector<SurfaceKind> kinds;
   for (const Index kind : at.surfaces) kinds.push_back(static_cast<SurfaceKind>(kind));
-  kept.recall([&](const TracedRays& traced) { return traced.nodes == at.rays && traced.kinds == kinds; },
-              [&] {
-                BodyView body = system.problem->bodies[light.body];
-                core::Mesh mesh = *body.mesh;
-                mesh.nodes = at.rays;
-                body.mesh = &mesh;
-                return trace(light, system, mesh, make_volumes(body, system.problem->geometry), kinds);
-              });
+  kept.recall(
+      [&](const TracedRays& traced) {
+        return traced.nodes == at.rays && traced.kinds == kinds && has_absorption(traced, at.absorption);
+      },
+      [&] {
+        BodyView body = system.problem->bodies[light.body];
+        core::Mesh mesh = *body.mesh;
+        mesh.nodes = at.rays;
+        body.mesh = &mesh;
+        return trace(light, system, mesh, make_volumes(body, system.problem->geometry), kinds, at.absorption);
+      });
 }
 
 bool is_near(const TracedRays& traced, const core::Mesh& mesh) {
@@ -123,6 +167,15 @@ bool is_near(const TracedRays& traced, const core::Mesh& mesh) {
   const Point along(0, shift[1]);
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     if (!((mesh.nodes[i] - traced.nodes[i] - along).squaredNorm() < far * far)) return false;
+  return true;
+}
+
+/// Whether the zones absorb nearly as they did.
+bool absorbs_alike(const TracedRays& traced, const Light& light) {
+  if (light.relative.empty()) return true;
+  const std::vector<Eigen::VectorXd> now = zone_absorption(light, traced, light.volumes);
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (!((now[k].array() / traced.absorption[k].array() - 1).abs() < changed).all()) return false;
   return true;
 }
 
@@ -139,13 +192,13 @@ Eigen::VectorXd to_zones(const TracedRays& traced, const Field& values) {
 }
 
 /// Adds a correction to the constant of each zone and to each patch so that a body in equilibrium stays in it. As the
-/// factors are symmetric, it then also balances.
-void close(ExchangeFactors& factors, const Eigen::VectorXd& one, const Eigen::VectorXd& functions,
-           const Eigen::ArrayXd& area, double emission) {
+/// factors are symmetric, it then also balances. `functions` are what equilibrium has there, `emitted` what they send.
+void close(ExchangeFactors& factors, const Eigen::VectorXd& functions, const Eigen::VectorXd& emitted,
+           const Eigen::ArrayXd& area) {
   const Eigen::Index zones = functions.size(), patches = area.size();
   Eigen::VectorXd in_equilibrium(zones + patches), wanted(zones + patches);
   in_equilibrium << functions, Eigen::VectorXd::Ones(patches);
-  wanted << emission * one, area.matrix();
+  wanted << emitted, area.matrix();
   const Eigen::VectorXd missing = wanted - factors * in_equilibrium;
   for (Eigen::Index z = 0; z < zones; z += zone_functions) {
     double rest = missing[z];
@@ -188,24 +241,42 @@ void set_surface(RayExchange& rays, const Light& light, const HeatSystem& system
     rays.returned[p] = (rays.returned[p] + (open[p] ? 0 : std::max(0.0, rays.area[p] - covered[p]))) / rays.area[p];
 }
 
+/// Absorption at the quadrature points over that of their zones as traced; empty where it is 1.
+Field share_of_zones(const Light& light, const TracedRays& traced, int k) {
+  const Field* relative = light.relative_of(k);
+  if (!relative) return {};
+  Field share = *relative;
+  for (std::size_t b = 0; b < share.size(); ++b)
+    for (int q = 0; q < core::cell_points; ++q)
+      for (int lane = 0; lane < core::batch_size; ++lane)
+        share[b][q][lane] *= light.laws().group(k).absorption / traced.absorption[k][traced.zone[b][q][lane]];
+  return share;
+}
+
+/// What each function of a zone has from its zone.
+Eigen::VectorXd by_function(const Eigen::VectorXd& by_zone) {
+  return by_zone.transpose().replicate(zone_functions, 1).reshaped();
+}
+
 }  // namespace
 
 RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, KeptTraces<TracedRays>& kept) {
   const core::Mesh& mesh = *system.problem->bodies[light.body].mesh;
   const std::vector<SurfaceKind> kinds = surface_kinds(light, system);
   if (system.problem->traced) recall(kept, light, system, *system.problem->traced);
-  if (!kept.last || kept.last->kinds != kinds || !is_near(*kept.last, mesh))
-    kept.add(trace(light, system, mesh, light.volumes, kinds));
+  if (!kept.last || kept.last->kinds != kinds || !is_near(*kept.last, mesh) || !absorbs_alike(*kept.last, light))
+    kept.add(trace(light, system, mesh, light.volumes, kinds, {}));
   const std::shared_ptr<const TracedRays>& traced = kept.last;
   RayExchange rays{traced, {}, {}, {}, {}, {}};
   set_surface(rays, light, system);
-  const Eigen::VectorXd functions = to_zones(*traced, light.volumes);
   const double square = std::pow(light.kept->radiation.refractive_index, 2);
   const Eigen::Index patches = traced->patches;
   for (std::size_t k = 0; k < traced->factors.size(); ++k) {
-    RayBand band{traced->factors[k], {}};
-    close(band.factors, traced->zones.one(), functions, rays.area,
-          4 * square * light.laws().group(static_cast<int>(k)).absorption);
+    RayBand band{share_of_zones(light, *traced, static_cast<int>(k)), traced->factors[k], {}};
+    const Eigen::VectorXd functions =
+        to_zones(*traced, band.share.empty() ? light.volumes : product(light.volumes, band.share));
+    close(band.factors, functions, 4 * square * by_function(traced->absorption[k]).cwiseProduct(traced->zones.one()),
+          rays.area);
     if ((rays.returned > 0).any()) {
       const Eigen::MatrixXd back =
           (rays.returned / rays.area).matrix().asDiagonal() * band.factors.bottomRightCorner(patches, patches);
@@ -236,7 +307,8 @@ GroupLight ray_light(const Light& light, int k, const GroupSource& source) {
   const Eigen::Index zones = traced.zones.function_count(), patches = traced.patches;
   const double scale = 4 * std::pow(light.kept->radiation.refractive_index, 2);  // from emissive power to irradiation
   Eigen::VectorXd sent(zones + patches);
-  sent.head(zones) = to_zones(traced, source.cells) / (scale * light.laws().group(k).absorption);
+  sent.head(zones) =
+      to_zones(traced, source.cells).cwiseQuotient(scale * by_function(traced.absorption[static_cast<std::size_t>(k)]));
   auto outside = sent.tail(patches);
   outside.setZero();
   for (std::size_t e = 0; e < light.edges.size(); ++e)
@@ -265,6 +337,7 @@ GroupLight ray_light(const Light& light, int k, const GroupSource& source) {
         for (int i = 0; i < zone_functions; ++i) values[q][lane] += traced.values[b][i][q][lane] * zone[i];
       }
       values[q] *= light.volumes[b][q];
+      if (!rays.bands[k].share.empty()) values[q] *= rays.bands[k].share[b][q];
     }
   const Eigen::ArrayXd at_surface = scale * taken.tail(patches).array() / rays.area;
   for (const Index patch : rays.edge_patch)

@@ -29,11 +29,13 @@ struct TracedRays {
   Index patches;
   std::vector<std::array<std::array<Index, core::batch_size>, core::cell_points>> zone;  ///< of the quadrature points
   std::vector<std::array<PointValues, zone_functions>> values;  ///< of its functions, zero in lanes without a cell
+  std::vector<Eigen::VectorXd> absorption;                      ///< by band, of each zone as traced, 1/m
   std::vector<ExchangeFactors> factors;                         ///< by band, as traced
 };
 
 /// One band on the present mesh.
 struct RayBand {
+  Field share;  ///< absorption at the quadrature points over that of their zones as traced; empty where it is 1
   ExchangeFactors factors;  ///< closed: each row has the sum that equilibrium asks for
   std::optional<Eigen::PartialPivLU<Eigen::MatrixXd>> from_outside;  ///< where tools send light back
 };
