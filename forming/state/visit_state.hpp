@@ -148,6 +148,7 @@ template <typename Visitor, typename Places>
 void visit_light(Visitor visit, Places& light) {
   visit("rays", light.rays);
   visit("surfaces", light.surfaces);
+  visit("absorption", light.absorption);
   visit("views", light.views);
   visit("open_area", light.open_area);
   visit("area", light.area);

@@ -40,6 +40,11 @@ const std::vector<Model> models{
     {"Rosseland", R"(refractive_index = 1.518, absorption = "150 1/m", thin_wall = true)", false},
     {"P1", R"(model = "p1", refractive_index = 1.518, )" + bands, false},
     {"transfer", R"(model = "transfer", refractive_index = 1.518, )" + bands, false},
+    {"transfer, absorption by temperature",
+     R"(model = "transfer", refractive_index = 1.518, bands = [
+       { up_to = "2.75 um", absorption = [["700 degC", "20 1/m"], ["1200 degC", "60 1/m"]] },
+       { up_to = "4.3 um", absorption = "345 1/m" }])",
+     false},
     {"transfer, enclosure", R"(model = "transfer", refractive_index = 1.518, )" + bands, true}};
 
 TEST(PressedHeat, is_balanced_in_glass_and_tools_through_flow_contact_light_and_new_meshes) {

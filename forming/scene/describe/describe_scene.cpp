@@ -60,7 +60,8 @@ std::string radiation_text(const Scene& scene) {
                       : radiation.model == Model::p1_cones ? "P1 in cones"
                                                            : "P1";
   const double last = radiation.bands.back().up_to;
-  return fmt::format("{}, {} band{}{}", model, radiation.bands.size(), radiation.bands.size() == 1 ? "" : "s",
+  return fmt::format("{}, {} band{}{}{}", model, radiation.bands.size(), radiation.bands.size() == 1 ? "" : "s",
+                     thermal::absorption_varies(*scene.glass.thermal) ? ", absorption by temperature" : "",
                      std::isfinite(last) ? fmt::format(", opaque beyond {:g} um", 1e6 * last) : "");
 }
 

@@ -18,6 +18,28 @@ namespace dimension = core::dimension;
 constexpr double min_absorption = 0.1, max_absorption = 2000;
 constexpr std::size_t max_bands = 20;
 
+/// An absorption coefficient, 1/m, and what it is at other temperatures, K, as a multiple of it.
+struct Absorption {
+  double first;
+  core::Table relative;  ///< empty where it does not depend on temperature
+};
+
+/// A quantity, or a list of [temperature, quantity]; `check` is called with each and where it stands.
+template <typename Check>
+Absorption read_absorption(const CaseNode& node, const Check& check) {
+  constexpr std::size_t most = 1000;
+  if (node.items.size() > most)
+    core::refuse(node, fmt::format("{} pairs were found, allowed are up to {}", node.items.size(), most));
+  Absorption absorption{0, core::quantity_table(node, dimension::temperature, dimension::inverse_length)};
+  const bool varies = node.kind == CaseNode::Kind::list;
+  for (std::size_t i = 0; i < absorption.relative.y.size(); ++i)
+    check(absorption.relative.y[i], varies ? node.items[i].items[1] : node);
+  absorption.first = absorption.relative.y.front();
+  for (double& y : absorption.relative.y) y /= absorption.first;
+  if (!varies) absorption.relative = {};
+  return absorption;
+}
+
 thermal::Band read_band(const CaseNode& node, double from, bool last) {
   const CaseTable table(node, {"up_to", "absorption"});
   thermal::Band band{std::numeric_limits<double>::infinity(), 0};
@@ -28,12 +50,14 @@ thermal::Band read_band(const CaseNode& node, double from, bool last) {
                                        "ends",
                                        up_to->text, 1e6 * from));
   }
-  const auto& absorption = table.get("absorption");
-  band.absorption = core::quantity(absorption, dimension::inverse_length);
-  if (band.absorption < min_absorption || band.absorption > max_absorption)
-    core::refuse(absorption, fmt::format("\"{}\" was found, allowed are {:g} to {:g} 1/m; a glass that absorbs more is "
-                                         "opaque: end the bands before it",
-                                         absorption.text, min_absorption, max_absorption));
+  const auto absorption = read_absorption(table.get("absorption"), [](double value, const CaseNode& at) {
+    if (value < min_absorption || value > max_absorption)
+      core::refuse(at, fmt::format("\"{}\" was found, allowed are {:g} to {:g} 1/m; a glass that absorbs more is "
+                                   "opaque: end the bands before it",
+                                   at.text, min_absorption, max_absorption));
+  });
+  band.absorption = absorption.first;
+  band.relative = absorption.relative;
   return band;
 }
 
@@ -77,8 +101,12 @@ std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
       core::refuse(*index,
                    fmt::format("{:g} was found, allowed are refractive indices from 1", radiation.refractive_index));
   }
-  if (const auto* absorption = wanted("absorption", model == rosseland))
-    radiation.absorption = core::positive(*absorption, dimension::inverse_length);
+  if (const auto* mean = wanted("absorption", model == rosseland)) {
+    const auto absorption =
+        read_absorption(*mean, [](double, const CaseNode& at) { core::positive(at, dimension::inverse_length); });
+    radiation.absorption = absorption.first;
+    radiation.relative = absorption.relative;
+  }
   if (const auto* thin_wall = wanted("thin_wall", model == rosseland)) radiation.thin_wall = core::flag(*thin_wall);
   if (const auto* bands = wanted("bands", model >= p1)) radiation.bands = read_bands(*bands);
   if (model == none) return {};

@@ -117,9 +117,9 @@ Eigen::VectorXd limiting_wall_thickness(const Scene& scene, const core::Mesh& gl
   return remesh::wall_thickness(glass);
 }
 
-/// Whether glass, tools and the gaps between them do not change for the whole stage.
+/// Whether glass, tools, the gaps between them and what the glass absorbs do not change for the whole stage.
 bool is_static(const Scene& scene, const Stage& stage) {
-  return !scene.has_flow() && !scene.has_gap_law() &&
+  return !scene.has_flow() && !scene.has_gap_law() && !thermal::absorption_varies(*scene.glass.thermal) &&
          std::all_of(stage.tools.begin(), stage.tools.end(),
                      [](const auto& tool) { return std::holds_alternative<std::monostate>(tool.motion); });
 }
@@ -232,7 +232,8 @@ HeatRates heat_rates(const Scene& scene, const State& state) {
   const auto interface = thermal_interface(scene, state);
   const MovingParts parts = moving_parts(scene, state);
   long clamped_lookups = 0;
-  const auto problem = moving_problem(scene, state, parts, interface, clamped_lookups);
+  auto problem = moving_problem(scene, state, parts, interface, clamped_lookups);
+  problem.bodies[glass_body].absorption_at = &state.glass.temperature;
   const thermal::HeatSystem system = thermal::make_heat_system(problem);
   const thermal::Flows flows = thermal::evaluate_flows(system, state.time, thermal::join(system, temperatures(state)));
   const double light = flows.light_to_air[glass_body];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
 
 #include "../scene_text.hpp"
@@ -89,6 +90,46 @@ TEST(RadiationKeys, bands_that_fall_or_absorb_impossibly_are_refused_with_the_ra
             std::string::npos);
   EXPECT_NE(complaint(bands(R"([{ upto = "3 um", absorption = "30 1/m" }])")).find("did you mean \"up_to\"?"),
             std::string::npos);
+}
+
+TEST(RadiationKeys, absorption_may_be_a_table_over_temperature) {
+  const std::string table = R"([["800 degC", "30 1/m"], ["1000 degC", "45 1/m"], ["1300 degC", "90 1/m"]])";
+  const std::string list = "[{ up_to = \"2.75 um\", absorption = " + table + " }, { absorption = \"450 1/m\" }]";
+  const Scene scene = scene_of(text_with(bands(list)));
+  const auto& of_glass = scene.glass.thermal->radiation->bands;
+  EXPECT_TRUE(thermal::absorption_varies(*scene.glass.thermal));
+  EXPECT_NEAR(of_glass[0].absorption * of_glass[0].relative(1273.15), 45, 1e-12);
+  EXPECT_NEAR(of_glass[0].absorption * of_glass[0].relative(2000), 90, 1e-12);
+  EXPECT_TRUE(of_glass[1].relative.x.empty());
+  EXPECT_NE(describe_scene(scene).find("P1, 2 bands, absorption by temperature"), std::string::npos);
+  const std::string mean = "refractive_index = 1.5, thin_wall = true, absorption = ";
+  const Scene rosseland = scene_of(text_with(mean + table));
+  EXPECT_FALSE(thermal::absorption_varies(*rosseland.glass.thermal));
+  const auto k = [](const Scene& of, double T) { return thermal::conductivity(*of.glass.thermal, T); };
+  const double alone = rosseland.glass.thermal->conductivity(1273.15);
+  EXPECT_NEAR((k(rosseland, 1273.15) - alone) / (k(scene_of(text_with(mean + "\"45 1/m\"")), 1273.15) - alone), 1,
+              1e-12);
+}
+
+TEST(RadiationKeys, a_table_that_is_empty_falls_or_absorbs_impossibly_is_refused_with_its_line) {
+  const auto refused = [](const std::string& table) {
+    const std::string message =
+        complaint_about(text_with(bands("[{ up_to = \"2.75 um\", absorption = " + table + " }]")));
+    EXPECT_NE(message.find("absorption"), std::string::npos) << message;
+    EXPECT_TRUE(std::isdigit(message[0])) << message;
+    return message;
+  };
+  EXPECT_NE(refused("[]").find("an empty list was found"), std::string::npos);
+  EXPECT_NE(refused(R"([["1000 degC", "30 1/m"], ["900 degC", "40 1/m"]])").find("does not lie above the entry before"),
+            std::string::npos);
+  EXPECT_NE(refused(R"([["900 degC", "30 1/m"], ["1000 degC", "-4 1/m"]])")
+                .find("\"-4 1/m\" was found, allowed are 0.1 to 2000 1/m"),
+            std::string::npos);
+  EXPECT_NE(refused(R"([["900 degC", "30 1/m", "2"]])").find("3 members were found"), std::string::npos);
+  EXPECT_NE(refused(R"([["30 1/m", "900 degC"]])").find("30 1/m"), std::string::npos);
+  EXPECT_NE(
+      complaint("refractive_index = 1.5, thin_wall = true, absorption = [[\"900 degC\", \"0 1/m\"]]").find("0 1/m"),
+      std::string::npos);
 }
 
 TEST(RadiationKeys, an_index_below_one_and_an_unknown_model_are_refused) {
