@@ -135,9 +135,8 @@ TracedPlaces traced_places(const std::vector<KeptCells>& kept) {
     if (body.light && body.light->rays.last) {
       places.rays = body.light->rays.last->nodes;
       for (const SurfaceKind kind : body.light->rays.last->kinds) places.surfaces.push_back(static_cast<Index>(kind));
-      if (!body.light->varies) continue;
-      for (const Eigen::VectorXd& band : body.light->rays.last->absorption)
-        places.absorption.insert(places.absorption.end(), band.begin(), band.end());
+      for (const auto& band : body.light->rays.last->absorption)
+        if (body.light->varies) places.absorption.insert(places.absorption.end(), band.begin(), band.end());
     }
     if (!body.views.last) continue;
     const TracedViews& views = *body.views.last;
