@@ -98,6 +98,7 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
 }
 
 bool needs_remesh(const Scene& scene, const State& state) {
+  if (state.totals.remeshing.before_step == state.totals.steps) return false;
   return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
          (scene.geometry == core::Geometry::axisymmetric && remesh::has_reached_axis(state.glass.mesh)) ||
          remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_stretched_edges(scene, state)) ||

@@ -93,9 +93,22 @@ void mesh_fitted_surface(const Scene& scene, const State& state, const remesh::C
   if (remesh::min_quality(restored) > 0) mesh = std::move(restored);
 }
 
+/// Interpolated at the nodes of the new mesh, each value within the range of the old cell that is nearest.
+Eigen::VectorXd interpolate_within_cells(const core::Mesh& old, const remesh::Transfer& transfer,
+                                         const Eigen::VectorXd& nodal) {
+  Eigen::VectorXd values = remesh::interpolate(old, transfer, nodal);
+  for (Index n = 0; n < values.size(); ++n) {
+    const auto& cell = old.cells()[transfer.cell[n]];
+    double low = nodal[cell[0]], high = low;
+    for (const Index node : cell) low = std::min(low, nodal[node]), high = std::max(high, nodal[node]);
+    values[n] = std::clamp(values[n], low, high);
+  }
+  return values;
+}
+
 /// The temperature on the new mesh by L2 projection, limited to the old extremes, with the heat content of the old
-/// mesh. Those of the surface are carried along it: a projected skin would be off by kelvins, and the heat to the tools
-/// by per cents, and so would that of the old inside where a new node lies below the old surface.
+/// mesh. Linear temperatures are carried along the surface: a projected skin would be off by kelvins, and the heat to
+/// the tools by per cents.
 void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   const Eigen::VectorXd& temperature = state.glass.temperature;
@@ -112,7 +125,7 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
   };
   std::vector<bool> on_surface(mesh.nodes.size(), false);
   for (const Index node : contact_nodes(mesh)) on_surface[node] = true;
-  const Eigen::VectorXd skin = carry_along_surface(old, temperature, mesh);
+  const Eigen::VectorXd skin = interpolate_within_cells(old, transfer, temperature);
   const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order, on_surface, skin);
   carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
 }
@@ -181,6 +194,7 @@ void accumulate(const Scene& scene, const State& state, RemeshReason why, const 
   statistics.min_quality = std::min(statistics.min_quality, quality.min);
   statistics.min_median = std::min(statistics.min_median, quality.median);
   statistics.left_in_tools = max_edge_penetration(scene, next);
+  statistics.before_step = why == RemeshReason::stage_start ? -1 : next.totals.steps;
 }
 
 /// Nodes in contact with a tool that the stage takes away.

@@ -109,6 +109,7 @@ struct RemeshStatistics {
   double min_quality = 1;             ///< of a cell after any remesh
   double min_median = 1;              ///< quality of the median cell after any remesh
   double left_in_tools = 0;           ///< depth of the deepest edge in a tool after the last remesh, m
+  Index before_step = -1;             ///< number of the step for which the mesh was made anew, -1 at a stage's start
   Index failed = 0;                   ///< new meshes that could not be made
   double lap_volume = 0;              ///< of the air in those, m3
   Index laps = 0;                     ///< small folds of the glass onto itself that were closed
