@@ -8,7 +8,6 @@
 #include "forming/remeshing/tool_corners.hpp"
 #include "forming/state/skin_size.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
-#include "forming/step/contact/penetration.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/sizing/recovery.hpp"
 #include "remesh/surface/axis_closing.hpp"
@@ -48,16 +47,6 @@ bool has_stretched_edges(const Scene& scene, const State& state) {
   });
 }
 
-/// Whether an edge that has slipped past a corner of a tool cuts into it by so much of the edge length there, and by
-/// twice as much as the last new mesh left: a node at the corner brings it out again.
-bool cuts_into_tool(const Scene& scene, const State& state) {
-  constexpr double max_cut = 0.02, new_cut = 2;
-  const RemeshStatistics& remeshing = state.totals.remeshing;
-  const double limit =
-      std::max(max_cut * scene.accuracy.surface_size * remeshing.coarsening_factor, new_cut * remeshing.left_in_tools);
-  return max_edge_penetration(scene, state, limit) > limit;
-}
-
 }  // namespace
 
 remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
@@ -80,7 +69,7 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
       const Eigen::VectorXd gaps = tool_gaps(scene, state, place.tool, contact_proximity);
       double edge = accuracy.skin_size;
       for (const Interface& interface : scene.interfaces)
-        if (interface.tool == place.tool) edge = glass_edge_at_tool(scene, interface, edge);
+        if (interface.tool == place.tool) edge = glass_edge_at_tool(scene, interface, edge, state.stage);
       result.min_size = std::min(result.min_size, min_edge_fraction * edge);
       for (Index n = 0; n < mesh.node_count(); ++n)
         if (gaps[n] < contact_proximity) result.target_skin_size[n] = std::min(result.target_skin_size[n], edge);
@@ -101,8 +90,7 @@ bool needs_remesh(const Scene& scene, const State& state) {
   if (state.totals.remeshing.before_step == state.totals.steps) return false;
   return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
          (scene.geometry == core::Geometry::axisymmetric && remesh::has_reached_axis(state.glass.mesh)) ||
-         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_stretched_edges(scene, state)) ||
-         cuts_into_tool(scene, state);
+         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_stretched_edges(scene, state));
 }
 
 }  // namespace parison::forming

@@ -54,11 +54,11 @@ thermal::SkinSide skin_side(const Scene& scene, Index body, double first_cell) {
           first_cell, growth, scene.accuracy.temperature_order};
 }
 
-double active_time(const Scene& scene, Index tool) {
+double active_time(const Scene& scene, Index tool, Index last_stage) {
   double time = 0;
-  for (const Stage& stage : scene.stages)
-    for (const StageTool& place : stage.tools)
-      if (place.tool == tool) time += stage.duration;
+  for (Index s = 0; s <= last_stage; ++s)
+    for (const StageTool& place : scene.stages[s].tools)
+      if (place.tool == tool) time += scene.stages[s].duration;
   return time;
 }
 
@@ -73,12 +73,12 @@ double perfect_contact(const Scene& scene, const Interface& interface) {
   return 1 / (1 / glass + 1 / tool);
 }
 
-double glass_edge_at_tool(const Scene& scene, const Interface& interface, double wanted) {
+double glass_edge_at_tool(const Scene& scene, const Interface& interface, double wanted, Index last_stage) {
   const Tool& tool = scene.tools[interface.tool];
   if (!tool.thermal || !differ(scene, scene.glass.initial_temperature, tool.initial_temperature)) return wanted;
   return std::max(std::min(wanted, least_edge(scene, scene.glass)),
                   thermal::fitting_first_cell(skin_side(scene, glass_body, wanted), contact::highest(interface.law),
-                                              active_time(scene, interface.tool), skin_tolerance));
+                                              active_time(scene, interface.tool, last_stage), skin_tolerance));
 }
 
 namespace {
@@ -134,13 +134,14 @@ double contact_edge(const Scene& scene, Index body, double wanted) {
   const Body& data = body_of(scene, body);
   if (!data.thermal) return wanted;
   double edge = wanted;
+  const Index last_stage = static_cast<Index>(scene.stages.size()) - 1;
   for (const Interface& interface : scene.interfaces) {
-    if (body == glass_body) edge = glass_edge_at_tool(scene, interface, edge);
+    if (body == glass_body) edge = glass_edge_at_tool(scene, interface, edge, last_stage);
     if (body != body_of_tool(interface.tool) ||
         !differ(scene, scene.glass.initial_temperature, data.initial_temperature))
       continue;
     edge = thermal::fitting_first_cell(skin_side(scene, body, edge), contact::highest(interface.law),
-                                       active_time(scene, interface.tool), skin_tolerance);
+                                       active_time(scene, interface.tool, last_stage), skin_tolerance);
   }
   return std::max(std::min(wanted, least_edge(scene, data)), edge);
 }

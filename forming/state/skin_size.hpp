@@ -9,8 +9,8 @@ namespace parison::forming {
 /// grow as its mesh does. Radiation inside the glass counts for nothing: it widens the skin.
 thermal::SkinSide skin_side(const Scene& scene, Index body, double first_cell);
 
-/// Time for which a tool is active in the whole run, s.
-double active_time(const Scene& scene, Index tool);
+/// Time for which a tool is active up to the end of a stage, s.
+double active_time(const Scene& scene, Index tool, Index last_stage);
 
 /// Conductance, W/m2/K, from which on a contact of the glass with a tool counts as perfect.
 double perfect_contact(const Scene& scene, const Interface& interface);
@@ -27,7 +27,8 @@ double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, d
 /// run is free of the error of a skin thinner than its first cells.
 double contact_edge(const Scene& scene, Index body, double wanted);
 
-/// The same of the glass where it touches one tool.
-double glass_edge_at_tool(const Scene& scene, const Interface& interface, double wanted);
+/// The same of the glass where it touches one tool, for the heat exchanged up to the end of `last_stage`: what a later
+/// stage does has no influence on the mesh of an earlier one.
+double glass_edge_at_tool(const Scene& scene, const Interface& interface, double wanted, Index last_stage);
 
 }  // namespace parison::forming
