@@ -19,11 +19,12 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
                     "the glass had so much more or less volume than at its start, and its wall is wrong by about as "
                     "much; a smaller numerics.strain_per_step helps"});
   if (!scene.tools.empty()) {
-    checks.push_back({"penetration", totals.penetration_share, 1e-2, 0.1, "%",
-                      "a node of the glass was inside a tool by so much of the mean wall of that moment; a "
+    checks.push_back({"penetration", std::max(totals.penetration_share, totals.max_penetration / wall), 1e-2, 0.1, "%",
+                      "a node of the glass was inside a tool by so much of the mean wall, then or at the end; a "
                       "smaller numerics.strain_per_step or numerics.surface_size helps"});
-    checks.push_back({"edge_penetration", totals.edge_penetration_share, 5e-2, 0.25, "%",
-                      "an edge of the glass cut into a tool by so much of the mean wall of that moment; a "
+    checks.push_back({"edge_penetration", std::max(totals.edge_penetration_share, totals.max_edge_penetration / wall),
+                      5e-2, 0.25, "%",
+                      "an edge of the glass cut into a tool by so much of the mean wall, then or at the end; a "
                       "smaller numerics.surface_size, or a finer --accuracy, helps"});
   }
   const auto is_symmetry = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::symmetry; };
