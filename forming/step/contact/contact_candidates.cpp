@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/edge_constraints.hpp"
 #include "forming/step/contact/placed_tools.hpp"
 
 namespace parison::forming {
@@ -13,6 +15,10 @@ namespace {
 /// Penetrated nodes are moved to the surface over 20 ms; moving them within one step would overpressurise a full
 /// cavity.
 constexpr double recovery_time = 20e-3;
+
+/// Cosine of the turn of a tool, 45 degrees, over which the middle of an edge that lies over it is lifted; round a
+/// sharper corner it would be lifted by a good part of the edge, and a new mesh has a node at the corner.
+constexpr double gentle_turn = 0.7071;
 
 /// Fraction of a step during which a node is in contact, from its gap at the step's start and its displacement along
 /// the tool's normal (negative towards the tool), both m.
@@ -48,6 +54,117 @@ contact::GapConstraint along_path(const contact::GapConstraint& at_end, const Po
   return normal ? contact::GapConstraint{at_end.gap / normal->dot(at_end.normal), *normal, at_end.segment} : at_end;
 }
 
+/// A step that is predicted: the velocities (core::dim per node, m/s; the tools' along the axis), with the tools placed
+/// where they end.
+struct StepPath {
+  const Scene& scene;
+  const State& state;
+  const PlacedTools& placed;
+  const Eigen::VectorXd& velocity;
+  const std::vector<double>& tool_speed;
+  double dt;
+
+  bool touches(Index tool, Index node) const { return state.glass.contact_tool[node] == tool; }
+  /// The normal with which a node touches a tool, null where it does not. A node in a corner may touch two tools.
+  const Point* normal_of_contact(Index tool, Index node) const {
+    const auto& [nodes, tools, normals] = state.glass.active_contacts;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (nodes[i] == node && tools[i] == tool) return &normals[i];
+    return nullptr;
+  }
+  /// Whether both ends of an edge touch a tool that bulges gently between them.
+  bool lies_over(Index tool, const core::BoundaryEdge& edge) const {
+    const Point *first = normal_of_contact(tool, edge.nodes[0]), *last = normal_of_contact(tool, edge.nodes[1]);
+    const auto& x = state.glass.mesh.nodes;
+    return first && last && first->dot(*last) > gentle_turn &&
+           (*last - *first).dot(x[edge.nodes[1]] - x[edge.nodes[0]]) > 0;
+  }
+  Point end_of(Index node) const { return state.glass.mesh.nodes[node] + dt * flow::node_velocity(velocity, node); }
+
+  /// First, last and middle node of an edge beside a tool at the step's end. An end node that does not touch it yet is
+  /// taken where it is in the middle of the step: whether it lands is not known, and an edge that keeps a gap for a
+  /// step does less harm than one that enters the tool.
+  std::array<Point, 3> edge_beside(Index tool, const core::BoundaryEdge& edge) const {
+    std::array<Point, 3> x;
+    for (int i = 0; i < 3; ++i) x[i] = end_of(edge.nodes[i]);
+    for (int end = 0; end < 2; ++end)
+      if (const Index node = edge.nodes[end]; !touches(tool, node) && !normal_of_contact(tool, node))
+        x[end] -= 0.5 * dt * (flow::node_velocity(velocity, node) - tool_speed[tool] * core::axis_direction());
+    return x;
+  }
+};
+
+/// A constraint of a node at the end of a step.
+struct Bound {
+  Index tool;
+  contact::GapConstraint at_end;
+  double clearance = 0;    ///< gap that a middle node keeps so that its edge stays out of the tool, m
+  bool lies_over = false;  ///< the edge lies over a corner or a rounding of the tool, which both ends touch
+  bool of_edge = false;    ///< the tool is met by another point of the node's edge
+};
+
+/// The edge of each middle node that may touch, null at all other nodes.
+std::vector<const core::BoundaryEdge*> edges_of_middles(const core::Mesh& glass) {
+  std::vector<const core::BoundaryEdge*> edge_of(glass.nodes.size(), nullptr);
+  for (const auto& edge : glass.boundary_edges())
+    if (glass.kind_of(edge) == BoundaryKind::contact) edge_of[edge.nodes[2]] = &edge;
+  return edge_of;
+}
+
+/// The constraints of a node, at most core::dim; a middle node has those of its `edge` (null at a vertex) as well.
+std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::BoundaryEdge* edge, double reach) {
+  std::vector<Bound> bounds;
+  for (const auto& [tool, constraint] : node_constraints(step.placed, step.end_of(node), reach))
+    bounds.push_back({tool, constraint});
+  if (!edge) return bounds;
+  for (const auto& tool : step.placed.tools) {
+    const auto constraint = edge_constraint(tool, step.edge_beside(tool.index, *edge));
+    if (!constraint) continue;
+    const auto same = std::find_if(bounds.begin(), bounds.end(), [&](const Bound& bound) {
+      return bound.tool == tool.index && bound.at_end.normal.dot(constraint->normal) > contact::smooth_cosine;
+    });
+    if (same != bounds.end()) {
+      same->clearance = std::max(0.0, same->at_end.gap - constraint->gap - step.placed.resting);
+      same->lies_over = step.lies_over(tool.index, *edge);
+    } else if (bounds.size() < core::dim && constraint->gap <= reach) {
+      bounds.push_back({tool.index, *constraint});
+      bounds.back().of_edge = true;
+    }
+  }
+  return bounds;
+}
+
+flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Bound& bound) {
+  const auto& [scene, state, placed, velocity, tool_speed, dt] = step;
+  const Index tool = bound.tool;
+  const Point& x = state.glass.mesh.nodes[node];
+  const Point relative = flow::node_velocity(velocity, node) - tool_speed[tool] * core::axis_direction();
+  const bool touched = step.touches(tool, node);
+  const auto constraint = touched && !bound.of_edge
+                              ? along_path(bound.at_end, dt * relative, placed.touched(state, tool, x))
+                              : bound.at_end;
+  const double approach = constraint.normal.dot(relative);
+  const double gap = constraint.gap - dt * approach;  // at the step's start
+  // The middle of an edge that begins to leave the tool leaves it by itself.
+  const double clearance =
+      touched && !bound.lies_over ? std::min(bound.clearance, std::max(0.0, gap)) : bound.clearance;
+  // Glass that is drawn on a tool that grips is held from the run's first step, whichever way it is pulled.
+  const bool drawn_on = state.totals.steps == 0 && std::abs(gap) <= placed.coincident;
+  const bool grips = scene.tools[tool].friction.law == flow::Friction::Law::grip;
+  const bool tied = (drawn_on || (touched && gap <= bound.clearance + placed.at_tool)) && grips;
+  // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew there,
+  // because next to a corner the linearised gap can be negative for a node that is outside; but a wall that is extended
+  // past a joint has no tool behind it.
+  const bool extended = bound.at_end.segment < 0 || bound.of_edge;
+  const double inside = gap >= 0 ? 0.0 : extended ? -gap : placed.depth_inside(state, tool, x);
+  const double depth = gap >= 0 ? std::max(0.0, clearance - gap) : inside + clearance;
+  const double share = bound.of_edge ? 0 : std::min(1.0, dt / recovery_time);
+  const double kept = depth - share * std::max(0.0, depth - placed.resting);
+  const double rate = tied ? 0.0 : (clearance - gap - kept) / dt;
+  const double fraction = touched ? 1 : fraction_in_contact(gap - clearance, dt * approach, placed.coincident);
+  return {node, tool, constraint.normal, rate, tied, fraction, relative, tied ? 0.0 : (depth - kept) / dt};
+}
+
 }  // namespace
 
 std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const State& state,
@@ -61,36 +178,18 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   const core::Mesh& glass = state.glass.mesh;
   const auto tools = active_tools(scene, state);
   const PlacedTools placed(scene, tools, offset);
-  const Point axis = core::axis_direction();
+  const StepPath step{scene, state, placed, velocity, speed, dt};
   std::vector<flow::ContactCandidate> candidates;
   const auto may_touch = touching_nodes(glass);
+  const auto edge_of = edges_of_middles(glass);
   for (const Index node : surface_nodes(glass)) {
     if (!may_touch[node]) continue;
-    const Point v = flow::node_velocity(velocity, node);
-    double fastest = v.norm();
+    double fastest = flow::node_velocity(velocity, node).norm();
     for (const Index tool : tools)
       fastest = std::max({fastest, std::abs(speed[tool]), motions[tool].force ? motions[tool].speed_limit : 0.0});
-    const Point reached = glass.nodes[node] + dt * v;
-    for (const auto& [tool, at_end] : node_constraints(placed, reached, placed.near + 2 * dt * fastest)) {
-      const Point relative = v - speed[tool] * axis;
-      const bool touched = state.glass.contact_tool[node] == tool;
-      const auto constraint =
-          touched ? along_path(at_end, dt * relative, placed.touched(state, tool, glass.nodes[node])) : at_end;
-      const double approach = constraint.normal.dot(relative);
-      const double gap = constraint.gap - dt * approach;  // at the step's start
-      // Glass that is drawn on a tool that grips is held from the run's first step, whichever way it is pulled.
-      const bool drawn_on = state.totals.steps == 0 && std::abs(gap) <= placed.coincident;
-      const bool tied = (touched || drawn_on) && scene.tools[tool].friction.law == flow::Friction::Law::grip;
-      // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew
-      // there, because next to a corner the linearised gap can be negative for a node that is outside; but a wall that
-      // is extended past a joint has no tool behind it.
-      const bool extended = at_end.segment < 0;
-      const double depth = gap >= 0 ? 0.0 : extended ? -gap : placed.depth_inside(state, tool, glass.nodes[node]);
-      const double kept = depth - std::max(0.0, depth - placed.resting) * std::min(1.0, dt / recovery_time);
-      const double rate = tied ? 0.0 : (-gap - kept) / dt;
-      const double fraction = touched ? 1 : fraction_in_contact(gap, dt * approach, placed.coincident);
-      candidates.push_back({node, tool, constraint.normal, rate, tied, fraction, relative, (depth - kept) / dt});
-    }
+    const double reach = placed.near + 2 * dt * fastest;
+    for (const Bound& bound : bounds_of_node(step, node, edge_of[node], reach))
+      candidates.push_back(candidate_of(step, node, bound));
   }
   return candidates;
 }

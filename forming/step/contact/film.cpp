@@ -45,18 +45,22 @@ Index opposite_tool(const Films& films, const State& state, Index node) {
   return -1;
 }
 
+double gap_to(const Scene& scene, const State& state, Index node, Index tool) {
+  const Body& body = scene.tools[tool];
+  const Point local = state.glass.mesh.nodes[node] - state.tools[tool].offset * core::axis_direction();
+  return contact::signed_gap(body.profile, contact_boundaries(body), local);
+}
+
 /// The thinnest film below `limit`, m, and its node. The distance between the tools is what counts, because near its
-/// rim a film touches them only along part of its edges.
+/// rim a film touches them only along part of its edges, whose middles may keep off the tool.
 std::pair<double, Index> thinnest_film(const Scene& scene, const State& state, const Films& films, double limit) {
   std::pair<double, Index> minimum{std::numeric_limits<double>::infinity(), -1};
   for (Index n = 0; n < films.thickness.size(); ++n) {
     double thickness = films.thickness[n];
     if (!(thickness < std::min(minimum.first, limit))) continue;
-    if (const Index there = opposite_tool(films, state, n); there >= 0) {
-      const Body& tool = scene.tools[there];
-      const Point local = state.glass.mesh.nodes[n] - state.tools[there].offset * core::axis_direction();
-      thickness = std::max(thickness, contact::signed_gap(tool.profile, contact_boundaries(tool), local));
-    }
+    if (const Index there = opposite_tool(films, state, n); there >= 0)
+      thickness = std::max(thickness, gap_to(scene, state, n, there) +
+                                          std::max(0.0, gap_to(scene, state, n, state.glass.contact_tool[n])));
     if (thickness < minimum.first) minimum = {thickness, n};
   }
   return minimum;

@@ -12,7 +12,8 @@ using core::dim;
 PlacedTools::PlacedTools(const Scene& scene, const std::vector<Index>& active_tools, const std::vector<double>& offset)
     : near(core::tolerance::contact_proximity * core::size(scene.glass.profile)),
       coincident(core::tolerance::coincident * core::size(scene.glass.profile)),
-      resting(core::tolerance::penetration * core::size(scene.glass.profile)) {
+      resting(core::tolerance::penetration * core::size(scene.glass.profile)),
+      at_tool(core::tolerance::at_tool * core::size(scene.glass.profile)) {
   std::vector<contact::PlacedTool> placed;
   for (const Index tool : active_tools) {
     const auto& profile = scene.tools[tool].profile;

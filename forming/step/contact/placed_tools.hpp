@@ -31,6 +31,7 @@ struct PlacedTools {
   double near;  ///< nodes farther away, m, become contact candidates only if they can move that far within the step
   double coincident;  ///< gap below which a node is in contact from the start of the step, m
   double resting;     ///< depth, m, that a node keeps
+  double at_tool;     ///< gap, m, above which a node in contact is not held but comes nearer
 
   const Tool& of(Index index) const {
     return *std::find_if(tools.begin(), tools.end(), [&](const Tool& tool) { return tool.index == index; });
