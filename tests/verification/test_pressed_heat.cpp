@@ -50,7 +50,7 @@ const std::vector<Model> models{
 TEST(PressedHeat, is_balanced_in_glass_and_tools_through_flow_contact_light_and_new_meshes) {
   Index meshes = 0;
   for (const Model& model : models) {
-    const Scene scene = scene_of(lit_pot(model.radiation, model.enclosure));
+    const Scene scene = scene_of(lit_pot(model.radiation, model.enclosure) + "quality_floor = 0.6\n");
     const RunOutcome outcome = run_in_folder(scene, tests::absent_folder(), {});
     ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
     const State& state = outcome.state;

@@ -115,7 +115,8 @@ boundary = [
 
 TEST(Landing, of_a_blown_tube_goes_on_by_less_than_three_edges_in_a_step) {
   const auto longest = [](const std::string& numerics) {
-    const Scene scene = scene_of(blown_tube + numerics, "draft");
+    const Scene scene =
+        scene_of(replaced("(26, 38) (14.5, 50) mm", "(26, 47) (14.5, 50) mm", blown_tube) + numerics, "draft");
     Fronts fronts;
     const RunOutcome outcome = run(scene, {&fronts});
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
