@@ -17,7 +17,6 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
-#include "forming/step/contact/penetration.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/remesh_glass.hpp"
 #include "remesh/transfer/transfer.hpp"
@@ -193,7 +192,6 @@ void accumulate(const Scene& scene, const State& state, RemeshReason why, const 
   const auto quality = remesh::quality(mesh);
   statistics.min_quality = std::min(statistics.min_quality, quality.min);
   statistics.min_median = std::min(statistics.min_median, quality.median);
-  statistics.left_in_tools = max_edge_penetration(scene, next);
   statistics.before_step = why == RemeshReason::stage_start ? -1 : next.totals.steps;
 }
 

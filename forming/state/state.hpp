@@ -108,7 +108,6 @@ struct RemeshStatistics {
   double transfer_overshoot = 0;      ///< furthest that a new temperature went beyond all old ones, K
   double min_quality = 1;             ///< of a cell after any remesh
   double min_median = 1;              ///< quality of the median cell after any remesh
-  double left_in_tools = 0;           ///< depth of the deepest edge in a tool after the last remesh, m
   Index before_step = -1;             ///< number of the step for which the mesh was made anew, -1 at a stage's start
   Index failed = 0;                   ///< new meshes that could not be made
   double lap_volume = 0;              ///< of the air in those, m3

@@ -85,7 +85,6 @@ void visit_remeshing(Visitor visit, Statistics& remeshing) {
   visit("transfer_overshoot", remeshing.transfer_overshoot);
   visit("min_quality", remeshing.min_quality);
   visit("min_median", remeshing.min_median);
-  visit("left_in_tools", remeshing.left_in_tools);
   visit("before_step", remeshing.before_step);
   visit("failed", remeshing.failed);
   visit("laps", remeshing.laps);
