@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/case/case_text.hpp"
+#include "core/case/text/case_text.hpp"
 
 namespace parison::core {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/case/case_text.hpp"
+#include "core/case/text/case_text.hpp"
 #include "core/io/files.hpp"
 #include "forming/report/files/case_copy.hpp"
 #include "forming/scene/materials/material_library.hpp"

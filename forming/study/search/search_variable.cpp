@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/case/case_text.hpp"
+#include "core/case/text/case_text.hpp"
 #include "core/case/units.hpp"
 #include "forming/scene/materials/material_library.hpp"
 #include "forming/scene/scene.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/case/case_depth.hpp"
+#include "core/case/text/case_depth.hpp"
 
 #include <fmt/core.h>
 
