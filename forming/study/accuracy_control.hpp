@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "forming/report/accuracy_record.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/quantities.hpp"
 
