@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "forming/study/comparison/what_if.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 
 namespace parison::tools {
 

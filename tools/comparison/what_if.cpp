@@ -10,7 +10,7 @@
 #include "core/case/case_error.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/comparison/comparison.hpp"
-#include "forming/study/comparison/resolution.hpp"
+#include "forming/study/comparison/what_if/resolution.hpp"
 #include "tools/comparison/compare.hpp"
 #include "tools/comparison/run_queue.hpp"
 #include "tools/program/exit_codes.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/report/files/case_copy.hpp"
-#include "forming/study/comparison/what_if.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 
 namespace parison::forming {
 namespace {

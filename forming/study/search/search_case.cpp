@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "forming/study/comparison/tool_overlap.hpp"
+#include "forming/study/comparison/what_if/tool_overlap.hpp"
 #include "forming/study/setting_error.hpp"
 
 namespace parison::forming {

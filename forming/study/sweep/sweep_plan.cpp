@@ -10,7 +10,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "forming/run/resume/case_change.hpp"
-#include "forming/study/comparison/tool_overlap.hpp"
+#include "forming/study/comparison/what_if/tool_overlap.hpp"
 #include "forming/study/setting_error.hpp"
 
 namespace parison::forming {

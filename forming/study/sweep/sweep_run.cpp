@@ -7,7 +7,7 @@
 #include "core/io/files.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/study/coarse_run.hpp"
-#include "forming/study/comparison/what_if.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 #include "forming/study/sweep/sweep_plan.hpp"
 
 namespace parison::forming {

@@ -7,7 +7,7 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/study/audit.hpp"
-#include "forming/study/comparison/tool_overlap.hpp"
+#include "forming/study/comparison/what_if/tool_overlap.hpp"
 #include "forming/study/setting_error.hpp"
 #include "forming/study/sweep/design.hpp"
 

@@ -13,8 +13,8 @@
 #include "forming/state/fingerprint.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/same_case.hpp"
-#include "forming/study/comparison/tool_overlap.hpp"
-#include "forming/study/comparison/what_if.hpp"
+#include "forming/study/comparison/what_if/tool_overlap.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 
 namespace parison::forming {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/comparison/what_if.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "forming/run/stage.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/finished_run.hpp"
-#include "forming/study/comparison/tool_overlap.hpp"
+#include "forming/study/comparison/what_if/tool_overlap.hpp"
 
 namespace parison::forming {
 namespace {

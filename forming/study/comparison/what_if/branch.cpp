@@ -7,7 +7,7 @@
 #include "forming/run/checkpoint.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/finished_run.hpp"
-#include "forming/study/comparison/what_if.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 
 namespace parison::forming {
 namespace {

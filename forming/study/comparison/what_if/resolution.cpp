@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/comparison/resolution.hpp"
+#include "forming/study/comparison/what_if/resolution.hpp"
 
 #include <fmt/format.h>
 

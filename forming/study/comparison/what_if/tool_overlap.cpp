@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/comparison/tool_overlap.hpp"
+#include "forming/study/comparison/what_if/tool_overlap.hpp"
 
 #include <fmt/format.h>
 
