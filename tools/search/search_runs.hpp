@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "forming/study/search/search_case.hpp"
+#include "forming/study/search/case/search_case.hpp"
 
 namespace parison::tools {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "forming/study/search/case/search_case.hpp"
 #include "forming/study/search/outcome.hpp"
-#include "forming/study/search/search_case.hpp"
 
 namespace parison::forming {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "forming/study/search/search_variable.hpp"
+#include "forming/study/search/case/search_variable.hpp"
 
 namespace parison::forming {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/search/case_drawing.hpp"
+#include "forming/study/search/case/case_drawing.hpp"
 
 #include <fmt/format.h>
 

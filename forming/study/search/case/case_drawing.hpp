@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/mesh/profile.hpp"
-#include "forming/study/search/search_case.hpp"
+#include "forming/study/search/case/search_case.hpp"
 
 namespace parison::forming {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "forming/scene/scene.hpp"
-#include "forming/study/search/search_variable.hpp"
+#include "forming/study/search/case/search_variable.hpp"
 #include "forming/study/sweep/sweep_plan.hpp"
 
 namespace parison::forming {

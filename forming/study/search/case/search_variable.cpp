@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/search/search_variable.hpp"
+#include "forming/study/search/case/search_variable.hpp"
 
 #include <fmt/format.h>
 

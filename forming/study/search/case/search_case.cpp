@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/search/search_case.hpp"
+#include "forming/study/search/case/search_case.hpp"
 
 #include <fmt/format.h>
 
