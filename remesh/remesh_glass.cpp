@@ -8,8 +8,8 @@
 #include "remesh/mesher/mesh_outline.hpp"
 #include "remesh/surface/axis_closing.hpp"
 #include "remesh/surface/curve.hpp"
-#include "remesh/surface/lap.hpp"
-#include "remesh/surface/restore_volume.hpp"
+#include "remesh/surface/repair/lap.hpp"
+#include "remesh/surface/repair/restore_volume.hpp"
 
 namespace parison::remesh {
 

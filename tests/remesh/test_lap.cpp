@@ -3,7 +3,7 @@
 
 #include "remesh/mesher/mesh_profile.hpp"
 #include "remesh/profiles.hpp"
-#include "remesh/surface/lap.hpp"
+#include "remesh/surface/repair/lap.hpp"
 
 namespace parison::remesh {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/tolerances.hpp"
-#include "remesh/surface/restore_volume.hpp"
+#include "remesh/surface/repair/restore_volume.hpp"
 #include "structured.hpp"
 
 namespace parison::remesh {

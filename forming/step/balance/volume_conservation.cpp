@@ -11,7 +11,7 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
-#include "remesh/surface/restore_volume.hpp"
+#include "remesh/surface/repair/restore_volume.hpp"
 
 namespace parison::forming {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "remesh/surface/lap.hpp"
+#include "remesh/surface/repair/lap.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "remesh/surface/restore_volume.hpp"
+#include "remesh/surface/repair/restore_volume.hpp"
 
 #include <algorithm>
 #include <array>
