@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bodies.hpp"
 #include "figure.hpp"
+#include "thermal/bodies.hpp"
 #include "thermal/radiation/camera/line_of_sight.hpp"
 #include "thermal/radiation/fresnel.hpp"
 
