@@ -5,9 +5,8 @@
 #include "figure.hpp"
 #include "thermal/radiation/exact_emission.hpp"
 #include "thermal/radiation/exact_tube.hpp"
-#include "thermal/radiation/glass_on_tool.hpp"
+#include "thermal/radiation/light_checks.hpp"
 #include "thermal/radiation/light_heat.hpp"
-#include "thermal/time/tr_bdf2.hpp"
 
 namespace parison::thermal::test {
 namespace {
@@ -73,21 +72,10 @@ TEST(Transfer, a_grey_slab_in_radiative_equilibrium_between_black_walls_carries_
   tests::Figure off(
       "transfer: grey slab in radiative equilibrium between black walls, optical thickness 0.1, 1, 10: flux off by",
       "%");
-  const std::pair<double, double> exact_flux[] = {{0.1, 0.9157}, {1, 0.5532}, {10, 0.1167}};
   for (const auto& [thickness, wanted] : exact_flux) {
-    const Material material = glass_with({{everything, thickness / 0.01}}, 1, 1e-9, Model::transfer);
-    const core::Mesh mesh = rectangle(divide(0, 0.01, 30), {0, 0.01 / 30});
-    Problem problem{Geometry::planar, {open_body(mesh, material, 800, 0)}, {}, {}};
-    problem.bodies[0].light.surroundings = {{}, core::TimeFunction(800), {}, core::TimeFunction(1500)};
-    StepMatrix matrix;
-    StepOptions options;
-    options.tolerance = 1;
-    const StepOutcome outcome =
-        advance(problem, 0, {Eigen::VectorXd::Constant(mesh.node_count(), 1200)}, 1e6, options, matrix);
-    ASSERT_TRUE(outcome.converged) << outcome.reason;
-    const HeatSystem system = make_heat_system(problem);
-    const double flux = flux_through(right, system, join(system, outcome.temperature), {0, 800, 0, 1500}),
-                 share = flux / (stefan_boltzmann * (std::pow(1500, 4) - std::pow(800, 4)));
+    const EquilibriumSlab slab(thickness, Model::transfer, 0);
+    const HeatSystem system = make_heat_system(slab.problem);
+    const double share = slab.share(flux_through(right, system, slab.temperature, {0, 800, 0, 1500}));
     std::printf("optical thickness %g: %.4f, exact %.4f\n", thickness, share, wanted);
     off.add(100 * std::abs(share / wanted - 1));
   }
@@ -98,17 +86,12 @@ TEST(Transfer, a_grey_slab_in_radiative_equilibrium_between_black_walls_carries_
 double imbalance_of_band(const Band& band, Geometry geometry, int order) {
   const GlassOnTool pair(geometry, order, {band}, 320, 0, Model::transfer);
   const HeatSystem system = make_heat_system(pair.problem);
-  const Eigen::VectorXd T = scattered(system, pair.start);
-  Eigen::VectorXd power = Eigen::VectorXd::Zero(system.size());
-  Flows flows = evaluate_flows(system, 0, T);
-  for (auto* flow : {&flows.to_air, &flows.light_to_air, &flows.across, &flows.received, &flows.radiated})
-    flow->setZero();
-  add_light(system.light[0], system, 0, T, flows, &power);
+  const LightFlows light(system, scattered(system, pair.start));
+  const Flows& flows = light.flows;
   EXPECT_NE(flows.radiated[0], 0);
   EXPECT_GT(flows.light_to_air[0], 0);
-  EXPECT_NEAR(power.tail(system.size() - system.first_unknown[1]).sum() / flows.across[0], 1, 1e-13);
-  const double in_glass = power.head(system.first_unknown[1]).sum();
-  return std::abs(in_glass + flows.to_air[0] + flows.across[0]) / (flows.to_air[0] + std::abs(flows.across[0]));
+  EXPECT_NEAR(light.power.tail(system.size() - system.first_unknown[1]).sum() / flows.across[0], 1, 1e-13);
+  return light.imbalance(system) / light.through_surface();
 }
 
 TEST(Transfer, the_sources_of_each_band_are_what_crosses_the_surface_in_it) {
@@ -121,94 +104,46 @@ TEST(Transfer, the_sources_of_each_band_are_what_crosses_the_surface_in_it) {
 }
 
 TEST(Transfer, nothing_flows_where_all_is_at_one_temperature) {
-  GlassOnTool pair(Geometry::axisymmetric, 2, flint, 1400, 0.9, Model::transfer);
-  const HeatSystem system = make_heat_system(pair.problem);
-  Eigen::VectorXd power = Eigen::VectorXd::Zero(system.size());
-  Flows flows = evaluate_flows(system, 0, Eigen::VectorXd::Constant(system.size(), 1400));
-  const double scale = flows.to_air.cwiseAbs().maxCoeff();
-  flows.to_air.setZero(), flows.across.setZero();
-  add_light(system.light[0], system, 0, Eigen::VectorXd::Constant(system.size(), 1400), flows, &power);
-  EXPECT_LT(power.lpNorm<Eigen::Infinity>(), 1e-11 * scale);
-  EXPECT_NEAR(flows.to_air[0] / scale, 0, 1e-11);
-  EXPECT_NEAR(flows.across[0] / scale, 0, 1e-11);
+  expect_no_light(GlassOnTool(Geometry::axisymmetric, 2, flint, 1400, 0.9, Model::transfer).problem, 1400);
 }
 
 TEST(Transfer, the_derivative_is_that_of_finite_differences) {
-  const double step = 0.5, small = 1e-2;
   for (const int order : {1, 2}) {
     const GlassOnTool pair(Geometry::axisymmetric, order, flint, 320, 0.9, Model::transfer);
-    const HeatSystem system = make_heat_system(pair.problem);
-    const Eigen::VectorXd T = scattered(system, pair.start);
-    std::mt19937 random(2);
-    Eigen::VectorXd direction(system.size());
-    for (double& d : direction) d = std::uniform_real_distribution<double>(-1, 1)(random);
-    const auto residual = [&](double shift) -> Eigen::VectorXd {
-      const Response response = evaluate(system, 0, T + shift * direction);
-      return response.content - step * response.power;
-    };
-    const Eigen::VectorXd difference = (residual(small) - residual(-small)) / (2 * small);
-    Linearisation derivatives = linearise(system, 0, T);
-    const Eigen::VectorXd product = apply(system, derivatives, step, direction);
-    const double size = difference.lpNorm<Eigen::Infinity>();
-    EXPECT_LT((product - difference).lpNorm<Eigen::Infinity>(), 1e-7 * size);
-    derivatives.light[0].emission[0] = Field(derivatives.light[0].emission[0].size());
-    EXPECT_GT((apply(system, derivatives, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-5 * size);
-    derivatives.light[0].from_tool[1].setZero();
-    EXPECT_GT((apply(system, derivatives, step, direction) - product).lpNorm<Eigen::Infinity>(), 1e-5 * size);
+    StepDerivative derivative(pair);
+    EXPECT_LT(derivative.error(), 1e-7);
+    LightDerivatives& light = derivative.derivatives.light[0];
+    light.emission[0] = Field(light.emission[0].size());
+    EXPECT_GT(derivative.change(), 1e-5);
+    light.from_tool[1].setZero();
+    EXPECT_GT(derivative.change(), 1e-5);
   }
 }
 
 TEST(Transfer, a_step_of_ten_seconds_converges_and_is_balanced) {
-  tests::Figure open("heat balance of a step of 10 s with light by rays, over the content's change: open by");
-  const GlassOnTool pair(Geometry::axisymmetric, 2, {{2.75e-6, 400}, {4.3e-6, 700}}, 320, 0.9, Model::transfer);
-  StepMatrix matrix;
-  StepOptions options;
-  options.tolerance = 1e9;
-  const StepOutcome outcome = advance(pair.problem, 0, pair.start, 10, options, matrix);
-  ASSERT_TRUE(outcome.converged) << outcome.reason;
-  EXPECT_EQ(outcome.substeps, 1);
-  EXPECT_LT(outcome.temperature[0].maxCoeff(), 1401);
-  for (const Index b : {0, 1})
-    open.add(std::abs(imbalance(outcome.balance, b) / outcome.balance.bodies[b].content_change));
-  open.at_most(1e-9);
+  step_of_ten_seconds(Model::transfer,
+                      "heat balance of a step of 10 s with light by rays, over the content's change: open by");
 }
 
 TEST(Transfer, the_order_in_time_is_two) {
-  const GlassOnTool pair(Geometry::axisymmetric, 2, flint, 320, 0.9, Model::transfer);
-  std::vector<Eigen::VectorXd> found;
-  for (const int substeps : {8, 16, 32, 128}) {
-    StepMatrix matrix;
-    StepOptions options;
-    options.tolerance = 1e9;
-    options.initial_substep = options.max_substep = 0.5 / substeps;
-    const StepOutcome outcome = advance(pair.problem, 0, pair.start, 0.5, options, matrix);
-    ASSERT_TRUE(outcome.converged) << outcome.reason;
-    found.push_back(outcome.temperature[0]);
-  }
-  const auto error = [&](int i) { return (found[i] - found[3]).lpNorm<Eigen::Infinity>(); };
-  tests::expect_at_least("heat with light by rays: order in time of TR-BDF2", std::log2(error(1) / error(2)), 1.8);
+  tests::expect_at_least("heat with light by rays: order in time of TR-BDF2", order_in_time(Model::transfer, 128), 1.8);
 }
 
 TEST(Transfer, light_in_thick_glass_is_Rosseland_s_conduction) {
-  const double absorption = 1500, length = 0.05;
-  const core::Mesh mesh = rectangle(divide(0, length, 100), {0, length / 100});
-  const auto T = sample(mesh, [&](const Point& x) { return 1200 + 150 * std::cos(M_PI * x[0] / length); });
-  const Material light = glass_with({{everything, absorption}}, 1.518, 1.3, Model::transfer);
-  Problem by_light{Geometry::planar, {open_body(mesh, light, 1200, 0)}, {}, {}};
-  by_light.bodies[0].light.surroundings = {{}, core::TimeFunction(1050), {}, core::TimeFunction(1350)};
-  Material conducting = light;
-  conducting.radiation = Radiation{1.518, absorption, false};
-  Problem by_conduction{Geometry::planar, {body(mesh, conducting)}, {}, {}};
+  const ThickGlass glass;
+  const Material light = glass_with({{everything, glass.absorption}}, 1.518, 1.3, Model::transfer);
+  BodyView view = open_body(glass.mesh, light, 1200, 0);
+  view.light.surroundings = {{}, core::TimeFunction(1050), {}, core::TimeFunction(1350)};
   // Heat into a half, which far from the walls is the flux through the middle.
   const auto gained = [&](const Eigen::VectorXd& power) {
     double sum = 0;
-    for (Index i = 0; i < mesh.node_count(); ++i)
-      if (mesh.nodes[i][0] > 0.25 * length && mesh.nodes[i][0] < 0.75 * length)
-        sum += power[i] * (mesh.nodes[i][0] - 0.5 * length);
+    for (Index i = 0; i < glass.mesh.node_count(); ++i)
+      if (const double x = glass.mesh.nodes[i][0]; x > 0.25 * glass.length && x < 0.75 * glass.length)
+        sum += power[i] * (x - 0.5 * glass.length);
     return sum;
   };
-  const double a = gained(evaluate(make_heat_system(by_light), 0, T).power),
-               b = gained(evaluate(make_heat_system(by_conduction), 0, T).power);
+  const double a = gained(glass.by_light(view)),
+               b = gained(glass.by_conduction(light, Radiation{1.518, glass.absorption, false}));
   tests::expect_at_most("transfer: heat moved inside glass of 75 free paths against Rosseland's conduction: off by",
                         100 * std::abs(a / b - 1), 1, "%");
 }
