@@ -6,8 +6,8 @@
 #include <numeric>
 #include <sstream>
 
-#include "../pot_scene.hpp"
-#include "../scene_text.hpp"
+#include "../../pot_scene.hpp"
+#include "../../scene_text.hpp"
 #include "core/io/files.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/state/initial_state.hpp"

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "../pot_scene.hpp"
-#include "../scene_text.hpp"
+#include "../../pot_scene.hpp"
+#include "../../scene_text.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/contact/penetration.hpp"
