@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "../scene_text.hpp"
+#include "../../scene_text.hpp"
 #include "core/io/files.hpp"
 
 namespace parison::forming {
