@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bars from quantities of coarser runs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "forming/report/error_bars.hpp"
+
+namespace parison::forming {
+namespace {
+
+TEST(Accuracy, a_profile_is_compared_away_from_where_the_wall_ends) {
+  std::vector<double> a(profile_points, 2.0), b = a;
+  for (int i = 0; i < 40; ++i) a[i] = NAN;
+  a[41] = 20;  // beside the end: left aside
+  a[200] = 2.1;
+  const auto difference = compare_profiles(a, b);
+  EXPECT_NEAR(difference.max, 0.05, 1e-12);
+  EXPECT_NEAR(difference.where, 0.5, 1e-12);
+  EXPECT_TRUE(std::isnan(compare_profiles({}, b).mean));
+}
+
+/// Runs 1, 1.5 and 3 times as coarse of quantities whose errors grow with this order.
+ErrorBars bars_of_order(double order, double shift_of_second = 0) {
+  const auto run = [&](double factor) {
+    const double grows = std::pow(factor, order);
+    return Quantities{{{"heat_a", "J", 100 + grows, 100},
+                       {"heat_b", "J", 50 + (0.8 + shift_of_second) * grows - shift_of_second, 50},
+                       {"time_a", "s", 1 + 0.02 * grows, 1}},
+                      {}};
+  };
+  std::vector<CoarserRun> coarser;
+  for (const double factor : coarser_factors) coarser.push_back({factor, run(factor)});
+  return error_bars(run(1), coarser);
+}
+
+TEST(Accuracy, a_bar_holds_errors_of_low_and_of_second_order_and_is_less_than_seven_times_as_wide) {
+  const double errors[] = {1, 0.8, 0.02};
+  for (const double order : {0.8, 1.0, 2.0}) {
+    const ErrorBars bars = bars_of_order(order);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_GE(bars.quantities.values[i].error, errors[i]);
+      EXPECT_LT(bars.quantities.values[i].error, 7 * errors[i]);
+    }
+  }
+}
+
+TEST(Accuracy, heats_that_agree_by_chance_get_the_usual_bar_of_heats) {
+  const ErrorBars bars = bars_of_order(1, -0.8);  // all runs give the second heat alike
+  EXPECT_GT(bars.quantities.values[1].error, 0.2 * bars.quantities.values[0].error);
+}
+
+TEST(Accuracy, a_bar_is_never_below_the_resolution_and_missing_where_no_coarser_run_has_the_quantity) {
+  const Quantities run{{{"heat_a", "J", 100, 100}, {"heat_b", "J", 50, 50}}, {}};
+  const Quantities other{{{"heat_a", "J", 100, 100}}, {}};
+  const ErrorBars bars = error_bars(run, {{1.5, other}});
+  EXPECT_NEAR(bars.quantities.values[0].error, 1e-4 * std::sqrt(100 * 150), 1e-12);
+  EXPECT_TRUE(std::isnan(bars.quantities.values[1].error));
+  EXPECT_TRUE(std::isnan(bars.profile_mean));
+}
+
+TEST(Accuracy, without_the_coarsest_run_the_same_difference_makes_a_wider_bar) {
+  EXPECT_GT(bar_over_difference(1.5), 3 * bar_over_difference(3));
+  EXPECT_NEAR(bar_over_difference(3), 0.86, 0.01);
+}
+
+}  // namespace
+}  // namespace parison::forming
