@@ -22,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using forming::Calibration;
+using forming::CalibrationCase;
 using forming::FitIntervals;
 using forming::SearchVariable;
 
 /// A fit while it goes on.
 struct Fit {
-  const Calibration& calibration;
+  const CalibrationCase& calibration;
   std::string output;
   SearchRuns runs;
   std::size_t limit = 0, asked = 0, failed = 0;
@@ -73,7 +73,7 @@ MatrixXd jacobian_at(Fit& fit, const VectorXd& at, const VectorXd& residual) {
   return jacobian;
 }
 
-void print_fit(const Calibration& calibration, const FitIntervals& intervals) {
+void print_fit(const CalibrationCase& calibration, const FitIntervals& intervals) {
   fmt::print("\n  {:<36}{:>12} {:<10} 95 % interval\n", "constant", "value", "");
   for (std::size_t i = 0; i < calibration.variables.size(); ++i) {
     const SearchVariable& variable = calibration.variables[i];
@@ -89,7 +89,7 @@ void print_fit(const Calibration& calibration, const FitIntervals& intervals) {
              intervals.scatter, intervals.freedom);
 }
 
-void write_fit(const Calibration& calibration, const FitIntervals& intervals, const VectorXd& residual,
+void write_fit(const CalibrationCase& calibration, const FitIntervals& intervals, const VectorXd& residual,
                const std::string& output) {
   core::JsonWriter json;
   json.add("case", calibration.case_path);
@@ -131,9 +131,9 @@ double noise_in(const std::string& text, const char* unit, const char* option) {
   return noise;
 }
 
-Calibration read_calibration(const CalibrateRequest& request) {
+CalibrationCase read_calibration(const CalibrateRequest& request) {
   const forming::Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
-  Calibration calibration;
+  CalibrationCase calibration;
   calibration.file = "--vary";
   calibration.case_path = request.case_path;
   calibration.accuracy = request.accuracy;
@@ -163,7 +163,7 @@ int stopped_text() {
   return run_failed;
 }
 
-int fit_constants(Fit& fit, const Calibration& calibration, bool with_flow) {
+int fit_constants(Fit& fit, const CalibrationCase& calibration, bool with_flow) {
   const auto count = static_cast<Eigen::Index>(calibration.variables.size());
   VectorXd start(count), low(count), high(count), step(count);
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -197,7 +197,7 @@ int fit_constants(Fit& fit, const Calibration& calibration, bool with_flow) {
 }  // namespace
 
 int calibrate(const CalibrateRequest& request) {
-  const Calibration calibration = read_calibration(request);
+  const CalibrationCase calibration = read_calibration(request);
   const forming::Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
   const std::string output =
       request.output.empty() ? "results/calibrate_" + fs::path(request.data.front()).stem().string() : request.output;

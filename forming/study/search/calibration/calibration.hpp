@@ -20,7 +20,7 @@ struct MeasuredCurve {
 };
 
 /// What is fitted, and to what.
-struct Calibration : SearchCase {
+struct CalibrationCase : SearchCase {
   std::vector<MeasuredCurve> curves;
 };
 
