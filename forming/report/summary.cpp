@@ -104,6 +104,24 @@ void add_numerics(JsonWriter& json, const Accuracy& accuracy) {
   json.close();
 }
 
+/// The model of radiation in the glass and, where it was chosen, by what.
+void add_radiation(JsonWriter& json, const Scene& scene) {
+  if (!scene.has_heat()) return;
+  json.open_object("radiation");
+  json.add("model", model_name(scene.glass.thermal->radiation));
+  json.add("enclosure", scene.enclosure);
+  json.add("chosen", scene.radiation_choice.has_value());
+  if (const auto& choice = scene.radiation_choice) {
+    json.add("error_asked_for", choice->within);
+    json.add("expected_error",
+             choice->model.error > 0 ? choice->model.error : std::numeric_limits<double>::quiet_NaN());
+    json.add("measured_scenes", static_cast<long>(calibration().radiation.scenes.size()));
+    json.add("measured_by", calibration().radiation.by.commit);
+    json.add("measured_on", calibration().radiation.by.date);
+  }
+  json.close();
+}
+
 void add_balance(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
   json.add("volume_drift", summary.glass.volume_drift);
   json.add("energy_imbalance", summary.glass.energy_imbalance);
@@ -213,6 +231,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   JsonWriter json;
   add_run(json, scene, state, summary);
   add_numerics(json, scene.accuracy);
+  add_radiation(json, scene);
   add_balance(json, scene, state, summary);
   add_work(json, state.totals.work);
   json.add("max_work_imbalance", max_work_imbalance(scene, state, summary.run));

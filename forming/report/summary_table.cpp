@@ -27,6 +27,12 @@ std::string at(const Point& x) {
   return fmt::format("({:.1f}, {:.1f}) mm", 1e3 * x[0], 1e3 * x[1]);
 }
 
+std::string radiation_text(const Scene& scene) {
+  const std::string seen = scene.enclosure ? ", surfaces see each other" : "";
+  if (scene.radiation_choice) return describe(*scene.radiation_choice) + seen;
+  return model_name(scene.glass.thermal->radiation) + seen;
+}
+
 std::string thickness_lines(const Summary& summary) {
   const ThicknessRange& range = summary.thickness;
   if (!std::isfinite(range.mean)) return line("wall thickness", summary.no_wall.empty() ? "n/a" : summary.no_wall);
@@ -171,6 +177,7 @@ std::string summary_table(const Scene& scene, const State& state, const Summary&
   text += summary.run.completed ? fmt::format("completed, {:.4g} s simulated\n", state.time)
                                 : fmt::format("stopped at {:.4g} s: {}\n", state.time, summary.run.reason);
   for (const std::string& assignment : scene.overrides) text += line("override", assignment);
+  if (scene.has_heat()) text += line("radiation", radiation_text(scene));
   return text + glass_lines(scene, state, summary) + tool_lines(summary) + stage_lines(summary.run) +
          run_lines(scene, state, summary);
 }

@@ -39,6 +39,21 @@ ErrorLaw error_law(const JsonValue& object) {
   return {number(object, "at_draft"), number(object, "order")};
 }
 
+MeasuredScene measured_scene(const JsonValue& object) {
+  MeasuredScene scene{member(object, "case").text, member(object, "glass").text, number(object, "noise"), {}};
+  for (const JsonValue& model : member(object, "models").items)
+    scene.models[model.name] = {number(model, "thickness"), number(model, "heat"), number(model, "cost")};
+  return scene;
+}
+
+MeasuredRadiation measured_radiation(const JsonValue& object) {
+  const auto& scenes = member(object, "scenes").items;
+  MeasuredRadiation measured{measured_by(object), {}};
+  for (const JsonValue& scene : scenes) measured.scenes.push_back(measured_scene(scene));
+  if (scenes.empty()) throw std::runtime_error(fmt::format("{}: \"scenes\" has no scene", source));
+  return measured;
+}
+
 }  // namespace
 
 double ErrorLaw::at(double level) const {
@@ -56,6 +71,7 @@ Calibration read_calibration(const std::string& json) {
     result.model_parts.parts[part.name] = {number(part, "number"), number(part, "thickness"), number(part, "heat")};
   result.model_shapes = {measured_by(shapes), number(shapes, "pressed_freedom"), number(shapes, "pressed_open_heat"),
                          number(shapes, "heat_of_strain")};
+  result.radiation = measured_radiation(member(root, "radiation_models"));
   return result;
 }
 

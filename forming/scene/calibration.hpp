@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 #include <string>
+#include <vector>
 
 namespace parison::forming {
 
@@ -22,6 +23,25 @@ struct MeasuredPart {
   double thickness, heat;  ///< change of the wall thickness in the mean and of the heat into the tools, as fractions
 };
 
+/// What a model of radiation is off by in a scene against `transfer`.
+struct MeasuredModel {
+  double thickness, heat;  ///< of the wall in the mean and of the heat into the tools, as shares
+  double cost;             ///< CPU time of the run over that by `transfer`
+};
+
+/// Models of radiation in a scene, by their names in a case.
+struct MeasuredScene {
+  std::string case_name, glass;
+  double noise;  ///< what a change that means nothing does to the wall and the heat, the larger, as a share
+  std::map<std::string, MeasuredModel> models;
+};
+
+/// Models of radiation in all scenes in which they were measured.
+struct MeasuredRadiation {
+  MeasuredBy by;
+  std::vector<MeasuredScene> scenes;
+};
+
 /// Figures measured on bundled cases, from which errors and the effects of model parts are estimated on others. They
 /// are in forming/scene/calibration.json, which `tools/bench --save` writes and the build takes into the program.
 struct Calibration {
@@ -40,9 +60,10 @@ struct Calibration {
     double pressed_open_heat;  ///< heat of its open surface likewise
     double heat_of_strain;     ///< change of the heat into the tools over the strain of glass that nothing forms
   } model_shapes;
+  MeasuredRadiation radiation;
 };
 
-/// Reads a calibration; throws std::runtime_error that names the entry where one is missing.
+/// Reads a calibration; throws std::runtime_error that names the entry where one is missing or no number.
 Calibration read_calibration(const std::string& json);
 
 /// That of this program.

@@ -71,7 +71,7 @@ void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
   context.with_heat = scene.has_heat();
   context.with_flow = scene.has_flow();
   if (const auto* enclosure = root.find("enclosure")) scene.enclosure = read_enclosure(*enclosure, scene);
-  context.with_light = scene.has_light() || scene.enclosure;
+  context.with_light = scene.has_light() || scene.enclosure || scene.radiation_choice;
   refuse_repeated_names(root.tables("tool"));
   for (const auto* tool : root.tables("tool")) scene.tools.push_back(read_tool(*tool, context));
   if (scene.enclosure) refuse_many_mirrors(*root.find("enclosure"), scene);
@@ -95,10 +95,11 @@ void read_stages(const CaseTable& root, Scene& scene) {
   scene.stages.push_back(std::move(last));
 }
 
-/// The case file, what was set, and the bundled materials that it uses.
+/// The case file, what was set, the bundled materials that it uses, and the model of radiation that was chosen.
 std::string text_of(const Scene& scene, const std::vector<std::string>& library) {
   std::string text = fmt::format("{}{}", core::read_text(scene.file), fmt::join(scene.overrides, "\n"));
   for (const auto& name : library) text += library_entry(name);
+  if (scene.radiation_choice) text += scene.radiation_choice->model.name;
   return text;
 }
 
@@ -191,6 +192,8 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   auto tolerances = core::take_tolerances(file);
   const auto dimensions = core::read_dimensions(file);
   auto timing = read_timing(file, dimensions);
+  const AccuracyChoice accuracy_choice = read_accuracy(accuracy);
+  auto radiation_choice = choose_radiation(file, accuracy_choice);
   const CaseTable root(file.root,
                        {"case", "geometry", "material", "glass", "tool", "interface", "air", "inner_air", "trapped_air",
                         "enclosure", "stage", "timing", "probe", "output", "numerics", "dimension"});
@@ -198,12 +201,13 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   scene.dimensions = dimensions;
   scene.tolerances = std::move(tolerances);
   scene.timing = std::move(timing);
+  scene.radiation_choice = std::move(radiation_choice);
   scene.name = core::identifier(root.get("case"));
   scene.directory = file.directory;
   scene.file = file.path;
   scene.overrides = file.overrides;
   scene.accuracy_name = accuracy;
-  scene.accuracy_choice = read_accuracy(accuracy);
+  scene.accuracy_choice = accuracy_choice;
   scene.accuracy = accuracy_at(scene.accuracy_choice.level);
   read_bodies(root, read_context(root, file.directory), scene);
   read_stages(root, scene);

@@ -17,6 +17,7 @@
 #include "core/mesh/profile.hpp"
 #include "forming/flow/material.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/scene/radiation_choice.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -235,7 +236,8 @@ struct Scene {
   Glass glass;
   std::vector<Tool> tools;
   std::vector<Interface> interfaces;
-  bool enclosure = false;  ///< open surfaces of glass and tools see each other by radiation
+  bool enclosure = false;                           ///< open surfaces of glass and tools see each other by radiation
+  std::optional<RadiationChoice> radiation_choice;  ///< the model that `auto` took; none: the case names it
   std::vector<Stage> stages;
   std::vector<Probe> probes;
   Output output;

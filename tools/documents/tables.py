@@ -109,6 +109,28 @@ def model():
     return table([f"part, measured on {calibration['case']}", "its number there", "wall thickness, mean", "heat into the tools"], rows)
 
 
+def radiation_models():
+    """Cheaper models of radiation against transfer in each scene, what the other cases expect of it, and what they cost."""
+    scenes = store.read(store.CALIBRATION, "tools/bench models --save")["radiation_models"]["scenes"]
+    models = list(scenes[0]["models"])
+    worst = lambda found, model: max(max(scene["models"][model][key] for key in ("thickness", "heat")) for scene in found)
+    rows = []
+    for scene in scenes:
+        off = [" / ".join(digits(100 * scene["models"][model][key]) for key in ("thickness", "heat")) for model in models]
+        rows.append([f"{scene['case']} of {scene['glass']}", *off, digits(100 * scene["noise"])])
+    for case in dict.fromkeys(scene["case"] for scene in scenes):
+        others = [scene for scene in scenes if scene["case"] != case]
+        own = [scene for scene in scenes if scene["case"] == case]
+        rows.append([f"expected of the {case} by the others, and found"]
+                    + [f"{digits(100 * worst(others, model))}, {digits(100 * worst(own, model))}" for model in models] + [""])
+    rows.append(["the worst of all: the error that counts"] + [digits(100 * worst(scenes, model)) for model in models] + [""])
+    mean = [math.exp(sum(math.log(scene["models"][model]["cost"]) for scene in scenes) / len(scenes)) for model in models]
+    rows.append(["CPU time over that by `transfer`", *(digits(cost) for cost in mean), ""])
+    skin = [max(scene["models"][model]["skin_K"] for scene in scenes) for model in models]
+    rows.append(["mean skin at the end of any stage off by up to, K", *(digits(kelvin) for kelvin in skin), ""])
+    return table(["wall in the mean / heat into tools, off from `transfer`, %", *(f"`{model}`" for model in models), "noise"], rows)
+
+
 def bench():
     both = [("CPU time of the jar over its process time", "jar.{}.cpu", "", "1; 8"),
             ("share of flow in it", "jar.{}.flow", " %", ""), ("share of heat", "jar.{}.heat", " %", ""),
@@ -364,5 +386,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, perfect, press, laps, sagging, shell, bands)}

@@ -79,6 +79,7 @@ std::string heat_parts(const Scene& scene) {
                           "the glass's material has no heat capacity and conductivity");
   text += part("internal radiation", on && scene.glass.thermal->radiation, radiation_text(scene),
                on ? "the material names none" : no_heat);
+  if (scene.radiation_choice) text += part("  chosen", true, describe(*scene.radiation_choice), "");
   text +=
       part("interfaces", on && !scene.interfaces.empty(),
            fmt::format("mortar, glass with tools: {}", scene.interfaces.size()), on ? "the scene names none" : no_heat);
@@ -236,6 +237,7 @@ std::string describe_scene_briefly(const Scene& scene) {
       fmt::format("{} at {} accuracy: {:.4g} g of glass, tools: {}, stages: {}, at most {:.4g} s\n", scene.name,
                   scene.accuracy_name, 1e3 * numbers.mass, scene.tools.size(), scene.stages.size(), longest);
   for (const auto& assignment : scene.overrides) text += fmt::format("  {:<20}{}\n", "override", assignment);
+  if (scene.radiation_choice) text += fmt::format("  {:<20}{}\n", "radiation", describe(*scene.radiation_choice));
   for (const Setting& setting : settings())
     if (const auto own = scene.accuracy_origin.find(setting.key); own != scene.accuracy_origin.end())
       text += fmt::format("  {:<20}{} {:.4g} {}, from {}\n", "numerics", setting.key,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -85,13 +86,65 @@ std::vector<thermal::Band> read_bands(const CaseNode& node) {
   return bands;
 }
 
+/// The error that a model chosen by `auto` may have, a share.
+double read_within(const CaseNode& node) {
+  constexpr double least = 1e-4, most = 1;
+  const double within = core::positive(node, dimension::none);
+  if (within < least || within > most)
+    core::refuse(node, fmt::format("\"{}\" was found, allowed are errors from {:g} % to {:g} %", node.text, 100 * least,
+                                   100 * most));
+  return within;
+}
+
+CaseNode* member(CaseNode& table, const std::string& name) {
+  if (table.kind == CaseNode::Kind::table)
+    for (CaseNode& item : table.items)
+      if (item.name == name) return &item;
+  return nullptr;
+}
+
+/// The material of the glass in the table of materials; null where the case has none of that name.
+CaseNode* material_of_glass(core::CaseFile& file) {
+  CaseNode* glass = member(file.root, "glass");
+  const CaseNode* name = glass ? member(*glass, "material") : nullptr;
+  CaseNode* materials = member(file.root, "material");
+  return name && materials ? member(*materials, name->text) : nullptr;
+}
+
+/// Models cheaper than `transfer` that a case has the keys of. With an enclosure P1 is none of them.
+std::vector<std::string> allowed_models(core::CaseFile& file, CaseNode& material, CaseNode& radiation) {
+  std::vector<std::string> allowed;
+  if (member(radiation, "absorption") && member(radiation, "thin_wall") && member(material, "emissivity"))
+    allowed.push_back("rosseland");
+  const CaseNode* enclosure = member(file.root, "enclosure");
+  if (!enclosure || !enclosure->flag) allowed.insert(allowed.end(), {"p1", "p1_cones"});
+  return allowed;
+}
+
 }  // namespace
 
+std::optional<RadiationChoice> choose_radiation(core::CaseFile& file, const AccuracyChoice& accuracy) {
+  CaseNode* material = material_of_glass(file);
+  CaseNode* radiation = material ? member(*material, "radiation") : nullptr;
+  CaseNode* model = radiation ? member(*radiation, "model") : nullptr;
+  if (!model || model->text != "auto") return {};
+  read_radiation(*radiation);  // has what every model needs, or is refused
+  const CaseNode* within = member(*radiation, "within");
+  const double asked = within ? read_within(*within) : accuracy.target.value_or(expected_error(accuracy.level));
+  RadiationChoice choice{
+      material->name, asked,
+      cheapest_model(ranked_models(calibration().radiation), allowed_models(file, *material, *radiation), asked)};
+  model->text = choice.model.name;
+  return choice;
+}
+
 std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
-  const CaseTable table(node, {"model", "refractive_index", "absorption", "thin_wall", "bands"});
-  enum { none, rosseland, p1, p1_cones, transfer };
+  const CaseTable table(node, {"model", "within", "refractive_index", "absorption", "thin_wall", "bands"});
+  enum { none, rosseland, p1, p1_cones, transfer, automatic };
   const auto* named = table.find("model");
-  const int model = named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones", "transfer"}) : rosseland;
+  const int model =
+      named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones", "transfer", "auto"}) : rosseland;
+  if (const auto* within = table.find("within")) read_within(*within);
   // What another model needs may stand beside it, so that a case can be run with each; it is read all the same.
   const auto wanted = [&](const char* key, bool needed) { return needed ? &table.get(key) : table.find(key); };
   thermal::Radiation radiation{1, 0, false};
@@ -112,7 +165,7 @@ std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
   if (model == none) return {};
   if (model == p1) radiation.model = thermal::Radiation::Model::p1;
   if (model == p1_cones) radiation.model = thermal::Radiation::Model::p1_cones;
-  if (model == transfer) radiation.model = thermal::Radiation::Model::transfer;
+  if (model >= transfer) radiation.model = thermal::Radiation::Model::transfer;
   return radiation;
 }
 

@@ -14,6 +14,11 @@ namespace parison::forming {
 /// Internal radiation of a material; nothing for the model "none".
 std::optional<thermal::Radiation> read_radiation(const core::CaseNode& node);
 
+/// Puts a model into the place of `auto` in the radiation of the glass's material: the cheapest that keeps the model
+/// error asked for, by `within` or else by the accuracy, among those that the case has the keys of. Nothing where the
+/// case names its model.
+std::optional<RadiationChoice> choose_radiation(core::CaseFile& file, const AccuracyChoice& accuracy);
+
 /// What is needed to read a body.
 struct BodyContext {
   std::string directory;  ///< of the case file

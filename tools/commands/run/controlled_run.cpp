@@ -63,8 +63,12 @@ int report(const Attempt& last, const AccuracyControl& control, const RunRequest
 
 }  // namespace
 
-int run_to_accuracy(const RunRequest& request, double target) {
+int run_to_accuracy(RunRequest request, double target) {
   const Scene first = forming::read_scene(request.case_path, request.accuracy, request.overrides);
+  // The runs go by presets made coarser or finer: the model of radiation stays that of the error asked for.
+  if (const auto& choice = first.radiation_choice)
+    request.overrides.push_back(
+        fmt::format("material.{}.radiation.within={:.12g} %", choice->material, 100 * choice->within));
   const std::string output = request.output.empty() ? "results/" + first.name : request.output;
   fmt::print("{}", opening(request, first));
   catch_signals();
