@@ -4,29 +4,44 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "forming/scene/materials/material_library.hpp"
+#include "forming/scene/materials/merged_bands.hpp"
 
 namespace parison::forming {
 namespace {
 
 const ContainerGlass usual;
+constexpr double oxidised_iron = 0.8;  ///< its emissivity
 
 struct Parts {
   const Scene& scene;
   std::string glass;  ///< name of its material in the case
   std::set<std::string> tool_materials;
-  std::vector<std::string> still_air;  ///< overrides that take the air's h
-  std::vector<std::string> vents;      ///< overrides that vent the cavities
+  std::vector<std::string> still_air;    ///< overrides that take the air's h
+  std::vector<std::string> vents;        ///< overrides that vent the cavities
+  std::set<std::string> dark_materials;  ///< of tools, without emissivity
   std::vector<Variant> variants;
 
   void add(const char* name, const std::string& what, std::vector<std::string> overrides) {
+    // No variant has another model of radiation chosen for it.
+    if (scene.radiation_choice)
+      overrides.insert(overrides.begin(), of_glass("radiation.model=" + scene.radiation_choice->model.name));
     variants.push_back({name, "model", scene.accuracy_name, std::move(overrides), what});
   }
   std::string of_glass(const std::string& value) const { return fmt::format("material.{}.{}", glass, value); }
+  /// An assignment, with an emissivity for every tool, so that light can reach it.
+  std::vector<std::string> with_grey_tools(const std::string& assignment) const {
+    std::vector<std::string> overrides{assignment};
+    for (const std::string& material : dark_materials)
+      overrides.push_back(fmt::format("material.{}.emissivity={}", material, oxidised_iron));
+    return overrides;
+  }
 };
 
 /// Names of the materials, which the scene itself does not keep.
@@ -47,6 +62,9 @@ void find_materials(Parts& parts) {
   if (const auto* tools = member(file.root, "tool"))
     for (const auto& tool : tools->items) parts.tool_materials.insert(material(tool));
   parts.tool_materials.erase("");
+  for (std::size_t i = 0; i < parts.scene.tools.size(); ++i)
+    if (parts.scene.tools[i].thermal && parts.scene.tools[i].emissivity == 0)
+      parts.dark_materials.insert(material(member(file.root, "tool")->items[i]));
   const auto still = [&](const core::CaseNode& owner, const std::string& path) {
     if (member(owner, "air")) parts.still_air.push_back(path + "air.h=0 W/m2/K");
     if (member(owner, "trapped_air")) parts.vents.push_back(path + "trapped_air={law=\"vented\"}");
@@ -56,38 +74,86 @@ void find_materials(Parts& parts) {
     for (const auto& stage : stages->items) still(stage, fmt::format("stage.{}.", member(stage, "name")->text));
 }
 
+/// Sets the bands of a glass to one.
+std::string one_band(const Scene& scene) {
+  const thermal::Band band = merged_bands(scene.glass.thermal->radiation->bands, scene.glass.initial_temperature);
+  const std::string up_to = std::isfinite(band.up_to) ? fmt::format("up_to=\"{:.9g} um\", ", 1e6 * band.up_to) : "";
+  return fmt::format("radiation.bands=[{{ {}absorption=\"{:.6g} 1/m\" }}]", up_to, band.absorption);
+}
+
+/// Parts of a glass whose light is computed in bands.
+void add_light_parts(Parts& parts) {
+  const Scene& scene = parts.scene;
+  const thermal::Radiation& radiation = *scene.glass.thermal->radiation;
+  using Model = thermal::Radiation::Model;
+  const auto with_model = [&](const char* model) {
+    return std::vector<std::string>{parts.of_glass(fmt::format("radiation.model={}", model)),
+                                    parts.of_glass(fmt::format("emissivity={}", scene.glass.emissivity))};
+  };
+  parts.add("no_radiation", "radiation inside the glass (light in bands): opaque glass", with_model("none"));
+  if (radiation.model == Model::transfer && !scene.enclosure)
+    parts.add("p1_cones", "radiative transfer: P1 in cones in its place", with_model("p1_cones"));
+  if (radiation.model == Model::p1_cones)
+    parts.add("no_cones", "cones of directions: P1 without them", with_model("p1"));
+  if (radiation.model != Model::transfer)
+    parts.add("transfer", "the approximation of the light: radiative transfer in its place", with_model("transfer"));
+  if (radiation.absorption > 0)
+    parts.add("rosseland", "radiation inside the glass as conduction (Rosseland) in place of light in bands",
+              with_model("rosseland"));
+  if (radiation.bands.size() > 1)
+    parts.add("one_band", "bands of the spectrum: one in their place, with their mean absorption",
+              {parts.of_glass(one_band(scene))});
+}
+
+/// Parts of a glass whose radiation is conduction.
+void add_rosseland_parts(Parts& parts) {
+  const Scene& scene = parts.scene;
+  const thermal::Radiation& radiation = *scene.glass.thermal->radiation;
+  // An opaque glass carries no heat by radiation.
+  parts.add("no_radiation", "radiation inside the glass (Rosseland)",
+            {parts.of_glass("radiation.absorption=1e12 1/m")});
+  if (radiation.thin_wall)
+    parts.add("no_thin_wall", "thin-wall limit of that radiation", {parts.of_glass("radiation.thin_wall=false")});
+  if (radiation.bands.empty() || scene.glass.emissivity == 0) return;
+  parts.add("transfer", "radiation inside the glass as conduction: radiative transfer in bands in its place",
+            parts.with_grey_tools(parts.of_glass("radiation.model=transfer")));
+}
+
+/// Whether the case can be read as a variant has it.
+bool is_allowed(const Scene& scene, const Variant& variant) {
+  auto all = scene.overrides;
+  all.insert(all.end(), variant.overrides.begin(), variant.overrides.end());
+  try {
+    read_scene(scene.file, scene.accuracy_name, all);
+    return true;
+  } catch (const core::CaseError&) {
+    return false;
+  }
+}
+
+void add_enclosure(Parts& parts) {
+  if (parts.scene.enclosure)
+    return parts.add("no_enclosure", "light between surfaces: each sees the surroundings alone", {"enclosure=false"});
+  parts.add("with_enclosure", "light between surfaces, which the case neglects: they see each other",
+            parts.with_grey_tools("enclosure=true"));
+  if (!is_allowed(parts.scene, parts.variants.back())) parts.variants.pop_back();
+}
+
 void add_heat_parts(Parts& parts) {
   const Scene& scene = parts.scene;
-  if (const auto& radiation = scene.glass.thermal->radiation; !radiation) {
+  if (!scene.glass.thermal->radiation)
     parts.add("with_radiation",
               "radiation inside the glass, which the case neglects: added with the values of container glass",
               {parts.of_glass(fmt::format("radiation={{refractive_index={}, absorption=\"{} 1/m\", thin_wall={}}}",
                                           usual.radiation.refractive_index, usual.radiation.absorption,
                                           usual.radiation.thin_wall))});
-  } else if (scene.has_light()) {
-    const auto without = [&](const char* model) {
-      return std::vector<std::string>{parts.of_glass(fmt::format("radiation.model={}", model)),
-                                      parts.of_glass(fmt::format("emissivity={}", scene.glass.emissivity))};
-    };
-    parts.add("no_radiation", "radiation inside the glass (light in bands): opaque glass", without("none"));
-    if (radiation->model == thermal::Radiation::Model::transfer)
-      parts.add("p1_cones", "radiative transfer: P1 in cones in its place", without("p1_cones"));
-    if (radiation->model == thermal::Radiation::Model::p1_cones)
-      parts.add("no_cones", "cones of directions: P1 without them", without("p1"));
-    if (radiation->absorption > 0)
-      parts.add("rosseland", "radiation inside the glass as conduction (Rosseland) in place of light in bands",
-                without("rosseland"));
-  } else {
-    // An opaque glass carries no heat by radiation.
-    parts.add("no_radiation", "radiation inside the glass (Rosseland)",
-              {parts.of_glass("radiation.absorption=1e12 1/m")});
-    if (radiation->thin_wall)
-      parts.add("no_thin_wall", "thin-wall limit of that radiation", {parts.of_glass("radiation.thin_wall=false")});
-  }
+  else if (scene.has_light())
+    add_light_parts(parts);
+  else
+    add_rosseland_parts(parts);
   if (scene.glass.emissivity > 0 && !scene.has_light())
     parts.add("no_emission", "radiation of the glass to its surroundings", {parts.of_glass("emissivity=0")});
-  if (scene.enclosure)
-    parts.add("no_enclosure", "light between surfaces: each sees the surroundings alone", {"enclosure=false"});
+  add_enclosure(parts);
   const bool blows =
       std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) { return stage.air.h.max() > 0; });
   if (blows && !parts.still_air.empty()) parts.add("no_air_cooling", "cooling by moving air", parts.still_air);
@@ -147,7 +213,7 @@ void add_flow_parts(Parts& parts) {
 }  // namespace
 
 std::vector<Variant> model_variants(const Scene& scene) {
-  Parts parts{scene, {}, {}, {}, {}, {}};
+  Parts parts{scene, {}, {}, {}, {}, {}, {}};
   find_materials(parts);
   if (scene.has_heat()) add_heat_parts(parts);
   if (scene.has_flow()) add_flow_parts(parts);

@@ -12,6 +12,8 @@
 #include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/materials/merged_bands.hpp"
+#include "forming/study/audit.hpp"
 
 namespace parison::forming {
 namespace {
@@ -225,6 +227,69 @@ TEST(RadiationChoice, a_run_says_its_model_and_has_the_bits_of_a_run_with_that_m
   for (const std::string& place : {chosen.table, describe_scene(chosen.scene), describe_scene_briefly(chosen.scene)})
     EXPECT_NE(place.find(said), std::string::npos) << place;
   EXPECT_NE(named.table.find("radiation             " + model + "\n"), std::string::npos) << named.table;
+}
+
+/// Names of the variants that an audit of a scene runs, each of which can be read.
+std::vector<std::string> audited(const std::string& text) {
+  const Scene scene = scene_of(text);
+  std::vector<std::string> names;
+  for (const Variant& variant : audit_variants(scene)) {
+    EXPECT_NO_THROW(read_scene(scene.file, "draft coarser 2", variant.overrides)) << variant.name;
+    names.push_back(variant.name);
+  }
+  return names;
+}
+
+bool has(const std::vector<std::string>& all, const char* name) {
+  return std::count(all.begin(), all.end(), name) == 1;
+}
+
+TEST(RadiationChoice, an_audit_takes_out_or_adds_the_model_its_bands_and_the_enclosure) {
+  const std::string all = rosseland_keys + band_keys;
+  const auto of_rosseland = audited(text_with(all, ""));
+  for (const char* name : {"no_radiation", "transfer", "with_enclosure"}) EXPECT_TRUE(has(of_rosseland, name)) << name;
+  const auto of_transfer = audited(text_with("model = \"transfer\", " + all));
+  for (const char* name : {"no_radiation", "p1_cones", "rosseland", "one_band", "with_enclosure"})
+    EXPECT_TRUE(has(of_transfer, name)) << name;
+  const auto enclosed = audited("enclosure = true\n" + text_with("model = \"transfer\", " + all));
+  for (const char* name : {"no_enclosure", "rosseland", "one_band"}) EXPECT_TRUE(has(enclosed, name)) << name;
+  EXPECT_FALSE(has(enclosed, "p1_cones"));
+  EXPECT_FALSE(has(enclosed, "with_enclosure"));
+  const auto of_cones = audited(text_with("model = \"p1_cones\", " + all));
+  EXPECT_TRUE(has(of_cones, "transfer") && has(of_cones, "no_cones") && !has(of_cones, "with_enclosure"));
+}
+
+TEST(RadiationChoice, an_audit_keeps_the_model_that_was_chosen_for_the_case) {
+  const std::string text = automatic();
+  const Scene scene = scene_of(text);
+  for (const Variant& variant : audit_variants(scene)) {
+    if (variant.name != "no_gravity" && variant.name != "with_enclosure" && variant.name != "one_band") continue;
+    const Scene changed = read_scene(scene.file, "draft", variant.overrides);
+    EXPECT_EQ(model_name(changed.glass.thermal->radiation), scene.radiation_choice->model.name) << variant.name;
+  }
+}
+
+TEST(RadiationChoice, bands_made_one_absorb_what_they_do_in_the_mean_over_what_is_emitted) {
+  const auto same = merged_bands({{2e-6, 50}, {4e-6, 50}}, 1300);
+  EXPECT_NEAR(same.absorption, 50, 1e-12);
+  EXPECT_DOUBLE_EQ(same.up_to, 4e-6);
+  // Wien: hot glass emits at short wavelengths, so that the first band weighs more there.
+  const double cold = merged_bands({{2.75e-6, 35}, {4.3e-6, 345}}, 900).absorption;
+  const double hot = merged_bands({{2.75e-6, 35}, {4.3e-6, 345}}, 1500).absorption;
+  EXPECT_LT(hot, cold);
+  EXPECT_GT(hot, 35);
+  EXPECT_LT(cold, 345);
+  const core::Table doubled{{1000, 1200}, {1, 2}};
+  EXPECT_NEAR(merged_bands({{2e-6, 50, doubled}}, 1200).absorption, 100, 1e-12);
+  const Scene scene = scene_of(text_with("model = \"transfer\", " + band_keys));
+  const auto variants = audit_variants(scene);
+  const auto made_one =
+      std::find_if(variants.begin(), variants.end(), [](const Variant& v) { return v.name == "one_band"; });
+  ASSERT_NE(made_one, variants.end());
+  const auto bands = read_scene(scene.file, "draft", made_one->overrides).glass.thermal->radiation->bands;
+  ASSERT_EQ(bands.size(), 1u);
+  EXPECT_NEAR(bands[0].absorption, merged_bands(scene.glass.thermal->radiation->bands, 1273.15).absorption, 1e-3);
+  EXPECT_NEAR(bands[0].up_to, 4.3e-6, 1e-14);
 }
 
 }  // namespace
