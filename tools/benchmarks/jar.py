@@ -5,6 +5,7 @@ import math
 import os
 import re
 from functools import lru_cache
+from statistics import median
 
 from benchmarks import bars, references
 from benchmarks.common import (BUILD, ROOT, Figure, Skipped, build, new_path, parison, read_summary, run, sampled,
@@ -12,7 +13,10 @@ from benchmarks.common import (BUILD, ROOT, Figure, Skipped, build, new_path, pa
 from documents import store
 
 CASE = ROOT / "cases/jar"
-RADIATION_ROUNDS = 2  # of the models of radiation
+RADIATION_ROUNDS = 3  # of the models of radiation
+# The bands of flint, with an absorption of each that rises by a fifth to either side of its value.
+BY_TEMPERATURE = """[{ up_to = "2.75 um", absorption = [["800 degC", "28 1/m"], ["1200 degC", "42 1/m"]] },
+  { up_to = "4.3 um", absorption = [["800 degC", "276 1/m"], ["1200 degC", "414 1/m"]] }]"""
 EVERY = 4  # steps from one bare factorisation to the next
 ERRORS = {"draft": (3, 8, 2), "standard": (1, 2.5, 0.5)}  # wanted: wall in the mean, wall at the most, heat; %
 STUDY = ROOT / "results/tradeoff/tradeoff.json"
@@ -48,15 +52,22 @@ def jar(options):
                 yield Figure(f"{key}.{part}", f"  share of {part}", 100 * seconds / summary["wall_seconds"], unit="%")
 
 
+def light_sets(kind):
+    """What replaces values of the jar for a kind of radiation."""
+    model, _, table = kind.partition("_")
+    return store.with_light("jar", model) + ([f"material.flint.radiation.bands={BY_TEMPERATURE}"] if table else [])
+
+
 def radiation(options):
     """Runs in turn, so that what else the machine does falls on all alike; the cheapest of each counts."""
     build("parison")
-    kinds = {"rosseland": "Rosseland", "transfer": "transfer in bands", "enclosure": "transfer in bands, enclosure"}
+    kinds = {"rosseland": "Rosseland", "transfer": "transfer in bands", "enclosure": "transfer in bands, enclosure",
+             "transfer_table": "transfer, absorption by temperature", "enclosure_table": "transfer, absorption by temperature, enclosure"}
     for accuracy in accuracies(options):
         spent, imbalance = {model: [] for model in kinds}, {}
         for _ in range(RADIATION_ROUNDS):
             for model in kinds:
-                sets = [word for value in store.with_light("jar", model) for word in ("--set", value)]
+                sets = [word for value in light_sets(model) for word in ("--set", value)]
                 measured, folder = parison(CASE, accuracy, *sets)
                 spent[model].append(measured.cpu)
                 imbalance[model] = read_summary(folder)["energy_imbalance"]
@@ -64,6 +75,10 @@ def radiation(options):
             target = {"draft": 2.0, "standard": 1.6}.get(accuracy) if model == "enclosure" else None
             yield Figure(f"radiation.{accuracy}.{model}", f"jar at {accuracy}: CPU time by {kinds[model]} over that by Rosseland",
                          min(spent[model]) / min(spent["rosseland"]), target)
+        for model in ("transfer", "enclosure"):
+            ratios = [table / constant for table, constant in zip(spent[f"{model}_table"], spent[model])]
+            yield Figure(f"radiation.{accuracy}.{model}.table", f"  by {kinds[model]}: absorption by temperature over constant, median of {len(ratios)} pairs in turn",
+                         median(ratios))
         for model, what in kinds.items():
             yield Figure(f"radiation.{accuracy}.{model}.imbalance", f"  heat balance of the glass by {what}, over its heat at the start: open by",
                          abs(imbalance[model]))
