@@ -20,6 +20,9 @@ constexpr double recovery_time = 20e-3;
 /// sharper corner it would be lifted by a good part of the edge, and a new mesh has a node at the corner.
 constexpr double gentle_turn = 0.7071;
 
+/// Least cosine between the normal of a path round a corner and the normals of the tool there: 84 degrees.
+constexpr double steep = 0.1;
+
 /// Fraction of a step during which a node is in contact, from its gap at the step's start and its displacement along
 /// the tool's normal (negative towards the tool), both m.
 double fraction_in_contact(double gap, double motion, double coincident) {
@@ -30,14 +33,18 @@ double fraction_in_contact(double gap, double motion, double coincident) {
 /// The unit normal of the straight path of a node that touches a tool at both ends of it, on the side of the tool's
 /// normals there; none where the node rests or the normal is not between these. On a smooth outline their mean is
 /// perpendicular to the path up to third order and does not depend on how long the path is; a corner is passed on a
-/// path of its own.
+/// path of its own. None either where the path stays on the face touched at the start, so that the other is one ahead in a
+/// re-entrant corner, or is nearly perpendicular to a face: along its normal the gap would be many times as large, up
+/// to infinity.
 std::optional<Point> path_normal(const Point& path, const Point& at_start, const Point& at_end) {
   const double between = at_start.dot(at_end);
   if (between >= contact::smooth_cosine) return (at_start + at_end).normalized();
   if (path.isZero(0)) return std::nullopt;
   Point normal = Point(-path[1], path[0]).normalized();
   if (normal.dot(at_end) < 0) normal = -normal;
-  if (!(normal.dot(at_end) >= between && normal.dot(at_start) >= between)) return std::nullopt;
+  if (normal.dot(at_start) > same_direction) return std::nullopt;
+  const double least = std::max(between, steep);
+  if (!(normal.dot(at_end) >= least && normal.dot(at_start) >= least)) return std::nullopt;
   return normal;
 }
 

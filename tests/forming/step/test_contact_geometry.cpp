@@ -55,6 +55,27 @@ TEST(ContactCandidate, of_a_node_that_slides_around_a_corner_is_perpendicular_to
   expect_no_work(chamfered_pot, {12e-3, 4.2e-3}, {11.9e-3, 3.9e-3});
 }
 
+TEST(ContactCandidate, of_a_node_that_slides_along_the_bottom_keeps_the_wall_ahead_of_it) {
+  for (const char* wall : {R"("(12, 20) (12, 0) (0, 0) mm")", R"("(12, 20) (14, 10) (12, 0) (0, 0) mm")"}) {
+    const Scene scene = scene_of(pot_with(wall));
+    State state = initial_state(scene);
+    const Index node = contact_nodes(state.glass.mesh).front();
+    state.glass.mesh.nodes[node] = {11.8e-3, 0};
+    state.glass.contact_tool[node] = 0;
+    Eigen::VectorXd velocity = Eigen::VectorXd::Zero(core::dim * state.glass.mesh.node_count());
+    velocity[core::dim * node] = 0.17;  // to 30 um before the corner
+    int walls = 0;
+    for (const auto& candidate : contact_candidates(scene, state, velocity, 1e-3)) {
+      if (candidate.node != node || candidate.tool != 0) continue;
+      EXPECT_TRUE(std::isfinite(candidate.rate)) << wall;
+      if (candidate.normal[0] > -0.9) continue;
+      ++walls;
+      EXPECT_NEAR(candidate.rate, 1e3 * 0.2e-3 * candidate.normal[0], 1e-9) << "the way to the wall";
+    }
+    EXPECT_EQ(walls, 1) << wall;
+  }
+}
+
 TEST(ContactCandidate, of_a_node_that_lands_has_the_normal_where_it_lands) {
   const Scene scene = scene_of(round_pot);
   State state = initial_state(scene);
