@@ -92,19 +92,6 @@ void mesh_fitted_surface(const Scene& scene, const State& state, const remesh::C
   if (remesh::min_quality(restored) > 0) mesh = std::move(restored);
 }
 
-/// Interpolated at the nodes of the new mesh, each value within the range of the old cell that is nearest.
-Eigen::VectorXd interpolate_within_cells(const core::Mesh& old, const remesh::Transfer& transfer,
-                                         const Eigen::VectorXd& nodal) {
-  Eigen::VectorXd values = remesh::interpolate(old, transfer, nodal);
-  for (Index n = 0; n < values.size(); ++n) {
-    const auto& cell = old.cells()[transfer.cell[n]];
-    double low = nodal[cell[0]], high = low;
-    for (const Index node : cell) low = std::min(low, nodal[node]), high = std::max(high, nodal[node]);
-    values[n] = std::clamp(values[n], low, high);
-  }
-  return values;
-}
-
 /// The temperature on the new mesh by L2 projection, limited to the old extremes, with the heat content of the old
 /// mesh. Linear temperatures are carried along the surface: a projected skin would be off by kelvins, and the heat to
 /// the tools by per cents.
@@ -124,7 +111,7 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
   };
   std::vector<bool> on_surface(mesh.nodes.size(), false);
   for (const Index node : contact_nodes(mesh)) on_surface[node] = true;
-  const Eigen::VectorXd skin = interpolate_within_cells(old, transfer, temperature);
+  const Eigen::VectorXd skin = carry_along_surface(old, temperature, mesh);
   const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order, on_surface, skin);
   carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
 }
