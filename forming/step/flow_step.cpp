@@ -266,12 +266,16 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
 }
 
 /// Compares, in one of some steps, the rate of deformation with the recovered one: the square of the relative
-/// difference is the share of the dissipation that the mesh does not resolve (Zienkiewicz and Zhu 1992).
+/// difference is the share of the dissipation that the mesh does not resolve (Zienkiewicz and Zhu 1992). Each step that
+/// is looked at stands for those around it; where the share so far is not small they are five times as many, because a
+/// few heavy steps decide: with every 15th alone the flute at draft has 3.0 %, with all steps 2.3 %.
 void sample_resolution(const Scene& scene, const State& state, const flow::Solution& solution, double dt,
                        Totals& totals) {
-  constexpr Index every = 15;
+  constexpr Index seldom = 15, often = 3;
+  constexpr double small = 0.01;
+  const Index every = state.totals.unresolved_work > small * state.totals.sampled_work ? often : seldom;
   if (state.totals.steps % every != 0) return;
-  const double work = dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
+  const double work = double(every) * dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
   const double error = remesh::rate_error(state.glass.mesh, scene.geometry, solution.velocity).relative();
   totals.sampled_work = state.totals.sampled_work + work;
   totals.unresolved_work = state.totals.unresolved_work + std::min(1.0, error * error) * work;
