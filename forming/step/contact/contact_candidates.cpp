@@ -33,9 +33,9 @@ double fraction_in_contact(double gap, double motion, double coincident) {
 /// The unit normal of the straight path of a node that touches a tool at both ends of it, on the side of the tool's
 /// normals there; none where the node rests or the normal is not between these. On a smooth outline their mean is
 /// perpendicular to the path up to third order and does not depend on how long the path is; a corner is passed on a
-/// path of its own. None either where the path stays on the face touched at the start, so that the other is one ahead in a
-/// re-entrant corner, or is nearly perpendicular to a face: along its normal the gap would be many times as large, up
-/// to infinity.
+/// path of its own. None either where the path stays on the face touched at the start, so that the other is one ahead
+/// in a re-entrant corner, or is nearly perpendicular to a face: along its normal the gap would be many times as large,
+/// up to infinity.
 std::optional<Point> path_normal(const Point& path, const Point& at_start, const Point& at_end) {
   const double between = at_start.dot(at_end);
   if (between >= contact::smooth_cosine) return (at_start + at_end).normalized();
