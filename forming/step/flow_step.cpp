@@ -280,7 +280,7 @@ void sample_resolution(const Scene& scene, const State& state, const flow::Solut
   const Index every = state.totals.unresolved_work > small * state.totals.sampled_work ? often : seldom;
   if (state.totals.steps % every != 0) return;
   const double work =
-      double(every) * dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
+      double(every) / seldom * dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
   const double error = remesh::rate_error(state.glass.mesh, scene.geometry, solution.velocity).relative();
   totals.sampled_work = state.totals.sampled_work + work;
   totals.unresolved_work = state.totals.unresolved_work + std::min(1.0, error * error) * work;
