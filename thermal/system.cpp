@@ -5,6 +5,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "core/process/work_times.hpp"
 #include "thermal/cells/cell_kernels.hpp"
 
 namespace parison::thermal {
@@ -61,7 +62,14 @@ void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) 
   }
 }
 
-void add_light(HeatSystem& system, const std::vector<Index>& first_boundary_edge, std::vector<KeptCells>* kept) {
+/// Prepares the light in the glass and the enclosure's view factors.
+void prepare_radiation(HeatSystem& system, const std::vector<Index>& first_boundary_edge,
+                       std::vector<KeptCells>* kept) {
+  const core::WorkTimer timer(&core::WorkTimes::radiation);
+  if (system.problem->enclosure) {
+    KeptTraces<TracedViews> none;
+    system.enclosure = make_enclosure(system, kept ? kept->front().views : none);
+  }
   for (std::size_t b = 0; b < system.problem->bodies.size(); ++b) {
     if (!has_light(*system.problem->bodies[b].material)) continue;
     std::shared_ptr<KeptLight> none;
@@ -121,11 +129,7 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
     add_prescribed(system, body, static_cast<Index>(b));
   }
   add_interface(system);
-  if (problem.enclosure) {
-    KeptTraces<TracedViews> none;
-    system.enclosure = make_enclosure(system, kept ? kept->front().views : none);
-  }
-  add_light(system, first_boundary_edge, kept);
+  prepare_radiation(system, first_boundary_edge, kept);
   return system;
 }
 
@@ -254,13 +258,21 @@ Eigen::VectorXd source_power(const HeatSystem& system, double time) {
   return power;
 }
 
+/// Adds the heat by light and between the surfaces of an enclosure to the flows and, unless null, to the power into
+/// each unknown, W.
+void add_radiation(const HeatSystem& system, double time, const Eigen::VectorXd& temperature, Flows& flows,
+                   Eigen::VectorXd* power) {
+  const core::WorkTimer timer(&core::WorkTimes::radiation);
+  for (const Light& light : system.light) add_light(light, system, time, temperature, flows, power);
+  if (system.enclosure) add_enclosure(system, time, temperature, flows, power);
+}
+
 Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
                   const Eigen::VectorXd* rate) {
   Response response{Eigen::VectorXd::Zero(system.size()), source_power(system, time), source_flows(system, time)};
   add_cells(system, temperature, rate, response);
   add_exchange(system, time, temperature, response.flows, &response.power);
-  for (const Light& light : system.light) add_light(light, system, time, temperature, response.flows, &response.power);
-  if (system.enclosure) add_enclosure(system, time, temperature, response.flows, &response.power);
+  add_radiation(system, time, temperature, response.flows, &response.power);
   return response;
 }
 
@@ -278,8 +290,7 @@ Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& 
 Flows evaluate_flows(const HeatSystem& system, double time, const Eigen::VectorXd& temperature) {
   Flows flows = source_flows(system, time);
   add_exchange(system, time, temperature, flows, nullptr);
-  for (const Light& light : system.light) add_light(light, system, time, temperature, flows, nullptr);
-  if (system.enclosure) add_enclosure(system, time, temperature, flows, nullptr);
+  add_radiation(system, time, temperature, flows, nullptr);
   return flows;
 }
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/linear/solver_times.hpp"
+#include "core/process/work_times.hpp"
 
 namespace parison::core {
 
@@ -157,7 +157,7 @@ bool Cholesky::factorise(const SymmetricMatrix& matrix) {
   cholmod_sparse sparse = data_->permuted ? view(*data_->permuted, type) : view(matrix, type);
   data_->factor->ordering = CHOLMOD_NATURAL;
   {
-    const SolverTimer timer(SolverTimer::Work::factorisation);
+    const WorkTimer timer(&WorkTimes::factorisation);
     cholmod_factorize(&sparse, data_->factor, &data_->common);
   }
   data_->factor->ordering = CHOLMOD_GIVEN;
@@ -176,7 +176,7 @@ Eigen::MatrixXd Cholesky::solve_columns(const Eigen::MatrixXd& rhs) const {
   b.x = const_cast<double*>(rhs.data());
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
-  const SolverTimer timer(SolverTimer::Work::solution);
+  const WorkTimer timer(&WorkTimes::solution);
   cholmod_solve2(CHOLMOD_A, data_->factor, &b, nullptr, &data_->solution, nullptr, &data_->work_y, &data_->work_e,
                  &data_->common);
   return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(data_->solution->x), rhs.rows(), rhs.cols());

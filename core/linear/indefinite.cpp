@@ -11,8 +11,8 @@
 #include <optional>
 
 #include "core/linear/cholesky.hpp"
-#include "core/linear/solver_times.hpp"
 #include "core/process/run_error.hpp"
+#include "core/process/work_times.hpp"
 
 namespace parison::core {
 
@@ -67,7 +67,7 @@ struct Mumps {
     return instance.infog[0];
   }
   int factorise_once() {
-    const SolverTimer timer(SolverTimer::Work::factorisation);
+    const WorkTimer timer(&WorkTimes::factorisation);
     return run(2);
   }
   /// `place`: position of each unknown in the order of elimination, from 1.
@@ -144,7 +144,7 @@ Eigen::MatrixXd Mumps::solve(const Eigen::MatrixXd& rhs) {
   instance.nrhs = static_cast<int>(rhs.cols());
   instance.lrhs = static_cast<int>(rhs.rows());
   {
-    const SolverTimer timer(SolverTimer::Work::solution);
+    const WorkTimer timer(&WorkTimes::solution);
     require(run(3));
   }
   solution = (scale.asDiagonal() * solution).eval();

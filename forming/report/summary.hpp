@@ -26,7 +26,7 @@ struct StageRecord {
 };
 
 /// What the time of a run is accumulated under.
-inline constexpr std::array timed_parts{"flow", "heat", "contact", "remesh", "output"};
+inline constexpr std::array timed_parts{"flow", "heat", "radiation", "contact", "remesh", "output"};
 
 /// What only the run itself knows.
 struct RunFacts {

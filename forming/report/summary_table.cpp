@@ -93,6 +93,17 @@ std::string cavity_line(const Scene& scene, const State& state) {
                                              report.size(), 1e6 * volume, 1e6 * mass, 1e-5 * *low, 1e-5 * *high));
 }
 
+/// Wall time, and what it was spent on.
+std::string wall_line(const RunFacts& run) {
+  std::string parts;
+  for (const char* part : timed_parts) {
+    const auto found = run.timing.find(part);
+    if (found != run.timing.end() && found->second >= 0.05)
+      parts += fmt::format("{}{} {:.1f}", parts.empty() ? ": " : ", ", part, found->second);
+  }
+  return line("wall time", fmt::format("{:.1f} s{}", run.wall_seconds, parts));
+}
+
 std::string run_lines(const Scene& scene, const State& state, const Summary& summary) {
   const Totals& totals = state.totals;
   std::string text =
@@ -110,7 +121,7 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
   if (scene.has_flow() && !scene.tools.empty())
     text += line("max penetration", fmt::format("{:.4f} mm", 1e3 * totals.max_penetration));
   text += cavity_line(scene, state);
-  text += line("wall time", fmt::format("{:.1f} s", summary.run.wall_seconds));
+  text += wall_line(summary.run);
   for (const Flag& flag : summary.flags) text += line("flag", flag.sentence);
   for (const std::string& warning : summary.run.warnings) text += line("warning", warning);
   for (const std::string& complaint : complaints(summary.run.checks)) text += line("check", complaint);

@@ -20,7 +20,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 8;
+constexpr std::int64_t format_version = 9;
 
 struct Writer {
   Hdf5Group group;

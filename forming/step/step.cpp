@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/process/clock.hpp"
+#include "core/process/work_times.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
@@ -79,8 +80,16 @@ bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& 
     const core::ScopedTimer timer(result.report.seconds["contact"]);
     result.report.interface = thermal_interface(scene, result.state);
   }
-  const core::ScopedTimer timer(result.report.seconds["heat"]);
-  const auto outcome = advance_heat(scene, result.state, result.report.interface, result.dissipation, dt, workspace);
+  double seconds = 0;
+  const double radiation_before = core::work_times().radiation;
+  HeatOutcome outcome;
+  {
+    const core::ScopedTimer timer(seconds);
+    outcome = advance_heat(scene, result.state, result.report.interface, result.dissipation, dt, workspace);
+  }
+  const double radiation = core::work_times().radiation - radiation_before;
+  result.report.seconds["radiation"] += radiation;
+  result.report.seconds["heat"] += std::max(seconds - radiation, 0.0);
   result.reason = outcome.reason;
   result.report.heat_substeps += outcome.substeps;
   return outcome.converged;

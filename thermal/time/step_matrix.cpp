@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/linear/sparse_matrix.hpp"
+#include "core/process/work_times.hpp"
 #include "thermal/cells/cell_kernels.hpp"
 
 namespace parison::thermal {
@@ -13,6 +14,7 @@ Linearisation linearise(const HeatSystem& system, double time, const Eigen::Vect
   Linearisation result;
   linearise_cells(system, temperature, result.batches);
   linearise_exchange(system, time, temperature, result);
+  const core::WorkTimer timer(&core::WorkTimes::radiation);
   for (const Light& light : system.light) result.light.push_back(linearise_light(light, system, temperature));
   if (system.enclosure) result.enclosure = linearise_enclosure(system, temperature);
   return result;
@@ -23,6 +25,7 @@ Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisati
   Eigen::VectorXd result = Eigen::VectorXd::Zero(system.size());
   apply_cells(system, linearisation.batches, step, change, result);
   apply_exchange(system, linearisation, step, change, result);
+  const core::WorkTimer timer(&core::WorkTimes::radiation);
   for (std::size_t i = 0; i < system.light.size(); ++i)
     apply_light(system.light[i], system, linearisation.light[i], step, change, result);
   if (system.enclosure) apply_enclosure(system, linearisation.enclosure, step, change, result);

@@ -40,6 +40,7 @@ TEST(Summary, the_file_is_valid_json_with_the_names_of_the_readme) {
                           "timing",
                           "flow",
                           "heat",
+                          "radiation",
                           "contact",
                           "remesh",
                           "output",
@@ -106,7 +107,8 @@ TEST(Summary, the_table_names_tools_stages_and_the_reason_of_a_stop) {
   RunFacts run = some_facts();
   Summary summary = summarise(scene, state, run, thickness_profile(scene, state));
   std::string table = summary_table(scene, state, summary);
-  for (const char* text : {"62.8 g", "mean 1150 degC", "steel", "485", "contact", "completed", "a \"quoted\" warning"})
+  for (const char* text :
+       {"62.8 g", "mean 1150 degC", "steel", "485", "contact", "1.5 s: heat 1.0", "completed", "a \"quoted\" warning"})
     EXPECT_NE(table.find(text), table.npos) << text << table;
   summary.run.completed = false;
   summary.run.reason = "stage contact at 0 s: no reason";

@@ -53,8 +53,8 @@ inline std::map<std::string, std::string> results(const std::string& folder) {
     files[name] = core::read_text(entry.path());
     if (name == "summary.json")
       files[name] = std::regex_replace(
-          files[name], std::regex("\"(wall_seconds|cpu_seconds|seconds|flow|heat|contact|remesh|output)\": [^\n]*\n"),
-          "");
+          files[name],
+          std::regex("\"(wall_seconds|cpu_seconds|seconds|flow|heat|radiation|contact|remesh|output)\": [^\n]*\n"), "");
   }
   return files;
 }

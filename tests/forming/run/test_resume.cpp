@@ -71,6 +71,9 @@ TEST_F(Resume, where_light_was_traced_is_part_of_the_state_to_the_last_bit) {
   ASSERT_TRUE(whole.facts.stopped) << whole.facts.reason;
   EXPECT_FALSE(whole.state.light.rays.empty());
   EXPECT_FALSE(whole.state.light.views.empty());
+  // Its time is counted apart from that of the heat.
+  EXPECT_GT(whole.facts.timing.at("radiation"), 0);
+  EXPECT_GT(whole.facts.timing.at("heat"), 0);
   // Light was traced some steps before the run is stopped, and is not traced where it goes on.
   const auto begun = run_in_folder(scene, in("parts"), {}, stop_after(5));
   EXPECT_NE(begun.state.light.rays, begun.state.glass.mesh.nodes);

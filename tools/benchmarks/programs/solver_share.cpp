@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/linear/solver_times.hpp"
 #include "core/process/clock.hpp"
+#include "core/process/work_times.hpp"
 #include "forming/run/folder_run.hpp"
 #include "tools/benchmarks/programs/bare_flow.hpp"
 
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "solver_share: %s\n", outcome.facts.reason.c_str());
     return 1;
   }
-  const auto solvers = parison::core::solver_times();
+  const auto solvers = parison::core::work_times();
   std::printf("\nwhole %.4f factorising %.4f solving %.4f first %.4f\n", parison::bench::cpu_seconds(),
               solvers.factorisation, solvers.solution, parison::core::thread_cpu_seconds());
   return 0;
