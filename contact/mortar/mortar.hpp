@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "contact/mortar/surface.hpp"
@@ -14,6 +15,9 @@ struct Master {
   Eigen::VectorXd gap;    ///< from each node of the slave's mesh to the exact profile, m; +infinity out of reach
   double transition_gap;  ///< gap at which the contact weight has fallen to 0, m; positive, less than the reach
   Index law;              ///< copied to the interface points
+  /// Gap of any point to the exact profile, m; +infinity out of reach. Without it the gap between two slave nodes is
+  /// known only by the master's mesh.
+  std::function<double(const Point&)> gap_at{};
 };
 
 /// Share of the contact at a point: 1 for gap <= 0, 1 - u^3 (10 - 15 u + 6 u^2) with u = gap / width, 0 for gap >=
@@ -26,10 +30,11 @@ double contact_weight(double gap, double width);
 /// A. T. Patera 1994; B. Yang, T. A. Laursen, X. Meng, Int. J. Numer. Meth. Engng 62 (2005) 1183-1225), and every
 /// segment has Gauss points. There is no multiplier: a conductance couples the two temperatures at each point. Points
 /// without contact are left out. A slave point is paired with the nearest master only, so no area counts twice where
-/// masters overlap. The gap is linear between interface nodes: a node from the slave has its own gap, a node from the
-/// master its distance from the slave. On an edge in contact at both ends the gap is measured from the smooth convex
-/// surface that the edge approximates, so that chords of a curved surface do not count as open. `pressure` has one
-/// value for each node of the slave's mesh, Pa.
+/// masters overlap. The gap is linear between interface nodes: a node from the slave has its own gap, any other that of
+/// `gap_at` or else its distance to the master along the ray. Where the contact weight changes, segments are halved
+/// until the gap in their middle is the mean of their ends to half a per cent of the transition gap. On an edge in
+/// contact at both ends the gap is measured from the smooth convex surface that the edge approximates, so that chords
+/// of a curved surface do not count as open. `pressure` has one value for each node of the slave's mesh, Pa.
 std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Eigen::VectorXd& pressure,
                                                   const std::vector<Master>& masters, core::Geometry geometry);
 

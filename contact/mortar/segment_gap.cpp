@@ -15,6 +15,9 @@ namespace {
 constexpr double touching = 1e-9;          ///< tolerance of a gap, in transition gaps
 constexpr double full_contact_gap = 0.02;  ///< largest gap of a segment that is `near`, in transition gaps
 
+/// Largest difference of a linear gap from the exact one, in transition gaps.
+constexpr double linear_gap = 0.005;
+
 constexpr double out_of_reach = std::numeric_limits<double>::infinity();
 
 /// Whether the gap changes sign between a segment's ends, where it is `first` and `last`.
@@ -31,13 +34,18 @@ double contact_weight(double gap, double width) {
   return 1 - u * u * u * (10 - 15 * u + 6 * u * u);
 }
 
+double exact_gap(const EdgeView& view, double s, const Master& master) {
+  return master.gap_at ? master.gap_at(position(view.slave.edge, s)) : out_of_reach;
+}
+
 SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const Master& master)
     : slave_(&view.slave), begin_(segment.begin.slave_s), end_(segment.end.slave_s) {
-  // A slave node has its own gap to the exact profile. Where that is out of reach, the distance to the master's mesh
+  // A node has its gap to the exact profile. Where that is not known or out of reach, the distance to the master's mesh
   // along the ray counts; a mesh that lies behind the slave by more than the transition gap is not in contact.
   const auto at = [&](const InterfaceNode& node) {
     const bool of_slave = node.slave_node >= 0;
-    const double known = of_slave ? master.gap[slave_->edge.nodes[node.slave_node]] : out_of_reach;
+    const double known =
+        of_slave ? master.gap[slave_->edge.nodes[node.slave_node]] : exact_gap(view, node.slave_s, master);
     if (std::isfinite(known)) return known;
     const auto hit = hit_master(ray(*slave_, node.slave_s), view.masters[segment.edge].edge);
     const double distance = hit ? hit->distance : view.range;
@@ -49,9 +57,25 @@ SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const Maste
   chord_ = weight(0) * weight(1);
 }
 
+double SegmentGap::operator()(double s) const {
+  const double along = (s - begin_) / (end_ - begin_), gap = first_ + along * (last_ - first_);
+  const double height = chord_ * chord_offset(*slave_, s);
+  return height > 0 ? gap - height * contact_weight(gap - height, height) : gap;
+}
+
 bool is_in_contact(const SegmentGap& gap, double begin, double end, double width) {
   const double most = full_contact_gap * width;
   return gap(begin) <= most && gap(end) <= most && gap(0.5 * (begin + end)) <= most;
+}
+
+bool is_linear(const EdgeView& view, const SegmentGap& gap, const Master& master) {
+  const double begin = gap.first(), end = gap.last();
+  const double middle = exact_gap(view, 0.5 * (gap.begin() + gap.end()), master);
+  if (!std::isfinite(middle)) return true;
+  const double width = master.transition_gap;
+  const bool is_in_transition =
+      std::min({begin, middle, end}) < width && std::max({begin, middle, end}) > full_contact_gap * width;
+  return !is_in_transition || std::abs(middle - 0.5 * (begin + end)) <= linear_gap * width;
 }
 
 ContactStatus contact_status(const SegmentGap& gap, double width) {

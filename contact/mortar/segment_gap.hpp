@@ -1,6 +1,5 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <array>
 
 #include "contact/mortar/mortar.hpp"
@@ -9,14 +8,15 @@
 namespace parison::contact {
 
 /// The gap along a segment, m: linear between its ends. On an edge in contact at both its ends it is reduced by the
-/// height of the slave's smooth convex surface over the edge (chord_offset).
+/// height of the slave's smooth convex surface over the edge (chord_offset) as far as that height explains it: not
+/// where the tool is more than twice as far away, as in a corner that the glass does not fill.
 class SegmentGap {
  public:
   SegmentGap(const EdgeView& view, const Segment& segment, const Master& master);
-  double operator()(double s) const {
-    const double along = (s - begin_) / (end_ - begin_);
-    return first_ + along * (last_ - first_) - chord_ * std::max(0.0, chord_offset(*slave_, s));
-  }
+  double operator()(double s) const;
+  /// At the ends, m, without the height of the smooth surface.
+  double first() const { return first_; }
+  double last() const { return last_; }
   double begin() const { return begin_; }
   double end() const { return end_; }
 
@@ -24,6 +24,12 @@ class SegmentGap {
   const RayEdge* slave_;
   double begin_, end_, first_, last_, chord_;
 };
+
+/// Gap of the slave's point at s to the master's exact profile, m; +infinity where that is not known.
+double exact_gap(const EdgeView& view, double s, const Master& master);
+/// Whether the gap in the middle of a segment is the mean of its ends, to half a per cent of the transition gap, or all
+/// three are so large or so small that the contact weight does not change between them.
+bool is_linear(const EdgeView& view, const SegmentGap& gap, const Master& master);
 
 /// Whether the gap along a part of a segment stays below a fiftieth of the transition gap. There the contact weight
 /// differs from 1 by less than 1e-4 and needs no additional Gauss points.

@@ -5,12 +5,26 @@
 
 #include "contact/conductance/interface_conductance.hpp"
 #include "contact/mortar/mortar.hpp"
+#include "contact/unilateral/tool_gap.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/skin_size.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/heat/contact_opening.hpp"
 
 namespace parison::forming {
+
+namespace {
+
+/// Gap of any point of the glass to a tool's outline.
+std::function<double(const core::Point&)> exact_gaps(const Scene& scene, const State& state, Index tool, double reach) {
+  const Body& body = scene.tools[tool];
+  const core::Point displacement = state.tools[tool].offset * core::axis_direction();
+  return [gap = contact::ToolGap(body.profile, contact_boundaries(body), reach), displacement](const core::Point& x) {
+    return gap(x - displacement);
+  };
+}
+
+}  // namespace
 
 std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state) {
   const core::Mesh& glass = state.glass.mesh;
@@ -28,7 +42,7 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
     masters.push_back(
         {contact::make_surface(body_of_tool(interface.tool), tool.mesh, touches, tool.offset * core::axis_direction()),
          tool_gaps(scene, state, nodes, interface.tool, 10 * interface.transition_gap), interface.transition_gap,
-         static_cast<Index>(law)});
+         static_cast<Index>(law), exact_gaps(scene, state, interface.tool, 10 * interface.transition_gap)});
   }
   auto interface = contact::build_interface(slave, state.glass.contact_pressure, masters, scene.geometry);
   set_openings(scene, state, interface);
