@@ -93,9 +93,10 @@ void mesh_fitted_surface(const Scene& scene, const State& state, const remesh::C
 }
 
 /// The temperature on the new mesh by L2 projection, limited to the old extremes, with the heat content of the old
-/// mesh. Linear temperatures are carried along the surface: a projected skin would be off by kelvins, and the heat to
-/// the tools by per cents.
-void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
+/// mesh. That of the skin is carried along the surface: taken from the projection in the volume it would be off by
+/// kelvins, and the heat to the tools by per cents.
+void carry_temperature(const Scene& scene, const State& state, const remesh::Transfer& transfer,
+                       const SurfaceTransfer& along_surface, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   const Eigen::VectorXd& temperature = state.glass.temperature;
   const int order = scene.accuracy.temperature_order;
@@ -111,7 +112,7 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
   };
   std::vector<bool> on_surface(mesh.nodes.size(), false);
   for (const Index node : contact_nodes(mesh)) on_surface[node] = true;
-  const Eigen::VectorXd skin = carry_along_surface(old, temperature, mesh);
+  const Eigen::VectorXd skin = along_surface.project(temperature, order);
   const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order, on_surface, skin);
   carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
 }
@@ -127,7 +128,8 @@ Eigen::VectorXd interpolate_components(const core::Mesh& old, const remesh::Tran
 }
 
 /// The fields but the temperature on the new mesh, each by its rule.
-void carry_fields(const Scene& scene, const State& state, const remesh::Transfer& transfer, State& next) {
+void carry_fields(const Scene& scene, const State& state, const remesh::Transfer& transfer,
+                  const SurfaceTransfer& along_surface, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   const std::vector<Index> contact = carried_contact(scene, state, transfer, mesh);
   for_each_glass_field([&](const auto& field) {
@@ -135,8 +137,10 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
     if constexpr (std::is_same_v<std::decay_t<decltype(values)>, std::vector<Index>>) {
       if (field.transfer == TransferRule::nearest_contact) values = contact;
     } else {
-      if (field.transfer == TransferRule::along_surface && values.size() > 0)
-        values = carry_along_surface(old, state.glass.*field.values, mesh);
+      if (field.transfer == TransferRule::interpolate_along_surface && values.size() > 0)
+        values = along_surface.interpolate(state.glass.*field.values);
+      if (field.transfer == TransferRule::project_along_surface && values.size() > 0)
+        values = along_surface.project(state.glass.*field.values, 2);
       if (field.transfer == TransferRule::interpolate && values.size() > 0)
         values = interpolate_components(old, transfer, state.glass.*field.values, field.components);
     }
@@ -224,11 +228,12 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
     return result;
   }
   const auto transfer = remesh::make_transfer(state.glass.mesh, mesh);
-  carry_fields(scene, state, transfer, next);
+  const SurfaceTransfer along_surface(state.glass.mesh, mesh, scene.geometry);
+  carry_fields(scene, state, transfer, along_surface, next);
   next.glass.mass_nodes = mesh.nodes;
   next.glass.density =
       state.glass.density * core::volume(mass_mesh(state), scene.geometry) / core::volume(mesh, scene.geometry);
-  carry_temperature(scene, state, transfer, next);
+  carry_temperature(scene, state, transfer, along_surface, next);
   accumulate(scene, state, why, made, next);
   result.ok = true;
   return result;

@@ -2,55 +2,189 @@
 #include "forming/remeshing/surface_transfer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/mesh/element.hpp"
-#include "forming/step/contact/contact_geometry.hpp"
+#include "remesh/transfer/mass_matrix.hpp"
 
 namespace parison::forming {
 
 namespace {
 
-/// Nearest point found so far: its squared distance, m2, its edge and where on that.
+/// Each new edge is integrated in this many parts with this many points each, as old nodes lie within it.
+constexpr int parts = 4, points_of_part = 3;
+
+std::vector<core::BoundaryEdge> contact_edges(const core::Mesh& mesh) {
+  std::vector<core::BoundaryEdge> edges;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    if (mesh.kind_of(edge) == core::BoundaryKind::contact) edges.push_back(edge);
+  return edges;
+}
+
+/// Nearest point found so far: its distance, m, its edge and where on that.
 struct Nearest {
   double distance = std::numeric_limits<double>::infinity();
-  const core::BoundaryEdge* edge = nullptr;
+  std::size_t edge = 0;
   double s = 0;
 };
 
-/// Looks at one half of an edge, from s = `begin`, as the straight line between two nodes.
-void consider(const core::Mesh& old, const core::BoundaryEdge& edge, core::Index first, core::Index last, double begin,
-              const core::Point& x, Nearest& nearest) {
-  const core::Point along = old.nodes[last] - old.nodes[first], from = x - old.nodes[first];
-  const double length = along.squaredNorm();
-  const double s = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
-  const double distance = (from - s * along).squaredNorm();
-  if (distance < nearest.distance) nearest = {distance, &edge, begin + 0.5 * s};
+/// Finds the nearest point of a surface, each half edge as the straight line between two nodes.
+class NearestPoint {
+ public:
+  NearestPoint(const core::Mesh& mesh, const std::vector<core::BoundaryEdge>& edges) : mesh_(mesh), edges_(edges) {
+    for (const core::BoundaryEdge& edge : edges) {
+      const core::Point& middle = mesh.nodes[edge.nodes[2]];
+      radius_.push_back(
+          std::max((mesh.nodes[edge.nodes[0]] - middle).norm(), (mesh.nodes[edge.nodes[1]] - middle).norm()));
+    }
+  }
+
+  /// The search starts at an edge that may be near.
+  Nearest operator()(const core::Point& x, std::size_t start) const {
+    Nearest nearest;
+    consider(start, x, nearest);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const double reach = nearest.distance + radius_[e];
+      if ((mesh_.nodes[edges_[e].nodes[2]] - x).squaredNorm() < reach * reach) consider(e, x, nearest);
+    }
+    return nearest;
+  }
+
+ private:
+  void consider(std::size_t edge, const core::Point& x, Nearest& nearest) const {
+    const auto [first, last, middle] = edges_[edge].nodes;
+    consider_half(edge, mesh_.nodes[first], mesh_.nodes[middle], 0, x, nearest);
+    consider_half(edge, mesh_.nodes[middle], mesh_.nodes[last], 0.5, x, nearest);
+  }
+  static void consider_half(std::size_t edge, const core::Point& first, const core::Point& last, double begin,
+                            const core::Point& x, Nearest& nearest) {
+    const core::Point along = last - first, from = x - first;
+    const double length = along.squaredNorm();
+    const double s = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
+    const double distance = (from - s * along).norm();
+    if (distance < nearest.distance) nearest = {distance, edge, begin + 0.5 * s};
+  }
+
+  const core::Mesh& mesh_;
+  const std::vector<core::BoundaryEdge>& edges_;
+  std::vector<double> radius_;
+};
+
+std::array<double, 3> shape_of(int order, const std::array<double, 3>& quadratic, double s) {
+  return order == 2 ? quadratic : std::array<double, 3>{1 - s, s, 0};
 }
 
-/// Quadratic along the edge, within the range of its nodes.
-double value_at(const Nearest& at, const Eigen::VectorXd& field) {
-  if (!at.edge) return 0;
-  const Eigen::Vector3d nodal(field[at.edge->nodes[0]], field[at.edge->nodes[1]], field[at.edge->nodes[2]]);
-  const auto shape = core::edge_shape(at.s);
-  const double value = shape[0] * nodal[0] + shape[1] * nodal[1] + shape[2] * nodal[2];
-  return std::clamp(value, nodal.minCoeff(), nodal.maxCoeff());
+/// Along an edge, within the range of its nodes, as a pressure that is zero at one node is nowhere negative.
+double value_at(const core::BoundaryEdge& edge, const std::array<double, 3>& shape, const Eigen::VectorXd& field,
+                int order) {
+  double value = 0, low = field[edge.nodes[0]], high = low;
+  for (int i = 0; i < order + 1; ++i) {
+    const double nodal = field[edge.nodes[i]];
+    value += shape[i] * nodal;
+    low = std::min(low, nodal);
+    high = std::max(high, nodal);
+  }
+  return std::clamp(value, low, high);
+}
+
+/// The projection within bounds: values beyond theirs are put there and the others found anew, until all are inside.
+Eigen::VectorXd solve_within(const remesh::MassMatrix& mass, const Eigen::VectorXd& load, const Eigen::VectorXd& low,
+                             const Eigen::VectorXd& high) {
+  constexpr int most = 10;
+  Eigen::VectorXd found = 0.5 * (low + high);
+  std::vector<bool> at_bound(static_cast<std::size_t>(load.size()), false);
+  for (int i = 0; i < most; ++i) {
+    const Eigen::VectorXd free = mass.solve(load, found, at_bound);
+    found = free.cwiseMax(low).cwiseMin(high);
+    if (found == free) break;
+    for (core::Index n = 0; n < found.size(); ++n)
+      if (found[n] != free[n]) at_bound[n] = true;
+  }
+  return found;
+}
+
+/// Moves every value by the same share of its distance to its bound, such that the field has a wanted integral.
+template <typename Integral>
+void restore_integral(const Integral& integral, double wanted, const Eigen::VectorXd& low, const Eigen::VectorXd& high,
+                      Eigen::VectorXd& field) {
+  constexpr double kept = 1e-12;
+  constexpr int most = 5;
+  for (int i = 0; i < most; ++i) {
+    const double now = integral(field), missing = wanted - now;
+    if (std::abs(missing) <= kept * std::abs(wanted)) return;
+    const Eigen::VectorXd& bound = missing > 0 ? high : low;
+    const double room = integral(bound) - now;
+    if (!(missing / room > 0)) return;
+    field += std::min(missing / room, 1.0) * (bound - field);
+  }
 }
 
 }  // namespace
 
-Eigen::VectorXd carry_along_surface(const core::Mesh& old, const Eigen::VectorXd& field, const core::Mesh& mesh) {
-  Eigen::VectorXd carried = Eigen::VectorXd::Zero(mesh.node_count());
-  const auto touches = core::boundaries_of_kind(old, core::BoundaryKind::contact);
-  for (const core::Index node : contact_nodes(mesh)) {
-    Nearest nearest;
-    for (const core::BoundaryEdge& edge : old.boundary_edges()) {
-      if (!touches[edge.boundary_id]) continue;
-      consider(old, edge, edge.nodes[0], edge.nodes[2], 0, mesh.nodes[node], nearest);
-      consider(old, edge, edge.nodes[2], edge.nodes[1], 0.5, mesh.nodes[node], nearest);
-    }
-    carried[node] = value_at(nearest, field);
+SurfaceTransfer::SurfaceTransfer(const core::Mesh& old, const core::Mesh& mesh, core::Geometry geometry)
+    : mesh_(mesh), geometry_(geometry), old_edges_(contact_edges(old)), edges_(contact_edges(mesh)) {
+  if (old_edges_.empty()) return;
+  const NearestPoint nearest_point(old, old_edges_);
+  std::size_t start = 0;
+  const auto sample = [&](std::size_t e, const core::EdgeRulePoint& at) {
+    const core::EdgePoint point = core::map_edge_point(mesh_, edges_[e].nodes, geometry_, at);
+    const Nearest nearest = nearest_point(point.position, start);
+    start = nearest.edge;
+    samples_.push_back({e, nearest.edge, nearest.s, point.shape, at.s, point.area});
+  };
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    for (const double s : {0.0, 0.5, 1.0}) sample(e, {s, 0});  // the nodes
+    for (int part = 0; part < parts; ++part)
+      for (const core::EdgeRulePoint& at : core::edge_rule(points_of_part))
+        sample(e, {(part + at.s) / parts, at.weight / parts});
   }
+}
+
+Eigen::VectorXd SurfaceTransfer::interpolate(const Eigen::VectorXd& field) const {
+  Eigen::VectorXd carried = Eigen::VectorXd::Zero(mesh_.node_count());
+  for (const Sample& sample : samples_)
+    if (sample.area == 0)
+      for (int i = 0; i < 3; ++i)
+        if (sample.shape[i] == 1)
+          carried[edges_[sample.edge].nodes[i]] =
+              value_at(old_edges_[sample.old_edge], core::edge_shape(sample.old_s), field, 2);
+  return carried;
+}
+
+double SurfaceTransfer::integral(const Eigen::VectorXd& field, int order) const {
+  double sum = 0;
+  for (const Sample& sample : samples_)
+    sum += sample.area * value_at(edges_[sample.edge], shape_of(order, sample.shape, sample.s), field, order);
+  return sum;
+}
+
+Eigen::VectorXd SurfaceTransfer::project(const Eigen::VectorXd& field, int order) const {
+  const core::Index size = order == 2 ? mesh_.node_count() : mesh_.vertex_count();
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(size), low = load, high = load;
+  std::vector<bool> seen(static_cast<std::size_t>(size), false);
+  double wanted = 0;
+  for (const Sample& sample : samples_) {
+    const auto old_shape = shape_of(order, core::edge_shape(sample.old_s), sample.old_s);
+    const double value = value_at(old_edges_[sample.old_edge], old_shape, field, order);
+    const auto shape = shape_of(order, sample.shape, sample.s);
+    wanted += sample.area * value;
+    for (int i = 0; i < order + 1; ++i) {
+      const core::Index node = edges_[sample.edge].nodes[i];
+      load[node] += shape[i] * sample.area * value;
+      low[node] = seen[node] ? std::min(low[node], value) : value;
+      high[node] = seen[node] ? std::max(high[node], value) : value;
+      seen[node] = true;
+    }
+  }
+  const remesh::MassMatrix mass(mesh_, geometry_, order, edges_);
+  Eigen::VectorXd found = solve_within(mass, load, low, high);
+  restore_integral([&](const Eigen::VectorXd& trial) { return integral(trial, order); }, wanted, low, high, found);
+  Eigen::VectorXd carried = Eigen::VectorXd::Zero(mesh_.node_count());
+  carried.head(size) = found;
+  if (order == 1)
+    for (const core::BoundaryEdge& edge : edges_)
+      carried[edge.nodes[2]] = 0.5 * (carried[edge.nodes[0]] + carried[edge.nodes[1]]);
   return carried;
 }
 

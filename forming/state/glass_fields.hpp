@@ -30,9 +30,16 @@ struct GlassFields {
 enum class Location { node, quadrature_point };
 /// What a scene must have for the field to exist.
 enum class Needs { nothing, heat_or_flow, flow, gap_law };
-/// How the field gets to a new mesh: with the heat content kept, by interpolation, along the surface, from the nearest
-/// surface node in contact, or not at all.
-enum class TransferRule { conserve_heat, interpolate, along_surface, nearest_contact, reset };
+/// How the field gets to a new mesh: with the heat content kept, by interpolation, by interpolation or projection along
+/// the surface, from the nearest surface node in contact, or not at all.
+enum class TransferRule {
+  conserve_heat,
+  interpolate,
+  interpolate_along_surface,
+  project_along_surface,
+  nearest_contact,
+  reset
+};
 /// What a stage's start does to it: keep it, reset it to its value at rest, or reset it where its tool is no longer
 /// active.
 enum class StageStart { keep, reset, reset_without_tool };
@@ -96,10 +103,10 @@ inline constexpr auto glass_fields = std::make_tuple(
                      &GlassFields::contact_tool),
     FieldDeclaration("previous_contact_tool", "", Location::node, 1, Needs::nothing, TransferRule::nearest_contact,
                      StageStart::keep, WithinStep::of_step, FieldOutput::none, "", &GlassFields::previous_contact_tool),
-    FieldDeclaration("contact_pressure", "Pa", Location::node, 1, Needs::nothing, TransferRule::along_surface,
+    FieldDeclaration("contact_pressure", "Pa", Location::node, 1, Needs::nothing, TransferRule::project_along_surface,
                      StageStart::reset_without_tool, WithinStep::of_step, FieldOutput::value, "contact_pressure_Pa",
                      &GlassFields::contact_pressure),
-    FieldDeclaration("contact_opening", "m", Location::node, 1, Needs::gap_law, TransferRule::along_surface,
+    FieldDeclaration("contact_opening", "m", Location::node, 1, Needs::gap_law, TransferRule::interpolate_along_surface,
                      StageStart::reset_without_tool, WithinStep::linear, FieldOutput::millimetre, "contact_opening_mm",
                      &GlassFields::contact_opening));
 

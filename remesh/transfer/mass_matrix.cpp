@@ -7,37 +7,68 @@ namespace parison::remesh {
 
 using core::Index;
 
-MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order)
-    : mesh_(mesh), functions_(order == 2 ? 6 : 3), cells_(mesh.cells().size()) {
+namespace {
+
+Index unknowns(const core::Mesh& mesh, int order) {
+  return order == 2 ? mesh.node_count() : mesh.vertex_count();
+}
+
+}  // namespace
+
+/// Adds the lower triangle of a quadrature point.
+void MassMatrix::add(Element& element, const double* shape, double measure) const {
+  for (int i = 0; i < functions_; ++i)
+    for (int j = 0; j <= i; ++j) element.values[functions_ * i + j] += shape[i] * shape[j] * measure;
+}
+
+/// Copies the lower triangle to the upper one and adds to the diagonal of all.
+void MassMatrix::close(Element& element) {
   const int n = functions_;
-  diagonal_ = Eigen::VectorXd::Zero(order == 2 ? mesh.node_count() : mesh.vertex_count());
+  for (int i = 0; i < n; ++i) {
+    for (int j = i + 1; j < n; ++j) element.values[n * i + j] = element.values[n * j + i];
+    diagonal_[element.nodes[i]] += element.values[n * i + i];
+  }
+}
+
+MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order)
+    : functions_(order == 2 ? 6 : 3), diagonal_(Eigen::VectorXd::Zero(unknowns(mesh, order))) {
+  elements_.reserve(mesh.cells().size());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-    auto& local = cells_[cell];
-    local.fill(0);
+    Element& element = elements_.emplace_back(Element{mesh.cells()[cell], {}});
     for (const core::TriangleRulePoint& at : core::triangle_rule(6)) {
       const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, at);
-      const double* shape = order == 2 ? point.shape.data() : point.linear.data();
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j) local[n * i + j] += shape[i] * shape[j] * point.volume;
+      add(element, order == 2 ? point.shape.data() : point.linear.data(), point.volume);
     }
-    for (int i = 0; i < n; ++i) {
-      for (int j = i + 1; j < n; ++j) local[n * i + j] = local[n * j + i];
-      diagonal_[mesh.cells()[cell][i]] += local[n * i + i];
-    }
+    close(element);
   }
+}
+
+MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order,
+                       const std::vector<core::BoundaryEdge>& edges)
+    : functions_(order == 2 ? 3 : 2), diagonal_(Eigen::VectorXd::Zero(unknowns(mesh, order))) {
+  constexpr int points = 4;  // exact to degree 7: two quadratics, the radius and half of a curved edge's length
+  elements_.reserve(edges.size());
+  for (const core::BoundaryEdge& edge : edges) {
+    Element& element = elements_.emplace_back(Element{{edge.nodes[0], edge.nodes[1], edge.nodes[2]}, {}});
+    for (const core::EdgeRulePoint& at : core::edge_rule(points)) {
+      const core::EdgePoint point = core::map_edge_point(mesh, edge.nodes, geometry, at);
+      const std::array<double, 3> linear{1 - at.s, at.s, 0};
+      add(element, order == 2 ? point.shape.data() : linear.data(), point.area);
+    }
+    close(element);
+  }
+  diagonal_ = (diagonal_.array() > 0).select(diagonal_, 1);
 }
 
 Eigen::VectorXd MassMatrix::multiply(const Eigen::VectorXd& x) const {
   const int n = functions_;
   Eigen::VectorXd result = Eigen::VectorXd::Zero(x.size());
-  for (Index cell = 0; cell < mesh_.cell_count(); ++cell) {
-    const auto& nodes = mesh_.cells()[cell];
+  for (const Element& element : elements_)
     for (int i = 0; i < n; ++i) {
       double sum = 0;
-      for (int j = 0; j < n; ++j) sum += cells_[cell][n * i + j] * x[nodes[j]];
-      result[nodes[i]] += sum;
+      for (int j = 0; j < n; ++j) sum += element.values[n * i + j] * x[element.nodes[j]];
+      result[element.nodes[i]] += sum;
     }
-  }
   return result;
 }
 

@@ -4,11 +4,14 @@
 
 namespace parison::remesh {
 
-/// Consistent mass matrix int N_i N_j dV, m3, stored cell by cell, of the quadratic shape functions of the nodes (order
-/// 2) or the linear ones of the vertices (order 1).
+/// Consistent mass matrix int N_i N_j dV, m3, or of a surface int N_i N_j dA, m2, stored element by element, of the
+/// quadratic shape functions of the nodes (order 2) or the linear ones of the vertices (order 1).
 class MassMatrix {
  public:
+  /// Of all cells.
   MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order);
+  /// Of edges of the boundary; the diagonal is 1 for nodes of none of them.
+  MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order, const std::vector<core::BoundaryEdge>& edges);
 
   Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
 
@@ -20,9 +23,15 @@ class MassMatrix {
                         const std::vector<bool>& given = {}) const;
 
  private:
-  const core::Mesh& mesh_;
-  int functions_;  ///< of a cell
-  std::vector<std::array<double, 36>> cells_;
+  struct Element {
+    std::array<core::Index, 6> nodes;
+    std::array<double, 36> values;  ///< row by row, functions_ numbers each
+  };
+  void add(Element& element, const double* shape, double measure) const;
+  void close(Element& element);
+
+  int functions_;  ///< of an element
+  std::vector<Element> elements_;
   Eigen::VectorXd diagonal_;
 };
 
