@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "forming/report/checks/checks.hpp"
-#include "forming/step/heat/table_excess.hpp"
+#include "forming/step/heat/bounds/table_excess.hpp"
 
 namespace parison::forming {
 

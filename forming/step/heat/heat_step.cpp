@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "forming/state/initial_state.hpp"
+#include "forming/step/heat/bounds/temperature_bounds.hpp"
 #include "forming/step/heat/contact_skin.hpp"
 #include "forming/step/heat/surroundings.hpp"
-#include "forming/step/heat/temperature_bounds.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
 #include "remesh/surface/wall_thickness.hpp"
 

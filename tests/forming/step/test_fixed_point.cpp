@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "forming/step/fixed_point.hpp"
+#include "forming/step/flow/fixed_point.hpp"
 
 namespace parison::forming {
 namespace {

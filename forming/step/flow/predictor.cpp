@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/predictor.hpp"
+#include "forming/step/flow/predictor.hpp"
 
 #include <algorithm>
 #include <cmath>

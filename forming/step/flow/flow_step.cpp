@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/flow_step.hpp"
+#include "forming/step/flow/flow_step.hpp"
 
 #include <fmt/core.h>
 
@@ -14,11 +14,10 @@
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/balance/work.hpp"
 #include "forming/step/cavities/trapped_air.hpp"
-#include "forming/step/contact/carrier.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
-#include "forming/step/contact/contact_prediction.hpp"
 #include "forming/step/contact/penetration.hpp"
-#include "forming/step/predictor.hpp"
+#include "forming/step/flow/flow_solve.hpp"
+#include "forming/step/flow/predictor.hpp"
 #include "forming/step/step_control.hpp"
 #include "remesh/sizing/recovery.hpp"
 
@@ -59,88 +58,6 @@ struct DepthLimits {
 
 /// Steps no longer than this share of a stage's first step are accepted whatever the penetration.
 constexpr double min_step_ratio = 0.1;
-
-std::vector<flow::BoundaryCondition> boundary_conditions(const Scene& scene, const State& state, double dt) {
-  std::vector<flow::BoundaryCondition> conditions;
-  const auto& pressure = scene.stages[state.stage].pressure;
-  for (const auto& [name, kind] : state.glass.mesh.boundaries()) {
-    flow::BoundaryCondition condition;
-    if (kind == BoundaryKind::symmetry) condition.kind = flow::BoundaryCondition::Kind::symmetry;
-    if (kind == BoundaryKind::fixed) condition.kind = flow::BoundaryCondition::Kind::fixed;
-    if (const auto found = pressure.find(name); found != pressure.end())
-      condition.pressure = found->second.mean(state.stage_time, state.stage_time + dt);
-    conditions.push_back(condition);
-  }
-  return conditions;
-}
-
-/// The flow of one coupling iteration with the contact candidates that it was solved for.
-struct FlowPass {
-  std::vector<flow::ContactCandidate> candidates;
-  flow::Solution solution;
-};
-
-/// Solves the flow on the predicted mesh in the middle of the step, and corrects its volume.
-FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const MidpointPredictor& predictor,
-                    Workspace& workspace) {
-  const Scene& scene = start.scene;
-  const State& state = start.state;
-  const double dt = start.dt;
-  const core::Mesh middle = midpoint_mesh(scene, state, predictor.velocity, dt);
-  flow::Problem problem{};
-  problem.mesh = &middle;
-  problem.geometry = scene.geometry;
-  problem.material = &*scene.glass.flow;
-  problem.temperature = &predictor.temperature;
-  problem.frozen = start.frozen;
-  problem.gravity = scene.stages[state.stage].gravity;
-  problem.dilatation_rate =
-      prescribed_dilatation_rate(scene, state, middle, predictor.trusted ? &predictor.velocity : nullptr, dt);
-  problem.with_dilatation_mode = true;
-  problem.boundary_conditions = boundary_conditions(scene, state, dt);
-  problem.tools = tool_motions(scene, state, dt);
-  problem.candidates = contact_candidates(scene, state, predictor.velocity, dt);
-  keep_bounds(predictor.bounds, problem.candidates);
-  keep_bounds(corner_bounds(scene, state), problem.candidates);
-  problem.air = start.air;
-  auto warm = likely_contacts(state, active, problem, predictor.velocity);
-  const bool floating = floats(problem);
-  // What nothing drives follows the balance: trapped air may carry the glass.
-  const auto carrier_force = floating ? std::nullopt : std::optional<double>(0.0);
-  const bool carried = (problem.air || floating) && add_carrier(problem, warm, carrier_force);
-  if (!workspace.flow) workspace.flow.emplace(middle);
-  auto equilibrium = workspace.flow->find_equilibrium(problem, warm);
-  correct_volume(scene, state, dt, equilibrium);
-  auto solution = flow::evaluate(problem, std::move(equilibrium));
-  if (carried) remove_carrier(problem, solution);
-  if (floating && solution.converged) keep_centre_of_mass(problem, solution);
-  return {std::move(problem.candidates), std::move(solution)};
-}
-
-/// Stores velocities, contacts and tool forces in the state.
-void store_flow(const Scene& scene, const FlowPass& pass, double dt, State& state) {
-  const auto& [candidates, solution] = pass;
-  state.glass.velocity = solution.velocity;
-  keep_on_symmetry(state.glass.mesh, state.glass.velocity);
-  if (solution.dilatation_mode.size() > 0) state.glass.dilatation_mode = solution.dilatation_mode;
-  state.last_step = dt;
-  std::fill(state.glass.contact_tool.begin(), state.glass.contact_tool.end(), -1);
-  for (std::size_t i = candidates.size(); i-- > 0;)
-    if (solution.active[i]) state.glass.contact_tool[candidates[i].node] = candidates[i].tool;
-  state.glass.active_contacts = {};
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (solution.active[i]) {
-      state.glass.active_contacts.node.push_back(candidates[i].node);
-      state.glass.active_contacts.tool.push_back(candidates[i].tool);
-      state.glass.active_contacts.normal.push_back(candidates[i].normal);
-    }
-  state.glass.contact_pressure = solution.contact_pressure;
-  for (const auto& tool : scene.stages[state.stage].tools) {
-    auto& body = state.tools[tool.tool];
-    body.velocity = solution.tool_velocity[tool.tool];
-    body.force = solution.tool_force[tool.tool];
-  }
-}
 
 void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt,
                        State& state) {

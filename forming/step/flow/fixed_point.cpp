@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/fixed_point.hpp"
+#include "forming/step/flow/fixed_point.hpp"
 
 #include <Eigen/QR>
 

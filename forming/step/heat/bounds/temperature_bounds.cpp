@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/heat/temperature_bounds.hpp"
+#include "forming/step/heat/bounds/temperature_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

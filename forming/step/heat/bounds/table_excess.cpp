@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/heat/table_excess.hpp"
+#include "forming/step/heat/bounds/table_excess.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,20 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/flow/problem.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "forming/step/flow/fixed_point.hpp"
 
 namespace parison::forming {
+
+/// The middle of a step as predicted before the step is solved.
+struct MidpointPredictor {
+  Eigen::VectorXd velocity, temperature;  ///< of the glass nodes, m/s, K
+  bool trusted = false;  ///< the velocity: it comes from a coupling iteration, or a smooth motion predicts it
+  std::vector<flow::ContactCandidate>
+      bounds;                 ///< of earlier coupling iterations, for nodes that later bounds did not keep out
+  FixedPoint iteration = {};  ///< of the velocity
+};
 
 /// Removes from a nodal velocity (two per node, m/s) what crosses the symmetry lines of `mesh`, so that their nodes
 /// stay on them to the bit where they are parallel to an axis.
