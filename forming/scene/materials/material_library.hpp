@@ -10,15 +10,21 @@
 
 namespace parison::forming {
 
+/// A value of a material that has no source.
+struct AssumedValue {
+  std::string key;
+  std::string range;  ///< in which it is assumed, and why; empty where that is not said
+};
+
 /// A material by its name; properties that are missing are not computed.
 struct NamedMaterial {
   std::string name;
   std::optional<thermal::Material> thermal;
   std::optional<flow::Material> flow;
-  double emissivity = 0;             ///< of glass with light in bands that of an opaque surface of its refractive index
-  bool has_emissivity = false;       ///< whether the case gives it
-  std::string about, source;         ///< what it is; where its values come from
-  std::vector<std::string> assumed;  ///< keys of the values that have no source
+  double emissivity = 0;        ///< of glass with light in bands that of an opaque surface of its refractive index
+  bool has_emissivity = false;  ///< whether the case gives it
+  std::string about, source;    ///< what it is; where its values come from
+  std::vector<AssumedValue> assumed;
 };
 
 /// Materials of a table of materials, in its order.

@@ -117,17 +117,26 @@ flow::Carreau read_shear_thinning(const CaseNode& node) {
   return {core::positive(table.get("time"), dimension::time), core::positive(table.get("exponent"), dimension::none)};
 }
 
+/// Values without a source: their keys, or each with the range in which it is assumed and why.
+void read_assumed(const CaseNode& node, const CaseTable& table, NamedMaterial& material) {
+  std::vector<std::string> given;
+  for (const auto& item : table.node().items) given.push_back(item.name);
+  if (node.kind != CaseNode::Kind::table) {
+    for (const auto& key : core::list(node)) {
+      core::choice(key, given);
+      material.assumed.push_back({key.text, ""});
+    }
+    return;
+  }
+  const CaseTable reasons(node, given);
+  for (const auto& item : reasons.node().items) material.assumed.push_back({item.name, core::text(item)});
+}
+
 /// What is told about a material.
 void read_notes(const CaseTable& table, NamedMaterial& material) {
   if (const auto* about = table.find("about")) material.about = core::text(*about);
   if (const auto* source = table.find("source")) material.source = core::text(*source);
-  if (const auto* assumed = table.find("assumed"))
-    for (const auto& key : core::list(*assumed)) {
-      std::vector<std::string> given;
-      for (const auto& item : table.node().items) given.push_back(item.name);
-      core::choice(key, given);
-      material.assumed.push_back(key.text);
-    }
+  if (const auto* assumed = table.find("assumed")) read_assumed(*assumed, table, material);
 }
 
 void read_thermal(const CaseTable& table, double density, NamedMaterial& material) {

@@ -62,6 +62,16 @@ TEST(Materials, each_says_what_it_is_and_where_its_values_come_from) {
   }
 }
 
+TEST(Materials, each_assumed_value_of_a_bundled_one_has_its_range_and_reason) {
+  int count = 0;
+  for (const NamedMaterial& found : library_materials())
+    for (const AssumedValue& value : found.assumed) {
+      EXPECT_GE(value.range.size(), 8u) << found.name << " " << value.key;
+      ++count;
+    }
+  EXPECT_GT(count, 0);
+}
+
 TEST(Materials, a_case_that_names_a_bundled_one_has_its_values_without_a_table) {
   const Scene scene =
       scene_of(replaced("material = \"iron\"", "material = \"grey_iron\"",
@@ -121,6 +131,9 @@ TEST(Materials, mistakes_have_their_sentence) {
       << part;
   const auto assumed = complaint_about(replaced(soft, soft + "assumed = [\"colour\"]\n", small_scene));
   EXPECT_NE(assumed.find("material.soft.assumed: \"colour\" was found"), assumed.npos) << assumed;
+  const auto range = complaint_about(replaced(soft, soft + "assumed.colour = \"green to blue\"\n", small_scene));
+  EXPECT_NE(range.find("material.soft.assumed.colour: unknown key"), range.npos) << range;
+  EXPECT_EQ(complaint_about(replaced(soft, soft + "assumed.density = \"2300 to 2500 kg/m3\"\n", small_scene)), "");
 }
 
 TEST(Materials, viscosity_by_points_is_read_and_its_mistakes_are_told) {
