@@ -11,6 +11,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/outline_place.hpp"
 #include "forming/scene/scene.hpp"
 #include "tools/program/bundled_cases.hpp"
 
@@ -71,6 +72,27 @@ std::string give_gob_by_mass(const forming::Scene& scene, std::string& text) {
   return gob;
 }
 
+/// Binds the thermocouples of the tools to the boundary that they lie behind, so that they follow a changed drawing;
+/// how many.
+int bind_probes(const forming::Scene& scene, std::string& text) {
+  int count = 0;
+  for (const forming::Probe& probe : scene.probes) {
+    if (probe.body == 0) continue;
+    const forming::Tool& tool = scene.tools[probe.body - 1];
+    const auto place = forming::closest_contact(tool, probe.point);
+    const double depth = place ? (probe.point - place->point).norm() : 0, rounding = 1e-5 * core::size(tool.profile);
+    if (!place || (place->point - depth * place->normal - probe.point).norm() > rounding) continue;
+    const std::regex point("(name = \"" + probe.name + "\", body = \"[^\"]*\", )point = \"\\([-0-9., ]*\\) mm\"");
+    if (!std::regex_search(text, point)) continue;
+    text = std::regex_replace(text, point,
+                              fmt::format("$1boundary = \"{}\", depth = \"{:.4g} mm\", point = \"({:.5g}, {:.5g}) mm\"",
+                                          tool.boundaries[place->boundary].name, 1e3 * depth,
+                                          1e3 * place->point[0] + 0.0, 1e3 * place->point[1] + 0.0));
+    ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 int new_case(const NewRequest& request) {
@@ -85,6 +107,7 @@ int new_case(const NewRequest& request) {
   if (const auto at = text.find(old); at != text.npos) text.replace(at, old.size(), fmt::format("case = \"{}\"", name));
   const bool had_figures = drop_old_figures(text);
   const std::string gob = give_gob_by_mass(scene, text);
+  const int bound = bind_probes(scene, text);
   const std::string head = fmt::format(
       "# {0}: begun like the bundled case {1}. Change the paths of the tools, the mass of the gob and the times.\n"
       "#   parison check {2} --picture {0}.svg    draws it and says weight, capacity and where the plunger stops\n"
@@ -101,6 +124,7 @@ int new_case(const NewRequest& request) {
   fmt::print("{}\n", (folder / "case.toml").string());
   if (!gob.empty())
     fmt::print("  the outline of the glass was replaced by the same capsule given by its mass:\n  {}", gob);
+  if (bound > 0) fmt::print("  probes that follow the drawing, each at its depth behind a boundary: {}\n", bound);
   if (had_figures) fmt::print("  comments with figures of {} were left out\n", scene.name);
   return 0;
 }

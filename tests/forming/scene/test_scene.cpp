@@ -22,6 +22,18 @@ double revolved_volume(const core::Profile& profile) {
   return volume;
 }
 
+TEST(Scene, a_probe_behind_a_boundary_follows_the_drawing) {
+  const auto probe = [](const std::string& width) {
+    const std::string text = replaced("(20, 0) (20, 10)", "(" + width + ", 0) (" + width + ", 10)");
+    return scene_of(replaced("point = \"(0, 5) mm\"",
+                             "boundary = \"surface\"\ndepth = \"2 mm\"\npoint = \"(19.5, 6) mm\"", text))
+        .probes[0]
+        .point;
+  };
+  EXPECT_NEAR((probe("20") - core::Point(0.018, 0.006)).norm(), 0, 1e-12);
+  EXPECT_NEAR((probe("21") - core::Point(0.019, 0.006)).norm(), 0, 1e-12);
+}
+
 TEST(Scene, the_contact_cylinders_carry_heat_and_do_not_flow) {
   const auto scene = read_scene(cases + "contact_cylinders", "standard");
   EXPECT_TRUE(scene.has_heat());

@@ -69,7 +69,21 @@ TEST(SceneErrors, negative_properties) {
 
 TEST(SceneErrors, probe_outside_its_body) {
   expect_complaint("point = \"(0, 5) mm\"", "point = \"(0, 11) mm\"",
-                   "probe.point: \"(0, 11) mm\" lies outside \"glass\", allowed are points inside or on its outline");
+                   "probe.point: \"(0, 11) mm\" lies outside \"glass\", allowed are points inside or on its outline; "
+                   "with boundary = \"surface\" and a depth such as \"5 mm\" it follows the drawing");
+}
+
+TEST(SceneErrors, probe_behind_a_boundary) {
+  const auto probe = [](const std::string& keys) { return "point = \"(7, 4) mm\"\n" + keys; };
+  const std::string point = "point = \"(0, 5) mm\"\n";
+  expect_complaint(point, probe("boundary = \"top\"\n"),
+                   "probe.boundary: \"top\" was found, allowed are surface, axis");
+  expect_complaint(point, probe("depth = \"2 mm\"\n"),
+                   "probe.depth: a depth was found, allowed only together with \"boundary\", behind which it is");
+  expect_complaint(
+      point, probe("boundary = \"surface\"\ndepth = \"11 mm\"\n"),
+      "probe.depth: (7, 11) mm, so far behind \"surface\", lies outside \"glass\", allowed are depths that "
+      "end inside");
 }
 
 TEST(SceneErrors, repeated_names) {
