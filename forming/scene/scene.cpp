@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/io/files.hpp"
+#include "forming/scene/preset_lengths.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -210,6 +211,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   scene.accuracy_choice = accuracy_choice;
   scene.accuracy = accuracy_at(scene.accuracy_choice.level);
   read_bodies(root, read_context(root, file.directory), scene);
+  fit_preset_lengths(scene);
   read_stages(root, scene);
   refuse_repeated_names(root.tables("probe"));
   for (const auto* probe : root.tables("probe")) scene.probes.push_back(read_probe(*probe, scene));

@@ -93,6 +93,11 @@ std::string capacity_text(const Scene& scene, const State& state) {
   const auto report = container_report(scene, state);
   if (!report || !report->capacity) return "";
   std::string text = fmt::format("{:.2f} ml to the rim", *report->capacity / millilitre);
+  constexpr double notable = 1e-3;  // share by which container and drawing differ
+  const ContainerPlan plan = *container_plan(scene);
+  if (std::abs(*report->capacity / *plan.capacity - 1) > notable)
+    text += fmt::format(" at {:.5g} mm, drawn {:.2f} ml at {:.5g} mm", report->rim / millimetre,
+                        *plan.capacity / millilitre, *plan.rim / millimetre);
   if (report->filled)
     text += fmt::format(", {:.2f} ml to {:.4g} mm below it", *report->filled / millilitre,
                         *scene.output.fill_level / millimetre);

@@ -8,6 +8,7 @@
 #include "forming/scene/describe/describe_timing.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
+#include "forming/scene/preset_lengths.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -197,19 +198,22 @@ std::string accuracy_lines(const Scene& scene) {
   const AccuracyChoice& choice = scene.accuracy_choice;
   std::string text = fmt::format("\naccuracy {} ({}; level {:.3g}, 0 is draft, 1 standard, 2 fine)\n",
                                  scene.accuracy_name, choice_text(scene), choice.level);
-  const auto add = [&](const char* key, double value, const char* unit) {
+  const double scale = preset_length_scale(scene);
+  const auto add = [&](const char* key, double value, const char* unit, bool scaled) {
     const auto own = scene.accuracy_origin.find(key);
     const std::string origin = own != scene.accuracy_origin.end() ? own->second
                                : is_unused(scene, key)            ? "not used: the case maps its mesh"
                                : choice.target                    ? "guess"
-                                                                  : "preset";
+                               : scaled && scale > 1
+                                   ? fmt::format("preset, {:.3g} times as long for so much glass", scale)
+                                   : "preset";
     text += fmt::format("  {:<24}{:<12}{}{}\n", key, fmt::format("{:.4g}{}{}", value, *unit ? " " : "", unit), origin,
                         choice.coarsening_factor == 1 ? "" : ", made coarser");
   };
   for (const Setting& setting : settings())
-    add(setting.key, scene.accuracy.*setting.value / setting.unit_size, setting.unit);
-  add("temperature_order", scene.accuracy.temperature_order, "");
-  add("passes", scene.accuracy.passes, "");
+    add(setting.key, scene.accuracy.*setting.value / setting.unit_size, setting.unit, is_length(setting));
+  add("temperature_order", scene.accuracy.temperature_order, "", false);
+  add("passes", scene.accuracy.passes, "", false);
   return text;
 }
 

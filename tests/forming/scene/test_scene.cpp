@@ -34,6 +34,20 @@ TEST(Scene, a_probe_behind_a_boundary_follows_the_drawing) {
   EXPECT_NEAR((probe("21") - core::Point(0.019, 0.006)).norm(), 0, 1e-12);
 }
 
+TEST(Scene, lengths_of_the_presets_grow_with_a_body_beyond_200_cm3) {
+  const std::vector<std::string> large{"dimension.r_disc=100 mm", "dimension.thickness=12 mm"};
+  const Accuracy preset = accuracy_preset("draft"), disc = read_scene(cases + "sag", "draft").accuracy;
+  EXPECT_EQ(disc.surface_size, preset.surface_size);
+  const Accuracy sized = read_scene(cases + "sag", "draft", large).accuracy;
+  const double scale = std::cbrt(M_PI * 100 * 100 * 12 / 200e3);
+  EXPECT_NEAR(sized.surface_size / preset.surface_size, scale, 1e-6);
+  EXPECT_NEAR(sized.tool_contact_size / preset.tool_contact_size, scale, 1e-6);
+  EXPECT_EQ(sized.max_step, preset.max_step);
+  auto own = large;
+  own.push_back("numerics.surface_size=1.2 mm");
+  EXPECT_EQ(read_scene(cases + "sag", "draft", own).accuracy.surface_size, 1.2e-3);
+}
+
 TEST(Scene, the_contact_cylinders_carry_heat_and_do_not_flow) {
   const auto scene = read_scene(cases + "contact_cylinders", "standard");
   EXPECT_TRUE(scene.has_heat());
