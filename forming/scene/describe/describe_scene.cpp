@@ -8,6 +8,7 @@
 #include "forming/scene/describe/describe_timing.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
+#include "forming/scene/describe/named_points.hpp"
 #include "forming/scene/preset_lengths.hpp"
 #include "thermal/properties.hpp"
 
@@ -171,6 +172,7 @@ std::string stage_lines(const Scene& scene) {
     for (const NamedBoundary& named : stage.named_boundaries)
       if (named.touched)
         text += fmt::format("  {:<20}names {}: what {} touched\n", "", named.name, scene.tools[*named.touched].name);
+    text += describe_named_points(scene, stage);
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include "../scene_text.hpp"
 #include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_state.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/state/initial_state.hpp"
 
 namespace parison::forming {
@@ -100,6 +101,18 @@ TEST(NamedBoundary, mistakes_have_their_sentences) {
             "stage.name_boundary.from: a point and \"touched\" were found, allowed is one of them");
   EXPECT_EQ(with(two, "to = \"(0, 0) mm\""),
             "stage.name_boundary.from: missing, the table that starts here needs the key \"from\"");
+}
+
+TEST(NamedBoundary, check_tells_of_a_point_that_lies_far_from_glass_and_tools) {
+  const auto said = [](const std::string& from) {
+    return describe_scene(scene_of(
+        replaced(two, two + "name_boundary = [{ name = \"side\", from = \"" + from + "\", to = \"(20, 10) mm\" }]\n")));
+  };
+  EXPECT_NE(said("(20, 0) mm").find("names side: from (20, 0) to (20, 10) mm"), std::string::npos);
+  EXPECT_EQ(said("(20, 0) mm").find("from every tool"), std::string::npos);
+  EXPECT_NE(said("(30, 5) mm").find("(30, 5) mm lies 5 mm from the glass as drawn and from every tool"),
+            std::string::npos)
+      << said("(30, 5) mm");
 }
 
 TEST(NamedBoundary, several_tools_that_may_have_made_the_inner_side_are_told) {

@@ -74,14 +74,14 @@ TEST(SceneErrors, probe_outside_its_body) {
 }
 
 TEST(SceneErrors, probe_behind_a_boundary) {
-  const auto probe = [](const std::string& keys) { return "point = \"(7, 4) mm\"\n" + keys; };
+  const auto probe = [](const std::string& keys) { return keys + "point = \"(7, 4) mm\"\n"; };
   const std::string point = "point = \"(0, 5) mm\"\n";
   expect_complaint(point, probe("boundary = \"top\"\n"),
                    "probe.boundary: \"top\" was found, allowed are surface, axis");
   expect_complaint(point, probe("depth = \"2 mm\"\n"),
                    "probe.depth: a depth was found, allowed only together with \"boundary\", behind which it is");
   expect_complaint(
-      point, probe("boundary = \"surface\"\ndepth = \"11 mm\"\n"),
+      point, probe("depth = \"11 mm\"\nboundary = \"surface\"\n"),
       "probe.depth: (7, 11) mm, so far behind \"surface\", lies outside \"glass\", allowed are depths that "
       "end inside");
 }
