@@ -46,7 +46,8 @@ double radius_at(double time) {
 }
 
 Scene shell() {
-  return read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/shell_inflation", "standard");
+  return read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/shell_inflation", "standard",
+                    {"numerics.strain_per_step=0.04"});
 }
 
 /// How far the inner surface is off a radius at its worst node, relative to it.

@@ -29,7 +29,8 @@ const Table pressure{{0, 0.05, 0.06, 0.09}, {0, 2e5, 0.5e5, 1.5e5}};
 constexpr double blown = 0.11, impulse = 12250;  // s, Pa.s
 
 Scene blown_shell() {
-  Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/shell_inflation", "standard");
+  Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/shell_inflation", "standard",
+                           {"numerics.strain_per_step=0.04"});
   scene.stages[0].pressure["inner"] = TimeFunction(pressure);
   scene.stages[0].duration = blown;
   return scene;

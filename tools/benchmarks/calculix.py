@@ -2,7 +2,6 @@
 """CPU time to get within 0.1 K of the exact solution of two cylinders in contact, 1 to 10 s: Parison against CalculiX."""
 import csv
 import os
-import re
 import shutil
 import statistics
 import subprocess
@@ -66,7 +65,7 @@ def case_with(tolerance):
     """The bundled case with another tolerance of the heat, steps only where something is asked."""
     text = (ROOT / "cases/contact_cylinders/case.toml").read_text()
     numerics = f'[numerics]\ntemperature_tolerance = "{tolerance}"\nmax_step = "1 s"\n'
-    text = re.sub(r"\[numerics\].*", numerics, text, flags=re.S)
+    text += "\n" + numerics
     path = new_path("case.toml")
     path.write_text(text)
     return path

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../bundled_scene.hpp"
+#include "../scene_text.hpp"
 #include "core/case/case_error.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/calibration.hpp"
@@ -58,7 +59,8 @@ TEST(Accuracy, a_coarser_scene_has_coarser_meshes_of_its_own_too) {
 }
 
 TEST(Accuracy, each_setting_says_who_chose_it) {
-  const std::string text = describe_scene(bundled("shell_inflation", "1%", {"numerics.passes=3"}));
+  const std::string text = describe_scene(
+      read_scene(write_scene(small_scene + "[numerics]\nstrain_per_step = 0.04\n"), "1%", {"numerics.passes=3"}));
   const auto line = [&](const char* key) { return text.substr(text.find(std::string("  ") + key + ' '), 60); };
   EXPECT_NE(line("passes").find("--set"), std::string::npos);
   EXPECT_NE(line("strain_per_step").find("case"), std::string::npos);
