@@ -8,9 +8,11 @@
 #include <set>
 
 #include "core/case/case_error.hpp"
+#include "forming/run/resume/checkpoint_files.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/finished_run.hpp"
+#include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/tool_overlap.hpp"
 
 namespace parison::forming {
@@ -75,6 +77,14 @@ std::vector<std::string> warmer_tools(const Scene& scene) {
   return overrides;
 }
 
+/// The folder in which a run of the base, its coarser ones or their twins has ended elsewhere; empty for none.
+std::string finished_elsewhere(const WhatIf& what_if, const std::string& directory) {
+  const std::string base = what_if.directory + '/' + base_name;
+  if (what_if.base_results.empty() || directory.rfind(base, 0) != 0) return {};
+  const std::string known = what_if.base_results + directory.substr(base.size());
+  return has_completed_here(known) ? known : std::string();
+}
+
 /// A run and its coarser ones; `stage` where they begin as those of the base had it at its end.
 void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scene,
               const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
@@ -82,10 +92,14 @@ void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scen
   const auto branch = [&](const std::string& folder) {
     return stage ? std::optional(BranchPoint{base + folder, *stage}) : std::nullopt;
   };
-  runs.push_back({label, own, scene.accuracy_name, scene.overrides, branch(""), ""});
+  const bool is_base = label == base_name;
+  const auto elsewhere = [&](const std::string& folder) {
+    return is_base ? finished_elsewhere(what_if, folder) : std::string();
+  };
+  runs.push_back({label, own, scene.accuracy_name, scene.overrides, branch(""), "", elsewhere(own)});
   for (const CoarseCase& coarse : coarse_cases(scene, own))
     runs.push_back({fmt::format("{}, {:g} times coarser", label, coarse.factor), coarse.directory, coarse.accuracy,
-                    scene.overrides, branch(coarse.directory.substr(own.size())), own});
+                    scene.overrides, branch(coarse.directory.substr(own.size())), own, elsewhere(coarse.directory)});
 }
 
 /// A twin of each coarser run of the base from each point at which variants leave it.
@@ -102,6 +116,7 @@ void add_twins(const WhatIf& what_if, const Scene& scene, const std::set<std::op
           stage ? scene.overrides : joined(scene.overrides, warmer),
           stage ? std::optional(BranchPoint{coarse.directory, *stage, true}) : std::nullopt,
           coarse.directory};
+      twin.copy_of = finished_elsewhere(what_if, twin.directory);
       runs.push_back(std::move(twin));
     }
 }
@@ -135,7 +150,10 @@ std::vector<PlannedRun> plan_runs(const WhatIf& what_if) {
   std::set<std::optional<std::string>> stages;
   for (const WhatIfVariant& variant : what_if.variants) {
     scenes.push_back(checked_variant(what_if, base, variant));
-    stages.insert(last_common_stage(base, scenes.back()));
+    const auto stage = last_common_stage(base, scenes.back());
+    if (stage && !what_if.base_results.empty())
+      find_stage_end(what_if.base_results, *stage);  // refuses where it is gone
+    stages.insert(stage);
   }
   add_twins(what_if, base, stages, runs);
   for (std::size_t i = 0; i < scenes.size(); ++i)
