@@ -71,6 +71,10 @@ void add_tool(core::JsonWriter& json, const Scene& scene, const PeriodicState& s
   for (std::size_t b = 0; b < tool.boundaries.size(); ++b)
     json.add(tool.boundaries[b].name, heat.through[b] / state.cycle.seconds);
   json.close();
+  if (tool.swab) {
+    json.add("swab_heat_J", state.swab_heat[t]);
+    json.add("swab_mean_power_W", state.swab_heat[t] / tool.swab->every / state.cycle.seconds);
+  }
   json.close();
 }
 
@@ -112,14 +116,15 @@ std::string cycle_text(const Scene& scene, const PeriodicState& state) {
   return text;
 }
 
-std::string start_up_text(const Scene& scene, const PeriodicState& state) {
+/// The surfaces of the tools cycle by cycle.
+std::string cycles_text(const Scene& scene, const std::vector<StartUpCycle>& cycles) {
   std::string text = "cycle";
   for (const Tool& tool : scene.tools) text += ',' + core::csv_text(tool.name + "_surface_mean_degC");
   text += ",distance_K\n";
-  for (std::size_t k = 0; k < state.start_up.size(); ++k) {
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
     text += fmt::format("{}", k);
-    for (const double mean : state.start_up[k].mean) text += fmt::format(",{:.10g}", mean - zero_celsius);
-    text += fmt::format(",{:.6g}\n", state.start_up[k].distance);
+    for (const double mean : cycles[k].mean) text += fmt::format(",{:.10g}", mean - zero_celsius);
+    text += fmt::format(",{:.6g}\n", cycles[k].distance);
   }
   return text;
 }
@@ -128,7 +133,9 @@ std::string start_up_text(const Scene& scene, const PeriodicState& state) {
 
 void write_periodic_state(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state) {
   core::write_text(request.directory + "/cycle.json", json_text(scene, request, state));
-  if (!state.start_up.empty()) core::write_text(request.directory + "/start_up.csv", start_up_text(scene, state));
+  const std::string& folder = request.directory;
+  if (!state.start_up.empty()) core::write_text(folder + "/start_up.csv", cycles_text(scene, state.start_up));
+  if (!state.since_swab.empty()) core::write_text(folder + "/swab.csv", cycles_text(scene, state.since_swab));
   if (!state.settled.samples.empty()) core::write_text(request.directory + "/cycle.csv", cycle_text(scene, state));
 }
 

@@ -56,17 +56,11 @@ void refuse_short(const Scene& scene, const MachineCycle& cycle) {
   constexpr double round_off = 1e-9;
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const auto& [begin, end] = cycle.uses[t];
-    const double allowed = cycle.seconds * (1 + round_off);
-    if (end - begin > allowed)
+    if (end - begin > cycle.seconds * (1 + round_off))
       throw core::CaseError(fmt::format(
           "{}: a machine cycle of {:.4g} s was found, but each container uses the tool \"{}\" for {:.4g} "
           "s; allowed is a longer cycle; where sets of a tool take turns, the time between two uses of one set",
           scene.file, cycle.seconds, scene.tools[t].name, end - begin));
-    if (end > allowed)
-      throw core::CaseError(
-          fmt::format("{}: a machine cycle of {:.4g} s was found, but the tool \"{}\" is in use until {:.4g} s after "
-                      "the start of its container; allowed is a cycle in which all tools are free before the next gob",
-                      scene.file, cycle.seconds, scene.tools[t].name, end));
   }
 }
 
@@ -92,6 +86,14 @@ MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seco
   refuse_short(scene, cycle);
   refuse_uncooled(scene, cycle);
   return cycle;
+}
+
+Scene scene_in_cycle(const Scene& scene, const MachineCycle& cycle) {
+  std::vector<std::string> overrides = scene.overrides;
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    if (cycle.overlaps(t) && !scene.tools[t].waits)
+      overrides.push_back(fmt::format("tool.{}.temperature_at=first use", scene.tools[t].name));
+  return overrides.size() == scene.overrides.size() ? scene : read_scene(scene.file, scene.accuracy_name, overrides);
 }
 
 }  // namespace parison::forming

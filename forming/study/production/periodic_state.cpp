@@ -13,6 +13,7 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/study/production/fixed_point.hpp"
 #include "forming/study/production/heat_cycles.hpp"
+#include "forming/study/production/swabbing.hpp"
 #include "forming/study/production/tool_fields.hpp"
 
 namespace parison::forming {
@@ -31,6 +32,7 @@ struct Search {
   const Progress& progress;
   State initial;  ///< meshes and probes
   HeatCycles heat_cycles;
+  SwabImprint swab;
   PeriodicState& result;
 };
 
@@ -40,6 +42,7 @@ bool cycle_of(Search& search, const Scene& scene, const std::string& folder, Cyc
   run = run_cycle(scene, search.result.cycle, directory, search.stop);
   search.result.stopped = run.stopped;
   search.result.failure = run.failure;
+  if (run.failure.empty() && search.swab.exists()) run.end += search.swab.mean();
   return run.failure.empty();
 }
 
@@ -85,17 +88,17 @@ double unsettled(const std::vector<SearchRun>& search) {
 }
 
 /// A folder that other cases can take the temperatures of the tools from.
-void write_tools(const Search& search, const Eigen::VectorXd& temperatures) {
+void write_tools(const Search& search, const Eigen::VectorXd& temperatures, const std::string& folder) {
   Checkpoint checkpoint{{search.initial, {}}, {}};
   set_tool_temperatures(temperatures, checkpoint.outcome.state);
-  const std::string directory = search.request.directory + "/tools";
+  const std::string directory = search.request.directory + '/' + folder;
   std::filesystem::create_directories(directory);
   write_checkpoint(directory, search.scene, checkpoint);
 }
 
 /// The case with its tools as in the folder that write_tools has made.
-Scene settled_case(const Search& search) {
-  const std::string folder = std::filesystem::absolute(search.request.directory + "/tools").string();
+Scene case_with_tools(const Search& search, const std::string& tools) {
+  const std::string folder = std::filesystem::absolute(search.request.directory + '/' + tools).string();
   std::vector<std::string> overrides = search.scene.overrides;
   for (const Tool& tool : search.scene.tools)
     overrides.push_back(fmt::format("tool.{}.temperature={{ from = \"{}\" }}", tool.name, folder));
@@ -112,7 +115,8 @@ void confirm(Search& search, const Eigen::VectorXd& settled) {
   Eigen::VectorXd temperatures = settled;
   for (int k = 0; k < 2; ++k) {
     CycleRun run;
-    const Scene scene = k == 0 ? settled_case(search) : with_tools_at(search.scene, search.initial, temperatures);
+    const Scene scene =
+        k == 0 ? case_with_tools(search, "tools") : with_tools_at(search.scene, search.initial, temperatures);
     if (!cycle_of(search, scene, k == 0 ? "settled" : "", run)) return;
     result.confirmed.push_back(surface_change(search.initial, run.end - run.start));
     search.progress(fmt::format("plain cycle {}: tool surfaces change by {}", k + 1,
@@ -122,24 +126,48 @@ void confirm(Search& search, const Eigen::VectorXd& settled) {
   }
 }
 
+/// The surfaces of the tools at the start of a cycle.
+StartUpCycle start_of_cycle(const Search& search, const Eigen::VectorXd& temperatures, const Eigen::VectorXd& settled) {
+  State state = tools_of(search.initial);
+  set_tool_temperatures(temperatures, state);
+  StartUpCycle cycle{{}, surface_change(state, temperatures - settled)};
+  for (const ToolState& tool : state.tools)
+    cycle.mean.push_back(ToolSurface(tool.mesh, search.scene.geometry)
+                             .temperatures(tool, std::numeric_limits<double>::infinity())
+                             .surface_mean);
+  return cycle;
+}
+
 /// Heat-only cycles from the start of the case until they are as close to the settled state as was asked for.
 void start_up(Search& search, const Eigen::VectorXd& settled) {
   constexpr int most = 1000;
   auto& cycles = search.result.start_up;
-  std::vector<ToolSurface> surfaces;
-  for (const ToolState& tool : search.initial.tools) surfaces.emplace_back(tool.mesh, search.scene.geometry);
-  State state = tools_of(search.initial);
   std::optional<Eigen::VectorXd> now = search.result.first.start;
   while (now && static_cast<int>(cycles.size()) < most) {
-    set_tool_temperatures(*now, state);
-    StartUpCycle cycle{{}, surface_change(state, *now - settled)};
-    for (std::size_t t = 0; t < state.tools.size(); ++t)
-      cycle.mean.push_back(
-          surfaces[t].temperatures(state.tools[t], std::numeric_limits<double>::infinity()).surface_mean);
-    cycles.push_back(std::move(cycle));
+    cycles.push_back(start_of_cycle(search, *now, settled));
     if (cycles.back().distance <= search.request.tolerance) return;
     now = search.heat_cycles.next(*now);
   }
+}
+
+/// What swabs do from one to the next, by heat-only cycles, and the container made just after one.
+void follow_swabs(Search& search, const Eigen::VectorXd& settled) {
+  auto& result = search.result;
+  const auto cycles = since_swab(
+      search.swab, settled, [&](const Eigen::VectorXd& x) { return search.heat_cycles.next(x); },
+      search.request.tolerance);
+  if (cycles.empty()) {
+    result.failure = "the tools alone cannot be followed after a swab";
+    return;
+  }
+  for (const Eigen::VectorXd& temperatures : cycles)
+    result.since_swab.push_back(start_of_cycle(search, temperatures, settled));
+  write_tools(search, cycles.front(), "tools_just_swabbed");
+  CycleRun run;
+  if (!cycle_of(search, case_with_tools(search, "tools_just_swabbed"), "just_swabbed", run)) return;
+  result.just_swabbed = std::move(run);
+  search.progress(fmt::format("just after a swab: tool surfaces differ by {} from the mean",
+                              largest_text(search.scene, surface_changes(search.initial, cycles.front() - settled))));
 }
 
 }  // namespace
@@ -148,12 +176,17 @@ bool PeriodicState::is_confirmed(double tolerance) const {
   return confirmed.size() == 2 && largest(confirmed) <= tolerance;
 }
 
-PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
+PeriodicState find_periodic_state(const Scene& given, const MachineCycle& cycle, const PeriodicRequest& request,
                                   const StopRequest& stop, const Progress& progress) {
+  const Scene scene = scene_in_cycle(given, cycle);
   const State initial = initial_state(scene);
   PeriodicState result;
   result.cycle = cycle;
-  Search search{scene, request, stop, progress, initial, HeatCycles(scene, cycle, initial), result};
+  Search search{
+      scene, request, stop, progress, initial, HeatCycles(scene, cycle, initial), swab_imprint(scene, initial), result};
+  result.failure = search.swab.failure;
+  if (!result.failure.empty()) return result;
+  result.swab_heat = search.swab.heat;
   const FixedPointOptions options{request.tolerance, anderson_depth, request.max_runs,
                                   [&](const Eigen::VectorXd&) { return unsettled(result.search); }};
   const auto found = find_fixed_point(
@@ -165,9 +198,10 @@ PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle,
                                  found.evaluations, found.change);
     return result;
   }
-  write_tools(search, found.value);
+  write_tools(search, found.value, "tools");
   start_up(search, found.value);
   confirm(search, found.value);
+  if (result.failure.empty() && search.swab.exists()) follow_swabs(search, found.value);
   return result;
 }
 

@@ -38,6 +38,9 @@ struct PeriodicState {
   CycleRun first, settled;        ///< cycles from the temperatures of the case and from the state found
   std::vector<double> confirmed;  ///< change of any tool surface in each of two plain cycles from the state found, K
   std::vector<StartUpCycle> start_up;
+  std::vector<double> swab_heat;         ///< of one swab of each tool, J; 0 for a tool without
+  std::vector<StartUpCycle> since_swab;  ///< the cycles from one swab to the next; empty without
+  std::optional<CycleRun> just_swabbed;  ///< the container made just after swabs of all tools that have them
 
   bool is_confirmed(double tolerance) const;
 };
@@ -48,7 +51,7 @@ using Progress = std::function<void(const std::string&)>;
 /// Looks for tool temperatures that a machine cycle gives back. Between forming runs heat-only cycles (HeatCycles) go
 /// on to where they settle; that map is iterated with Anderson's acceleration until a cycle changes no tool surface by
 /// more than the tolerance and none is further from the periodic state, as the falling distances say. Two plain cycles
-/// from there confirm it.
+/// from there confirm it. Each cycle has its share of swabs; what happens from one to the next is found afterwards.
 PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
                                   const StopRequest& stop, const Progress& progress);
 

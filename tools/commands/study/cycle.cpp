@@ -40,9 +40,11 @@ std::string new_folder(const CycleRequest& request, const forming::Scene& scene)
   return folder;
 }
 
-/// The container of the first gob beside that of settled production.
-void print_containers(const std::string& folder) {
-  const auto comparison = forming::compare_folders(folder + "/first_gob", {folder + "/settled"});
+/// The container of the first gob beside that of settled production, and that made just after a swab.
+void print_containers(const std::string& folder, const PeriodicState& state) {
+  std::vector<std::string> others{folder + "/settled"};
+  if (state.just_swabbed) others.push_back(folder + "/just_swabbed");
+  const auto comparison = forming::compare_folders(folder + "/first_gob", others);
   fmt::print("{}", forming::comparison_tables(comparison));
   forming::write_comparison(comparison, folder);
 }
@@ -52,10 +54,14 @@ void print_result(const forming::Scene& scene, const forming::PeriodicRequest& a
   fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; production reaches it {} cycles after ",
              state.search.size(), state.start_up.size() - 1);
   fmt::print("its start\n");
-  print_containers(asked.directory);
+  print_containers(asked.directory, state);
   const std::string from = fs::absolute(asked.directory + "/tools").string();
   fmt::print("\n  results in {}; a case starts from these tools by temperature = {{ from = \"{}\" }}\n",
              asked.directory, from);
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    if (state.cycle.overlaps(t))
+      fmt::print("  {} still serves the container before at the gob: temperature_at = \"first use\"\n",
+                 scene.tools[t].name);
 }
 
 }  // namespace
