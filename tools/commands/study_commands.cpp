@@ -103,6 +103,8 @@ void add_what_if(CLI::App& app, Command& chosen) {
   command->add_option("--quantity", asked.quantity, "by which the last table ranks the variants [thickness_min]");
   command->add_option("--output", asked.output,
                       "folder of the runs; those already there are used [results/what_if_NAME]");
+  command->add_flag("--twice", asked.twice,
+                    "compare means of two runs of base and variant, which scatter less; costs some two thirds more");
   command->add_option("--jobs", asked.jobs, "runs at once, one thread each")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));

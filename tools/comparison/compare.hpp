@@ -26,6 +26,7 @@ struct WhatIfRequest {
   std::vector<std::string> overrides;  ///< of all runs
   std::vector<forming::WhatIfVariant> variants;
   std::string resolve;  ///< "0.02 mm" or "QUANTITY=VALUE UNIT"; empty for none
+  bool twice = false;   ///< each difference is the mean of two
   int jobs = 1;
 };
 

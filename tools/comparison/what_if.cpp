@@ -136,7 +136,7 @@ WhatIf asked_of_results(const WhatIfRequest& request) {
         : request.resolve.empty() ? "--base"
                                   : "--resolve",
         base.case_path));
-  return {base.case_path, base.accuracy, "", base.overrides, request.variants, folder};
+  return {base.case_path, base.accuracy, "", base.overrides, request.variants, false, folder};
 }
 
 }  // namespace
@@ -147,6 +147,7 @@ int what_if(const WhatIfRequest& request) {
   const forming::Scene scene = forming::read_scene(asked.case_path, "draft", asked.overrides);
   const std::string output = request.output.empty() ? "results/what_if_" + scene.name : request.output;
   asked.directory = output;
+  asked.twice = request.twice;
   std::error_code error;
   if (fs::exists(output + "/summary.json", error))
     throw core::CaseError(

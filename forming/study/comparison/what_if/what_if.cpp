@@ -102,23 +102,49 @@ void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scen
                     scene.overrides, branch(coarse.directory.substr(own.size())), own, elsewhere(coarse.directory)});
 }
 
-/// A twin of each coarser run of the base from each point at which variants leave it.
-void add_twins(const WhatIf& what_if, const Scene& scene, const std::set<std::optional<std::string>>& stages,
-               std::vector<PlannedRun>& runs) {
+/// A twin of a run that was made of a scene; `base` is the folder of the same run of the base, from which it begins at
+/// the end of a stage.
+PlannedRun twin_of(const WhatIf& what_if, const std::string& label, const CoarseCase& run, const std::string& base,
+                   const std::optional<std::string>& stage, const std::vector<std::string>& warmer) {
+  const std::string coarser = run.factor > 1 ? fmt::format(", {:g} times coarser", run.factor) : "";
+  PlannedRun twin{fmt::format("twin of {}{}{}", label, coarser, stage ? ", after " + *stage : ""),
+                  run.directory + '/' + (stage ? twin_after + *stage : twin_folder),
+                  run.accuracy,
+                  stage ? run.overrides : joined(run.overrides, warmer),
+                  stage ? std::optional(BranchPoint{base, *stage, true}) : std::nullopt,
+                  run.directory};
+  twin.copy_of = finished_elsewhere(what_if, twin.directory);
+  return twin;
+}
+
+/// A run itself and its coarser ones.
+std::vector<CoarseCase> all_cases(const Scene& scene, const std::string& directory) {
+  std::vector<CoarseCase> cases{{scene.file, scene.accuracy_name, directory, scene.overrides, 1}};
+  for (CoarseCase& coarse : coarse_cases(scene, directory)) cases.push_back(std::move(coarse));
+  return cases;
+}
+
+/// A twin of each coarser run of the base, and of the base itself where all is done twice, from each point at which
+/// variants leave it.
+void add_base_twins(const WhatIf& what_if, const Scene& scene, const std::set<std::optional<std::string>>& stages,
+                    std::vector<PlannedRun>& runs) {
   const std::vector<std::string> warmer = warmer_tools(scene);
   if (warmer.empty()) return;
-  for (const CoarseCase& coarse : coarse_cases(scene, what_if.directory + '/' + base_name))
-    for (const auto& stage : stages) {
-      PlannedRun twin{
-          fmt::format("twin of {}, {:g} times coarser{}", base_name, coarse.factor, stage ? ", after " + *stage : ""),
-          coarse.directory + '/' + (stage ? twin_after + *stage : twin_folder),
-          coarse.accuracy,
-          stage ? scene.overrides : joined(scene.overrides, warmer),
-          stage ? std::optional(BranchPoint{coarse.directory, *stage, true}) : std::nullopt,
-          coarse.directory};
-      twin.copy_of = finished_elsewhere(what_if, twin.directory);
-      runs.push_back(std::move(twin));
-    }
+  for (const CoarseCase& one : all_cases(scene, what_if.directory + '/' + base_name))
+    for (const auto& stage : stages)
+      if (one.factor > 1 || what_if.twice)
+        runs.push_back(twin_of(what_if, base_name, one, one.directory, stage, warmer));
+}
+
+/// A twin of a variant and of the coarser run nearest to it.
+void add_variant_twins(const WhatIf& what_if, const std::string& label, const Scene& scene,
+                       const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
+  const std::vector<std::string> warmer = warmer_tools(scene);
+  if (warmer.empty()) return;
+  const std::string base = what_if.directory + '/' + base_name, own = what_if.directory + '/' + label;
+  for (const CoarseCase& one : all_cases(scene, own))
+    if (one.factor <= coarser_factors.front())
+      runs.push_back(twin_of(what_if, label, one, base + one.directory.substr(own.size()), stage, warmer));
 }
 
 }  // namespace
@@ -155,9 +181,12 @@ std::vector<PlannedRun> plan_runs(const WhatIf& what_if) {
       find_stage_end(what_if.base_results, *stage);  // refuses where it is gone
     stages.insert(stage);
   }
-  add_twins(what_if, base, stages, runs);
-  for (std::size_t i = 0; i < scenes.size(); ++i)
-    add_runs(what_if, what_if.variants[i].name, scenes[i], last_common_stage(base, scenes[i]), runs);
+  add_base_twins(what_if, base, stages, runs);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto stage = last_common_stage(base, scenes[i]);
+    add_runs(what_if, what_if.variants[i].name, scenes[i], stage, runs);
+    if (what_if.twice) add_variant_twins(what_if, what_if.variants[i].name, scenes[i], stage, runs);
+  }
   return runs;
 }
 

@@ -23,6 +23,7 @@ struct WhatIf {
   std::string case_path, accuracy, directory;
   std::vector<std::string> overrides;  ///< of all runs, the base too
   std::vector<WhatIfVariant> variants;
+  bool twice = false;  ///< each difference is the mean of two, the second from tools that are a little warmer
   std::string base_results = {};  ///< folder of a finished run that is the base; empty: the base is run
 };
 
