@@ -206,6 +206,22 @@ TEST(PeriodicState, of_a_tool_that_overlaps_is_that_of_the_same_tool_from_its_ow
   EXPECT_GT(samples.front().tools[0].surface_mean, coldest + 10);
 }
 
+TEST(MachineCycle, of_a_tool_of_which_sets_take_turns_is_so_many_times_as_long) {
+  const Scene scene = scene_of(slab);
+  const MachineCycle cycle = machine_cycle(scene, 0.9, {{"plate", 2}});
+  EXPECT_DOUBLE_EQ(cycle.seconds_of(0), 1.8);
+  EXPECT_FALSE(cycle.overlaps(0));
+  EXPECT_THROW(machine_cycle(scene, 0.9, {{"plato", 2}}), core::CaseError);
+  PeriodicRequest request;
+  request.directory = (tests::folder_of_test("result") / "sets").string();
+  request.tolerance = 0.05;
+  const PeriodicState sets =
+      find_periodic_state(scene, machine_cycle(scene, 4.0, {{"plate", 2}}), request, never, silent);
+  const PeriodicState one = periodic(scene, "one", 0.05);
+  ASSERT_EQ(sets.failure, "");
+  EXPECT_LT((sets.settled.start - one.settled.start).lpNorm<Eigen::Infinity>(), 0.1);
+}
+
 /// The slab whose plate is swabbed.
 std::string swabbed(int every) {
   return with(slab, "name = \"plate\"",

@@ -62,6 +62,7 @@ void add_tool(core::JsonWriter& json, const Scene& scene, const PeriodicState& s
   json.open_object(tool.name);
   json.add("use_begin_s", state.cycle.uses[t].begin);
   json.add("use_end_s", state.cycle.uses[t].end);
+  json.add("sets", static_cast<long>(state.cycle.sets[t]));
   json.add("surface_min_degC", range.min - zero_celsius);
   json.add("surface_mean_degC", range.mean - zero_celsius);
   json.add("surface_max_degC", range.max - zero_celsius);
@@ -69,11 +70,11 @@ void add_tool(core::JsonWriter& json, const Scene& scene, const PeriodicState& s
   json.add("heat_received_J", heat.received);
   json.open_object("power_W");
   for (std::size_t b = 0; b < tool.boundaries.size(); ++b)
-    json.add(tool.boundaries[b].name, heat.through[b] / state.cycle.seconds);
+    json.add(tool.boundaries[b].name, heat.through[b] / state.cycle.seconds_of(t));
   json.close();
   if (tool.swab) {
     json.add("swab_heat_J", state.swab_heat[t]);
-    json.add("swab_mean_power_W", state.swab_heat[t] / tool.swab->every / state.cycle.seconds);
+    json.add("swab_mean_power_W", state.swab_heat[t] / tool.swab->every / state.cycle.seconds_of(t));
   }
   json.close();
 }
@@ -86,6 +87,7 @@ std::string json_text(const Scene& scene, const PeriodicRequest& request, const 
   json.add("tolerance_K", request.tolerance);
   json.add("settled", state.found);
   json.add("confirmed", state.is_confirmed(request.tolerance));
+  json.add("scatter_K", state.scatter);
   json.add("reason", state.failure);
   add_search(json, scene, state);
   json.add("start_up_cycles", static_cast<long>(state.start_up.size()));
@@ -151,7 +153,7 @@ std::string periodic_table(const Scene& scene, const PeriodicState& state) {
                         fmt::format("{:.4g} to {:.4g}", state.cycle.uses[t].begin, state.cycle.uses[t].end),
                         fmt::format("{:.1f}  {:.1f}  {:.1f}", range.min - zero_celsius, range.mean - zero_celsius,
                                     range.max - zero_celsius),
-                        range.hottest - zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds);
+                        range.hottest - zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds_of(t));
   }
   return text;
 }

@@ -23,8 +23,8 @@ struct ToolEnd {
 
 /// Linear between two moments.
 ToolEnd between(const ToolState& before, const ToolState& after, double share) {
-  ToolEnd end{before.temperature + share * (after.temperature - before.temperature), {0, before.heat_through}};
-  const auto mean = [&](double a, double b) { return a + share * (b - a); };
+  ToolEnd end{(1 - share) * before.temperature + share * after.temperature, {0, before.heat_through}};
+  const auto mean = [&](double a, double b) { return (1 - share) * a + share * b; };
   end.heat.received = mean(before.heat_received, after.heat_received);
   for (std::size_t i = 0; i < end.heat.through.size(); ++i)
     end.heat.through[i] = mean(end.heat.through[i], after.heat_through[i]);
@@ -42,13 +42,14 @@ class CycleObserver : public RunObserver {
     start = tool_temperatures(view.state);
     met.assign(view.state.tools.size(), view.state.glass.temperature.mean());
     for (std::size_t t = 0; t < ends.size(); ++t)
-      if (!scene_.tools[t].waits) ends[t] = cycle_.seconds;
+      if (!scene_.tools[t].waits) ends[t] = cycle_.seconds_of(t);
   }
   void stage_begins(const RunView& view) override {
     for (const StageTool& used : scene_.stages[view.state.stage].tools) {
       if (std::exchange(begun_[used.tool], true)) continue;
       met[used.tool] = view.state.glass.temperature.mean();
-      if (scene_.tools[used.tool].waits) ends[used.tool] = view.state.time + cycle_.seconds;
+      if (scene_.tools[used.tool].waits)
+        ends[used.tool] = view.state.time + cycle_.seconds_of(static_cast<std::size_t>(used.tool));
     }
   }
   void step_taken(const RunView& view, const State& before, const StepReport&) override {
@@ -150,8 +151,8 @@ std::vector<CycleSample> one_cycle(const Scene& scene, const MachineCycle& cycle
   if (samples.back().time < cycle.seconds) samples.push_back(at_time(observer.samples, cycle.seconds));
   for (std::size_t t = 0; t < scene.tools.size(); ++t)
     for (CycleSample& sample : samples) {
-      if (!scene.tools[t].waits || sample.time + cycle.seconds > observer.ends[t]) continue;
-      const CycleSample later = at_time(observer.samples, sample.time + cycle.seconds);
+      if (!scene.tools[t].waits || sample.time + cycle.seconds_of(t) > observer.ends[t]) continue;
+      const CycleSample later = at_time(observer.samples, sample.time + cycle.seconds_of(t));
       sample.tools[t] = later.tools[t];
       for (std::size_t p = 0; p < scene.probes.size(); ++p)
         if (scene.probes[p].body == body_of_tool(static_cast<Index>(t))) sample.probes[p] = later.probes[p];

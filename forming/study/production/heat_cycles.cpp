@@ -16,7 +16,7 @@ HeatCycles::HeatCycles(const Scene& scene, const MachineCycle& cycle, const Stat
 std::vector<double> HeatCycles::tool_ends() const {
   std::vector<double> ends;
   for (std::size_t t = 0; t < scene_.tools.size(); ++t)
-    ends.push_back(cycle_.seconds + (scene_.tools[t].waits ? cycle_.uses[t].begin : 0));
+    ends.push_back(cycle_.seconds_of(t) + (scene_.tools[t].waits ? cycle_.uses[t].begin : 0));
   return ends;
 }
 

@@ -34,6 +34,7 @@ struct Search {
   HeatCycles heat_cycles;
   SwabImprint swab;
   PeriodicState& result;
+  Eigen::VectorXd settled_last = {}, settled_before = {};  ///< by heat-only cycles, with the heat of the last runs
 };
 
 /// A cycle of a scene, in a folder of that name unless it is empty; false where it failed.
@@ -71,6 +72,7 @@ std::optional<Eigen::VectorXd> settle(Search& search, const Eigen::VectorXd& tem
                               largest_text(search.scene, result.search.back().change),
                               largest_text(search.scene, result.search.back().distance)));
   if (is_first) result.first = std::move(run);
+  search.settled_before = std::exchange(search.settled_last, *next);
   return next;
 }
 
@@ -78,11 +80,22 @@ double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
+/// Whether the distance is no longer what is left to go but what forming runs scatter by: it falls no more, although the
+/// last two cycles have changed no surface by more than the tolerance.
+bool only_scatters(const std::vector<SearchRun>& search, double tolerance) {
+  if (search.size() < 3) return false;
+  const SearchRun &before = search[search.size() - 2], &last = search.back();
+  return largest(last.distance) > 0.5 * largest(before.distance) && largest(last.change) <= tolerance &&
+         largest(before.change) <= tolerance;
+}
+
 /// How far the last state that heat-only cycles settled to may be from the periodic one, K: its distances to those
-/// before fall as a geometric series. No less than the cycle itself changed a surface.
-double unsettled(const std::vector<SearchRun>& search) {
+/// before fall as a geometric series, as far as the scatter of the forming runs lets them. No less than the cycle
+/// itself changed a surface.
+double unsettled(const std::vector<SearchRun>& search, double tolerance) {
   const double change = largest(search.back().change), distance = largest(search.back().distance);
   if (search.size() == 1) return std::max(change, distance);
+  if (only_scatters(search, tolerance)) return change;
   const double ratio = distance / largest(search[search.size() - 2].distance);
   return std::max(change, ratio < 0.5 ? distance * ratio / (1 - ratio) : distance);
 }
@@ -188,7 +201,7 @@ PeriodicState find_periodic_state(const Scene& given, const MachineCycle& cycle,
   if (!result.failure.empty()) return result;
   result.swab_heat = search.swab.heat;
   const FixedPointOptions options{request.tolerance, anderson_depth, request.max_runs,
-                                  [&](const Eigen::VectorXd&) { return unsettled(result.search); }};
+                                  [&](const Eigen::VectorXd&) { return unsettled(result.search, request.tolerance); }};
   const auto found = find_fixed_point(
       tool_temperatures(initial), [&](const Eigen::VectorXd& x) { return settle(search, x); }, options);
   if (!result.failure.empty()) return result;
@@ -198,10 +211,15 @@ PeriodicState find_periodic_state(const Scene& given, const MachineCycle& cycle,
                                  found.evaluations, found.change);
     return result;
   }
-  write_tools(search, found.value, "tools");
-  start_up(search, found.value);
-  confirm(search, found.value);
-  if (result.failure.empty() && search.swab.exists()) follow_swabs(search, found.value);
+  Eigen::VectorXd settled = found.value;
+  if (only_scatters(result.search, request.tolerance) && largest(result.search.back().distance) > request.tolerance) {
+    result.scatter = largest(result.search.back().distance);
+    settled = 0.5 * (found.value + search.settled_before);
+  }
+  write_tools(search, settled, "tools");
+  start_up(search, settled);
+  confirm(search, settled);
+  if (result.failure.empty() && search.swab.exists()) follow_swabs(search, settled);
   return result;
 }
 
