@@ -80,8 +80,8 @@ double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
-/// Whether the distance is no longer what is left to go but what forming runs scatter by: it falls no more, although the
-/// last two cycles have changed no surface by more than the tolerance.
+/// Whether the distance is no longer what is left to go but what forming runs scatter by: it falls no more, although
+/// the last two cycles have changed no surface by more than the tolerance.
 bool only_scatters(const std::vector<SearchRun>& search, double tolerance) {
   if (search.size() < 3) return false;
   const SearchRun &before = search[search.size() - 2], &last = search.back();
