@@ -85,6 +85,13 @@ std::string finished_elsewhere(const WhatIf& what_if, const std::string& directo
   return has_completed_here(known) ? known : std::string();
 }
 
+/// The coarser runs of a run; where all is done twice, only the one nearest to it, since no other would count.
+std::vector<CoarseCase> partner_cases(const WhatIf& what_if, const Scene& scene, const std::string& directory) {
+  std::vector<CoarseCase> cases = coarse_cases(scene, directory);
+  if (what_if.twice && !cases.empty()) cases.erase(cases.begin() + 1, cases.end());
+  return cases;
+}
+
 /// A run and its coarser ones; `stage` where they begin as those of the base had it at its end.
 void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scene,
               const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
@@ -97,7 +104,7 @@ void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scen
     return is_base ? finished_elsewhere(what_if, folder) : std::string();
   };
   runs.push_back({label, own, scene.accuracy_name, scene.overrides, branch(""), "", elsewhere(own)});
-  for (const CoarseCase& coarse : coarse_cases(scene, own))
+  for (const CoarseCase& coarse : partner_cases(what_if, scene, own))
     runs.push_back({fmt::format("{}, {:g} times coarser", label, coarse.factor), coarse.directory, coarse.accuracy,
                     scene.overrides, branch(coarse.directory.substr(own.size())), own, elsewhere(coarse.directory)});
 }
@@ -118,9 +125,9 @@ PlannedRun twin_of(const WhatIf& what_if, const std::string& label, const Coarse
 }
 
 /// A run itself and its coarser ones.
-std::vector<CoarseCase> all_cases(const Scene& scene, const std::string& directory) {
+std::vector<CoarseCase> all_cases(const WhatIf& what_if, const Scene& scene, const std::string& directory) {
   std::vector<CoarseCase> cases{{scene.file, scene.accuracy_name, directory, scene.overrides, 1}};
-  for (CoarseCase& coarse : coarse_cases(scene, directory)) cases.push_back(std::move(coarse));
+  for (CoarseCase& coarse : partner_cases(what_if, scene, directory)) cases.push_back(std::move(coarse));
   return cases;
 }
 
@@ -130,21 +137,20 @@ void add_base_twins(const WhatIf& what_if, const Scene& scene, const std::set<st
                     std::vector<PlannedRun>& runs) {
   const std::vector<std::string> warmer = warmer_tools(scene);
   if (warmer.empty()) return;
-  for (const CoarseCase& one : all_cases(scene, what_if.directory + '/' + base_name))
+  for (const CoarseCase& one : all_cases(what_if, scene, what_if.directory + '/' + base_name))
     for (const auto& stage : stages)
       if (one.factor > 1 || what_if.twice)
         runs.push_back(twin_of(what_if, base_name, one, one.directory, stage, warmer));
 }
 
-/// A twin of a variant and of the coarser run nearest to it.
+/// A twin of a variant and of its coarser run.
 void add_variant_twins(const WhatIf& what_if, const std::string& label, const Scene& scene,
                        const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
   const std::vector<std::string> warmer = warmer_tools(scene);
   if (warmer.empty()) return;
   const std::string base = what_if.directory + '/' + base_name, own = what_if.directory + '/' + label;
-  for (const CoarseCase& one : all_cases(scene, own))
-    if (one.factor <= coarser_factors.front())
-      runs.push_back(twin_of(what_if, label, one, base + one.directory.substr(own.size()), stage, warmer));
+  for (const CoarseCase& one : all_cases(what_if, scene, own))
+    runs.push_back(twin_of(what_if, label, one, base + one.directory.substr(own.size()), stage, warmer));
 }
 
 }  // namespace

@@ -83,10 +83,10 @@ TEST_F(WhatIfTest, a_variant_begins_after_the_last_stage_that_its_change_cannot_
 
 TEST_F(WhatIfTest, twice_means_a_twin_of_the_base_and_of_each_variant_from_where_they_part) {
   WhatIf twice = asked({{"longer", {longer}}, {"colder", {colder}}});
-  const std::size_t once = plan_runs(twice).size();
   twice.twice = true;
   const auto runs = plan_runs(twice);
-  EXPECT_EQ(runs.size(), once + 2 + 2 * 2);  // of the base from two points; of each variant and its nearest coarser run
+  // Each run and its nearest coarser one, three times; twins of both of the base, from two points, and of each variant.
+  EXPECT_EQ(runs.size(), 3u * 2 + 2 * 2 + 2 * 2);
   const PlannedRun& twin = named(runs, "twin of longer, 1.5 times coarser, after press");
   EXPECT_EQ(twin.directory, in("out/longer/coarse_run/twin_after_press"));
   EXPECT_EQ(twin.branch->directory, in("out/base/coarse_run"));
