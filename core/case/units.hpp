@@ -29,6 +29,7 @@ inline constexpr Dimension force{1, 1, -2};
 inline constexpr Dimension pressure{-1, 1, -2};
 inline constexpr Dimension viscosity{-1, 1, -1};
 inline constexpr Dimension surface_tension{0, 1, -2};
+inline constexpr Dimension heat_per_area{0, 1, -2};
 inline constexpr Dimension friction{-2, 1, -1};
 inline constexpr Dimension heat_capacity{2, 0, -2, -1};
 inline constexpr Dimension conductivity{1, 1, -3, -1};

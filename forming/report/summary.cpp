@@ -11,6 +11,7 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "core/mesh/element.hpp"
+#include "core/process/build_id.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/contour/contour.hpp"
@@ -87,6 +88,7 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
   json.add("rejected_steps", static_cast<long>(state.totals.rejected));
   json.add("case_fingerprint", core::fingerprint_text(scene.fingerprint));
   json.add("state_fingerprint", core::fingerprint_text(fingerprint(state)));
+  json.add("program_build", core::build_id());
   json.add("remeshes", static_cast<long>(remeshes(state)));
   json.open_object("timing");
   for (const char* part : timed_parts) {

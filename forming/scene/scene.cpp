@@ -122,6 +122,17 @@ const Body& body_of(const Scene& scene, Index body) {
   return body == 0 ? static_cast<const Body&>(scene.glass) : scene.tools[body - 1];
 }
 
+Index first_use(const Scene& scene, Index tool) {
+  const auto uses = [&](const Stage& stage) {
+    return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) { return one.tool == tool; });
+  };
+  return static_cast<Index>(std::find_if(scene.stages.begin(), scene.stages.end(), uses) - scene.stages.begin());
+}
+
+bool is_waiting(const Scene& scene, Index stage, Index tool) {
+  return scene.tools[static_cast<std::size_t>(tool)].waits && stage < first_use(scene, tool);
+}
+
 bool Scene::has_gap_law() const {
   return std::any_of(interfaces.begin(), interfaces.end(), [](const Interface& interface) {
     return std::holds_alternative<contact::GapConductance>(interface.law);

@@ -89,9 +89,19 @@ struct Glass : Body {
   std::optional<GobSkin> skin;  ///< at the start; initial_temperature is that of the core
 };
 
+/// Lubricant that is brought onto the contact surfaces of a tool between two containers, now and then.
+struct Swab {
+  int every;           ///< cycles of the machine from one to the next
+  double heat;         ///< that it takes from the surface, J/m2
+  double seconds = 1;  ///< in which it does
+};
+
 struct Tool : Body {
   flow::Friction friction;
   double swabbing = 1;  ///< multiplies the conductance of its contact with the glass
+  /// Whether it has its temperature at its first use, and keeps it until then: before that it serves another container.
+  bool waits = false;
+  std::optional<Swab> swab;  ///< in production
 };
 
 /// Thermal interface between the glass (slave) and a tool (master).
@@ -258,6 +268,10 @@ struct Scene {
 
 /// Body 0 is the glass, body 1 + i tool i.
 const Body& body_of(const Scene& scene, Index body);
+/// The first stage that uses a tool; the number of stages where none does.
+Index first_use(const Scene& scene, Index tool);
+/// Whether a tool, in a stage, still has the temperatures that it is to have at its first use.
+bool is_waiting(const Scene& scene, Index stage, Index tool);
 /// Flags of the boundaries of a body's outline that may touch other bodies.
 std::vector<bool> contact_boundaries(const Body& body);
 

@@ -70,7 +70,7 @@ def write_references(found):
     REFERENCES.write_text("{\n" + ",\n".join(scenes) + "\n}\n", encoding="utf-8")
 
 
-def what_if(parison, scene, accuracy, variants, folder, jobs):
+def what_if(parison, scene, accuracy, variants, folder, jobs, twice=False):
     """The runs of a comparison by their names; variants are lists of assignments by name."""
     arguments = []
     for name, assignments in variants.items():
@@ -78,7 +78,7 @@ def what_if(parison, scene, accuracy, variants, folder, jobs):
         for assignment in assignments:
             arguments += ["--set", assignment]
     run([parison, "what-if", SCENE[scene][0], "--accuracy", accuracy, "--output", folder, "--jobs", jobs,
-         "--base", QUIET[1], *arguments], folder.with_suffix(".log"))
+         "--base", QUIET[1], *["--twice"] * twice, *arguments], folder.with_suffix(".log"))
     made = folder / "comparison.json"
     return {one["run"]: one for one in json.loads(made.read_text(encoding="utf-8"))["runs"]} if made.is_file() else {}
 

@@ -10,6 +10,7 @@
 #include "forming/study/production/cycle_files.hpp"
 #include "forming/study/production/fixed_point.hpp"
 #include "forming/study/production/periodic_state.hpp"
+#include "forming/study/production/swabbing.hpp"
 #include "forming/study/production/tool_fields.hpp"
 
 namespace parison::forming {
@@ -164,10 +165,129 @@ TEST(MachineCycle, shorter_than_the_use_of_a_tool_is_refused) {
   EXPECT_NE(refusal(slab, 0.9).find("uses the tool \"plate\" for 1 s"), std::string::npos);
 }
 
-TEST(MachineCycle, in_which_the_next_gob_comes_before_a_tool_is_free_is_refused) {
-  const std::string late = with(slab, R"(stage = [)", R"(stage = [{ name = "wait", duration = "2 s", tools = [] }, )");
+/// The same slab, which comes to the plate two seconds after the start of its container and loses nothing until then.
+const std::string late = with(
+    slab, R"(stage = [)",
+    R"(stage = [{ name = "wait", duration = "2 s", tools = [], air = { temperature = "50 degC", h = "0 W/m2/K", ambient = "50 degC" } }, )");
+
+TEST(MachineCycle, lets_a_tool_serve_the_container_before_while_the_next_one_starts) {
   EXPECT_EQ(refusal(late, 3.0), "");
-  EXPECT_NE(refusal(late, 2.5).find("in use until 3 s"), std::string::npos);
+  EXPECT_EQ(refusal(late, 2.5), "");
+  EXPECT_NE(refusal(late, 0.9).find("uses the tool \"plate\" for 1 s"), std::string::npos);
+  const Scene scene = scene_of(late);
+  EXPECT_FALSE(scene_in_cycle(scene, machine_cycle(scene, 3.0)).tools[0].waits);
+  EXPECT_TRUE(scene_in_cycle(scene, machine_cycle(scene, 2.5)).tools[0].waits);
+}
+
+TEST(PeriodicState, of_a_tool_that_overlaps_is_that_of_the_same_tool_from_its_own_first_use) {
+  const auto of = [](const std::string& text, const std::string& folder) {
+    PeriodicRequest request;
+    request.tolerance = 0.02;
+    request.directory = (tests::folder_of_test("result") / folder).string();
+    const Scene scene = scene_of(text);
+    const MachineCycle cycle = machine_cycle(scene, 2.5);
+    return find_periodic_state(scene, cycle, request, never, silent);
+  };
+  const PeriodicState at_once = of(slab, "at_once"), waiting = of(late, "waiting");
+  ASSERT_EQ(at_once.failure, "");
+  ASSERT_EQ(waiting.failure, "");
+  EXPECT_TRUE(waiting.is_confirmed(0.02));
+  EXPECT_LT((waiting.settled.start - at_once.settled.start).lpNorm<Eigen::Infinity>(), 0.1);
+  EXPECT_GT((waiting.settled.start - waiting.first.start).lpNorm<Eigen::Infinity>(), 50);
+  EXPECT_NEAR(waiting.settled.heat[0].received, at_once.settled.heat[0].received,
+              1e-3 * at_once.settled.heat[0].received);
+  // The machine cycle begins half a second into the use by the container before.
+  const auto& samples = waiting.settled.samples;
+  EXPECT_EQ(samples.front().time, 0);
+  EXPECT_EQ(samples.back().time, 2.5);
+  EXPECT_NEAR(samples.front().tools[0].surface_mean, samples.back().tools[0].surface_mean, 0.05);
+  double coldest = 1e9;
+  for (const CycleSample& sample : samples) coldest = std::min(coldest, sample.tools[0].surface_mean);
+  EXPECT_GT(samples.front().tools[0].surface_mean, coldest + 10);
+}
+
+TEST(MachineCycle, of_a_tool_of_which_sets_take_turns_is_so_many_times_as_long) {
+  const Scene scene = scene_of(slab);
+  const MachineCycle cycle = machine_cycle(scene, 0.9, {{"plate", 2}});
+  EXPECT_DOUBLE_EQ(cycle.seconds_of(0), 1.8);
+  EXPECT_FALSE(cycle.overlaps(0));
+  EXPECT_THROW(machine_cycle(scene, 0.9, {{"plato", 2}}), core::CaseError);
+  PeriodicRequest request;
+  request.directory = (tests::folder_of_test("result") / "sets").string();
+  request.tolerance = 0.05;
+  const PeriodicState sets =
+      find_periodic_state(scene, machine_cycle(scene, 4.0, {{"plate", 2}}), request, never, silent);
+  const PeriodicState one = periodic(scene, "one", 0.05);
+  ASSERT_EQ(sets.failure, "");
+  EXPECT_LT((sets.settled.start - one.settled.start).lpNorm<Eigen::Infinity>(), 0.1);
+}
+
+/// The slab whose plate is swabbed.
+std::string swabbed(int every) {
+  return with(slab, "name = \"plate\"",
+              "name = \"plate\"\nswab = { every = " + std::to_string(every) + ", heat = \"200 kJ/m2\" }");
+}
+
+TEST(Swab, takes_its_heat_from_the_surface_of_the_tool) {
+  const Scene scene = scene_of(swabbed(4));
+  const State initial = initial_state(scene);
+  const SwabImprint swab = swab_imprint(scene, initial);
+  ASSERT_EQ(swab.failure, "");
+  const double area = 5e-3;  // of a metre of the section's depth, m2
+  EXPECT_NEAR(swab.heat[0], 200e3 * area, 1e-6 * 200e3 * area);
+  State cold = initial;
+  set_tool_temperatures(tool_temperatures(initial) + swab.change, cold);
+  const ToolSurface surface(initial.tools[0].mesh, scene.geometry);
+  const double fall = surface.temperatures(initial.tools[0], 0).mean - surface.temperatures(cold.tools[0], 0).mean;
+  const thermal::Material& iron_of_plate = *scene.tools[0].thermal;
+  const double capacity = iron_of_plate.density * iron_of_plate.heat_capacity.y.front() * 20e-3 * area;
+  EXPECT_NEAR(fall * capacity, swab.heat[0], 1e-3 * swab.heat[0]);
+}
+
+TEST(PeriodicState, with_swabs_gives_off_what_it_receives_less_what_they_take) {
+  const PeriodicState state = periodic(scene_of(swabbed(4)), "cycle", 0.05);
+  ASSERT_EQ(state.failure, "");
+  EXPECT_TRUE(state.is_confirmed(0.05));
+  const CycleHeat& heat = state.settled.heat.front();
+  double out = 0;
+  for (const double part : heat.through) out += part;
+  EXPECT_NEAR(out + state.swab_heat[0] / 4, heat.received, 2e-3 * heat.received);
+  // From one swab to the next the surface comes back, and over the four cycles it has the mean that was settled to.
+  ASSERT_EQ(state.since_swab.size(), 4u);
+  double mean = 0;
+  for (const StartUpCycle& cycle : state.since_swab) mean += 0.25 * cycle.mean[0];
+  const Scene scene = scene_of(slab);
+  State tools = tools_of(initial_state(scene));
+  set_tool_temperatures(state.settled.start, tools);
+  const double settled = ToolSurface(tools.tools[0].mesh, scene.geometry).temperatures(tools.tools[0], 0).surface_mean;
+  EXPECT_NEAR(mean, settled, 0.1);
+  EXPECT_LT(state.since_swab.front().mean[0], settled - 5);
+  EXPECT_GT(state.since_swab.back().mean[0], settled + 1);
+  ASSERT_TRUE(state.just_swabbed);
+  EXPECT_GT(state.just_swabbed->heat[0].received, heat.received);
+}
+
+TEST(PeriodicState, with_swabs_is_that_of_plain_cycles_with_a_swab_in_every_fourth) {
+  const Scene scene = scene_of(swabbed(4));
+  const PeriodicState state = periodic(scene, "cycle", 0.05);
+  ASSERT_EQ(state.failure, "");
+  const State initial = initial_state(scene);
+  const SwabImprint swab = swab_imprint(scene, initial);
+  const ToolSurface surface(initial.tools[0].mesh, scene.geometry);
+  State tools = tools_of(initial);
+  Eigen::VectorXd plain = state.settled.start;
+  for (int k = 0; k < 60; ++k) {
+    if (k % 4 == 0) plain += swab.change;
+    if (k >= 56) {
+      set_tool_temperatures(plain, tools);
+      EXPECT_NEAR(state.since_swab[static_cast<std::size_t>(k - 56)].mean[0],
+                  surface.temperatures(tools.tools[0], 0).surface_mean, 0.3)
+          << k;
+    }
+    const CycleRun run = run_cycle(with_tools_at(scene, initial, plain), state.cycle, "", never);
+    ASSERT_EQ(run.failure, "");
+    plain = run.end;
+  }
 }
 
 TEST(MachineCycle, of_a_tool_that_nothing_cools_is_refused) {

@@ -79,7 +79,10 @@ void add_cycle(CLI::App& app, Command& chosen) {
   command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
   command->add_option("--accuracy", request->accuracy, "of all runs")->capture_default_str();
   command->add_option("--cycle-time", request->cycle_time,
-                      "time from one container to the next with the same tools, \"12 s\" [that of the case's timing]");
+                      "time from one container to the next, \"12 s\" [that of the case's timing]");
+  command->add_option("--sets", request->sets, "TOOL=N: of that tool so many sets take turns, each with a longer cycle")
+      ->take_all()
+      ->allow_extra_args(false);
   command
       ->add_option("--tolerance", request->tolerance,
                    "by which no tool surface may differ from the settled one, nor change in a plain cycle")

@@ -77,7 +77,11 @@ void add_what_if(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<WhatIfRequest>();
   WhatIfRequest& asked = *request;
   auto* command = app.add_subcommand("what-if", "run a case and changes of it, and say which differences are real");
-  command->add_option("case", asked.case_path, what_a_case_is)->required()->transform(find_case);
+  command
+      ->add_option("case", asked.case_path,
+                   std::string(what_a_case_is) + "; or the result folder of a finished run, which then is the base")
+      ->required()
+      ->transform(find_case);
   const auto* variant = command->add_option("--variant", "name of a variant; the --set behind it belong to it")
                             ->type_name("NAME")
                             ->take_all()
@@ -89,7 +93,8 @@ void add_what_if(CLI::App& app, Command& chosen) {
   command->add_option("--base", asked.overrides, "KEY=VALUE for all runs, the base too")
       ->take_all()
       ->allow_extra_args(false);
-  auto* accuracy = command->add_option("--accuracy", asked.accuracy, "of all runs")->capture_default_str();
+  auto* accuracy =
+      command->add_option("--accuracy", asked.accuracy, "of all runs [standard, or that of the finished run]");
   command
       ->add_option("--resolve", asked.resolve,
                    "choose the accuracy that lets a difference of this size be seen: 0.02mm of the thinnest wall, or "
@@ -98,6 +103,8 @@ void add_what_if(CLI::App& app, Command& chosen) {
   command->add_option("--quantity", asked.quantity, "by which the last table ranks the variants [thickness_min]");
   command->add_option("--output", asked.output,
                       "folder of the runs; those already there are used [results/what_if_NAME]");
+  command->add_flag("--twice", asked.twice,
+                    "compare means of two runs of base and variant, which scatter less; costs some two thirds more");
   command->add_option("--jobs", asked.jobs, "runs at once, one thread each")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));

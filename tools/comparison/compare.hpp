@@ -20,10 +20,13 @@ int compare(const CompareRequest& request);
 
 /// What `parison what-if` is asked for.
 struct WhatIfRequest {
-  std::string case_path, accuracy = "standard", output, quantity;
+  std::string case_path;  ///< or the folder of a finished run, which then is the base
+  std::string accuracy;   ///< empty: standard, or that of the finished run
+  std::string output, quantity;
   std::vector<std::string> overrides;  ///< of all runs
   std::vector<forming::WhatIfVariant> variants;
   std::string resolve;  ///< "0.02 mm" or "QUANTITY=VALUE UNIT"; empty for none
+  bool twice = false;   ///< each difference is the mean of two
   int jobs = 1;
 };
 

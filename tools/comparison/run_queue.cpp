@@ -7,13 +7,19 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
+#include "core/process/build_id.hpp"
+#include "core/process/gmsh_module.hpp"
 #include "forming/run/checkpoint.hpp"
+#include "forming/study/coarse_run.hpp"
+#include "forming/study/comparison/what_if/finished_base.hpp"
 #include "tools/program/child_process.hpp"
+#include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 
 namespace parison::tools {
@@ -36,6 +42,11 @@ std::string log_path(const PlannedRun& plan) {
 /// A summary made with other settings says that the folder belongs to something else.
 void require_same(const core::JsonValue& summary, const PlannedRun& plan, const std::string& case_path) {
   const forming::Scene scene = forming::read_scene(case_path, plan.accuracy, plan.overrides);
+  if (summary.text_of("program_build") != core::build_id())
+    throw core::CaseError(
+        fmt::format("{}: a run by another build of the program was found, which may differ from this one in its "
+                    "numbers; allowed is another --output",
+                    plan.directory));
   if (summary.text_of("case_fingerprint") == core::fingerprint_text(scene.fingerprint) &&
       summary.text_of("accuracy") == scene.accuracy_name)
     return;
@@ -116,25 +127,52 @@ void start_child(Queue& queue, QueuedRun& run, const std::vector<std::string>& a
 /// Resumes from the last checkpoint of the folder, with the assignments that the run there does not have yet.
 void resume(Queue& queue, QueuedRun& run, const std::string& what) {
   const std::size_t known = forming::read_origin(forming::find_checkpoint(run.plan.directory)).overrides.size();
-  std::vector<std::string> arguments{"resume", run.plan.directory, "--keep-going"};
+  std::vector<std::string> arguments{"resume", run.plan.directory, "--keep-going", "--case", queue.case_path};
   for (std::size_t i = known; i < run.plan.overrides.size(); ++i)
     arguments.insert(arguments.end(), {"--set", run.plan.overrides[i]});
   start_child(queue, run, arguments, what);
 }
 
+/// Makes or continues a run whose results only the comparison reads: without fields. Returns an exit code.
+int make_partner(const PlannedRun& plan, const std::string& case_path) {
+  forming::RunFiles files;
+  files.fields = false;
+  try {
+    const forming::CoarseCase run{case_path, plan.accuracy, plan.directory, plan.overrides, 1};
+    return forming::finish(run, {}, stop_requested, files) ? 0 : run_failed;
+  } catch (const std::exception& error) {  // its last words in the log
+    fmt::print("{}\n", error.what());
+    return run_failed;
+  }
+}
+
+/// In a copy of this process, which need not be started and have its modules loaded again.
+void start_partner(Queue& queue, QueuedRun& run, const std::string& what) {
+  core::open_gmsh_module();
+  run.child = start_work([&] { return make_partner(run.plan, queue.case_path); }, log_path(run.plan));
+  run.status = Status::running;
+  queue.say(run, what);
+}
+
 void start(Queue& queue, QueuedRun& run) {
   const PlannedRun& plan = run.plan;
+  const bool is_copied = !plan.copy_of.empty() && !fs::exists(summary_path(plan));
+  if (is_copied) forming::copy_results(plan);
   if (fs::exists(summary_path(plan))) {
     require_same(core::read_json(core::read_text(summary_path(plan)), summary_path(plan)), plan, queue.case_path);
-    if (end_by_summary(queue, run, ", from before")) return;
+    if (end_by_summary(queue, run, is_copied ? ", from " + plan.copy_of : ", from before")) return;
   }
-  if (forming::has_checkpoint(plan.directory)) return resume(queue, run, "goes on");
+  const bool is_partner = !plan.inside.empty();
+  if (forming::has_checkpoint(plan.directory))
+    return is_partner ? start_partner(queue, run, "goes on") : resume(queue, run, "goes on");
   fs::remove_all(plan.directory);  // what was killed before its first checkpoint
   fs::remove(log_path(plan));
   if (plan.branch) {
     forming::make_branch(plan);
-    return resume(queue, run, fmt::format("starts after {}", plan.branch->stage));
+    const std::string how = fmt::format("starts after {}", plan.branch->stage);
+    return is_partner ? start_partner(queue, run, how) : resume(queue, run, how);
   }
+  if (is_partner) return start_partner(queue, run, "starts");
   fs::create_directories(fs::path(plan.directory).parent_path());
   std::vector<std::string> arguments{"run",      queue.case_path, "--accuracy",  plan.accuracy,
                                      "--output", plan.directory,  "--keep-going"};

@@ -10,6 +10,7 @@
 #include "core/case/case_error.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/resolution.hpp"
 #include "tools/comparison/compare.hpp"
 #include "tools/comparison/run_queue.hpp"
@@ -112,17 +113,41 @@ int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::st
   }
 }
 
+WhatIf asked_of_case(const WhatIfRequest& request) {
+  const std::string accuracy = request.accuracy.empty() ? "standard" : request.accuracy;
+  if (forming::read_accuracy(accuracy).target)
+    throw core::CaseError(fmt::format(
+        "--accuracy: {} was found, allowed are draft, standard, fine, coarser or finer ones; --resolve chooses one",
+        accuracy));
+  return {request.case_path, accuracy, "", request.overrides, request.variants};
+}
+
+/// The run that is there says the case and the accuracy.
+WhatIf asked_of_results(const WhatIfRequest& request) {
+  const std::string& folder = request.case_path;
+  const forming::FinishedBase base = forming::read_finished_base(folder);
+  const bool same_accuracy = request.accuracy.empty() || request.accuracy == base.accuracy;
+  if (!request.overrides.empty() || !request.resolve.empty() || !same_accuracy)
+    throw core::CaseError(fmt::format(
+        "{}: a finished run at {} accuracy was found, which is the base as it is: {} is not allowed with it; "
+        "allowed is the case \"{}\" in its place, which is then run",
+        folder, base.accuracy,
+        !same_accuracy            ? "another --accuracy"
+        : request.resolve.empty() ? "--base"
+                                  : "--resolve",
+        base.case_path));
+  return {base.case_path, base.accuracy, "", base.overrides, request.variants, false, folder};
+}
+
 }  // namespace
 
 int what_if(const WhatIfRequest& request) {
   catch_signals();
-  if (forming::read_accuracy(request.accuracy).target)
-    throw core::CaseError(fmt::format(
-        "--accuracy: {} was found, allowed are draft, standard, fine, coarser or finer ones; --resolve chooses one",
-        request.accuracy));
-  const forming::Scene scene = forming::read_scene(request.case_path, "draft", request.overrides);
+  WhatIf asked = forming::is_result_folder(request.case_path) ? asked_of_results(request) : asked_of_case(request);
+  const forming::Scene scene = forming::read_scene(asked.case_path, "draft", asked.overrides);
   const std::string output = request.output.empty() ? "results/what_if_" + scene.name : request.output;
-  WhatIf asked{request.case_path, request.accuracy, output, request.overrides, request.variants};
+  asked.directory = output;
+  asked.twice = request.twice;
   std::error_code error;
   if (fs::exists(output + "/summary.json", error))
     throw core::CaseError(

@@ -19,6 +19,7 @@
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "tools/program/blas_threads.hpp"
+#include "tools/program/kept_memory.hpp"
 
 namespace py = pybind11;
 
@@ -162,6 +163,7 @@ std::pair<Snapshot, py::dict> run(const std::shared_ptr<Scene>& scene, const std
   {
     const py::gil_scoped_release others;
     const tools::OneBlasThread one_thread;
+    const tools::KeptMemory kept_memory;
     const auto stop = [&] { return callback.stops(); };
     if (again) forming::require_unchanged_copy(directory, *scene);
     outcome = again ? forming::resume_in_folder(*scene, directory, {&callback}, stop)

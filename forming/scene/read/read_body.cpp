@@ -222,9 +222,16 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
   return glass;
 }
 
+Swab read_swab(const CaseNode& node) {
+  const CaseTable table(node, {"every", "heat", "time"});
+  Swab swab{core::count(table.get("every")), core::positive(table.get("heat"), dimension::heat_per_area)};
+  if (const auto* item = table.find("time")) swab.seconds = core::positive(*item, dimension::time);
+  return swab;
+}
+
 Tool read_tool(const CaseNode& node, const BodyContext& context) {
-  const CaseTable table(node,
-                        {"name", "material", "temperature", "friction", "swabbing", "position", "mesh", "boundary"});
+  const CaseTable table(node, {"name", "material", "temperature", "temperature_at", "friction", "swabbing", "swab",
+                               "position", "mesh", "boundary"});
   Tool tool;
   tool.name = core::identifier(table.get("name"));
   if (tool.name == "glass")
@@ -259,6 +266,8 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
   }
   if (context.with_flow) tool.friction = read_friction(table.get("friction"), context.with_heat);
   if (const auto* item = table.find("swabbing")) tool.swabbing = core::positive(*item, dimension::none);
+  if (const auto* item = table.find("temperature_at")) tool.waits = core::choice(*item, {"start", "first use"}) == 1;
+  if (const auto* item = table.find("swab")) tool.swab = read_swab(*item);
   if (const auto* item = table.find("position")) tool.position = core::quantity(*item, dimension::length);
   read_shape(table, context, tool);
   if (tool.thermal) read_start_temperature(table.get("temperature"), context, tool);

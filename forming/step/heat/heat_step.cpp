@@ -82,8 +82,11 @@ void update_overshoot(const Scene& scene, State& state) {
       state.totals.overshoot = std::max(state.totals.overshoot, temperature.maxCoeff() - max_temperature);
 }
 
-void store_temperatures(State& state, std::vector<Eigen::VectorXd> temperature) {
-  for (Index b = 0; b < body_count(state); ++b) temperature_of(state, b) = std::move(temperature[b]);
+/// Of all bodies but tools that wait for their first use.
+void store_temperatures(const Scene& scene, State& state, std::vector<Eigen::VectorXd> temperature) {
+  for (Index b = 0; b < body_count(state); ++b)
+    if (b == glass_body || !is_waiting(scene, state.stage, b - body_of_tool(0)))
+      temperature_of(state, b) = std::move(temperature[b]);
 }
 
 std::vector<Eigen::VectorXd> temperatures(const State& state) {
@@ -163,7 +166,7 @@ HeatOutcome advance_by_ida(const Scene& scene, State& state, const std::vector<c
   static_stage->integrator_steps += outcome.steps;
   ++static_stage->steps;
   static_stage->expired = is_expired(scene, *static_stage);
-  store_temperatures(state, std::move(outcome.temperature));
+  store_temperatures(scene, state, std::move(outcome.temperature));
   accumulate(outcome.balance, state);
   return {true, "", static_cast<int>(outcome.steps)};
 }
@@ -205,7 +208,7 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
   if (!outcome.converged) return {false, outcome.reason};
   store_couplings(state, workspace.heat.couplings);
   state.light = thermal::traced_places(workspace.heat.kept);
-  store_temperatures(state, std::move(outcome.temperature));
+  store_temperatures(scene, state, std::move(outcome.temperature));
   accumulate(outcome.balance, state);
   state.heat_substep = outcome.next_substep;
   return {true, "", static_cast<int>(outcome.substeps)};
@@ -216,6 +219,7 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
 thermal::BodyView body_view(const Scene& scene, const State& state, Index body, const core::Mesh& mesh) {
   const Body& data = body_of(scene, body);
   thermal::BodyView view{&mesh, &mesh, data.thermal->density, &*data.thermal, {}, {}};
+  if (body != glass_body && is_waiting(scene, state.stage, body - body_of_tool(0))) return view;
   view.exchange = surroundings(scene, state, body, mesh);
   for (std::size_t boundary = 0; boundary < mesh.boundaries().size(); ++boundary)
     view.prescribed.push_back(prescribed_of(data, mesh, boundary));

@@ -30,6 +30,7 @@ struct HeatRates {
 HeatRates heat_rates(const Scene& scene, const State& state);
 
 /// A body with what its boundaries exchange heat with in the present stage, on one of its meshes, which it points to.
+/// A tool that waits for its first use exchanges none.
 thermal::BodyView body_view(const Scene& scene, const State& state, Index body, const core::Mesh& mesh);
 
 /// Local error that a heat step may have, K: that of the accuracy, or less where all temperatures differ by little.

@@ -34,7 +34,9 @@ std::string idle_tools(const Scene& scene, State& state, double dt) {
   thermal::StepMatrix matrix;
   auto outcome = thermal::advance(problem, state.time, temperature, dt, options, matrix);
   if (!outcome.converged) return outcome.reason;
-  for (std::size_t t = 0; t < state.tools.size(); ++t) state.tools[t].temperature = std::move(outcome.temperature[t]);
+  for (std::size_t t = 0; t < state.tools.size(); ++t)
+    if (!is_waiting(scene, state.stage, static_cast<Index>(t)))
+      state.tools[t].temperature = std::move(outcome.temperature[t]);
   accumulate(outcome.balance, state);
   state.time += dt;
   return "";

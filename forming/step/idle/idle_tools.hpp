@@ -8,8 +8,8 @@
 namespace parison::forming {
 
 /// Advances the temperatures of the tools by dt, s, from the state's time where no glass touches them: each exchanges
-/// heat with its cooling and the air as the state's stage has it, which goes into ToolState::heat_through. Returns why
-/// this failed; empty where it did not.
+/// heat with its cooling and the air as the state's stage has it, which goes into ToolState::heat_through. Tools
+/// that wait for their first use stay as they are. Returns why this failed; empty where it did not.
 std::string idle_tools(const Scene& scene, State& state, double dt);
 
 }  // namespace parison::forming

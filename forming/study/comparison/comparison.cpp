@@ -43,11 +43,14 @@ std::string source_line(const RunComparison& result) {
                                   ? fmt::format("as {} twin run{} show{}", result.twins, result.twins == 1 ? "" : "s",
                                                 result.twins == 1 ? "s" : "")
                                   : "as measured on other containers, since no twin run is there";
-  return fmt::format("  bars: {}; scatter {}\n",
-                     result.bars == BarSource::differences
-                         ? "the difference against that of the coarser runs, so that common errors cancel"
-                         : "those of both runs added, since no common coarser runs are there",
-                     scatter);
+  const std::string means =
+      result.pairs > 1 ? fmt::format("  each value is the mean of {} runs that differ by round-off\n", result.pairs)
+                       : "";
+  return means + fmt::format("  bars: {}; scatter {}\n",
+                             result.bars == BarSource::differences
+                                 ? "the difference against that of the coarser runs, so that common errors cancel"
+                                 : "those of both runs added, since no common coarser runs are there",
+                             scatter);
 }
 
 /// Where the wall differs for sure, and most.

@@ -15,17 +15,23 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double confidence = 0.9;
-/// No bar is narrower: share of a quantity's scale that the tolerances of the solvers leave open.
-constexpr double tolerance = 1e-5;
+/// No bar is narrower: share of a quantity's scale, as for a single run. Below it coarse runs agree on what none of
+/// them resolves, such as a rim some micrometres high.
+constexpr double resolution = 1e-4;
 /// A bar of the profile is that of the places around it, so many to each side.
 constexpr int neighbours = 8;
 
 /// A number of a run, where it has it.
 using Value = std::function<std::optional<double>(const Quantities&)>;
 
-/// A coarser run of the base, the same of the other, and by how much they are coarser.
+/// Base and other once: themselves, or a twin of each that left its run at the same stage.
+struct Pair {
+  const Quantities *base, *other;
+};
+
+/// Coarser runs of both, and by how much they are coarser.
 struct Partners {
-  const FinishedRun *base, *other;
+  std::vector<Pair> pairs;
   double factor;
 };
 
@@ -37,6 +43,7 @@ struct TwinPair {
 
 struct Evidence {
   const FinishedRun &base, &other;
+  std::vector<Pair> pairs;  ///< whose mean difference counts
   std::vector<Partners> partners;
   std::vector<TwinPair> twins;
 };
@@ -60,6 +67,24 @@ std::optional<double> difference_of(const Value& value, const Quantities& base, 
   return a && b ? std::optional(*b - *a) : std::nullopt;
 }
 
+/// The mean of base and of other over the pairs that have both; nothing where none has.
+std::optional<std::pair<double, double>> means_of(const Value& value, const std::vector<Pair>& pairs) {
+  double base = 0, other = 0;
+  int count = 0;
+  for (const Pair& pair : pairs) {
+    const auto a = value(*pair.base), b = value(*pair.other);
+    if (!a || !b) continue;
+    base += *a, other += *b, ++count;
+  }
+  return count > 0 ? std::optional(std::pair(base / count, other / count)) : std::nullopt;
+}
+
+/// The mean difference of the pairs.
+std::optional<double> difference_of(const Value& value, const std::vector<Pair>& pairs) {
+  const auto means = means_of(value, pairs);
+  return means ? std::optional(means->second - means->first) : std::nullopt;
+}
+
 /// The twin that left its run last, but not after the runs that are compared left each other.
 const Twin* twin_for(const FinishedRun& run, std::size_t in_common) {
   const Twin* chosen = nullptr;
@@ -68,8 +93,16 @@ const Twin* twin_for(const FinishedRun& run, std::size_t in_common) {
   return chosen;
 }
 
+/// Two runs, and their twins where both have one from the same stage on.
+std::vector<Pair> pairs_of(const FinishedRun& base, const FinishedRun& other, std::size_t in_common) {
+  std::vector<Pair> pairs{{&base.quantities, &other.quantities}};
+  const Twin *a = twin_for(base, in_common), *b = twin_for(other, in_common);
+  if (a && b && a->stages == b->stages) pairs.push_back({&a->quantities, &b->quantities});
+  return pairs;
+}
+
 Evidence evidence_of(const FinishedRun& base, const FinishedRun& other, std::size_t in_common) {
-  Evidence evidence{base, other, {}, {}};
+  Evidence evidence{base, other, pairs_of(base, other, in_common), {}, {}};
   const auto add_twin = [&](const FinishedRun& run) {
     if (const Twin* twin = twin_for(run, in_common))
       evidence.twins.push_back({&run.quantities, &twin->quantities, run.factor});
@@ -81,12 +114,17 @@ Evidence evidence_of(const FinishedRun& base, const FinishedRun& other, std::siz
   if (base.accuracy != other.accuracy) return evidence;  // their errors do not cancel
   for (const FinishedRun& coarser : base.coarser)
     if (const FinishedRun* same = coarser_by(other, coarser.factor))
-      evidence.partners.push_back({&coarser, same, coarser.factor});
+      evidence.partners.push_back({pairs_of(coarser, *same, in_common), coarser.factor});
+  // Where some are as sure as the difference itself, those that are less sure would only add their scatter.
+  const auto is_sure = [&](const Partners& one) { return one.pairs.size() >= evidence.pairs.size(); };
+  auto& all = evidence.partners;
+  if (std::any_of(all.begin(), all.end(), is_sure))
+    all.erase(std::remove_if(all.begin(), all.end(), [&](const Partners& one) { return !is_sure(one); }), all.end());
   return evidence;
 }
 
-/// Half width of the interval in which a difference scatters, by its twins; NaN where none has it. Those of coarser
-/// runs scatter more: with the order that the error bars have, and that the jar shows from draft to standard.
+/// Half width of the interval in which the mean difference scatters, by the twins; NaN where none has it. Those of
+/// coarser runs scatter more: with the order that the error bars have, and that the jar shows from draft to standard.
 double scatter_by_twins(const Evidence& evidence, const Value& value) {
   double squares = 0;
   int count = 0;
@@ -98,15 +136,15 @@ double scatter_by_twins(const Evidence& evidence, const Value& value) {
     }
   if (count == 0) return none;
   const double t = boost::math::quantile(boost::math::students_t(count), 0.5 * (1 + confidence));
-  return t * std::sqrt(squares / count);
+  return t * std::sqrt(squares / count / double(evidence.pairs.size()));
 }
 
 /// Richardson's estimate of the error of a difference by the differences of the coarser runs; NaN without one.
 double error_by_partners(const Evidence& evidence, const Value& value, double difference) {
   double error = none;
-  for (const Partners& pair : evidence.partners)
-    if (const auto coarse = difference_of(value, pair.base->quantities, pair.other->quantities))
-      error = std::fmax(error, bar_over_difference(pair.factor) * std::abs(*coarse - difference));
+  for (const Partners& partners : evidence.partners)
+    if (const auto coarse = difference_of(value, partners.pairs))
+      error = std::fmax(error, bar_over_difference(partners.factor) * std::abs(*coarse - difference));
   return error;
 }
 
@@ -117,8 +155,9 @@ bool jumps(const std::string& name) {
 
 Difference compare_quantity(const Evidence& evidence, const Quantity& base, const Quantity& other,
                             const RunComparison& comparison) {
-  Difference result{base.name, base.unit, base.value, other.value, other.value - base.value, base.scale};
   const Value value = quantity_named(base.name);
+  const auto [mean_base, mean_other] = *means_of(value, evidence.pairs);
+  Difference result{base.name, base.unit, mean_base, mean_other, mean_other - mean_base, base.scale};
   const double by_twins = scatter_by_twins(evidence, value);
   result.scatter =
       std::isfinite(by_twins) ? by_twins : stated_scatter(base.name) * size_of_kind(evidence.base.quantities, base);
@@ -126,7 +165,7 @@ Difference compare_quantity(const Evidence& evidence, const Quantity& base, cons
   const double error = comparison.bars == BarSource::differences && !jumps(base.name)
                            ? error_by_partners(evidence, value, result.difference)
                            : result.added;
-  if (std::isfinite(error)) result.bar = std::max({error, result.scatter, tolerance * base.scale});
+  if (std::isfinite(error)) result.bar = std::max({error, result.scatter, resolution * base.scale});
   return result;
 }
 
@@ -156,14 +195,15 @@ ProfileComparison compare_walls(const Evidence& evidence, const RunComparison& c
   walls = {base, other, std::vector(base.size(), none), std::vector(base.size(), none)};
   for (std::size_t i = 0; i < base.size(); ++i) {
     const Value value = wall_at(i);
-    const auto difference = difference_of(value, evidence.base.quantities, evidence.other.quantities);
-    if (!difference) continue;
-    walls.difference[i] = *difference;
+    const auto means = means_of(value, evidence.pairs);
+    if (!means) continue;
+    const double difference = means->second - means->first;
+    walls.base[i] = means->first, walls.other[i] = means->second, walls.difference[i] = difference;
     if (comparison.bars != BarSource::differences) continue;
     const double by_twins = scatter_by_twins(evidence, value);
     const double scatter = std::isfinite(by_twins) ? by_twins : stated_scatter("thickness_profile") * base[i];
-    const double error = error_by_partners(evidence, value, *difference);
-    if (std::isfinite(error)) walls.bar[i] = std::max({error, scatter, tolerance * base[i]});
+    const double error = error_by_partners(evidence, value, difference);
+    if (std::isfinite(error)) walls.bar[i] = std::max({error, scatter, resolution * base[i]});
   }
   walls.bar = with_neighbours(walls.bar);
   return walls;
@@ -204,6 +244,7 @@ RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other, st
   result.in_common = std::min(may_agree, stages_in_common(base, other));
   const Evidence evidence = evidence_of(base, other, result.in_common);
   result.twins = evidence.twins.size();
+  result.pairs = evidence.pairs.size();
   result.scatter = result.twins > 0 ? ScatterSource::twins : ScatterSource::stated;
   if (!evidence.partners.empty())
     result.bars = BarSource::differences;

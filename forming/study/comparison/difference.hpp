@@ -44,6 +44,7 @@ struct RunComparison {
   BarSource bars = BarSource::none;
   ScatterSource scatter = ScatterSource::stated;
   std::size_t twins = 0;      ///< how many showed the scatter
+  std::size_t pairs = 1;      ///< of runs of both, whose means are compared
   std::size_t in_common = 0;  ///< stages in which both runs are the same to the last bit
 };
 
@@ -52,7 +53,8 @@ struct RunComparison {
 /// The error that both runs share cancels in their difference. What is left is taken from their coarser runs:
 /// Richardson's estimate as for a single run (error_bars.hpp), made of the difference of the runs and that of their
 /// coarser runs. It is at least the scatter: what two runs of the same thing differ by because remeshing and contact
-/// decide otherwise, as twins show, times Student's t for as many twins and 90 %.
+/// decide otherwise, as twins show, times Student's t for as many twins and 90 %. Where both runs have a twin from the
+/// same stage on, the means of run and twin are compared, whose scatter is smaller by the root of two.
 /// `may_agree`: after how many stages they may first differ, by their cases; numbers of stages alone do not tell where
 /// only heat changes.
 RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other,

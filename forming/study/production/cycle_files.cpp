@@ -62,6 +62,7 @@ void add_tool(core::JsonWriter& json, const Scene& scene, const PeriodicState& s
   json.open_object(tool.name);
   json.add("use_begin_s", state.cycle.uses[t].begin);
   json.add("use_end_s", state.cycle.uses[t].end);
+  json.add("sets", static_cast<long>(state.cycle.sets[t]));
   json.add("surface_min_degC", range.min - zero_celsius);
   json.add("surface_mean_degC", range.mean - zero_celsius);
   json.add("surface_max_degC", range.max - zero_celsius);
@@ -69,8 +70,12 @@ void add_tool(core::JsonWriter& json, const Scene& scene, const PeriodicState& s
   json.add("heat_received_J", heat.received);
   json.open_object("power_W");
   for (std::size_t b = 0; b < tool.boundaries.size(); ++b)
-    json.add(tool.boundaries[b].name, heat.through[b] / state.cycle.seconds);
+    json.add(tool.boundaries[b].name, heat.through[b] / state.cycle.seconds_of(t));
   json.close();
+  if (tool.swab) {
+    json.add("swab_heat_J", state.swab_heat[t]);
+    json.add("swab_mean_power_W", state.swab_heat[t] / tool.swab->every / state.cycle.seconds_of(t));
+  }
   json.close();
 }
 
@@ -82,6 +87,7 @@ std::string json_text(const Scene& scene, const PeriodicRequest& request, const 
   json.add("tolerance_K", request.tolerance);
   json.add("settled", state.found);
   json.add("confirmed", state.is_confirmed(request.tolerance));
+  json.add("scatter_K", state.scatter);
   json.add("reason", state.failure);
   add_search(json, scene, state);
   json.add("start_up_cycles", static_cast<long>(state.start_up.size()));
@@ -112,14 +118,15 @@ std::string cycle_text(const Scene& scene, const PeriodicState& state) {
   return text;
 }
 
-std::string start_up_text(const Scene& scene, const PeriodicState& state) {
+/// The surfaces of the tools cycle by cycle.
+std::string cycles_text(const Scene& scene, const std::vector<StartUpCycle>& cycles) {
   std::string text = "cycle";
   for (const Tool& tool : scene.tools) text += ',' + core::csv_text(tool.name + "_surface_mean_degC");
   text += ",distance_K\n";
-  for (std::size_t k = 0; k < state.start_up.size(); ++k) {
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
     text += fmt::format("{}", k);
-    for (const double mean : state.start_up[k].mean) text += fmt::format(",{:.10g}", mean - zero_celsius);
-    text += fmt::format(",{:.6g}\n", state.start_up[k].distance);
+    for (const double mean : cycles[k].mean) text += fmt::format(",{:.10g}", mean - zero_celsius);
+    text += fmt::format(",{:.6g}\n", cycles[k].distance);
   }
   return text;
 }
@@ -128,7 +135,9 @@ std::string start_up_text(const Scene& scene, const PeriodicState& state) {
 
 void write_periodic_state(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state) {
   core::write_text(request.directory + "/cycle.json", json_text(scene, request, state));
-  if (!state.start_up.empty()) core::write_text(request.directory + "/start_up.csv", start_up_text(scene, state));
+  const std::string& folder = request.directory;
+  if (!state.start_up.empty()) core::write_text(folder + "/start_up.csv", cycles_text(scene, state.start_up));
+  if (!state.since_swab.empty()) core::write_text(folder + "/swab.csv", cycles_text(scene, state.since_swab));
   if (!state.settled.samples.empty()) core::write_text(request.directory + "/cycle.csv", cycle_text(scene, state));
 }
 
@@ -144,7 +153,7 @@ std::string periodic_table(const Scene& scene, const PeriodicState& state) {
                         fmt::format("{:.4g} to {:.4g}", state.cycle.uses[t].begin, state.cycle.uses[t].end),
                         fmt::format("{:.1f}  {:.1f}  {:.1f}", range.min - zero_celsius, range.mean - zero_celsius,
                                     range.max - zero_celsius),
-                        range.hottest - zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds);
+                        range.hottest - zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds_of(t));
   }
   return text;
 }

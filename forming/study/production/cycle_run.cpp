@@ -15,60 +15,70 @@
 namespace parison::forming {
 namespace {
 
-/// Temperatures and heats of the tools at the end of the machine cycle, or those of the moment.
-struct CycleEnd {
+/// A tool at the end of its cycle, or at any other moment.
+struct ToolEnd {
   Eigen::VectorXd temperature;
-  std::vector<CycleHeat> heat;
+  CycleHeat heat;
 };
 
-std::vector<CycleHeat> heats(const State& state) {
-  std::vector<CycleHeat> all;
-  for (const ToolState& tool : state.tools) all.push_back({tool.heat_received, tool.heat_through});
-  return all;
-}
-
-/// Linear between two moments of a run.
-CycleEnd between(const State& before, const State& state, double time) {
-  const double share = (time - before.time) / (state.time - before.time);
-  const auto mean = [&](double a, double b) { return a + share * (b - a); };
-  CycleEnd end{tool_temperatures(before), heats(before)};
-  end.temperature += share * (tool_temperatures(state) - end.temperature);
-  const auto later = heats(state);
-  for (std::size_t t = 0; t < later.size(); ++t) {
-    end.heat[t].received = mean(end.heat[t].received, later[t].received);
-    for (std::size_t i = 0; i < later[t].through.size(); ++i)
-      end.heat[t].through[i] = mean(end.heat[t].through[i], later[t].through[i]);
-  }
+/// Linear between two moments.
+ToolEnd between(const ToolState& before, const ToolState& after, double share) {
+  ToolEnd end{(1 - share) * before.temperature + share * after.temperature, {0, before.heat_through}};
+  const auto mean = [&](double a, double b) { return (1 - share) * a + share * b; };
+  end.heat.received = mean(before.heat_received, after.heat_received);
+  for (std::size_t i = 0; i < end.heat.through.size(); ++i)
+    end.heat.through[i] = mean(end.heat.through[i], after.heat_through[i]);
   return end;
 }
 
-/// Follows the tools through the forming.
+/// Follows the tools through the forming and the idle rest of their cycles.
 class CycleObserver : public RunObserver {
  public:
-  CycleObserver(const Scene& scene, const MachineCycle& cycle) : scene_(scene), cycle_(cycle) {}
+  CycleObserver(const Scene& scene, const MachineCycle& cycle)
+      : scene_(scene), cycle_(cycle), ends(scene.tools.size(), never), ended(scene.tools.size()) {}
 
   void run_begins(const RunView& view) override {
     for (const ToolState& tool : view.state.tools) surfaces_.emplace_back(tool.mesh, scene_.geometry);
     start = tool_temperatures(view.state);
     met.assign(view.state.tools.size(), view.state.glass.temperature.mean());
+    for (std::size_t t = 0; t < ends.size(); ++t)
+      if (!scene_.tools[t].waits) ends[t] = cycle_.seconds_of(t);
   }
   void stage_begins(const RunView& view) override {
-    for (const StageTool& used : scene_.stages[view.state.stage].tools)
-      if (!std::exchange(begun_[used.tool], true)) met[used.tool] = view.state.glass.temperature.mean();
+    for (const StageTool& used : scene_.stages[view.state.stage].tools) {
+      if (std::exchange(begun_[used.tool], true)) continue;
+      met[used.tool] = view.state.glass.temperature.mean();
+      if (scene_.tools[used.tool].waits)
+        ends[used.tool] = view.state.time + cycle_.seconds_of(static_cast<std::size_t>(used.tool));
+    }
   }
   void step_taken(const RunView& view, const State& before, const StepReport&) override {
-    if (before.time < cycle_.seconds && view.state.time >= cycle_.seconds)
-      end = between(before, view.state, cycle_.seconds);
+    update_ends(before, view.state);
   }
   void fields_due(const RunView&, const State& at) override {
-    if (!samples.empty() && at.time <= samples.back().time) return;
-    if (at.time <= cycle_.seconds) add_sample(at, scene_.stages[at.stage].name);
+    if (samples.empty() || at.time > samples.back().time) add_sample(at, scene_.stages[at.stage].name);
+  }
+
+  /// Keeps the tools whose cycles end after one moment and not after another.
+  void update_ends(const State& before, const State& after) {
+    const double dt = after.time - before.time;
+    for (std::size_t t = 0; t < ends.size(); ++t)
+      if (!ended[t] && before.time < ends[t] && after.time >= ends[t])
+        ended[t] = between(before.tools[t], after.tools[t], (ends[t] - before.time) / dt);
+  }
+
+  /// The time at which the cycle of the next tool ends; `never` where all have.
+  double next_end() const {
+    double next = never;
+    for (std::size_t t = 0; t < ends.size(); ++t)
+      if (!ended[t]) next = std::min(next, ends[t]);
+    return next;
   }
 
   void add_sample(const State& state, const std::string& stage) {
     CycleSample sample{state.time, stage, {}, {}};
     for (std::size_t t = 0; t < state.tools.size(); ++t)
-      sample.tools.push_back(surfaces_[t].temperatures(state.tools[t], std::numeric_limits<double>::infinity()));
+      sample.tools.push_back(surfaces_[t].temperatures(state.tools[t], never));
     for (std::size_t p = 0; p < scene_.probes.size(); ++p) {
       const Index body = scene_.probes[p].body;
       sample.probes.push_back(
@@ -78,29 +88,76 @@ class CycleObserver : public RunObserver {
     samples.push_back(std::move(sample));
   }
 
-  Eigen::VectorXd start;
-  std::vector<double> met;
-  std::optional<CycleEnd> end;  ///< of the machine cycle, where the forming lasts that long
-  std::vector<CycleSample> samples;
+  static constexpr double never = std::numeric_limits<double>::infinity();
 
  private:
   const Scene& scene_;
   const MachineCycle& cycle_;
   std::vector<ToolSurface> surfaces_;
   std::map<Index, bool> begun_;
+
+ public:
+  Eigen::VectorXd start;
+  std::vector<double> met;
+  std::vector<double> ends;                   ///< of the cycles of the tools, s since the start of the container
+  std::vector<std::optional<ToolEnd>> ended;  ///< by tool
+  std::vector<CycleSample> samples;
 };
 
-/// The tools alone until the end of the machine cycle.
-std::string idle_rest(const Scene& scene, double cycle_end, State& tools, CycleObserver& observer) {
-  while (tools.time < cycle_end) {
-    const double rest = cycle_end - tools.time;
+/// The tools alone until their cycles have ended.
+std::string idle_rest(const Scene& scene, State& tools, CycleObserver& observer) {
+  for (double end = observer.next_end(); end < CycleObserver::never; end = observer.next_end()) {
+    const State before = tools;
+    const double rest = end - tools.time;
     const bool last = rest <= scene.output.interval * (1 + 1e-9);
     if (const std::string failure = idle_tools(scene, tools, last ? rest : scene.output.interval); !failure.empty())
       return "idle tools: " + failure;
-    if (last) tools.time = cycle_end;
+    if (last) tools.time = end;
+    observer.update_ends(before, tools);
     observer.add_sample(tools, "idle");
   }
   return "";
+}
+
+/// Linear between two samples.
+CycleSample between(const CycleSample& before, const CycleSample& after, double time) {
+  const double share = (time - before.time) / (after.time - before.time);
+  const auto mean = [&](double a, double b) { return a + share * (b - a); };
+  CycleSample sample = after;
+  sample.time = time;
+  for (std::size_t t = 0; t < sample.tools.size(); ++t) {
+    ToolTemperatures& tool = sample.tools[t];
+    tool.mean = mean(before.tools[t].mean, tool.mean);
+    tool.surface_mean = mean(before.tools[t].surface_mean, tool.surface_mean);
+    tool.surface_max = mean(before.tools[t].surface_max, tool.surface_max);
+  }
+  for (std::size_t p = 0; p < sample.probes.size(); ++p) sample.probes[p] = mean(before.probes[p], sample.probes[p]);
+  return sample;
+}
+
+/// At a time up to that of the last sample.
+CycleSample at_time(const std::vector<CycleSample>& samples, double time) {
+  auto after = std::lower_bound(samples.begin(), samples.end(), time,
+                                [](const CycleSample& one, double t) { return one.time < t; });
+  if (after == samples.end()) after = samples.end() - 1;
+  return after == samples.begin() || after->time == time ? *after : between(*(after - 1), *after, time);
+}
+
+/// The samples of one machine cycle: before its first use, a tool that overlaps is as it is a cycle later.
+std::vector<CycleSample> one_cycle(const Scene& scene, const MachineCycle& cycle, const CycleObserver& observer) {
+  std::vector<CycleSample> samples;
+  for (const CycleSample& sample : observer.samples)
+    if (sample.time <= cycle.seconds) samples.push_back(sample);
+  if (samples.back().time < cycle.seconds) samples.push_back(at_time(observer.samples, cycle.seconds));
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    for (CycleSample& sample : samples) {
+      if (!scene.tools[t].waits || sample.time + cycle.seconds_of(t) > observer.ends[t]) continue;
+      const CycleSample later = at_time(observer.samples, sample.time + cycle.seconds_of(t));
+      sample.tools[t] = later.tools[t];
+      for (std::size_t p = 0; p < scene.probes.size(); ++p)
+        if (scene.probes[p].body == body_of_tool(static_cast<Index>(t))) sample.probes[p] = later.probes[p];
+    }
+  return samples;
 }
 
 }  // namespace
@@ -118,13 +175,14 @@ CycleRun run_cycle(const Scene& scene, const MachineCycle& cycle, const std::str
   result.met = observer.met;
   if (!result.failure.empty()) return result;
   State tools = tools_of(result.forming.state);
-  if (!observer.end) {
-    result.failure = idle_rest(scene, cycle.seconds, tools, observer);
-    observer.end = CycleEnd{tool_temperatures(tools), heats(tools)};
+  result.failure = idle_rest(scene, tools, observer);
+  if (!result.failure.empty()) return result;
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    tools.tools[t].temperature = std::move(observer.ended[t]->temperature);
+    result.heat.push_back(std::move(observer.ended[t]->heat));
   }
-  result.end = std::move(observer.end->temperature);
-  result.heat = std::move(observer.end->heat);
-  result.samples = std::move(observer.samples);
+  result.end = tool_temperatures(tools);
+  result.samples = one_cycle(scene, cycle, observer);
   return result;
 }
 

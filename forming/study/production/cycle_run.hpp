@@ -9,7 +9,8 @@
 
 namespace parison::forming {
 
-/// The tools at one moment of a machine cycle.
+/// The tools at one moment of a machine cycle. A tool that still serves the container before is as it is then, with
+/// that one.
 struct CycleSample {
   double time;        ///< s since the start of the container
   std::string stage;  ///< "idle" after the container has left
@@ -17,7 +18,7 @@ struct CycleSample {
   std::vector<double> probes;  ///< of the tools, K, in the order of the scene; NaN for those of the glass
 };
 
-/// Heat of a tool over a machine cycle, J.
+/// Heat of a tool over its cycle, J.
 struct CycleHeat {
   double received;              ///< from the glass
   std::vector<double> through;  ///< out through each boundary
@@ -28,7 +29,7 @@ struct CycleRun {
   std::string failure;  ///< why it has no end; empty where it has
   bool stopped = false;
   RunOutcome forming;
-  Eigen::VectorXd start, end;  ///< tool_temperatures at both ends, K
+  Eigen::VectorXd start, end;  ///< tool_temperatures at both ends of the cycle of each tool, K
   std::vector<double> met;     ///< mean temperature of the glass when the use of each tool begins, K
   std::vector<CycleHeat> heat;
   std::vector<CycleSample> samples;

@@ -2,6 +2,7 @@
 #include "forming/study/production/heat_cycles.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "forming/step/idle/idle_tools.hpp"
 #include "forming/study/production/fixed_point.hpp"
@@ -12,16 +13,31 @@ namespace parison::forming {
 HeatCycles::HeatCycles(const Scene& scene, const MachineCycle& cycle, const State& initial)
     : scene_(scene), cycle_(cycle), tools_(tools_of(initial)) {}
 
+std::vector<double> HeatCycles::tool_ends() const {
+  std::vector<double> ends;
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t)
+    ends.push_back(cycle_.seconds_of(t) + (scene_.tools[t].waits ? cycle_.uses[t].begin : 0));
+  return ends;
+}
+
 std::optional<Eigen::VectorXd> HeatCycles::without_glass(const Eigen::VectorXd& temperatures) const {
-  State state = tools_;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  State state = tools_, ended = tools_;
   set_tool_temperatures(temperatures, state);
   const auto last = static_cast<Index>(scene_.stages.size()) - 1;
-  for (state.stage = 0;; ++state.stage) {
-    state.stage_start = state.time;
-    const double rest = cycle_.seconds - state.time;
-    const double duration = state.stage == last ? rest : std::min(rest, scene_.stages[state.stage].duration);
-    if (duration > 0 && !idle_tools(scene_, state, duration).empty()) return std::nullopt;
-    if (state.stage == last) return tool_temperatures(state);
+  const std::vector<double> ends = tool_ends();
+  for (double stage_end = 0, now = 0;; now = state.time) {
+    if (now == stage_end && now > 0) ++state.stage, state.stage_start = now;
+    if (now == stage_end) stage_end = state.stage == last ? never : now + scene_.stages[state.stage].duration;
+    double next = never;
+    for (const double end : ends)
+      if (end > now) next = std::min(next, end);
+    if (next == never) return tool_temperatures(ended);
+    next = std::min(next, stage_end);
+    if (!idle_tools(scene_, state, next - now).empty()) return std::nullopt;
+    state.time = next;
+    for (std::size_t t = 0; t < ends.size(); ++t)
+      if (ends[t] == next) ended.tools[t].temperature = state.tools[t].temperature;
   }
 }
 

@@ -21,6 +21,8 @@ class HeatCycles {
   std::optional<Eigen::VectorXd> settled(const Eigen::VectorXd& start, double tolerance) const;
 
  private:
+  /// When the cycles of the tools end, s since the start of a container.
+  std::vector<double> tool_ends() const;
   std::optional<Eigen::VectorXd> without_glass(const Eigen::VectorXd& temperatures) const;
 
   const Scene& scene_;

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/case/case_error.hpp"
+#include "core/case/case_file.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat/surroundings.hpp"
 
@@ -52,21 +54,24 @@ bool is_cooled(const Scene& scene, State& state, Index tool) {
   return false;
 }
 
+void require_tool(const Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Tool& tool : scene.tools) names.push_back(tool.name);
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw core::CaseError(fmt::format("--sets: \"{}\" was found{}, allowed are the tools {}", name,
+                                      core::did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
 void refuse_short(const Scene& scene, const MachineCycle& cycle) {
   constexpr double round_off = 1e-9;
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const auto& [begin, end] = cycle.uses[t];
-    const double allowed = cycle.seconds * (1 + round_off);
-    if (end - begin > allowed)
-      throw core::CaseError(fmt::format(
-          "{}: a machine cycle of {:.4g} s was found, but each container uses the tool \"{}\" for {:.4g} "
-          "s; allowed is a longer cycle; where sets of a tool take turns, the time between two uses of one set",
-          scene.file, cycle.seconds, scene.tools[t].name, end - begin));
-    if (end > allowed)
+    if (end - begin > cycle.seconds_of(t) * (1 + round_off))
       throw core::CaseError(
-          fmt::format("{}: a machine cycle of {:.4g} s was found, but the tool \"{}\" is in use until {:.4g} s after "
-                      "the start of its container; allowed is a cycle in which all tools are free before the next gob",
-                      scene.file, cycle.seconds, scene.tools[t].name, end));
+          fmt::format("{}: a machine cycle of {:.4g} s was found, but each container uses the tool \"{}\" for {:.4g} "
+                      "s; allowed is a longer cycle, or sets of the tool that take turns: --sets {}={:.0f}",
+                      scene.file, cycle.seconds, scene.tools[t].name, end - begin, scene.tools[t].name,
+                      std::ceil((end - begin) / cycle.seconds * (1 - round_off))));
   }
 }
 
@@ -82,16 +87,30 @@ void refuse_uncooled(const Scene& scene, const MachineCycle& cycle) {
 
 }  // namespace
 
-MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seconds) {
+MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seconds,
+                           const std::map<std::string, int>& sets) {
   if (!scene.has_heat() || scene.tools.empty())
     throw core::CaseError(
         fmt::format("{}: a cycle of production was asked for, allowed only for a case whose glass and tools carry heat",
                     scene.file));
-  MachineCycle cycle{time_of(scene, seconds), {}};
-  for (std::size_t t = 0; t < scene.tools.size(); ++t) cycle.uses.push_back(use_of(scene, t));
+  for (const auto& one : sets) require_tool(scene, one.first);
+  MachineCycle cycle{time_of(scene, seconds), {}, {}};
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    cycle.uses.push_back(use_of(scene, t));
+    const auto known = sets.find(scene.tools[t].name);
+    cycle.sets.push_back(known == sets.end() ? 1 : known->second);
+  }
   refuse_short(scene, cycle);
   refuse_uncooled(scene, cycle);
   return cycle;
+}
+
+Scene scene_in_cycle(const Scene& scene, const MachineCycle& cycle) {
+  std::vector<std::string> overrides = scene.overrides;
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    if (cycle.overlaps(t) && !scene.tools[t].waits)
+      overrides.push_back(fmt::format("tool.{}.temperature_at=first use", scene.tools[t].name));
+  return overrides.size() == scene.overrides.size() ? scene : read_scene(scene.file, scene.accuracy_name, overrides);
 }
 
 }  // namespace parison::forming

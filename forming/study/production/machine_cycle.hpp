@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,14 +15,26 @@ struct ToolUse {
 };
 
 /// The cycle of a machine that makes one container after another with the same tools. At the time `seconds` after a
-/// container's start the next one starts; the tools begin it as they are then.
+/// container's start the next one starts. Each tool has a cycle of its own, as long: from the start of its container,
+/// or from its first use where it still serves the container before at that start, as a blow mould may while the blank
+/// side goes on.
 struct MachineCycle {
   double seconds;
   std::vector<ToolUse> uses;  ///< by tool
+  std::vector<int> sets;      ///< of each tool, that take turns; each set has a cycle so many times as long
+
+  double seconds_of(std::size_t tool) const { return seconds * sets[tool]; }
+  bool overlaps(std::size_t tool) const { return uses[tool].end > seconds_of(tool) * (1 + 1e-9); }
 };
 
-/// The cycle of a scene, of the time given or else that of its [timing]. Throws core::CaseError where there is no time,
-/// where it is too short for a tool, and where the state of the tools cannot be periodic.
-MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seconds);
+/// The cycle of a scene, of the time given or else that of its [timing]; `sets` of tools by name, one of each other.
+/// Throws core::CaseError where there is no time, where it is too short for a tool, and where the state of the tools
+/// cannot be periodic.
+MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seconds,
+                           const std::map<std::string, int>& sets = {});
+
+/// The case as each container of the cycle goes through it: tools that still serve the container before at its start
+/// have their temperatures at their first use.
+Scene scene_in_cycle(const Scene& scene, const MachineCycle& cycle);
 
 }  // namespace parison::forming

@@ -34,10 +34,14 @@ struct PeriodicState {
   std::string failure;  ///< why the search or a run did not end well; empty where all did
   bool stopped = false;
   bool found = false;
+  double scatter = 0;  ///< by which forming runs leave the state found uncertain, K; 0 where it is below the tolerance
   std::vector<SearchRun> search;  ///< the first is that of the first gob
   CycleRun first, settled;        ///< cycles from the temperatures of the case and from the state found
   std::vector<double> confirmed;  ///< change of any tool surface in each of two plain cycles from the state found, K
   std::vector<StartUpCycle> start_up;
+  std::vector<double> swab_heat;         ///< of one swab of each tool, J; 0 for a tool without
+  std::vector<StartUpCycle> since_swab;  ///< the cycles from one swab to the next; empty without
+  std::optional<CycleRun> just_swabbed;  ///< the container made just after swabs of all tools that have them
 
   bool is_confirmed(double tolerance) const;
 };
@@ -47,8 +51,10 @@ using Progress = std::function<void(const std::string&)>;
 
 /// Looks for tool temperatures that a machine cycle gives back. Between forming runs heat-only cycles (HeatCycles) go
 /// on to where they settle; that map is iterated with Anderson's acceleration until a cycle changes no tool surface by
-/// more than the tolerance and none is further from the periodic state, as the falling distances say. Two plain cycles
-/// from there confirm it.
+/// more than the tolerance and none is further from the periodic state, as the falling distances say. Where they fall
+/// no more, what is left is the scatter of the forming runs, whose heats contact and remeshing decide a little
+/// otherwise each time; then the mean of the last two states is taken, and the scatter told. Two plain cycles from
+/// there confirm it. Each cycle has its share of swabs; what happens from one to the next is found afterwards.
 PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
                                   const StopRequest& stop, const Progress& progress);
 

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "core/case/case_error.hpp"
@@ -32,6 +34,21 @@ double positive(const std::string& option, const std::string& text, const core::
   return parsed.value;
 }
 
+/// Sets that take turns, by tool.
+std::map<std::string, int> sets_of(const CycleRequest& request) {
+  std::map<std::string, int> sets;
+  for (const std::string& text : request.sets) {
+    const auto equals = text.find('=');
+    char* end = nullptr;
+    const long count = equals == text.npos ? 0 : std::strtol(text.c_str() + equals + 1, &end, 10);
+    if (count < 1 || count > 100 || *end != '\0')
+      throw core::CaseError(fmt::format(
+          "--sets: \"{}\" was found, allowed is a tool and how many sets of it take turns, \"ring=2\"", text));
+    sets[text.substr(0, equals)] = static_cast<int>(count);
+  }
+  return sets;
+}
+
 std::string new_folder(const CycleRequest& request, const forming::Scene& scene) {
   const std::string folder = request.output.empty() ? "results/cycle_" + scene.name : request.output;
   std::error_code error;
@@ -40,9 +57,11 @@ std::string new_folder(const CycleRequest& request, const forming::Scene& scene)
   return folder;
 }
 
-/// The container of the first gob beside that of settled production.
-void print_containers(const std::string& folder) {
-  const auto comparison = forming::compare_folders(folder + "/first_gob", {folder + "/settled"});
+/// The container of the first gob beside that of settled production, and that made just after a swab.
+void print_containers(const std::string& folder, const PeriodicState& state) {
+  std::vector<std::string> others{folder + "/settled"};
+  if (state.just_swabbed) others.push_back(folder + "/just_swabbed");
+  const auto comparison = forming::compare_folders(folder + "/first_gob", others);
   fmt::print("{}", forming::comparison_tables(comparison));
   forming::write_comparison(comparison, folder);
 }
@@ -52,10 +71,16 @@ void print_result(const forming::Scene& scene, const forming::PeriodicRequest& a
   fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; production reaches it {} cycles after ",
              state.search.size(), state.start_up.size() - 1);
   fmt::print("its start\n");
-  print_containers(asked.directory);
+  if (state.scatter > 0)
+    fmt::print("  forming runs scatter: the tools at the gob are known to some {:.2g} K\n", state.scatter);
+  print_containers(asked.directory, state);
   const std::string from = fs::absolute(asked.directory + "/tools").string();
   fmt::print("\n  results in {}; a case starts from these tools by temperature = {{ from = \"{}\" }}\n",
              asked.directory, from);
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    if (state.cycle.overlaps(t))
+      fmt::print("  {} still serves the container before at the gob: temperature_at = \"first use\"\n",
+                 scene.tools[t].name);
 }
 
 }  // namespace
@@ -72,7 +97,7 @@ int cycle(const CycleRequest& request) {
   forming::PeriodicRequest asked;
   asked.tolerance = positive("--tolerance", request.tolerance, core::dimension::temperature_difference, "0.5 K");
   asked.max_runs = request.max_runs;
-  const forming::MachineCycle machine = forming::machine_cycle(scene, seconds);
+  const forming::MachineCycle machine = forming::machine_cycle(scene, seconds, sets_of(request));
   asked.directory = new_folder(request, scene);
   fmt::print("{} at {} accuracy: a machine cycle of {:.4g} s\n", scene.name, scene.accuracy_name, machine.seconds);
   std::fflush(stdout);

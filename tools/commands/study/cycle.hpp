@@ -9,6 +9,7 @@ namespace parison::tools {
 struct CycleRequest {
   std::string case_path, accuracy = "standard", output, cycle_time, tolerance = "0.5 K";
   std::vector<std::string> overrides;
+  std::vector<std::string> sets;  ///< "ring=2": tools of which sets take turns
   int max_runs = 12;
 };
 

@@ -3,7 +3,6 @@
 import numbers
 import os
 import tempfile
-import tomllib
 from pathlib import Path
 from typing import Any, Callable, Mapping, Optional, Union
 
@@ -85,6 +84,8 @@ class Case:
         """The value of a key: the change made to it, as text, or what the case file has. KeyError where neither says it."""
         if key in self._changes:
             return self._changes[key]
+        import tomllib
+
         path = Path(self._path)
         found: Any = tomllib.loads((path / "case.toml" if path.is_dir() else path).read_text(encoding="utf-8"))
         for word in key.split("."):

@@ -5,8 +5,6 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
-import numpy as np
-
 from . import _core
 from .errors import Error
 
@@ -18,6 +16,8 @@ if TYPE_CHECKING:
 
 def _table(path: Path) -> dict[str, Any]:
     """Columns of a CSV file by their headings; those that hold text as lists."""
+    import numpy as np  # here, since not every script reads a table
+
     with open(path, encoding="utf-8") as file:
         headings = file.readline().rstrip("\n").split(",")
         rows = [line.rstrip("\n").split(",") for line in file if line.strip()]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/process/run_error.hpp"
@@ -16,9 +17,7 @@ namespace fs = std::filesystem;
 
 /// Whether a file or folder of a run is none of another run in its folder and no result of its end.
 bool is_taken_over(const std::string& name, const std::string& stage) {
-  if (name.rfind(twin_folder, 0) == 0 || name == "summary.json") return false;
-  for (const char* folder : coarse_folders)
-    if (name.rfind(folder, 0) == 0) return false;
+  if (is_run_folder(name) || name == "summary.json") return false;
   const bool is_checkpoint = name.rfind("checkpoint", 0) == 0;
   return !is_checkpoint || name == fmt::format("checkpoint_after_{}.h5", stage);
 }
@@ -33,6 +32,11 @@ void warm_tools(const PlannedRun& run) {
 }
 
 }  // namespace
+
+bool is_run_folder(const std::string& name) {
+  const auto begins_with = [&](const char* word) { return name.rfind(word, 0) == 0; };
+  return begins_with(twin_folder) || std::any_of(coarse_folders.begin(), coarse_folders.end(), begins_with);
+}
 
 void make_branch(const PlannedRun& run) {
   const BranchPoint& from = *run.branch;

@@ -8,9 +8,11 @@
 #include <set>
 
 #include "core/case/case_error.hpp"
+#include "forming/run/resume/checkpoint_files.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/finished_run.hpp"
+#include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/tool_overlap.hpp"
 
 namespace parison::forming {
@@ -75,6 +77,21 @@ std::vector<std::string> warmer_tools(const Scene& scene) {
   return overrides;
 }
 
+/// The folder in which a run of the base, its coarser ones or their twins has ended elsewhere; empty for none.
+std::string finished_elsewhere(const WhatIf& what_if, const std::string& directory) {
+  const std::string base = what_if.directory + '/' + base_name;
+  if (what_if.base_results.empty() || directory.rfind(base, 0) != 0) return {};
+  const std::string known = what_if.base_results + directory.substr(base.size());
+  return has_completed_here(known) ? known : std::string();
+}
+
+/// The coarser runs of a run; where all is done twice, only the one nearest to it, since no other would count.
+std::vector<CoarseCase> partner_cases(const WhatIf& what_if, const Scene& scene, const std::string& directory) {
+  std::vector<CoarseCase> cases = coarse_cases(scene, directory);
+  if (what_if.twice && !cases.empty()) cases.erase(cases.begin() + 1, cases.end());
+  return cases;
+}
+
 /// A run and its coarser ones; `stage` where they begin as those of the base had it at its end.
 void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scene,
               const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
@@ -82,28 +99,58 @@ void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scen
   const auto branch = [&](const std::string& folder) {
     return stage ? std::optional(BranchPoint{base + folder, *stage}) : std::nullopt;
   };
-  runs.push_back({label, own, scene.accuracy_name, scene.overrides, branch(""), ""});
-  for (const CoarseCase& coarse : coarse_cases(scene, own))
+  const bool is_base = label == base_name;
+  const auto elsewhere = [&](const std::string& folder) {
+    return is_base ? finished_elsewhere(what_if, folder) : std::string();
+  };
+  runs.push_back({label, own, scene.accuracy_name, scene.overrides, branch(""), "", elsewhere(own)});
+  for (const CoarseCase& coarse : partner_cases(what_if, scene, own))
     runs.push_back({fmt::format("{}, {:g} times coarser", label, coarse.factor), coarse.directory, coarse.accuracy,
-                    scene.overrides, branch(coarse.directory.substr(own.size())), own});
+                    scene.overrides, branch(coarse.directory.substr(own.size())), own, elsewhere(coarse.directory)});
 }
 
-/// A twin of each coarser run of the base from each point at which variants leave it.
-void add_twins(const WhatIf& what_if, const Scene& scene, const std::set<std::optional<std::string>>& stages,
-               std::vector<PlannedRun>& runs) {
+/// A twin of a run that was made of a scene; `base` is the folder of the same run of the base, from which it begins at
+/// the end of a stage.
+PlannedRun twin_of(const WhatIf& what_if, const std::string& label, const CoarseCase& run, const std::string& base,
+                   const std::optional<std::string>& stage, const std::vector<std::string>& warmer) {
+  const std::string coarser = run.factor > 1 ? fmt::format(", {:g} times coarser", run.factor) : "";
+  PlannedRun twin{fmt::format("twin of {}{}{}", label, coarser, stage ? ", after " + *stage : ""),
+                  run.directory + '/' + (stage ? twin_after + *stage : twin_folder),
+                  run.accuracy,
+                  stage ? run.overrides : joined(run.overrides, warmer),
+                  stage ? std::optional(BranchPoint{base, *stage, true}) : std::nullopt,
+                  run.directory};
+  twin.copy_of = finished_elsewhere(what_if, twin.directory);
+  return twin;
+}
+
+/// A run itself and its coarser ones.
+std::vector<CoarseCase> all_cases(const WhatIf& what_if, const Scene& scene, const std::string& directory) {
+  std::vector<CoarseCase> cases{{scene.file, scene.accuracy_name, directory, scene.overrides, 1}};
+  for (CoarseCase& coarse : partner_cases(what_if, scene, directory)) cases.push_back(std::move(coarse));
+  return cases;
+}
+
+/// A twin of each coarser run of the base, and of the base itself where all is done twice, from each point at which
+/// variants leave it.
+void add_base_twins(const WhatIf& what_if, const Scene& scene, const std::set<std::optional<std::string>>& stages,
+                    std::vector<PlannedRun>& runs) {
   const std::vector<std::string> warmer = warmer_tools(scene);
   if (warmer.empty()) return;
-  for (const CoarseCase& coarse : coarse_cases(scene, what_if.directory + '/' + base_name))
-    for (const auto& stage : stages) {
-      PlannedRun twin{
-          fmt::format("twin of {}, {:g} times coarser{}", base_name, coarse.factor, stage ? ", after " + *stage : ""),
-          coarse.directory + '/' + (stage ? twin_after + *stage : twin_folder),
-          coarse.accuracy,
-          stage ? scene.overrides : joined(scene.overrides, warmer),
-          stage ? std::optional(BranchPoint{coarse.directory, *stage, true}) : std::nullopt,
-          coarse.directory};
-      runs.push_back(std::move(twin));
-    }
+  for (const CoarseCase& one : all_cases(what_if, scene, what_if.directory + '/' + base_name))
+    for (const auto& stage : stages)
+      if (one.factor > 1 || what_if.twice)
+        runs.push_back(twin_of(what_if, base_name, one, one.directory, stage, warmer));
+}
+
+/// A twin of a variant and of its coarser run.
+void add_variant_twins(const WhatIf& what_if, const std::string& label, const Scene& scene,
+                       const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
+  const std::vector<std::string> warmer = warmer_tools(scene);
+  if (warmer.empty()) return;
+  const std::string base = what_if.directory + '/' + base_name, own = what_if.directory + '/' + label;
+  for (const CoarseCase& one : all_cases(what_if, scene, own))
+    runs.push_back(twin_of(what_if, label, one, base + one.directory.substr(own.size()), stage, warmer));
 }
 
 }  // namespace
@@ -135,11 +182,17 @@ std::vector<PlannedRun> plan_runs(const WhatIf& what_if) {
   std::set<std::optional<std::string>> stages;
   for (const WhatIfVariant& variant : what_if.variants) {
     scenes.push_back(checked_variant(what_if, base, variant));
-    stages.insert(last_common_stage(base, scenes.back()));
+    const auto stage = last_common_stage(base, scenes.back());
+    if (stage && !what_if.base_results.empty())
+      find_stage_end(what_if.base_results, *stage);  // refuses where it is gone
+    stages.insert(stage);
   }
-  add_twins(what_if, base, stages, runs);
-  for (std::size_t i = 0; i < scenes.size(); ++i)
-    add_runs(what_if, what_if.variants[i].name, scenes[i], last_common_stage(base, scenes[i]), runs);
+  add_base_twins(what_if, base, stages, runs);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto stage = last_common_stage(base, scenes[i]);
+    add_runs(what_if, what_if.variants[i].name, scenes[i], stage, runs);
+    if (what_if.twice) add_variant_twins(what_if, what_if.variants[i].name, scenes[i], stage, runs);
+  }
   return runs;
 }
 

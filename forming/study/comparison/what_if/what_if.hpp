@@ -23,6 +23,8 @@ struct WhatIf {
   std::string case_path, accuracy, directory;
   std::vector<std::string> overrides;  ///< of all runs, the base too
   std::vector<WhatIfVariant> variants;
+  bool twice = false;  ///< each difference is the mean of two, the second from tools that are a little warmer
+  std::string base_results = {};  ///< folder of a finished run that is the base; empty: the base is run
 };
 
 /// The folder of the base below that of a what-if, and its name in tables.
@@ -41,6 +43,7 @@ struct PlannedRun {
   std::vector<std::string> overrides;  ///< with those of all runs
   std::optional<BranchPoint> branch;   ///< none: from the start
   std::string inside;                  ///< folder of the run whose own it lies in; empty for none
+  std::string copy_of = {};            ///< folder of the same run, finished elsewhere; empty for none
 };
 
 /// A tool warmer by this makes remeshing and contact decide otherwise and changes nothing else, K.
@@ -57,6 +60,9 @@ std::vector<PlannedRun> plan_runs(const WhatIf& what_if);
 
 /// What a variant changes against the base, value by value.
 std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant);
+
+/// Whether a file or folder of a result folder is that of another run: a coarser one or a twin.
+bool is_run_folder(const std::string& name);
 
 /// Makes the folder of a run that begins at a branch point: a checkpoint to resume from, and the files up to there.
 void make_branch(const PlannedRun& run);

@@ -207,6 +207,16 @@ TEST(SceneErrors, a_contact_by_the_gap_blames_the_key_that_is_given) {
       "contact is over; allowed is less");
 }
 
+TEST(SceneErrors, a_swab_or_a_time_of_the_temperature_that_cannot_be) {
+  const auto with = [](const std::string& line) {
+    return complaint_about(replaced("friction = \"slip\"", "friction = \"slip\"\n" + line));
+  };
+  EXPECT_NE(with("swab = { every = 0, heat = \"100 kJ/m2\" }").find("every"), std::string::npos);
+  EXPECT_NE(with("swab = { every = 5, heat = \"100 kJ\" }").find("tool.swab.heat: "), std::string::npos);
+  EXPECT_NE(with("swab = { every = 5 }").find("heat"), std::string::npos);
+  EXPECT_NE(with("temperature_at = \"the gob\"").find("tool.temperature_at: "), std::string::npos);
+}
+
 TEST(SceneErrors, a_swabbing_factor_that_is_not_above_zero) {
   const auto message = complaint_about(replaced("friction = \"slip\"", "friction = \"slip\"\nswabbing = 0"));
   EXPECT_NE(message.find("tool.swabbing: 0 was found, allowed is"), std::string::npos) << message;

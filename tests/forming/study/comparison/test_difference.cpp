@@ -83,6 +83,26 @@ TEST(Difference, a_twin_counts_where_it_left_its_run_before_the_runs_left_each_o
   EXPECT_NEAR(wall(compare_runs(base, other)).bar, 6.314 * 0.5, 1e-3);
 }
 
+TEST(Difference, of_runs_made_twice_is_that_of_their_means) {
+  FinishedRun base = run_with(2, 2, 2), other = run_with(2.1, 2.1, 2.5);
+  base.twins = {twin_with(2.02, 0)};
+  other.twins = {twin_with(2.1, 0)};
+  base.coarser[0].twins = {twin_with(2.03, 0)};
+  EXPECT_EQ(compare_runs(base, other).pairs, 2u);
+  const double far = bar_over_difference(3) * (0.5 - 0.09);  // of coarser runs made once, while no others are
+  EXPECT_NEAR(wall(compare_runs(base, other)).bar, std::max(far, bar_over_difference(1.5) * 0.01), 1e-9);
+  other.coarser[0].twins = {twin_with(2.11, 0)};
+  const RunComparison comparison = compare_runs(base, other);
+  EXPECT_NEAR(wall(comparison).base, 2.01, 1e-12);
+  EXPECT_NEAR(wall(comparison).difference, 0.09, 1e-12);
+  EXPECT_NEAR(comparison.profile.difference[200], 0.09, 1e-12);
+  const double finer = std::pow(1.5, bar_order), t = 2.132;  // four twins
+  const double squares = 0.02 * 0.02 + std::pow(0.03 / finer, 2) + std::pow(0.01 / finer, 2);
+  EXPECT_NEAR(wall(comparison).bar, t * std::sqrt(squares / 4 / 2), 1e-4);
+  other.twins = {twin_with(2.1, 1)};  // from another stage on: no pair
+  EXPECT_EQ(compare_runs(base, other).pairs, 1u);
+}
+
 TEST(Difference, without_coarser_runs_there_is_no_bar_and_no_verdict) {
   const RunComparison comparison = compare_runs(run_with(2), run_with(3));
   EXPECT_EQ(comparison.bars, BarSource::none);

@@ -13,6 +13,7 @@
 #include "forming/state/fingerprint.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/same_case.hpp"
+#include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/tool_overlap.hpp"
 #include "forming/study/comparison/what_if/what_if.hpp"
 
@@ -78,6 +79,38 @@ TEST_F(WhatIfTest, a_variant_begins_after_the_last_stage_that_its_change_cannot_
   EXPECT_EQ(named(runs, "longer, 3 times coarser").branch->directory, in("out/base/coarser_run"));
   EXPECT_FALSE(named(runs, "colder").branch);
   EXPECT_TRUE(named(runs, "twin of base, 3 times coarser, after press").branch->warmer_tools);
+}
+
+TEST_F(WhatIfTest, twice_means_a_twin_of_the_base_and_of_each_variant_from_where_they_part) {
+  WhatIf twice = asked({{"longer", {longer}}, {"colder", {colder}}});
+  twice.twice = true;
+  const auto runs = plan_runs(twice);
+  // Each run and its nearest coarser one, three times; twins of both of the base, from two points, and of each variant.
+  EXPECT_EQ(runs.size(), 3u * 2 + 2 * 2 + 2 * 2);
+  const PlannedRun& twin = named(runs, "twin of longer, 1.5 times coarser, after press");
+  EXPECT_EQ(twin.directory, in("out/longer/coarse_run/twin_after_press"));
+  EXPECT_EQ(twin.branch->directory, in("out/base/coarse_run"));
+  EXPECT_TRUE(twin.branch->warmer_tools);
+  EXPECT_EQ(twin.overrides, std::vector<std::string>{longer});
+  const PlannedRun& warmer = named(runs, "twin of colder");
+  EXPECT_FALSE(warmer.branch);
+  EXPECT_EQ(warmer.inside, in("out/colder"));
+  EXPECT_EQ(read_scene(folder, coarse, warmer.overrides).tools[0].initial_temperature, 470 + 273.15 + twin_warmer);
+}
+
+TEST_F(WhatIfTest, a_run_that_is_there_is_the_base_with_what_it_has) {
+  run_whole("made");
+  WhatIf from = asked({{"longer", {longer}}});
+  from.base_results = in("made");
+  const FinishedBase base = read_finished_base(in("made"));
+  EXPECT_EQ(base.case_path, in("made/case"));
+  EXPECT_EQ(base.accuracy, coarse);
+  const auto runs = plan_runs(from);
+  EXPECT_EQ(runs.front().copy_of, in("made"));
+  EXPECT_EQ(named(runs, "base, 3 times coarser").copy_of, "");
+  copy_results(runs.front());
+  EXPECT_EQ(core::read_text(in("out/base/history.csv")), core::read_text(in("made/history.csv")));
+  EXPECT_TRUE(has_completed_here(in("out/base")));
 }
 
 TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last_bit) {
