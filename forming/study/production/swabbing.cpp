@@ -4,39 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forming/step/heat/heat_step.hpp"
+#include "forming/step/idle/swabbed_tool.hpp"
 #include "forming/study/production/tool_fields.hpp"
-#include "thermal/time/tr_bdf2.hpp"
 
 namespace parison::forming {
 namespace {
-
-/// The temperatures of a tool from which its contact surface gives off so much heat, J/m2, in that time, and nothing
-/// else happens; from a uniform temperature. `heat` becomes the whole of it, J.
-thermal::StepOutcome give_off(const Scene& scene, const State& state, Index tool, double& heat) {
-  const Swab& swab = *scene.tools[tool].swab;
-  const core::Mesh& mesh = state.tools[tool].mesh;
-  thermal::Problem problem{scene.geometry, {}, {}, {}, scene.accuracy.temperature_order};
-  problem.bodies.push_back(body_view(scene, state, body_of_tool(tool), mesh));
-  // A given flux is exchange with something so cold, and so weak, that the surface's own temperature does not count.
-  constexpr double weak = 1e-6;
-  const double very_cold = -swab.heat / swab.seconds / weak;
-  thermal::BodyView& body = problem.bodies.front();
-  body.prescribed.clear();
-  body.exchange.assign(mesh.boundaries().size(), std::nullopt);
-  for (std::size_t i = 0; i < mesh.boundaries().size(); ++i)
-    if (mesh.boundaries()[i].kind == BoundaryKind::contact)
-      body.exchange[i] = thermal::SurfaceExchange{weak, very_cold, 0, 0};
-  thermal::StepOptions options;
-  options.tolerance = temperature_tolerance(scene);
-  options.newton_tolerance = 1e-3 * options.tolerance;
-  thermal::StepMatrix matrix;
-  const Eigen::VectorXd uniform = Eigen::VectorXd::Constant(mesh.node_count(), scene.tools[tool].initial_temperature);
-  auto outcome = thermal::advance(problem, 0, {uniform}, swab.seconds, options, matrix);
-  heat = 0;
-  for (const double through : outcome.balance.through_boundary) heat += through;
-  return outcome;
-}
 
 /// Cycles from one swab to the next; 0 for a tool without.
 int period(const SwabImprint& imprint, Eigen::Index node) {
@@ -59,9 +31,10 @@ SwabImprint swab_imprint(const Scene& scene, const State& initial) {
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const Eigen::Index size = initial.tools[t].temperature.size();
     if (scene.tools[t].swab && size > 0) {
-      auto outcome = give_off(scene, initial, static_cast<Index>(t), imprint.heat[t]);
-      if (!outcome.converged) imprint.failure = "the swab of " + scene.tools[t].name + ": " + outcome.reason;
-      imprint.change.segment(first, size) = outcome.temperature.front().array() - scene.tools[t].initial_temperature;
+      const SwabbedTool swabbed = swabbed_tool(scene, initial, static_cast<Index>(t));
+      if (!swabbed.failure.empty()) imprint.failure = "the swab of " + scene.tools[t].name + ": " + swabbed.failure;
+      imprint.heat[t] = swabbed.heat;
+      imprint.change.segment(first, size) = swabbed.temperature.array() - scene.tools[t].initial_temperature;
       imprint.share.segment(first, size).setConstant(1.0 / scene.tools[t].swab->every);
     }
     first += size;
