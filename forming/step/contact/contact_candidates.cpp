@@ -12,9 +12,15 @@ namespace parison::forming {
 
 namespace {
 
-/// Penetrated nodes are moved to the surface over 20 ms; moving them within one step would overpressurise a full
-/// cavity.
-constexpr double recovery_time = 20e-3;
+/// Time over which a penetrated node is moved to the surface, s: 20 ms, since moving it within one step would
+/// overpressurise a full cavity, and where the glass is stiff its viscosity over 1 MPa: a place that is 2 % of an edge
+/// deep is pushed out with some 0.2 bar however stiff the glass is.
+double recovery_time(const Scene& scene, const State& state, Index node) {
+  constexpr double shortest = 20e-3, stress_per_strain = 1e6;
+  const auto& temperature = state.glass.temperature;
+  const double here = temperature.size() > 0 ? temperature[node] : scene.glass.initial_temperature;
+  return std::max(shortest, scene.glass.flow->viscosity(here) / stress_per_strain);
+}
 
 /// Cosine of the turn of a tool, 45 degrees, over which the middle of an edge that lies over it is lifted; round a
 /// sharper corner it would be lifted by a good part of the edge, and a new mesh has a node at the corner.
@@ -136,6 +142,7 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
     } else if (bounds.size() < core::dim && constraint->gap <= reach) {
       bounds.push_back({tool.index, *constraint});
       bounds.back().of_edge = true;
+      bounds.back().lies_over = step.lies_over(tool.index, *edge);
     }
   }
   return bounds;
@@ -158,14 +165,16 @@ flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Boun
   // Glass that is drawn on a tool that grips is held from the run's first step, whichever way it is pulled.
   const bool drawn_on = state.totals.steps == 0 && std::abs(gap) <= placed.coincident;
   const bool grips = scene.tools[tool].friction.law == flow::Friction::Law::grip;
-  const bool tied = (drawn_on || (touched && gap <= bound.clearance + placed.at_tool)) && grips;
+  // A middle is not held where the end of its edge has left the tool so far that the edge between would enter it.
+  const bool peels = bound.clearance > placed.resting && !bound.lies_over;
+  const bool tied = (drawn_on || (touched && !peels && gap <= bound.clearance + placed.at_tool)) && grips;
   // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew there,
   // because next to a corner the linearised gap can be negative for a node that is outside; but a wall that is extended
   // past a joint has no tool behind it.
   const bool extended = bound.at_end.segment < 0 || bound.of_edge;
   const double inside = gap >= 0 ? 0.0 : extended ? -gap : placed.depth_inside(state, tool, x);
   const double depth = gap >= 0 ? std::max(0.0, clearance - gap) : inside + clearance;
-  const double share = bound.of_edge ? 0 : std::min(1.0, dt / recovery_time);
+  const double share = bound.of_edge && !bound.lies_over ? 0 : std::min(1.0, dt / recovery_time(scene, state, node));
   const double kept = depth - share * std::max(0.0, depth - placed.resting);
   const double rate = tied ? 0.0 : (clearance - gap - kept) / dt;
   const double fraction = touched ? 1 : fraction_in_contact(gap - clearance, dt * approach, placed.coincident);
