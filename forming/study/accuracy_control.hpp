@@ -13,11 +13,10 @@ namespace parison::forming {
 /// tools; where a scene has neither, the largest of all quantities. NaN where the runs have nothing in common.
 double difference_of_runs(const Quantities& run, const Quantities& reference);
 
-/// Finds how fine a scene has to be run for an error that is asked for, by runs of the scene itself: from the
-/// difference of two of them follows the error of the finer one (L. F. Richardson, Phil. Trans. R. Soc. A 210 (1911)
-/// 307-357), from that the edges and steps of the next. The larger of the estimates by the two runs before counts, and
-/// at least three runs are made. The order is 1.6 between two runs, and among three the one that they show, from 1.2
-/// to 1.6.
+/// Finds how fine a scene has to be run for an error that is asked for, by runs of the scene itself: the difference of
+/// two runs at edges h and H gives the constant c of the error c h^1.5 (L. F. Richardson, Phil. Trans. R. Soc. A 210
+/// (1911) 307-357), and from the weighted root mean square of c over all pairs of runs follow the error of the last run
+/// and the edges and steps of the next. At least three runs are made.
 class AccuracyControl {
  public:
   explicit AccuracyControl(double target);
@@ -34,9 +33,8 @@ class AccuracyControl {
   std::vector<CoarserRun> coarser() const;
 
  private:
-  /// Error of the last completed run, a share.
-  double estimate(double order) const;
-  double order() const;
+  /// Error of the last completed run, a share; at least two have been completed.
+  double estimate() const;
 
   AccuracyRecord record_;
   double factor_;
