@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <regex>
 
 #include "../pot_scene.hpp"
 #include "../scene_text.hpp"
@@ -104,6 +106,54 @@ TEST(ContactCandidate, of_a_node_at_rest_between_two_facing_walls_have_unit_norm
       EXPECT_TRUE(std::isfinite(candidate.rate));
     }
   EXPECT_EQ(found, 2);
+}
+
+/// Whether the middle and the first end of an edge on the bottom of a pot that grips are tied to it, where the other
+/// end has left it by `open`, m.
+std::array<bool, 2> tied_beside_open_end(double open) {
+  const Scene scene =
+      scene_of(replaced("friction = \"stick\"", "friction = \"grip\"", pot_with("\"(12, 20) (12, 0) (0, 0) mm\"")));
+  State state = initial_state(scene);
+  state.totals.steps = 1;
+  core::Mesh& mesh = state.glass.mesh;
+  const auto edge = *std::find_if(mesh.boundary_edges().begin(), mesh.boundary_edges().end(), [&](const auto& e) {
+    return mesh.nodes[e.nodes[0]][1] == 0 && mesh.nodes[e.nodes[1]][1] == 0 && mesh.nodes[e.nodes[0]][0] > 0;
+  });
+  for (const Index node : edge.nodes) state.glass.contact_tool[node] = 0;
+  mesh.nodes[edge.nodes[1]][1] = open;
+  if (open > 0) state.glass.contact_tool[edge.nodes[1]] = -1;
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(core::dim * mesh.node_count());
+  std::array<bool, 2> tied{};
+  for (const auto& candidate : contact_candidates(scene, state, rest, 1e-3))
+    for (const int i : {0, 1})
+      if (candidate.node == edge.nodes[i == 0 ? 2 : 0] && candidate.tool == 0) tied[i] = candidate.tied;
+  return tied;
+}
+
+TEST(ContactCandidate, of_the_middle_of_an_edge_that_grips_lets_go_where_the_end_of_its_edge_has_left) {
+  EXPECT_EQ(tied_beside_open_end(0), (std::array<bool, 2>{true, true}));
+  EXPECT_EQ(tied_beside_open_end(0.3e-3), (std::array<bool, 2>{false, true}));
+}
+
+/// The speed at which a node 20 um inside the bottom of the pot is moved out, m/s, by the viscosity of the glass, Pa.s.
+double recovery_speed(const std::string& viscosity) {
+  const std::string law = "viscosity = { law = \"constant\", value = \"" + viscosity + " Pa.s\" }";
+  const Scene scene = scene_of(std::regex_replace(pot, std::regex("viscosity = \\{[^}]*\\}"), law));
+  State state = initial_state(scene);
+  const Index node = contact_nodes(state.glass.mesh).front();
+  state.glass.mesh.nodes[node] = {5e-3, -20e-6};
+  state.glass.contact_tool[node] = 0;
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(core::dim * state.glass.mesh.node_count());
+  for (const auto& candidate : contact_candidates(scene, state, rest, 1e-3))
+    if (candidate.node == node && candidate.tool == 0) return candidate.recovery;
+  return 0;
+}
+
+TEST(ContactCandidate, of_a_penetrated_node_moves_out_more_slowly_the_stiffer_the_glass_is) {
+  const double soft = recovery_speed("1e3"), firm = recovery_speed("1e5"), stiff = recovery_speed("1e8");
+  EXPECT_GT(soft, 19e-6 / 20e-3) << "19 um over 20 ms";
+  EXPECT_NEAR(firm, soft / 5, 1e-9 * soft) << "over 0.1 s";
+  EXPECT_NEAR(stiff, soft / 5000, 1e-9 * soft) << "over 100 s";
 }
 
 TEST(Work, of_glass_that_slides_along_a_round_tool_is_balanced) {
