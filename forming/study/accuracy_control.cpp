@@ -74,7 +74,8 @@ void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_secon
       now.estimate = estimate();
       now.confirmed = completed_.size() >= least_runs;
       if (std::isfinite(now.estimate))
-        finer = std::clamp(std::pow(now.estimate / (aim * record_.target), 1 / order), least_refinement, most_refinement);
+        finer =
+            std::clamp(std::pow(now.estimate / (aim * record_.target), 1 / order), least_refinement, most_refinement);
     }
   }
   if (!finished()) factor_ /= finer;

@@ -2,6 +2,7 @@
 #include "forming/step/contact/penetration.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/unilateral/tool_gap.hpp"
@@ -44,8 +45,28 @@ double max_penetration(const Scene& scene, const State& state, double known) {
   return known;
 }
 
+namespace {
+
+constexpr std::array<double, 9> eighths{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
+
+/// Places on an edge (first, last, middle node, m, in the tool's frame): its eighths, and where joints of the tool's
+/// outline lie beside it, since at a corner the tool may be deeper in the edge than at any place chosen without it.
+std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Profile& outline) {
+  constexpr double beside = 0.25;  // of the edge
+  std::vector<double> places(eighths.begin(), eighths.end());
+  const Point along = edge[1] - edge[0];
+  const double square = along.squaredNorm();
+  for (const core::Segment& segment : outline.segments) {
+    const Point arm = segment.end - edge[0];
+    const double s = arm.dot(along) / square;
+    if (s > 0 && s < 1 && (arm - s * along).squaredNorm() < beside * beside * square) places.push_back(s);
+  }
+  return places;
+}
+
+}  // namespace
+
 double max_edge_penetration(const Scene& scene, const State& state, double known) {
-  constexpr int points = 8;
   const core::Mesh& mesh = state.glass.mesh;
   for (const Index tool : active_tools(scene, state)) {
     const contact::ToolGap gap(scene.tools[tool].profile, contact_boundaries(scene.tools[tool]));
@@ -55,11 +76,12 @@ double max_edge_penetration(const Scene& scene, const State& state, double known
       if (mesh.kind_of(edge) != BoundaryKind::contact) continue;
       const bool near = std::any_of(edge.nodes.begin(), edge.nodes.end(),
                                     [&](Index node) { return state.glass.contact_tool[node] == tool; });
-      for (int k = 0; near && k <= points; ++k) {
-        const auto n = core::edge_shape(double(k) / points);
-        Point x = -offset;
-        for (int i = 0; i < 3; ++i) x += n[i] * mesh.nodes[edge.nodes[i]];
-        known = gap.deepest(x, known, closest);
+      if (!near) continue;
+      std::array<Point, 3> local;
+      for (int i = 0; i < 3; ++i) local[i] = mesh.nodes[edge.nodes[i]] - offset;
+      for (const double s : places_on(local, scene.tools[tool].profile)) {
+        const auto n = core::edge_shape(s);
+        known = gap.deepest(n[0] * local[0] + n[1] * local[1] + n[2] * local[2], known, closest);
       }
     }
   }

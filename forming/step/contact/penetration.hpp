@@ -19,8 +19,8 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
 /// had as `known` little is searched.
 double max_penetration(const Scene& scene, const State& state, double known = 0);
 
-/// Depth of the deepest of nine points on each edge of the glass that may touch, in an active tool, m, or `known`:
-/// between nodes, a corner or a small radius of a tool can be deeper.
+/// Depth of the deepest of nine points on each edge of the glass that may touch, and of its places beside joints of a
+/// tool's outline, in an active tool, m, or `known`: between nodes, a corner or a small radius of a tool can be deeper.
 double max_edge_penetration(const Scene& scene, const State& state, double known = 0);
 
 /// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then.

@@ -118,6 +118,17 @@ TEST_F(RemeshState, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_
   }
 }
 
+TEST_F(RemeshState, an_edge_over_a_ridge_of_the_tool_is_as_deep_as_the_ridge_wherever_it_lies) {
+  scene = scene_of(replaced("(12, 20) (12, 0) (0, 0) mm",
+                            "(12, 20) (12, -0.2) (4.23, -0.2) (4.03, 0) (3.83, -0.2) (0, -0.2) mm", pot));
+  State state = initial_state(scene);
+  constexpr double depth = 30e-6;
+  for (Point& node : state.glass.mesh.nodes) node[1] -= depth;
+  for (const Index node : contact_nodes(state.glass.mesh)) state.glass.contact_tool[node] = 0;
+  EXPECT_LT(max_penetration(scene, state), 1e-12) << "no node is at the ridge";
+  EXPECT_NEAR(max_edge_penetration(scene, state), depth / std::sqrt(2), 1e-9) << "from its two sides";
+}
+
 TEST_F(RemeshState, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vertex) {
   scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/tumbler", "draft");
   State state = initial_state(scene);
