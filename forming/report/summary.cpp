@@ -7,16 +7,15 @@
 #include <filesystem>
 #include <limits>
 
-#include "contact/unilateral/tool_gap.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
-#include "core/mesh/element.hpp"
 #include "core/process/build_id.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/contour/contour.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/files/tool_rows.hpp"
+#include "forming/report/process/mould_filling.hpp"
 #include "forming/report/summary_parts.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
@@ -27,41 +26,8 @@ namespace {
 
 using core::JsonWriter;
 
-constexpr double near_tool = 0.2e-3;  ///< m
-
 double celsius(double kelvin) {
   return kelvin - thermal::content_reference;
-}
-
-/// Distance to the nearest active tool, by the exact profiles, m.
-double gap_to_tools(const Scene& scene, const State& state, const std::vector<std::vector<bool>>& contact,
-                    const Point& x) {
-  double gap = std::numeric_limits<double>::infinity();
-  for (const StageTool& stage_tool : scene.stages.at(state.stage).tools) {
-    const Tool& tool = scene.tools[stage_tool.tool];
-    const Point offset = state.tools[stage_tool.tool].offset * core::axis_direction();
-    gap = std::min(gap, contact::signed_gap(tool.profile, contact[stage_tool.tool], x - offset));
-  }
-  return gap;
-}
-
-OuterSurface outer_surface(const Scene& scene, const State& state, const std::vector<Index>& outer_edges) {
-  const core::Mesh& mesh = state.glass.mesh;
-  std::vector<std::vector<bool>> contact;
-  for (std::size_t i = 0; i < scene.tools.size(); ++i)
-    contact.push_back(core::boundaries_of_kind(state.tools[i].mesh, BoundaryKind::contact));
-  double near = 0, whole = 0;
-  OuterSurface surface;
-  for (const Index edge : outer_edges)
-    for (const core::EdgeRulePoint& at : core::edge_rule(3)) {
-      const auto point = core::map_edge_point(mesh, mesh.boundary_edges()[edge].nodes, scene.geometry, at);
-      const double gap = gap_to_tools(scene, state, contact, point.position);
-      whole += point.area;
-      if (gap <= near_tool) near += point.area;
-      if (gap > surface.largest_gap) surface.largest_gap = gap, surface.at = point.position;
-    }
-  surface.near_tools = near / whole;
-  return surface;
 }
 
 void add_run(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
@@ -245,7 +211,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_thickness(json, summary);
   add_flags(json, summary.flags);
   add_checks(json, summary.run.checks, summary.run.completed);
-  add_container(json, scene, state);
+  add_container(json, scene, state, summary.no_wall.empty());
   if (bars) add_errors(json, *bars);
   if (bars && bars->control) add_control(json, *bars->control);
   add_quantities(json, summary.quantities);
@@ -274,8 +240,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.thickness = thickness_range(profile.rows);
   summary.beside_finish = thickness_beside_finish(scene, state, profile);
   summary.no_wall = profile.no_wall;
-  const OuterSurface outer = outer_surface(scene, state, profile.outer_edges);
-  summary.outer_within_02mm = outer.near_tools;
+  summary.outer_within_02mm = share_near_tools(scene, state, profile.outer_edges);
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     const ToolState& body = state.tools[i];
     const double max_temperature =
@@ -298,8 +263,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
         summary.tools.back().faces.emplace_back(scene.tools[i].boundaries[face].name, body.heat_through[face]);
   }
   summary.flags = raised_flags(scene, run.extremes, state.time, summary.thickness);
-  if (const auto flag = mould_not_filled(scene.stages[state.stage], outer, state.time); flag && run.completed)
-    summary.flags.push_back(*flag);
+  if (const auto flag = mould_not_filled(run.filling); flag && run.completed) summary.flags.push_back(*flag);
   summary.quantities = quantities(scene, state, summary, profile.rows);
   return summary;
 }

@@ -9,6 +9,7 @@
 #include "forming/report/checks/check.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/process/flags.hpp"
+#include "forming/report/process/mould_filling.hpp"
 #include "forming/report/quantities.hpp"
 #include "forming/report/solver_statistics.hpp"
 #include "forming/report/thickness_profile.hpp"
@@ -37,8 +38,9 @@ struct RunFacts {
   double cpu_seconds = 0;                ///< of the whole process
   std::map<std::string, double> timing;  ///< s by part
   std::vector<std::string> warnings;
-  Checks checks;      ///< of the run's end
-  Extremes extremes;  ///< of temperatures
+  Checks checks;         ///< of the run's end
+  Extremes extremes;     ///< of temperatures
+  MouldFilling filling;  ///< at the end of the last stage that blew
   std::vector<StageRecord> stages;
   SolverStatistics solver_statistics;
 };

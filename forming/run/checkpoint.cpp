@@ -20,7 +20,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 9;
+constexpr std::int64_t format_version = 10;
 
 struct Writer {
   Hdf5Group group;
@@ -84,6 +84,15 @@ void visit_extreme(Visitor visit, Record& extreme) {
   visit("seconds_beyond", extreme.seconds_beyond);
 }
 
+template <typename Visitor, typename Filling>
+void visit_filling(Visitor visit, Filling& filling) {
+  visit("share", filling.share);
+  visit("largest_gap", filling.largest_gap);
+  visit("r", filling.at[0]);
+  visit("z", filling.at[1]);
+  visit("time", filling.time);
+}
+
 template <typename Visitor, typename Facts>
 void visit_facts(Visitor visit, Facts& facts) {
   visit("wall_seconds", facts.wall_seconds);
@@ -93,6 +102,7 @@ void visit_facts(Visitor visit, Facts& facts) {
   visit_extreme(visit.part("coldest_glass"), facts.extremes.glass);
   for (std::size_t i = 0; i < facts.extremes.tools.size(); ++i)
     visit_extreme(visit.part(fmt::format("hottest_tool_{}", i)), facts.extremes.tools[i]);
+  visit_filling(visit.part("mould_filling"), facts.filling);
   for (std::size_t i = 0; i < facts.warnings.size(); ++i)
     visit(fmt::format("warning_{}", i).c_str(), facts.warnings[i]);
   for (std::size_t i = 0; i < facts.stages.size(); ++i) {

@@ -9,6 +9,7 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_state.hpp"
+#include "forming/report/process/mould_filling.hpp"
 #include "forming/run/step_loop.hpp"
 #include "forming/run/warnings.hpp"
 #include "forming/state/initial_state.hpp"
@@ -97,6 +98,7 @@ void end_stage(RunInProgress& run, bool good) {
   const char* reason = end_reason(run, good);
   facts.stages.push_back(
       {run.scene.stages[state.stage].name, state.stage_start, state.time, reason, state.totals.work});
+  if (good && blows(run.scene.stages[state.stage])) facts.filling = mould_filling(run.scene, state);
   if (good && !facts.stopped && stage_end(run.scene, state) == StageEnd::duration)
     add_warnings(moving_tool_warnings(run.scene, state), facts);
 }

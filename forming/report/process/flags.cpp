@@ -64,15 +64,16 @@ FlagsRaised raised_flags(const Scene& scene, const Extremes& extremes, double en
   return flags;
 }
 
-std::optional<Flag> mould_not_filled(const Stage& stage, const OuterSurface& outer, double time) {
-  constexpr double filled_mould = 0.98, free_blow = 0.5;  // shares of the outer surface near tools
-  if (stage.pressure.empty() || outer.near_tools >= filled_mould || !(outer.near_tools > free_blow)) return {};
-  Flag flag{"mould_not_filled", "", "%", 100 * filled_mould, 100 * outer.near_tools, time, time, 0, outer.at, {}};
+std::optional<Flag> mould_not_filled(const MouldFilling& filling) {
+  constexpr double filled_mould = 0.98;  // share of what faces a tool
+  if (!filling.was_blown() || filling.share >= filled_mould) return {};
+  Flag flag{"mould_not_filled", "",           "%", 100 * filled_mould, 100 * filling.share,
+            filling.time,       filling.time, 0,   filling.at,         {}};
   flag.sentence = fmt::format(
-      "mould not filled: {:.1f} % of the outer surface lies within 0.2 mm of a tool at the end, and {} is {:.2g} mm "
-      "away; "
-      "more pressure or time, or hotter glass",
-      flag.value, place(flag), 1e3 * outer.largest_gap);
+      "mould not filled: of the outer surface that faces a tool {:.1f} % lies within {:g} mm of it when the blow ends "
+      "at "
+      "{:.2f} s, and {} is {:.2g} mm away; more pressure or time, or hotter glass",
+      flag.value, 1e3 * near_tool, flag.time, place(flag), 1e3 * filling.largest_gap);
   return flag;
 }
 

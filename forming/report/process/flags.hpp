@@ -6,6 +6,7 @@
 
 #include "core/io/json.hpp"
 #include "forming/report/process/extremes.hpp"
+#include "forming/report/process/mould_filling.hpp"
 #include "forming/report/thickness_profile.hpp"
 #include "forming/scene/scene.hpp"
 
@@ -26,16 +27,8 @@ using FlagsRaised = std::vector<Flag>;
 /// The flags of a run with what it remembers, its end at `end_time`, s, and its wall there.
 FlagsRaised raised_flags(const Scene& scene, const Extremes& extremes, double end_time, const ThicknessRange& wall);
 
-/// How the outer surface of the glass lies to the tools of the stage.
-struct OuterSurface {
-  double near_tools = 0;   ///< share within 0.2 mm of one
-  double largest_gap = 0;  ///< m
-  Point at = Point::Zero();
-};
-
-/// That glass which the stage blows has come to most of a mould and not to all of it by the run's end at `time`, s;
-/// nothing where it has, or where so little of it is at tools that it may be blown freely from a ring.
-std::optional<Flag> mould_not_filled(const Stage& stage, const OuterSurface& outer, double time);
+/// That glass which was blown into a mould has not come to all of it by the end of the stage; nothing where it has.
+std::optional<Flag> mould_not_filled(const MouldFilling& filling);
 
 /// The list `flags` of summary.json.
 void add_flags(core::JsonWriter& json, const FlagsRaised& flags);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,6 +7,7 @@
 #include "../scene_text.hpp"
 #include "forming/report/process/flags.hpp"
 #include "forming/report/process/glass_shape.hpp"
+#include "forming/report/process/mould_filling.hpp"
 #include "forming/report/process/tool_surface.hpp"
 #include "forming/state/initial_state.hpp"
 
@@ -74,21 +76,68 @@ TEST(Flags, cold_glass_and_a_thin_wall_are_told_where_the_case_has_a_limit) {
   EXPECT_NE(flags[1].sentence.find("wall 1.00 mm at (20.0, 10.0) mm, below 1.20 mm"), std::string::npos);
 }
 
-TEST(Flags, glass_blown_into_a_mould_that_is_not_full_is_told_with_the_place_furthest_from_it) {
-  const auto flag_of = [](const Stage& stage, double share) {
-    return mould_not_filled(stage, {share, 2.5e-3, Point(0.03, 0.12)}, 4);
-  };
-  Stage stage;
-  EXPECT_FALSE(flag_of(stage, 0.91)) << "nothing blows";
-  stage.pressure.emplace("inner", core::TimeFunction{});
-  const auto flag = flag_of(stage, 0.91);
+/// A thimble of glass, 4 mm outside and open above, in a mould of this radius, mm, that ends at a height, mm.
+State thimble(double mould_radius, double mould_height, const std::string& pressure, Scene& scene) {
+  const auto wall = fmt::format("({0}, {1}) ({0}, 0) (0, 0) mm", mould_radius, mould_height);
+  scene = scene_of(R"(case = "thimble"
+geometry = "axisymmetric"
+[material.soft]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e4 Pa.s" }
+[glass]
+material = "soft"
+boundary = [
+  { name = "outer", path = "(0, 0) (4, 0) (4, 20) mm", condition = "contact" },
+  { name = "top", path = "(3, 20) mm", condition = "air" },
+  { name = "inner", path = "(3, 1) (0, 1) mm", condition = "air" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
+]
+[[tool]]
+name = "mould"
+friction = "stick"
+boundary = [
+  { name = "cavity", path = ")" +
+                   wall + R"(", condition = "contact" },
+  { name = "axis", path = "(0, -5) mm", condition = "symmetry" },
+  { name = "outer", path = "(20, -5) (20, )" +
+                   fmt::format("{0}) ({1}, {0}) mm", mould_height, mould_radius) + R"(", condition = "insulated" },
+]
+[[stage]]
+name = "blow"
+duration = "1 s"
+tools = ["mould"]
+pressure.inner = )" +
+                   pressure + "\n");
+  return initial_state(scene);
+}
+
+TEST(Flags, glass_blown_into_a_mould_that_is_not_full_is_told_however_far_it_is_from_it) {
+  Scene scene;
+  const State state = thimble(6, 20, "\"1 bar\"", scene);
+  const MouldFilling filling = mould_filling(scene, state);
+  ASSERT_TRUE(filling.was_blown());
+  EXPECT_GT(filling.share, 16. / (16 + 2 * 4 * 20)) << "the bottom";
+  EXPECT_LT(filling.share, 16. / (16 + 2 * 4 * 20) + 0.03) << "and what is 0.2 mm above it";
+  EXPECT_NEAR(filling.largest_gap, 2e-3, 1e-9);
+  EXPECT_NEAR(filling.at[0], 4e-3, 1e-9) << "the side; the rim faces no tool and is none of the places";
+  const auto flag = mould_not_filled(filling);
   ASSERT_TRUE(flag);
   EXPECT_EQ(flag->name, "mould_not_filled");
-  EXPECT_NEAR(flag->value, 91, 1e-9);
-  EXPECT_NE(flag->sentence.find("91.0 % of the outer surface"), std::string::npos) << flag->sentence;
-  EXPECT_NE(flag->sentence.find("(30.0, 120.0) mm is 2.5 mm away"), std::string::npos) << flag->sentence;
-  EXPECT_FALSE(flag_of(stage, 0.99)) << "full";
-  EXPECT_FALSE(flag_of(stage, 0.2)) << "blown freely from a ring";
+  EXPECT_NE(flag->sentence.find("of the outer surface that faces a tool"), std::string::npos) << flag->sentence;
+  EXPECT_NE(flag->sentence.find("mm is 2 mm away"), std::string::npos) << flag->sentence;
+  const State in_touch = thimble(4.1, 20, "[[\"0 s\", \"0 bar\"], [\"1 s\", \"1 bar\"]]", scene);
+  const MouldFilling full = mould_filling(scene, in_touch);
+  EXPECT_TRUE(full.was_blown());
+  EXPECT_FALSE(mould_not_filled(full));
+}
+
+TEST(Flags, glass_that_no_pressure_blows_or_that_no_mould_surrounds_is_not_told_as_unfilled) {
+  Scene scene;
+  const State pressed = thimble(6, 20, "\"0 bar\"", scene);
+  EXPECT_FALSE(mould_filling(scene, pressed).was_blown()) << "nothing is blown";
+  const State free = thimble(6, 3, "\"1 bar\"", scene);
+  EXPECT_FALSE(mould_filling(scene, free).was_blown()) << "most of it has no tool in front";
+  EXPECT_FALSE(mould_not_filled(MouldFilling{}));
 }
 
 TEST(Flags, the_limits_are_read_from_the_case) {
