@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/report/process/extremes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "forming/report/process/tool_surface.hpp"
@@ -11,6 +12,16 @@ namespace {
 void add_time_beyond(const State& before, const State& state, Extreme& extreme) {
   if (!extreme.was_beyond()) extreme.first_beyond = state.time;
   extreme.seconds_beyond += state.time - before.time;
+}
+
+/// Whether glass touches a tool; without flow, where contact is not computed, whether the stage uses it.
+bool touches_glass(const Scene& scene, const State& state, Index tool) {
+  if (scene.has_flow()) {
+    const std::vector<Index>& touched = state.glass.contact_tool;
+    return std::find(touched.begin(), touched.end(), tool) != touched.end();
+  }
+  const auto& tools = scene.stages.at(state.stage).tools;
+  return std::any_of(tools.begin(), tools.end(), [&](const StageTool& entry) { return entry.tool == tool; });
 }
 
 }  // namespace
@@ -24,7 +35,8 @@ void update_extremes(const Scene& scene, const State& before, const State& state
     Extreme& extreme = extremes.tools[i];
     if (hottest.temperature > extreme.temperature || std::isnan(extreme.temperature))
       extreme.temperature = hottest.temperature, extreme.time = state.time, extreme.at = hottest.at;
-    if (hottest.temperature > flags.tool_surface_above) add_time_beyond(before, state, extreme);
+    if (hottest.temperature > flags.tool_surface_above && touches_glass(scene, state, static_cast<Index>(i)))
+      add_time_beyond(before, state, extreme);
   }
   Eigen::Index coldest = 0;
   const double temperature = state.glass.temperature.minCoeff(&coldest);

@@ -14,7 +14,7 @@ struct Extreme {
   double time = 0;                                                 ///< of it, s
   Point at = Point::Zero();                                        ///< in the frame of the case, m
   double first_beyond = std::numeric_limits<double>::quiet_NaN();  ///< time of the first step beyond the limit, s
-  double seconds_beyond = 0;                                       ///< duration of all steps that ended beyond it
+  double seconds_beyond = 0;  ///< duration of all steps that ended beyond it; of a tool, touching glass
 
   bool was_beyond() const { return seconds_beyond > 0; }
 };

@@ -27,6 +27,12 @@ Flag of_temperature(const char* name, const std::string& tool, double limit, con
           {}};
 }
 
+/// Whether a limit was passed for a time that a sentence can show: less is an instant.
+bool lasted(const Extreme& extreme) {
+  constexpr double shown = 0.005;  // s
+  return extreme.seconds_beyond >= shown;
+}
+
 std::string place(const Flag& flag) {
   return fmt::format("({:.1f}, {:.1f}) mm", 1e3 * flag.at[0], 1e3 * flag.at[1]);
 }
@@ -37,15 +43,16 @@ FlagsRaised raised_flags(const Scene& scene, const Extremes& extremes, double en
   const Flags& limits = scene.output.flags;
   FlagsRaised flags;
   for (std::size_t i = 0; i < extremes.tools.size(); ++i) {
-    if (!extremes.tools[i].was_beyond()) continue;
+    if (!lasted(extremes.tools[i])) continue;
     Flag flag = of_temperature("tool_surface_above", scene.tools[i].name, limits.tool_surface_above, extremes.tools[i]);
     flag.sentence = fmt::format(
-        "{} surface {:.0f} degC at {} at {:.2f} s, above {:.0f} degC for {:.2f} s: glass may stick; cool the tool more "
+        "{} surface {:.0f} degC at {} at {:.2f} s, above {:.0f} degC for {:.2f} s in which glass touched it: glass may "
+        "stick; cool the tool more "
         "or shorten the contact",
         flag.tool, flag.value, place(flag), flag.time, flag.limit, flag.seconds);
     flags.push_back(flag);
   }
-  if (limits.glass_below && extremes.glass.was_beyond()) {
+  if (limits.glass_below && lasted(extremes.glass)) {
     Flag flag = of_temperature("glass_below", "", *limits.glass_below, extremes.glass);
     flag.sentence = fmt::format(
         "glass {:.0f} degC at {} at {:.2f} s, below {:.0f} degC for {:.2f} s: it may check or not fill; a hotter gob "

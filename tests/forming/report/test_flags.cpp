@@ -16,13 +16,15 @@ namespace {
 
 constexpr double zero = 273.15;  // degC in K
 
-/// The small scene after steps of 0.1 s in which the plunger's rim has these temperatures, degC.
-Extremes after(const Scene& scene, const std::vector<double>& temperatures) {
+/// The small scene after steps of 0.1 s, or as long, in which the plunger's rim has these temperatures, degC, and glass
+/// touches it in the first of them.
+Extremes after(const Scene& scene, const std::vector<double>& temperatures, int touching = 100, double step = 0.1) {
   Extremes extremes;
   State before = initial_state(scene);
   for (const double temperature : temperatures) {
     State state = before;
-    state.time += 0.1;
+    state.time += step;
+    state.glass.contact_tool.assign(state.glass.mesh.nodes.size(), touching-- > 0 ? 1 : -1);
     ToolState& plunger = state.tools[1];
     for (Index n = 0; n < plunger.mesh.node_count(); ++n)
       if (plunger.mesh.nodes[n][0] > 0.0149 && plunger.mesh.nodes[n][1] < 1e-9)
@@ -55,11 +57,20 @@ TEST(Flags, a_tool_hotter_than_the_sticking_temperature_is_told_with_place_time_
   EXPECT_EQ(flags[0].name, "tool_surface_above");
   EXPECT_EQ(flags[0].tool, "plunger");
   EXPECT_NEAR(flags[0].value, 700, 1e-9);
-  EXPECT_EQ(
-      flags[0].sentence,
-      "plunger surface 700 degC at (15.0, 10.0) mm at 0.30 s, above 645 degC for 0.30 s: glass may stick; cool the "
-      "tool more or shorten the contact");
+  EXPECT_EQ(flags[0].sentence,
+            "plunger surface 700 degC at (15.0, 10.0) mm at 0.30 s, above 645 degC for 0.30 s in which glass touched "
+            "it: glass may "
+            "stick; cool the tool more or shorten the contact");
   EXPECT_TRUE(raised_flags(scene, after(scene, {600, 640}), 0.2, {}).empty());
+}
+
+TEST(Flags, a_hot_tool_is_told_only_for_the_time_in_which_glass_touches_it) {
+  const Scene scene = scene_of(small_scene);
+  const FlagsRaised flags = raised_flags(scene, after(scene, {700, 690, 680, 670}, 2), 0.4, {});
+  ASSERT_EQ(flags.size(), 1u);
+  EXPECT_NEAR(flags[0].seconds, 0.2, 1e-12);
+  EXPECT_TRUE(raised_flags(scene, after(scene, {700, 690}, 0), 0.2, {}).empty()) << "it has left the glass";
+  EXPECT_TRUE(raised_flags(scene, after(scene, {700, 600}, 100, 0.004), 0.008, {}).empty()) << "0.00 s";
 }
 
 TEST(Flags, cold_glass_and_a_thin_wall_are_told_where_the_case_has_a_limit) {
