@@ -52,7 +52,8 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
     text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
                                                   celsius(glass.lowest), celsius(glass.highest)));
   text += thickness_lines(summary);
-  if (const auto capacity = capacity_text(scene, state); !capacity.empty()) text += line("capacity", capacity);
+  const std::string capacity = capacity_text(scene, state, summary.no_wall.empty());
+  if (!capacity.empty()) text += line("capacity", capacity);
   if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
     text += line("outer surface",
                  fmt::format("{:.1f} % within 0.2 mm of the active tools", 100 * summary.outer_within_02mm));

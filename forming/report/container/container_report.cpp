@@ -49,33 +49,45 @@ void add_volumes(core::JsonWriter& json, const std::optional<double>& capacity, 
   if (capacity && filled) json.add("ullage_ml", (*capacity - *filled) / millilitre);
 }
 
+/// Whether a volume of the container is not that of the drawings, by a share that is worth a word.
+bool differs(double volume, const std::optional<double>& drawn) {
+  constexpr double notable = 1e-3;
+  return drawn && std::abs(volume / *drawn - 1) > notable;
+}
+
 }  // namespace
 
-std::optional<ContainerReport> container_report(const Scene& scene, const State& state) {
+std::optional<ContainerReport> container_report(const Scene& scene, const State& state, bool is_wall) {
   const auto plan = container_plan(scene);
   const double gravity = scene.stages.back().gravity;
-  if (!plan || !plan->capacity || gravity == 0) return {};
-  const int up = gravity > 0 ? -1 : 1;
-  const core::Profile surface = surface_of(state.glass.mesh);
+  if (!plan || !(plan->capacity || is_wall)) return {};
   ContainerReport report;
   report.weight = glass_facts(scene, state).mass;
+  if (gravity == 0) {
+    report.absent = "not computed: the last stage has no gravity, so it is not known which way up the container stands";
+    return report;
+  }
+  const int up = gravity > 0 ? -1 : 1;
+  const core::Profile surface = surface_of(state.glass.mesh);
   report.rim = up * HUGE_VAL * -1;
   for (const core::Segment& segment : surface.segments)
     report.rim = up > 0 ? std::max(report.rim, segment.start[1]) : std::min(report.rim, segment.start[1]);
   report.capacity = volume_below(surface, report.rim, up);
+  if (!report.capacity) report.absent = "none: the glass encloses no space that is open at its highest place";
   if (const auto level = scene.output.fill_level) report.filled = volume_below(surface, report.rim - up * *level, up);
   if (plan->press && plan->press->is_driven && state.stage >= plan->press->stage)
     report.plunger_stop = state.tools[plan->press->tool].offset;
   return report;
 }
 
-void add_container(core::JsonWriter& json, const Scene& scene, const State& state) {
-  const auto report = container_report(scene, state);
+void add_container(core::JsonWriter& json, const Scene& scene, const State& state, bool is_wall) {
+  const auto report = container_report(scene, state, is_wall);
   if (!report) return;
   json.open_object("container");
   json.add("weight_g", 1e3 * report->weight);
   json.add("rim_mm", report->rim / millimetre);
   add_volumes(json, report->capacity, report->filled);
+  if (!report->absent.empty()) json.add("capacity_absent", report->absent);
   add_optional(json, "plunger_stop_mm", report->plunger_stop, millimetre);
   add_optional(json, "fill_level_mm", scene.output.fill_level, millimetre);
   const ContainerPlan plan = *container_plan(scene);
@@ -89,18 +101,19 @@ void add_container(core::JsonWriter& json, const Scene& scene, const State& stat
   json.close();
 }
 
-std::string capacity_text(const Scene& scene, const State& state) {
-  const auto report = container_report(scene, state);
-  if (!report || !report->capacity) return "";
-  std::string text = fmt::format("{:.2f} ml to the rim", *report->capacity / millilitre);
-  constexpr double notable = 1e-3;  // share by which container and drawing differ
+std::string capacity_text(const Scene& scene, const State& state, bool is_wall) {
+  const auto report = container_report(scene, state, is_wall);
+  if (!report) return "";
+  if (!report->capacity) return report->absent;
   const ContainerPlan plan = *container_plan(scene);
-  if (std::abs(*report->capacity / *plan.capacity - 1) > notable)
+  std::string text = fmt::format("{:.2f} ml to the rim", *report->capacity / millilitre);
+  if (differs(*report->capacity, plan.capacity))
     text += fmt::format(" at {:.5g} mm, drawn {:.2f} ml at {:.5g} mm", report->rim / millimetre,
                         *plan.capacity / millilitre, *plan.rim / millimetre);
-  if (report->filled)
-    text += fmt::format(", {:.2f} ml to {:.4g} mm below it", *report->filled / millilitre,
-                        *scene.output.fill_level / millimetre);
+  if (!report->filled) return text;
+  text += fmt::format("{} {:.2f} ml to {:.4g} mm below it", text.find("drawn") == text.npos ? "," : ";",
+                      *report->filled / millilitre, *scene.output.fill_level / millimetre);
+  if (differs(*report->filled, plan.filled)) text += fmt::format(", drawn {:.2f} ml", *plan.filled / millilitre);
   return text;
 }
 

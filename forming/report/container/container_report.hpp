@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -11,21 +12,22 @@ namespace parison::forming {
 
 /// The container as the run has formed it.
 struct ContainerReport {
-  double weight = 0;                   ///< kg
-  double rim = 0;                      ///< highest place of the glass as it stands, m along the axis
-  std::optional<double> capacity;      ///< to the rim, m3; none where the glass holds nothing
-  std::optional<double> filled;        ///< to the fill level of the case, m3
+  double weight = 0;                                      ///< kg
+  double rim = std::numeric_limits<double>::quiet_NaN();  ///< highest place of the glass as it stands, m along the axis
+  std::optional<double> capacity;                         ///< to the rim, m3; none where the glass holds nothing
+  std::string absent;                                     ///< why there is no capacity, a sentence; empty with one
+  std::optional<double> filled;                           ///< to the fill level of the case, m3
   std::optional<double> plunger_stop;  ///< offset of the plunger of the press, where a force drives it, m
 };
 
-/// Nothing where the drawings make no container (container_plan), or where gravity does not say how it stands. It
-/// stands upright in the last stage.
-std::optional<ContainerReport> container_report(const Scene& scene, const State& state);
+/// Nothing in a planar scene, without flow or without tools, and where neither the drawings make a container
+/// (container_plan) nor the glass is a wall. It stands upright in the last stage, as gravity says.
+std::optional<ContainerReport> container_report(const Scene& scene, const State& state, bool is_wall);
 
 /// The object `container` of summary.json, with what the drawings said; nothing without a report.
-void add_container(core::JsonWriter& json, const Scene& scene, const State& state);
+void add_container(core::JsonWriter& json, const Scene& scene, const State& state, bool is_wall);
 
-/// Capacity for the table of results, empty without one.
-std::string capacity_text(const Scene& scene, const State& state);
+/// Capacity for the table of results, or why there is none; empty without a report.
+std::string capacity_text(const Scene& scene, const State& state, bool is_wall);
 
 }  // namespace parison::forming

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../scene_text.hpp"
+#include "forming/report/container/container_report.hpp"
+#include "forming/scene/container/container_plan.hpp"
+#include "forming/state/initial_state.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// A cup of glass, open above, 4 mm outside and 3 mm inside, 20 mm high on 1 mm of bottom, in a mould without a lid.
+Scene cup_in_an_open_mould(const std::string& gravity) {
+  return scene_of(R"(case = "cup"
+geometry = "axisymmetric"
+output.fill_level = "5 mm"
+[material.soft]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e4 Pa.s" }
+[glass]
+material = "soft"
+boundary = [
+  { name = "outer", path = "(0, 0) (4, 0) (4, 20) mm", condition = "contact" },
+  { name = "top", path = "(3, 20) mm", condition = "air" },
+  { name = "inner", path = "(3, 1) (0, 1) mm", condition = "air" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
+]
+[[tool]]
+name = "mould"
+friction = "stick"
+boundary = [
+  { name = "cavity", path = "(6, 20) (6, 0) (0, 0) mm", condition = "contact" },
+  { name = "axis", path = "(0, -5) mm", condition = "symmetry" },
+  { name = "outer", path = "(20, -5) (20, 20) (6, 20) mm", condition = "insulated" },
+]
+[[stage]]
+name = "blow"
+duration = "1 s"
+tools = ["mould"]
+gravity = ")" + gravity +
+                  R"("
+pressure.inner = "1 bar"
+)");
+}
+
+TEST(ContainerReport, what_a_blown_wall_holds_is_given_where_no_tool_closes_the_mouth_of_the_mould) {
+  const Scene scene = cup_in_an_open_mould("-9.81 m/s2");
+  ASSERT_FALSE(container_plan(scene)->capacity) << "the drawings do not say";
+  const auto report = container_report(scene, initial_state(scene), true);
+  ASSERT_TRUE(report && report->capacity && report->filled);
+  EXPECT_NEAR(1e9 * *report->capacity, M_PI * 9 * 19, 0.01);
+  EXPECT_NEAR(1e9 * *report->filled, M_PI * 9 * 14, 0.01);
+  EXPECT_EQ(capacity_text(scene, initial_state(scene), true), "0.54 ml to the rim, 0.40 ml to 5 mm below it");
+  EXPECT_EQ(capacity_text(scene, initial_state(scene), false), "") << "a gob";
+}
+
+TEST(ContainerReport, a_wall_whose_capacity_cannot_be_computed_is_told_why) {
+  const Scene lying = cup_in_an_open_mould("0 m/s2");
+  EXPECT_EQ(capacity_text(lying, initial_state(lying), true),
+            "not computed: the last stage has no gravity, so it is not known which way up the container stands");
+  const Scene upside_down = cup_in_an_open_mould("9.81 m/s2");
+  EXPECT_EQ(capacity_text(upside_down, initial_state(upside_down), true),
+            "none: the glass encloses no space that is open at its highest place");
+  core::JsonWriter json;
+  add_container(json, upside_down, initial_state(upside_down), true);
+  EXPECT_NE(json.finish().find("\"capacity_absent\": \"none: "), std::string::npos);
+}
+
+TEST(ContainerReport, the_drawn_volume_at_the_fill_level_is_given_where_the_formed_one_differs) {
+  const Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/jar", "draft", {"output.fill_level=20 mm"});
+  const auto plan = container_plan(scene);
+  ASSERT_TRUE(plan->capacity && plan->filled);
+  State state = initial_state(scene);
+  // The glass is a cup as wide as the finish, so that it holds something else than the jar.
+  Scene cup = cup_in_an_open_mould("9.81 m/s2");
+  state.glass = initial_state(cup).glass;
+  for (Point& x : state.glass.mesh.nodes) x = Point(8 * x[0], 1e-3 - 4 * x[1]);
+  const std::string text = capacity_text(scene, state, true);
+  const auto drawn = text.rfind(", drawn ");
+  ASSERT_NE(drawn, text.npos) << text;
+  EXPECT_NE(text.find("ml to 20 mm below it, drawn "), text.npos) << text;
+  EXPECT_NEAR(std::stod(text.substr(drawn + 8)), 1e6 * *plan->filled, 0.006) << text;
+}
+
+}  // namespace
+}  // namespace parison::forming
