@@ -117,8 +117,8 @@ std::vector<HeightRow> height_rows(const Scene& scene, const State& state, const
   const GlassShape shape = glass_shape(scene, state);
   const int up = upwards(scene, state);
   const double height = shape.high - shape.low, foot = up > 0 ? shape.low : shape.high;
-  const double distance = slice_distance(height),
-               density = glass_facts(scene, state).mass / core::volume(mesh, scene.geometry);
+  const double distance = slice_distance(height), mass = glass_facts(scene, state).mass,
+               density = mass / core::volume(mesh, scene.geometry);
   const double edge = 1e-6 * height;  // the slices at the ends are taken so far inside
   std::vector<HeightRow> rows;
   for (int i = 0; i * distance < height * (1 + 1e-12); ++i) {
@@ -130,7 +130,8 @@ std::vector<HeightRow> height_rows(const Scene& scene, const State& state, const
       row.inner_radius = crossings[crossings.size() - 2];
     }
     row.thickness = outer_thickness(points, inside);
-    row.weight_above = density * volume_beyond(mesh, scene.geometry, row.axial, up);
+    // edges may bulge a little below the lowest node
+    row.weight_above = i == 0 ? mass : density * volume_beyond(mesh, scene.geometry, row.axial, up);
     rows.push_back(row);
   }
   return rows;

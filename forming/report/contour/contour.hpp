@@ -27,11 +27,13 @@ std::vector<ContourPoint> contour(const Scene& scene, const State& state, const 
 
 /// A horizontal slice of the glass as it stands.
 struct HeightRow {
-  double height;                      ///< above its lowest point, m
-  double axial;                       ///< coordinate along the axis, m
-  double outer_radius, inner_radius;  ///< m; the inner one 0 where the glass reaches the axis; x in planar scenes
-  double thickness;                   ///< normal to the outer side there, m; NaN off the wall
-  double weight_above;                ///< kg
+  double height;  ///< above its lowest point, m
+  double axial;   ///< coordinate along the axis, m
+  /// Of the outermost glass in the slice, m; x in planar scenes. The inner one is 0 where that glass reaches the axis;
+  /// below the top of a push-up it is that of the push-up, not of the inside of the container.
+  double outer_radius, inner_radius;
+  double thickness;     ///< normal to the outer side there, m; NaN off the wall
+  double weight_above;  ///< kg; in the first slice all of the glass
 };
 
 /// Slices from the lowest point to the highest, 50 to 500 at a distance of 1 mm or a power of ten of it.

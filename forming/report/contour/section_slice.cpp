@@ -74,8 +74,10 @@ double volume_beyond(const core::Mesh& mesh, core::Geometry geometry, double lev
   long double sum = 0;  // the two sides of a thin wall all but cancel
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     const Curve curve = curve_of(mesh, edge);
-    std::vector<double> ends = roots(curve, level);
-    ends.insert(ends.begin(), 0);
+    // all roots, not `roots`: an edge may begin on the level, bulge beyond it and come back
+    std::vector<double> ends{0};
+    for (const double s : all_roots(curve, level))
+      if (s > 0 && s < 1) ends.push_back(s);
     ends.push_back(1);
     for (std::size_t i = 1; i < ends.size(); ++i)
       if (up * (curve.at(0.5 * (ends[i - 1] + ends[i]))[1] - level) > 0)

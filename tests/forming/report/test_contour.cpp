@@ -9,6 +9,7 @@
 #include "forming/report/contour/contour.hpp"
 #include "forming/report/contour/section_slice.hpp"
 #include "forming/report/files/body_fields.hpp"
+#include "forming/report/files/history.hpp"
 #include "forming/state/initial_state.hpp"
 
 namespace parison::forming {
@@ -39,6 +40,17 @@ TEST(SectionSlice, the_volume_beyond_a_level_is_exact_for_quadratic_edges) {
   EXPECT_NEAR(volume_beyond(mesh, geometry, -1, 1), core::volume(mesh, geometry), 1e-17);
   EXPECT_EQ(volume_beyond(mesh, geometry, 1, 1), 0);
   EXPECT_NEAR(volume_beyond(mesh, core::Geometry::planar, 0.0125, 1), 0.004 * 0.0375, 1e-16);
+}
+
+TEST(SectionSlice, the_volume_beyond_a_level_is_exact_where_an_edge_begins_on_it_bulges_beyond_and_comes_back) {
+  const double r = 0.02, w = 0.004, h = 0.001, top = 0.05;
+  const core::Mesh mesh = tests::structured(1, 10, [&](double s, double t) {
+    return Point(r + w * s, (1 - t) * h * (2 * s * s - s) + t * top);  // nodes of the lowest edge at 0, 0 and h
+  });
+  const auto geometry = core::Geometry::axisymmetric;
+  const double below = 2 * M_PI * h * w * (r / 24 + w / 96);
+  EXPECT_NEAR(volume_beyond(mesh, geometry, 0, -1), below, 1e-17);
+  EXPECT_NEAR(volume_beyond(mesh, geometry, 0, 1), core::volume(mesh, geometry) - below, 1e-17);
 }
 
 TEST(SectionSlice, a_level_crosses_the_outline_where_its_curves_are) {
@@ -95,6 +107,21 @@ TEST(Contour, the_weight_above_a_height_of_a_tube_falls_linearly_upwards_and_wit
       if (row.height < 1e-3 || row.height > 0.039) continue;
       EXPECT_NEAR(row.thickness, 4e-3, 1e-9);
     }
+  }
+}
+
+TEST(Contour, above_height_0_is_all_of_the_glass_and_the_inner_radius_under_a_push_up_is_that_of_the_push_up) {
+  const Scene scene = scene_of(
+      replaced("path = \"(0, 0) mm\", condition = \"symmetry\"", "path = \"(0, 2) mm\", condition = \"symmetry\"",
+               replaced("path = \"(0, 0) (20, 0) (20, 10)", "path = \"(0, 2) (10, 0) (20, 0) (20, 10)")));
+  const State state = initial_state(scene);
+  const auto rows = height_rows(scene, state, contour(scene, state, thickness_profile(scene, state)));
+  const double weight = glass_facts(scene, state).mass;
+  EXPECT_EQ(rows.front().weight_above, weight);
+  for (const HeightRow& row : rows) {
+    const double push_up = row.height < 2e-3 ? 5 * (2e-3 - row.height) : 0;
+    EXPECT_NEAR(row.inner_radius, push_up, 1e-7) << row.height;
+    EXPECT_NEAR(row.outer_radius, 0.02, 1e-7) << row.height;
   }
 }
 
