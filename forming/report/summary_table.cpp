@@ -8,6 +8,7 @@
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/error_bars.hpp"
+#include "forming/report/figures.hpp"
 #include "forming/report/summary.hpp"
 #include "thermal/properties.hpp"
 
@@ -47,7 +48,8 @@ std::string thickness_lines(const Summary& summary) {
 
 std::string glass_lines(const Scene& scene, const State& state, const Summary& summary) {
   const GlassFacts& glass = summary.glass;
-  std::string text = line("glass", fmt::format("{:.1f} g, {:.2f} cm3", 1e3 * glass.mass, 1e6 * glass.volume));
+  std::string text =
+      line("glass", fmt::format("{} g, {} cm3", figures(1e3 * glass.mass, 1), figures(1e6 * glass.volume, 2)));
   if (scene.has_heat())
     text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
                                                   celsius(glass.lowest), celsius(glass.highest)));
@@ -63,7 +65,7 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
 std::string tool_lines(const Summary& summary) {
   if (summary.tools.empty()) return {};
   const bool light = summary.tools.front().radiated.has_value();
-  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>16}{}\n", "tool", "heat, kJ", "max, degC", "moved in z, mm",
+  std::string text = fmt::format("\n  {:<22}{:>12}{:>18}{:>16}{}\n", "tool", "heat, kJ", "max, degC", "end offset, mm",
                                  light ? "   as light, kJ" : "");
   for (const ToolSummary& tool : summary.tools) {
     const std::string max_temperature =

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forming/report/figures.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/container/free_space.hpp"
@@ -47,6 +48,10 @@ void add_volumes(core::JsonWriter& json, const std::optional<double>& capacity, 
   add_optional(json, "capacity_ml", capacity, millilitre);
   add_optional(json, "to_fill_level_ml", filled, millilitre);
   if (capacity && filled) json.add("ullage_ml", (*capacity - *filled) / millilitre);
+}
+
+std::string millilitres(double volume) {
+  return figures(volume / millilitre, 2);
 }
 
 /// Whether a volume of the container is not that of the drawings, by a share that is worth a word.
@@ -106,14 +111,15 @@ std::string capacity_text(const Scene& scene, const State& state, bool is_wall) 
   if (!report) return "";
   if (!report->capacity) return report->absent;
   const ContainerPlan plan = *container_plan(scene);
-  std::string text = fmt::format("{:.2f} ml to the rim", *report->capacity / millilitre);
-  if (differs(*report->capacity, plan.capacity))
-    text += fmt::format(" at {:.5g} mm, drawn {:.2f} ml at {:.5g} mm", report->rim / millimetre,
-                        *plan.capacity / millilitre, *plan.rim / millimetre);
+  std::string text = fmt::format("{} ml to the rim", millilitres(*report->capacity));
+  const bool is_as_drawn = !differs(*report->capacity, plan.capacity);
+  if (!is_as_drawn)
+    text += fmt::format(" at {:.5g} mm, drawn {} ml at {:.5g} mm", report->rim / millimetre,
+                        millilitres(*plan.capacity), *plan.rim / millimetre);
   if (!report->filled) return text;
-  text += fmt::format("{} {:.2f} ml to {:.4g} mm below it", text.find("drawn") == text.npos ? "," : ";",
-                      *report->filled / millilitre, *scene.output.fill_level / millimetre);
-  if (differs(*report->filled, plan.filled)) text += fmt::format(", drawn {:.2f} ml", *plan.filled / millilitre);
+  text += fmt::format("{} {} ml to {:.4g} mm below it", is_as_drawn ? "," : ";", millilitres(*report->filled),
+                      *scene.output.fill_level / millimetre);
+  if (differs(*report->filled, plan.filled)) text += fmt::format(", drawn {} ml", millilitres(*plan.filled));
   return text;
 }
 

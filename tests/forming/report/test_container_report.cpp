@@ -52,7 +52,7 @@ TEST(ContainerReport, what_a_blown_wall_holds_is_given_where_no_tool_closes_the_
   ASSERT_TRUE(report && report->capacity && report->filled);
   EXPECT_NEAR(1e9 * *report->capacity, M_PI * 9 * 19, 0.01);
   EXPECT_NEAR(1e9 * *report->filled, M_PI * 9 * 14, 0.01);
-  EXPECT_EQ(capacity_text(scene, initial_state(scene), true), "0.54 ml to the rim, 0.40 ml to 5 mm below it");
+  EXPECT_EQ(capacity_text(scene, initial_state(scene), true), "0.5372 ml to the rim, 0.3958 ml to 5 mm below it");
   EXPECT_EQ(capacity_text(scene, initial_state(scene), false), "") << "a gob";
 }
 

@@ -101,6 +101,23 @@ TEST(Summary, a_thickness_that_no_row_gives_is_not_a_number_in_the_table) {
   EXPECT_NE(table.find("wall thickness        n/a\n"), table.npos) << table;
 }
 
+TEST(Summary, the_table_gives_small_glass_to_four_figures_and_of_each_tool_its_offset_at_the_end) {
+  const Scene scene = case_of("contact_cylinders");
+  State state = initial_state(scene);
+  Summary summary = summarise(scene, state, some_facts(), thickness_profile(scene, state));
+  summary.glass.mass = 1.7312e-3;
+  summary.glass.volume = 0.77654e-6;
+  summary.tools[0].position = 17.53e-3;
+  std::string table = summary_table(scene, state, summary);
+  EXPECT_NE(table.find("1.731 g, 0.7765 cm3"), table.npos) << table;
+  EXPECT_NE(table.find("end offset, mm"), table.npos) << table;
+  EXPECT_NE(table.find("17.53\n"), table.npos) << table;
+  summary.glass.mass = 0.2196;
+  summary.glass.volume = 91.5e-6;
+  table = summary_table(scene, state, summary);
+  EXPECT_NE(table.find("219.6 g, 91.50 cm3"), table.npos) << table;
+}
+
 TEST(Summary, the_table_names_tools_stages_and_the_reason_of_a_stop) {
   const Scene scene = case_of("contact_cylinders");
   const State state = initial_state(scene);
@@ -108,7 +125,7 @@ TEST(Summary, the_table_names_tools_stages_and_the_reason_of_a_stop) {
   Summary summary = summarise(scene, state, run, thickness_profile(scene, state));
   std::string table = summary_table(scene, state, summary);
   for (const char* text :
-       {"62.8 g", "mean 1150 degC", "steel", "485", "contact", "1.5 s: heat 1.0", "completed", "a \"quoted\" warning"})
+       {"62.83 g", "mean 1150 degC", "steel", "485", "contact", "1.5 s: heat 1.0", "completed", "a \"quoted\" warning"})
     EXPECT_NE(table.find(text), table.npos) << text << table;
   summary.run.completed = false;
   summary.run.reason = "stage contact at 0 s: no reason";
