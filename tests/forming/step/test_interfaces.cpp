@@ -108,8 +108,9 @@ TEST(Interfaces, one_on_bodies_that_never_meet_is_warned_of) {
   ASSERT_EQ(apart.facts.warnings.size(), 1u);
   EXPECT_EQ(
       apart.facts.warnings[0],
-      "the interface of the glass with plunger was never used: during the whole run they stayed farther apart than "
-      "0.1 mm. Leave it out of the case, or look whether the tool is where it should be: `parison check --picture`");
+      "the glass never reached plunger: during the whole run they stayed farther apart than 0.1 mm, and no heat passed "
+      "between them. Where it should reach it, the glass was too cold or too little, or was not pressed or blown far "
+      "enough, or the tool is not where it should be (`parison check --picture` draws it)");
   const auto together = run_in_folder(scene_of(static_scene("10")), tests::absent_folder());
   EXPECT_TRUE(together.facts.warnings.empty());
 }

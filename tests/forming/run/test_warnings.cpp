@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "../scene_text.hpp"
+#include "forming/run/warnings.hpp"
+#include "forming/state/initial_state.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// The warning of a press whose plunger moves at a speed, m/s, when its time is over.
+std::string said_of_plunger(double speed, bool touches, bool has_moved) {
+  const Scene scene =
+      scene_of(replaced("speed_limit = \"10 mm/s\" }", "speed_limit = \"10 mm/s\" }\nend_speed = \"1 mm/s\""));
+  State state = initial_state(scene);
+  state.stage = 1;
+  state.tools[1].velocity = speed;
+  state.has_moved = has_moved;
+  if (touches) state.glass.contact_tool.back() = 1;
+  const Warnings warnings = moving_tool_warnings(scene, state);
+  return warnings.empty() ? "" : warnings.front();
+}
+
+TEST(Warnings, a_tool_that_still_moves_against_the_glass_is_advised_more_time_or_force) {
+  const std::string said = said_of_plunger(-0.006, true, true);
+  EXPECT_NE(said.find("plunger still moved at 6 mm/s, above its end_speed of 1 mm/s"), said.npos) << said;
+  EXPECT_NE(said.find("A longer duration or more force"), said.npos) << said;
+  EXPECT_EQ(said.find("less force"), said.npos) << said;
+}
+
+TEST(Warnings, a_tool_that_moves_away_from_the_glass_is_advised_to_turn_its_force) {
+  const std::string said = said_of_plunger(0.01, false, true);
+  EXPECT_NE(said.find("it touches no glass"), said.npos) << said;
+  EXPECT_NE(said.find("turn the sign of motion.plunger.force"), said.npos) << said;
+}
+
+TEST(Warnings, a_force_that_never_moves_its_tool_is_told_as_too_weak) {
+  const std::string said = said_of_plunger(-1e-5, true, false);
+  EXPECT_NE(said.find("a force of up to 5 N hardly moves it, and the glass may not be pressed"), said.npos) << said;
+  EXPECT_EQ(said_of_plunger(-1e-5, true, true), "") << "it has come to rest";
+}
+
+TEST(Warnings, one_fold_and_one_torn_piece_are_told_as_one) {
+  State state;
+  state.totals.remeshing.laps = 1;
+  state.totals.remeshing.torn = 1;
+  const Warnings warnings = remeshing_warnings(state);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].rfind("the glass folded onto itself at one point. The fold was closed", 0), 0u) << warnings[0];
+  EXPECT_EQ(warnings[1].rfind("one piece of glass, ", 0), 0u) << warnings[1];
+}
+
+}  // namespace
+}  // namespace parison::forming
