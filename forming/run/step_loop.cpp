@@ -51,8 +51,10 @@ std::string bursting_film(const core::Mesh& glass, const Eigen::VectorXd& veloci
   const double speed = velocity.size() > 0 ? flow::node_velocity(velocity, fastest).norm() : 0;
   if (speed < bursting) return "";
   const Point& x = glass.nodes[fastest];
-  return fmt::format("; a film of glass bursts near ({:.1f}, {:.1f}) mm, where it moves at {:.0f} m/s", 1e3 * x[0],
-                     1e3 * x[1], speed);
+  return fmt::format(
+      "a film of glass bursts near ({:.1f}, {:.1f}) mm, where it moves at {:.0f} m/s: less pressure, or glass that is "
+      "thicker or colder there, may keep it whole",
+      1e3 * x[0], 1e3 * x[1], speed);
 }
 
 /// Sets the next step shorter after a rejected one of length dt, s; false when none is worth trying.
@@ -65,8 +67,9 @@ bool shorten_step(RunInProgress& run, const StepResult& result, const ProposedSt
   const double next = result.converged ? std::clamp(proposed.dt, shorten * dt, longest_retry * dt) : shorten * dt;
   if (result.unrecoverable) return false;
   if (next < run.scene.accuracy.min_step) {
+    const std::string film = bursting_film(state.glass.mesh, state.glass.velocity);
     reason += fmt::format("; steps below {:g} s, numerics.min_step, would be needed", run.scene.accuracy.min_step);
-    reason += bursting_film(state.glass.mesh, state.glass.velocity);
+    if (!film.empty()) reason = fmt::format("{} (numerics: {})", film, reason);
     return false;
   }
   state.next_step = next;

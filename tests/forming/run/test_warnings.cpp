@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "../scene_text.hpp"
+#include "forming/run/folder_run.hpp"
 #include "forming/run/warnings.hpp"
 #include "forming/state/initial_state.hpp"
 
@@ -48,6 +49,34 @@ TEST(Warnings, one_fold_and_one_torn_piece_are_told_as_one) {
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_EQ(warnings[0].rfind("the glass folded onto itself at one point. The fold was closed", 0), 0u) << warnings[0];
   EXPECT_EQ(warnings[1].rfind("one piece of glass, ", 0), 0u) << warnings[1];
+}
+
+TEST(Warnings, a_film_that_bursts_is_told_first_with_its_place_and_the_numerics_last) {
+  const auto outcome = run_in_folder(scene_of(R"(case = "thimble"
+geometry = "axisymmetric"
+[material.soft]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e3 Pa.s" }
+[glass]
+material = "soft"
+boundary = [
+  { name = "outer", path = "(0, 0) (4, 0) (4, 20) mm", condition = "contact" },
+  { name = "top", path = "(3, 20) mm", condition = "fixed" },
+  { name = "inner", path = "(3, 1) (0, 1) mm", condition = "air" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
+]
+[[stage]]
+name = "blow"
+duration = "1 s"
+pressure.inner = "10 bar"
+)"),
+                                     tests::absent_folder());
+  const std::string& reason = outcome.facts.reason;
+  EXPECT_FALSE(outcome.facts.completed);
+  const auto film = reason.find("s: a film of glass bursts near ("), numerics = reason.find("(numerics: ");
+  EXPECT_NE(film, reason.npos) << reason;
+  EXPECT_NE(numerics, reason.npos) << reason;
+  EXPECT_LT(film, numerics) << reason;
 }
 
 }  // namespace
