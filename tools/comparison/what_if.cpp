@@ -54,8 +54,9 @@ Comparison compare_variants(const WhatIf& asked, const std::vector<QueuedRun>& r
 Round run_round(const WhatIf& asked, int jobs) {
   std::vector<QueuedRun> runs;
   for (auto& plan : forming::plan_runs(asked)) runs.push_back({std::move(plan)});
-  fmt::print("{} at {} accuracy: {} variants, {} runs in {}\n", asked.case_path, asked.accuracy, asked.variants.size(),
-             runs.size(), asked.directory);
+  fmt::print("{} at {} accuracy: {} variant{}, {} run{} in {}\n", asked.case_path, asked.accuracy,
+             asked.variants.size(), asked.variants.size() == 1 ? "" : "s", runs.size(), runs.size() == 1 ? "" : "s",
+             asked.directory);
   std::fflush(stdout);
   Round round;
   round.stopped = !run_all(runs, asked.case_path, jobs);

@@ -153,11 +153,16 @@ std::string gap_lines(const Scene& scene) {
   return text.empty() ? "" : "\ncontact by the gap\n" + text;
 }
 
+/// A force in N, from 1000 N on in kN.
+std::string force_text(const core::TimeFunction& force) {
+  const bool is_large = force.max_size() >= 1e3;
+  return range_text(force, is_large ? 1e-3 : 1) + (is_large ? " kN" : " N");
+}
+
 std::string stage_tool_text(const Scene& scene, const StageTool& tool) {
   const std::string& name = scene.tools[tool.tool].name;
   if (const auto* force = std::get_if<ForceMotion>(&tool.motion))
-    return fmt::format("{} ({} N, at most {} mm/s)", name, range_text(force->force),
-                       range_text(force->speed_limit, 1e3));
+    return fmt::format("{} ({}, at most {} mm/s)", name, force_text(force->force), range_text(force->speed_limit, 1e3));
   return std::holds_alternative<PositionMotion>(tool.motion) ? name + " (moved)" : name;
 }
 

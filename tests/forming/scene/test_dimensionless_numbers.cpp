@@ -91,5 +91,11 @@ TEST(FrictionLines, tell_stick_from_slip_by_the_shear_of_hot_glass) {
   EXPECT_EQ(describe_scene(scene_of(small_scene)).find("\nfriction ("), std::string::npos);
 }
 
+TEST(DescribeScene, a_force_of_a_thousand_newtons_is_given_in_kilonewtons) {
+  const std::string text = describe_scene(read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/tumbler", "draft"));
+  EXPECT_NE(text.find("plunger (-10 kN, at most 150 mm/s)"), text.npos) << text;
+  EXPECT_NE(text.find("plunger (-300 N, at most 150 mm/s)"), text.npos) << text;
+}
+
 }  // namespace
 }  // namespace parison::forming
