@@ -178,6 +178,7 @@ void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan
   const bool rim_is_low = last.gravity > 0;
   if (const auto mould = closed_region(placed, last, {})) {
     plan.outside = mould->volume;
+    plan.mould_range = {mould->low, mould->high};
     plan.rim = rim_is_low ? mould->low : mould->high;
     plan.capacity = *plan.outside - plan.glass_volume;
     if (plan.misfit.empty() && *plan.outside < (1 - fits) * plan.glass_volume)
@@ -189,16 +190,23 @@ void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan
   }
   if (!plan.press || !plan.capacity || !scene.output.fill_level) return;
   const double level = *scene.output.fill_level;
+  if (level >= inside_height(plan)) return;
   plan.filled = *plan.capacity - (rim_is_low ? plunger_volume(scene, *plan.press, *plan.rim, *plan.rim + level)
                                              : plunger_volume(scene, *plan.press, *plan.rim - level, *plan.rim));
 }
 
 }  // namespace
 
+std::optional<double> inside_height(const ContainerPlan& plan) {
+  if (plan.mould_range) return plan.mould_range->second - plan.mould_range->first;
+  if (plan.press) return plan.press->high - plan.press->low;
+  return {};
+}
+
 std::optional<ContainerPlan> container_plan(const Scene& scene) {
   if (scene.geometry != core::Geometry::axisymmetric || !scene.has_flow() || scene.tools.empty()) return {};
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
-  ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, {}, {}, {}, {}};
+  ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, {}, {}, {}, {}, {}};
   Placed placed{scene, {}};
   for (const Tool& tool : scene.tools) placed.offset.emplace_back(tool.position);
   plan_press(scene, placed, plan);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "forming/scene/scene.hpp"
 
@@ -25,7 +26,11 @@ struct ContainerPlan {
   std::optional<double> rim;       ///< place of the rim along the axis, m
   std::optional<double> capacity;  ///< to the rim, m3
   std::optional<double> filled;    ///< to the fill level, m3, the inside of the finish as the plunger made it
+  std::optional<std::pair<double, double>> mould_range;  ///< lowest and highest place of that mould, m
 };
+
+/// Height inside which a fill level can lie, m: of the closed mould, or of the press cavity; none without either.
+std::optional<double> inside_height(const ContainerPlan& plan);
 
 /// Nothing in a planar scene, without flow or without tools. The container stands upright in the last stage: its rim is
 /// at the end of its mould against gravity.

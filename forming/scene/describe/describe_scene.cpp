@@ -9,6 +9,7 @@
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "forming/scene/describe/named_points.hpp"
+#include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/preset_lengths.hpp"
 #include "thermal/properties.hpp"
 
@@ -237,7 +238,8 @@ std::string describe_scene(const Scene& scene) {
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
   return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
          number_lines(numbers, scene.geometry) + friction_lines(scene, numbers) + gap_lines(scene) +
-         describe_container(scene) + stage_lines(scene) + describe_timing(scene) + accuracy_lines(scene);
+         describe_container(scene) + stage_lines(scene) + describe_timing(scene) + accuracy_lines(scene) +
+         describe_unusual(scene);
 }
 
 std::string describe_scene_briefly(const Scene& scene) {

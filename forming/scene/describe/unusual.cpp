@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/describe/unusual.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double zero_celsius = 273.15, bar = 1e5;
+
+/// Whether hot glass of one temperature is pressed or blown between tools, as a gob is.
+bool forms_a_gob(const Scene& scene) {
+  const auto works = [](const Stage& stage) {
+    return std::any_of(stage.pressure.begin(), stage.pressure.end(),
+                       [](const auto& pressure) { return pressure.second.max() > 0; }) ||
+           std::any_of(stage.tools.begin(), stage.tools.end(),
+                       [](const StageTool& tool) { return std::holds_alternative<ForceMotion>(tool.motion); });
+  };
+  return scene.has_flow() && scene.has_heat() && !scene.tools.empty() && !scene.glass.start_field &&
+         std::any_of(scene.stages.begin(), scene.stages.end(), works);
+}
+
+void add_gob_temperature(const Scene& scene, std::vector<std::string>& notes) {
+  constexpr double least = 100, most = 730;         // Pa.s: container glass at 1200 and 1050 degC
+  constexpr double coldest = 1050, hottest = 1200;  // degC
+  const flow::Viscosity& viscosity = scene.glass.flow->viscosity;
+  const double kelvin = scene.glass.initial_temperature, eta = viscosity(kelvin);
+  if (viscosity.constant || (eta >= least && eta <= most)) return;
+  const bool is_swapped = kelvin >= coldest && kelvin <= hottest;
+  notes.push_back(fmt::format(
+      "the glass starts at {0:.4g} degC ({1:.4g} K), where its viscosity is {2:.3g} Pa.s; usual are gobs of {3:g} to "
+      "{4:g} degC of container glass, {5:g} to {6:g} Pa.s{7}",
+      kelvin - zero_celsius, kelvin, eta, coldest, hottest, least, most,
+      is_swapped ? fmt::format("; was \"{:.4g} degC\" meant?", kelvin) : ""));
+}
+
+void add_tool_temperatures(const Scene& scene, std::vector<std::string>& notes) {
+  constexpr double coldest = 350, hottest = 600;  // degC
+  for (const Tool& tool : scene.tools) {
+    const double celsius = tool.initial_temperature - zero_celsius;
+    if (!tool.thermal || tool.start_field || (celsius >= coldest && celsius <= hottest)) continue;
+    notes.push_back(fmt::format(
+        "\"{}\" starts at {:.4g} degC; usual are 400 to 530 degC of moulds and blanks, 450 to 600 degC of rings and "
+        "plungers, and 375 degC where cooling is strong",
+        tool.name, celsius));
+  }
+}
+
+void add_pressures(const Scene& scene, std::vector<std::string>& notes) {
+  constexpr double most = 3 * bar;
+  for (const Stage& stage : scene.stages)
+    for (const auto& [boundary, pressure] : stage.pressure)
+      if (pressure.max() > most)
+        notes.push_back(
+            fmt::format("stage \"{}\" blows with {:.4g} bar on \"{}\"; usual are 0.3 to 2 bar, up to 3 bar to hold the "
+                        "container in its mould",
+                        stage.name, pressure.max() / bar, boundary));
+}
+
+void add_durations(const Scene& scene, std::vector<std::string>& notes) {
+  constexpr double longest = 30;  // s
+  for (const Stage& stage : scene.stages)
+    if (!stage.may_end_early() && stage.duration > longest)
+      notes.push_back(
+          fmt::format("stage \"{}\" takes {:.4g} s; usual are 10 to 13.4 s for the whole cycle of a section, 0.3 to "
+                      "1.8 s of it for "
+                      "a reheat",
+                      stage.name, stage.duration));
+}
+
+void add_wall(const ContainerPlan& plan, std::vector<std::string>& notes) {
+  if (!plan.outside || !plan.mould_range) return;
+  constexpr double thinnest = 0.8e-3, thickest = 12e-3;  // m
+  const double height = plan.mould_range->second - plan.mould_range->first;
+  const double radius = std::sqrt(*plan.outside / (M_PI * height));  // of a cylinder that holds as much
+  const double wall = plan.glass_volume / (M_PI * radius * (2 * height + radius));
+  if (wall >= thinnest && wall <= thickest) return;
+  notes.push_back(
+      fmt::format("{:.4g} g of glass in a mould of {:.4g} cm3, {:.4g} mm high, make a wall of about {:.2g} mm on "
+                  "average; usual are "
+                  "1.8 to 5.8 mm, 1 mm in a thin bowl: are mass and dimensions of the mould as they are meant?",
+                  1e3 * plan.mass, 1e6 * *plan.outside, 1e3 * height, 1e3 * wall));
+}
+
+void add_fill_level(const Scene& scene, const ContainerPlan& plan, std::vector<std::string>& notes) {
+  const auto inside = inside_height(plan);
+  if (!scene.output.fill_level || !inside || *scene.output.fill_level < *inside) return;
+  notes.push_back(
+      fmt::format("the fill level is {:.4g} mm below the rim, but the container is {:.4g} mm high: nothing can be "
+                  "filled to there; usual are a few centimetres below the rim",
+                  1e3 * *scene.output.fill_level, 1e3 * *inside));
+}
+
+}  // namespace
+
+std::vector<std::string> unusual_values(const Scene& scene) {
+  std::vector<std::string> notes;
+  if (forms_a_gob(scene)) {
+    add_gob_temperature(scene, notes);
+    add_tool_temperatures(scene, notes);
+    add_durations(scene, notes);
+  }
+  add_pressures(scene, notes);
+  for (auto& note : unusual_forces(scene)) notes.push_back(std::move(note));
+  if (const auto plan = container_plan(scene)) {
+    add_wall(*plan, notes);
+    add_fill_level(scene, *plan, notes);
+  }
+  return notes;
+}
+
+std::string describe_unusual(const Scene& scene) {
+  std::string text;
+  for (const std::string& note : unusual_values(scene)) text += "  " + note + "\n";
+  return text.empty() ? "" : "\nunusual, no error: is it meant?\n" + text;
+}
+
+}  // namespace parison::forming

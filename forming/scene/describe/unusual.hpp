@@ -1,0 +1,21 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "forming/scene/container/container_plan.hpp"
+#include "forming/scene/scene.hpp"
+
+namespace parison::forming {
+
+/// What is far from what container forming uses, a sentence each with the usual range and where it is from; nothing of
+/// it is an error. The ranges are typical published ones and those of tests/random_containers.
+std::vector<std::string> unusual_values(const Scene& scene);
+
+/// The same of a force that drives a tool away from the glass, or presses much more or less than is usual.
+std::vector<std::string> unusual_forces(const Scene& scene);
+
+/// The same as lines for the terminal, empty where all is usual.
+std::string describe_unusual(const Scene& scene);
+
+}  // namespace parison::forming

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "../bundled_scene.hpp"
+#include "forming/scene/describe/unusual.hpp"
+
+namespace parison::forming {
+namespace {
+
+std::string notes_on(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return describe_unusual(bundled(name, "draft", overrides));
+}
+
+void expect_note(const std::string& name, const std::string& override, const std::string& part) {
+  const std::string notes = notes_on(name, {override});
+  EXPECT_NE(notes.find(part), notes.npos) << name << " with " << override << " says: " << notes;
+}
+
+TEST(Unusual, no_bundled_case_is_told_of) {
+  for (const char* name :
+       {"jar", "bottle", "tumbler", "nnpb", "flute", "uneven", "sag", "vial", "contact_cylinders", "shell_inflation"})
+    EXPECT_EQ(notes_on(name), "") << name;
+}
+
+TEST(Unusual, a_gob_of_kelvins_that_were_meant_as_degrees_is_told) {
+  expect_note("jar", "glass.temperature=1120 K", "starts at 846.9 degC (1120 K)");
+  expect_note("jar", "glass.temperature=1120 K", "was \"1120 degC\" meant?");
+  expect_note("jar", "glass.temperature=1300 degC", "usual are gobs of 1050 to 1200 degC");
+}
+
+TEST(Unusual, a_tool_at_room_temperature_is_told) {
+  expect_note("jar", "tool.blank.temperature=20 degC", "\"blank\" starts at 20 degC; usual are 400 to 530 degC");
+}
+
+TEST(Unusual, a_force_away_from_the_glass_is_told_in_both_directions) {
+  expect_note(
+      "tumbler", "stage.press.motion.plunger.force=10 kN",
+      "drives \"plunger\" with 10 kN away from the glass; a force counts along the axis, a press towards smaller z is "
+      "negative: was \"-10 kN\" meant?");
+  expect_note("jar", "stage.press.motion.plunger.force=-8 kN", "was \"8 kN\" meant?");
+}
+
+TEST(Unusual, a_force_in_newtons_that_were_meant_as_kilonewtons_is_told) {
+  const std::string notes =
+      notes_on("jar", {"stage.press.motion.plunger.force=8 N", "stage.dwell.motion.plunger.force=0.15 N"});
+  EXPECT_NE(notes.find("the largest force on \"plunger\" is 8 N (stage \"press\"), 0.035 bar over its face"),
+            notes.npos)
+      << notes;
+}
+
+TEST(Unusual, a_blow_of_seven_bar_is_told) {
+  expect_note("jar", "stage.blow.pressure.inner=7 bar", "stage \"blow\" blows with 7 bar on \"inner\"; usual are 0.3");
+}
+
+TEST(Unusual, a_reheat_of_twenty_minutes_is_told) {
+  expect_note("jar", "stage.reheat.duration=1200 s", "stage \"reheat\" takes 1200 s; usual are 10 to 13.4 s");
+}
+
+TEST(Unusual, a_mould_too_large_for_its_glass_is_told_by_its_mean_wall) {
+  const Scene jar = bundled("jar", "draft");
+  ContainerPlan plan = *container_plan(jar);
+  ASSERT_TRUE(plan.mould_range);
+  EXPECT_NEAR(1e3 * *inside_height(plan), 129, 0.5);
+  const std::string notes =
+      notes_on("jar", {"tool.blow_mould.boundary.inner.path=(31, 14) (37, 26) (37, 950) (0, 950) mm",
+                       "tool.blow_mould.boundary.axis.path=(0, 975) mm",
+                       "tool.blow_mould.boundary.outer.path=(62, 975) (62, 14) mm"});
+  EXPECT_NE(notes.find("950 mm high, make a wall of about 0.41 mm on average; usual are 1.8 to 5.8 mm"), notes.npos)
+      << notes;
+}
+
+TEST(Unusual, a_fill_level_below_the_bottom_is_told_and_has_no_volume) {
+  expect_note("tumbler", "output.fill_level=300 mm", "the fill level is 300 mm below the rim, but the container is ");
+  EXPECT_FALSE(container_plan(bundled("tumbler", "draft", {"output.fill_level=300 mm"}))->filled);
+}
+
+}  // namespace
+}  // namespace parison::forming
