@@ -224,15 +224,35 @@ Profile read_outline(const CaseNode& boundaries, const std::string& directory) {
   return profile;
 }
 
+namespace {
+
+/// Where two segments of an outline cross or come closest, away from an end that they share.
+Point crossing_of(const Segment& one, const Segment& other) {
+  constexpr int count = 2000;
+  const double shared = 1e-3 * std::min(core::length(one), core::length(other));
+  Point place = one.start;
+  double nearest = HUGE_VAL;
+  for (int i = 0; i <= count; ++i) {
+    const Point x = core::point_at(one, double(i) / count);
+    if ((x - other.start).norm() < shared || (x - other.end).norm() < shared) continue;
+    const double distance = (x - core::point_at(other, core::closest_parameter(other, x))).norm();
+    if (distance < nearest) nearest = distance, place = x;
+  }
+  return place;
+}
+
+}  // namespace
+
 void check_outline(const Profile& profile, core::Geometry geometry, const CaseNode& boundaries) {
   const auto [a, b] = core::find_self_crossing(profile);
   if (a >= 0) {
     const auto &one = profile.segments[a], &other = profile.segments[b];
-    core::refuse(boundaries.items[one.boundary_id],
-                 fmt::format("the outline crosses itself (boundary \"{}\" meets boundary \"{}\" near ({:g}, {:g}) mm), "
-                             "allowed is an outline that does not touch itself",
-                             profile.boundary_names[one.boundary_id], profile.boundary_names[other.boundary_id],
-                             1e3 * one.start[0], 1e3 * one.start[1]));
+    const Point at = 1e3 * crossing_of(one, other);
+    core::refuse(
+        boundaries.items[one.boundary_id],
+        fmt::format("the outline crosses itself (boundary \"{}\" meets boundary \"{}\" near ({:.4g}, {:.4g}) mm), "
+                    "allowed is an outline that does not touch itself",
+                    profile.boundary_names[one.boundary_id], profile.boundary_names[other.boundary_id], at[0], at[1]));
   }
   const double size = core::size(profile), joined = tolerance::joined * size;
   if (std::abs(core::signed_area(profile)) <= joined * size)

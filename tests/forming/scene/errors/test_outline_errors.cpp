@@ -16,11 +16,11 @@ TEST(SceneErrors, missing_csv_file) {
       << message;
 }
 
-TEST(SceneErrors, self_crossing_profile) {
+TEST(SceneErrors, self_crossing_profile_is_told_with_the_place_of_the_crossing) {
   expect_complaint("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\"",
                    "{ name = \"surface\", path = \"(0, 0) (20, 10) (20, 0) (0, 10) mm\"",
                    "glass.boundary: the outline crosses itself (boundary \"surface\" meets boundary "
-                   "\"surface\" near (0, 0) mm), "
+                   "\"surface\" near (10, 5) mm), "
                    "allowed is an outline that does not touch itself");
 }
 
