@@ -158,7 +158,13 @@ flow::Friction read_friction(const CaseNode& node, bool with_heat) {
     if (core::text(node) == "navier")
       core::refuse(node,
                    "\"navier\" lacks its coefficient, allowed is { law = \"navier\", coefficient = \"1e6 Pa.s/m\" }");
-    friction.law = laws[core::choice(node, {"slip", "stick", "grip"})];
+    constexpr const char* names[] = {"slip", "stick", "grip"};
+    const auto* law = std::find(std::begin(names), std::end(names), core::text(node));
+    if (law == std::end(names))
+      core::refuse(node, fmt::format("\"{}\" was found, allowed are \"slip\", \"stick\", \"grip\" or a table {{ law = "
+                                     "\"navier\", coefficient = \"1e6 Pa.s/m\" }}",
+                                     node.text));
+    friction.law = laws[law - std::begin(names)];
     return friction;
   }
   const CaseTable table(node, {"law", "coefficient", "coulomb"});

@@ -26,6 +26,12 @@ TEST(SceneErrors, navier_friction_without_its_coefficient) {
       << message;
 }
 
+TEST(SceneErrors, an_unknown_friction_is_told_with_every_law) {
+  expect_complaint("friction = \"stick\"", "friction = \"sticky\"",
+                   "tool.friction: \"sticky\" was found, allowed are \"slip\", \"stick\", \"grip\" or a table { law = "
+                   "\"navier\", coefficient = \"1e6 Pa.s/m\" }");
+}
+
 TEST(SceneErrors, friction_by_temperature_that_is_no_table_of_it) {
   const auto complaint = [](const std::string& coefficient) {
     return complaint_about(
