@@ -92,9 +92,54 @@ std::string volume_text(const ContainerPlan& plan) {
   return fmt::format("{:.4g} g of glass have {:.4g} cm3", 1e3 * plan.mass, 1e6 * plan.glass_volume);
 }
 
+/// The offset before its start at which a plunger leaves the glass just its room, none where it never does.
+std::optional<double> full_before_start(Press& press, double sense, double volume) {
+  constexpr int count = 96;
+  const double start = *press.placed.offset[press.tool];
+  const double step = core::size(press.placed.scene.tools[press.tool].profile) / count;
+  for (int i = 1; i <= count; ++i) {
+    const double offset = start - sense * i * step;
+    const auto cavity = press.cavity(offset);
+    if (cavity && cavity->volume >= volume) return offset_of_volume(press, volume, offset, offset + sense * step);
+  }
+  return {};
+}
+
+/// The name of a tool in which the foremost point of the plunger lies at its start; empty without one.
+std::string holder_of_tip(const Press& press, double start, double sense) {
+  const Tool& plunger = press.placed.scene.tools[press.tool];
+  core::Point tip(0, -sense * HUGE_VAL);
+  for (const core::Segment& segment : plunger.profile.segments)
+    for (const double t : {0.0, 0.5, 1.0})
+      if (const core::Point x = core::point_at(segment, t); sense * x[1] > sense * tip[1]) tip = x;
+  for (const StageTool& entry : press.stage.tools) {
+    const Tool& tool = press.placed.scene.tools[entry.tool];
+    const double shift = start - press.placed.offset[entry.tool].value_or(0);
+    if (entry.tool != press.tool && core::contains(tool.profile, tip + shift * core::axis_direction()))
+      return tool.name;
+  }
+  return "";
+}
+
+/// A cavity too small for the glass: because the plunger starts too far in, or because there is too much glass.
+void tell_too_small(Press& press, double sense, double start, double most, double most_at, ContainerPlan& plan) {
+  const std::string& name = press.placed.scene.tools[press.tool].name;
+  plan.misfit = fmt::format("{}, but the cavity of stage \"{}\" has at most {:.4g} cm3 (with \"{}\" at {:.4g} mm)",
+                            volume_text(plan), press.stage.name, 1e6 * most, name, 1e3 * most_at);
+  const std::string holder = holder_of_tip(press, start, sense);
+  press.placed.offset[press.tool] = start;
+  const auto full = full_before_start(press, sense, plan.glass_volume);
+  if (!full) return;
+  plan.misfit += fmt::format(": that tool starts {}beyond {:.4g} mm, where the cavity is full",
+                             holder.empty() ? "" : fmt::format("inside \"{}\", ", holder), 1e3 * *full);
+  plan.remedy = fmt::format("a `position` of \"{}\" {} {:.4g} mm, or a mass that fits", name,
+                            sense > 0 ? "below" : "above", 1e3 * *full);
+}
+
 /// A plunger that a force drives stops where the glass fills the cavity.
 void plan_driven(Press& press, double sense, ContainerPlan& plan) {
   std::string against;
+  const double start = *press.placed.offset[press.tool];
   const std::vector<double> offsets = offsets_of_stroke(press, sense, against);
   std::optional<double> most, least, wide;
   double most_at = 0;
@@ -117,8 +162,7 @@ void plan_driven(Press& press, double sense, ContainerPlan& plan) {
   if (!most) return;
   const std::string& name = press.placed.scene.tools[press.tool].name;
   if (*most < plan.glass_volume)
-    plan.misfit = fmt::format("{}, but the cavity of stage \"{}\" has at most {:.4g} cm3 (with \"{}\" at {:.4g} mm)",
-                              volume_text(plan), press.stage.name, 1e6 * *most, name, 1e3 * most_at);
+    tell_too_small(press, sense, start, *most, most_at, plan);
   else
     plan.misfit = fmt::format(
         "{}, but the cavity of stage \"{}\" has at least {:.4g} cm3 (with \"{}\" at {:.4g} mm, where it "
@@ -206,7 +250,7 @@ std::optional<double> inside_height(const ContainerPlan& plan) {
 std::optional<ContainerPlan> container_plan(const Scene& scene) {
   if (scene.geometry != core::Geometry::axisymmetric || !scene.has_flow() || scene.tools.empty()) return {};
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
-  ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, {}, {}, {}, {}, {}};
+  ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, "a mass that fits", {}, {}, {}, {}, {}};
   Placed placed{scene, {}};
   for (const Tool& tool : scene.tools) placed.offset.emplace_back(tool.position);
   plan_press(scene, placed, plan);

@@ -22,6 +22,7 @@ struct ContainerPlan {
   double mass, glass_volume;       ///< kg, m3
   std::optional<PressPlan> press;  ///< none where no tools and plunger close a cavity
   std::string misfit;              ///< why the glass does not fit its cavity, a sentence; empty where it does
+  std::string remedy;              ///< what is allowed then
   std::optional<double> outside;   ///< volume of the closed mould of the last stage, m3
   std::optional<double> rim;       ///< place of the rim along the axis, m
   std::optional<double> capacity;  ///< to the rim, m3

@@ -132,7 +132,7 @@ void check_gob(const Scene& scene, const CaseNode& glass) {
   for (const auto& item : glass.items) {
     if (item.name != "gob") continue;
     const auto plan = container_plan(scene);
-    if (plan && !plan->misfit.empty()) core::refuse(item, fmt::format("{}; allowed is a mass that fits", plan->misfit));
+    if (plan && !plan->misfit.empty()) core::refuse(item, fmt::format("{}; allowed is {}", plan->misfit, plan->remedy));
   }
 }
 

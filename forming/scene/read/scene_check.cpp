@@ -34,6 +34,58 @@ OverlapPoint max_overlap_point(const std::vector<core::Point>& points, const cor
   return result;
 }
 
+/// The deepest overlap of the glass and a tool that has moved by `shift` along the axis, at the place in space.
+struct GlassAndTool {
+  const Glass& glass;
+  const Tool& tool;
+  std::vector<core::Point> of_glass, of_tool;
+
+  OverlapPoint overlap(double shift) const {
+    const core::Point moved = shift * core::axis_direction();
+    const OverlapPoint inside = max_overlap_point(of_glass, -moved, tool.profile);
+    OverlapPoint other = max_overlap_point(of_tool, moved, glass.profile);
+    other.point += moved;
+    return other.depth > inside.depth ? other : inside;
+  }
+
+  /// The position next to a given one, in one sense along the axis, at which they do not overlap; none within their
+  /// sizes.
+  std::optional<double> free_position(double sense, double touching) const {
+    constexpr int steps = 24, halvings = 24;
+    const double reach = core::size(glass.profile) + core::size(tool.profile);
+    double taken = tool.position;
+    for (int i = 1; i <= steps; ++i) {
+      double free = tool.position + sense * reach * i / steps;
+      if (overlap(free).depth <= touching) {
+        for (int k = 0; k < halvings; ++k) {
+          const double middle = 0.5 * (free + taken);
+          (overlap(middle).depth > touching ? taken : free) = middle;
+        }
+        return free;
+      }
+      taken = free;
+    }
+    return {};
+  }
+};
+
+/// The `position` at which a tool that moves in some stage would only touch the glass, as advice; empty without one.
+std::string advised_position(const Scene& scene, const GlassAndTool& pair, Index index, double touching) {
+  bool moves = false;
+  for (const Stage& stage : scene.stages)
+    for (const StageTool& entry : stage.tools)
+      moves = moves || (entry.tool == index && !std::holds_alternative<std::monostate>(entry.motion));
+  if (!moves) return "";
+  const auto low = pair.free_position(-1, touching), high = pair.free_position(1, touching);
+  if (!low && !high) return "";
+  const double at = pair.tool.position;
+  const bool is_low = low && (!high || at - *low <= *high - at);
+  // Rounded away from the glass to a hundredth of a millimetre.
+  const double rounded = is_low ? 1e-5 * std::floor(1e5 * *low + 1e-6) : 1e-5 * std::ceil(1e5 * *high - 1e-6);
+  return fmt::format("; with `position = \"{:.6g} mm\"` in place of {:.6g} mm the tool would not", 1e3 * rounded,
+                     1e3 * at);
+}
+
 bool can_touch(const Body& body) {
   const auto contact = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::contact; };
   return std::any_of(body.boundaries.begin(), body.boundaries.end(), contact);
@@ -125,18 +177,15 @@ void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode
   const double lowest = (*low)[1], highest = (*high)[1];
   for (const auto& entry : scene.stages.front().tools) {
     const auto& tool = scene.tools[entry.tool];
-    const core::Point shift = tool.position * core::axis_direction();
-    auto inside = max_overlap_point(glass, -shift, tool.profile);
-    auto other = max_overlap_point(samples(tool.profile, touching), shift, scene.glass.profile);
-    other.point += shift;
-    if (other.depth > inside.depth) inside = other;
+    const GlassAndTool pair{scene.glass, tool, glass, samples(tool.profile, touching)};
+    const OverlapPoint inside = pair.overlap(tool.position);
     if (inside.depth > touching)
       core::refuse(
           *tools[entry.tool],
           fmt::format("\"{}\" overlaps the glass at the start by {:.3g} mm, near ({:g}, {:g}) mm; allowed is "
-                      "contact to within {:.2g} mm; the glass lies between {:.4g} and {:.4g} mm along the axis",
+                      "contact to within {:.2g} mm; the glass lies between {:.4g} and {:.4g} mm along the axis{}",
                       tool.name, 1e3 * inside.depth, 1e3 * inside.point[0], 1e3 * inside.point[1], 1e3 * touching,
-                      1e3 * lowest, 1e3 * highest));
+                      1e3 * lowest, 1e3 * highest, advised_position(scene, pair, entry.tool, touching)));
   }
 }
 

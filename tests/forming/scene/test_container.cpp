@@ -192,6 +192,40 @@ TEST(Gob, one_that_does_not_fit_is_refused_with_what_fits) {
       << light;
 }
 
+TEST(Gob, a_plunger_that_starts_too_far_in_is_blamed_and_not_the_mass) {
+  const auto with_position = [](const char* position) -> std::string {
+    try {
+      read_scene(cases + "uneven", "draft", {"tool.plunger.position=" + std::string(position)});
+    } catch (const core::CaseError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string inside = with_position("110 mm");
+  EXPECT_NE(inside.find("(with \"plunger\" at 110 mm): that tool starts inside \"blank\", beyond 92.01 mm, where the "
+                        "cavity is full; allowed is a `position` of \"plunger\" below 92.01 mm, or a mass that fits"),
+            inside.npos)
+      << inside;
+  const std::string beyond = with_position("95 mm");
+  EXPECT_NE(beyond.find("that tool starts beyond 92.01 mm, where the cavity is full"), beyond.npos) << beyond;
+}
+
+TEST(Gob, one_that_overlaps_the_plunger_is_told_the_position_with_which_it_does_not) {
+  const auto with_position = [](const char* position) -> std::string {
+    try {
+      read_scene(cases + "uneven", "draft", {"tool.plunger.position=" + std::string(position)});
+    } catch (const core::CaseError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string overlap = with_position("36.9 mm");
+  EXPECT_NE(overlap.find("\"plunger\" overlaps the glass at the start by "), overlap.npos) << overlap;
+  EXPECT_NE(overlap.find("; with `position = \"20 mm\"` in place of 36.9 mm the tool would not"), overlap.npos)
+      << overlap;
+  EXPECT_EQ(with_position("20 mm"), "");
+}
+
 TEST(Gob, mistakes_have_their_sentences) {
   const auto with = [](const std::string& gob) {
     const auto text = complaint_about(replaced(drawn_glass, gob));
