@@ -78,7 +78,10 @@ std::optional<ContainerReport> container_report(const Scene& scene, const State&
   for (const core::Segment& segment : surface.segments)
     report.rim = up > 0 ? std::max(report.rim, segment.start[1]) : std::min(report.rim, segment.start[1]);
   report.capacity = volume_below(surface, report.rim, up);
-  if (!report.capacity) report.absent = "none: the glass encloses no space that is open at its highest place";
+  if (!report.capacity)
+    report.absent =
+        "not computed: as the glass stands, no hollow was found that would hold a liquid; it is open below, or its "
+        "wall too thin or its mesh too fine to tell";
   if (const auto level = scene.output.fill_level) report.filled = volume_below(surface, report.rim - up * *level, up);
   if (plan->press && plan->press->is_driven && state.stage >= plan->press->stage)
     report.plunger_stop = state.tools[plan->press->tool].offset;

@@ -62,10 +62,11 @@ TEST(ContainerReport, a_wall_whose_capacity_cannot_be_computed_is_told_why) {
             "not computed: the last stage has no gravity, so it is not known which way up the container stands");
   const Scene upside_down = cup_in_an_open_mould("9.81 m/s2");
   EXPECT_EQ(capacity_text(upside_down, initial_state(upside_down), true),
-            "none: the glass encloses no space that is open at its highest place");
+            "not computed: as the glass stands, no hollow was found that would hold a liquid; it is open below, or its "
+            "wall too thin or its mesh too fine to tell");
   core::JsonWriter json;
   add_container(json, upside_down, initial_state(upside_down), true);
-  EXPECT_NE(json.finish().find("\"capacity_absent\": \"none: "), std::string::npos);
+  EXPECT_NE(json.finish().find("\"capacity_absent\": \"not computed: "), std::string::npos);
 }
 
 TEST(ContainerReport, the_drawn_volume_at_the_fill_level_is_given_where_the_formed_one_differs) {
