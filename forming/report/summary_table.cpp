@@ -7,8 +7,8 @@
 #include "forming/report/cavity_report.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
+#include "forming/report/container/figures.hpp"
 #include "forming/report/error_bars.hpp"
-#include "forming/report/figures.hpp"
 #include "forming/report/summary.hpp"
 #include "thermal/properties.hpp"
 

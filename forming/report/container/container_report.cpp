@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forming/report/figures.hpp"
+#include "forming/report/container/figures.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/container/free_space.hpp"
