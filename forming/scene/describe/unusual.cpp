@@ -110,6 +110,7 @@ std::vector<std::string> unusual_values(const Scene& scene) {
   if (const auto plan = container_plan(scene)) {
     add_wall(*plan, notes);
     add_fill_level(scene, *plan, notes);
+    for (auto& note : tools_run_into(scene, *plan)) notes.push_back(std::move(note));
   }
   return notes;
 }

@@ -15,7 +15,15 @@ std::vector<std::string> unusual_values(const Scene& scene);
 /// The same of a force that drives a tool away from the glass, or presses much more or less than is usual.
 std::vector<std::string> unusual_forces(const Scene& scene);
 
-/// The same as lines for the terminal, empty where all is usual.
+/// Whether a stage before this one has moved a tool.
+bool has_moved_before(const Scene& scene, Index stage, Index tool);
+
+/// The plunger on its way to its stop runs into a tool that it is free of at the start: the place, and how far. Tools
+/// without a hole around the axis, as drawn guide plates, and holes that are no contact boundaries are left out: tools
+/// may slide in each other.
+std::vector<std::string> tools_run_into(const Scene& scene, const ContainerPlan& plan);
+
+/// All of it as lines for the terminal, empty where all is usual.
 std::string describe_unusual(const Scene& scene);
 
 }  // namespace parison::forming

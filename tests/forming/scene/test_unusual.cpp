@@ -75,5 +75,22 @@ TEST(Unusual, a_fill_level_below_the_bottom_is_told_and_has_no_volume) {
   EXPECT_FALSE(container_plan(bundled("tumbler", "draft", {"output.fill_level=300 mm"}))->filled);
 }
 
+TEST(Unusual, a_plunger_wider_than_the_ring_is_told_with_the_place_and_by_how_much) {
+  const std::string notes = notes_on(
+      "jar", {"tool.ring.boundary.inner.path=(26, 0) (31, 14) mm", "tool.ring.boundary.bottom.path=(26, 0) mm"});
+  EXPECT_NE(
+      notes.find("\"plunger\" runs into \"ring\" on its way: from 75.84 mm on it is wider than the opening there, "
+                 "by up to 1 mm, near (26, 0) mm"),
+      notes.npos)
+      << notes;
+}
+
+TEST(Unusual, a_plunger_that_slides_through_a_guide_plate_or_a_seal_is_not_told) {
+  EXPECT_EQ(notes_on("jar"), "") << "its plate is drawn without a hole";
+  EXPECT_EQ(notes_on("tumbler"), "") << "its ring has a hole 1 mm narrower than the plunger, insulated";
+  const std::string notes = notes_on("tumbler", {"tool.ring.boundary.hole.condition=contact"});
+  EXPECT_NE(notes.find("\"plunger\" runs into \"ring\""), notes.npos) << "a hole that shapes glass: " << notes;
+}
+
 }  // namespace
 }  // namespace parison::forming
