@@ -23,6 +23,9 @@ bool has_moved_before(const Scene& scene, Index stage, Index tool);
 /// may slide in each other.
 std::vector<std::string> tools_run_into(const Scene& scene, const ContainerPlan& plan);
 
+/// The parison that the press makes does not fit into a mould of a later stage: which, where and by how much.
+std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPlan& plan);
+
 /// All of it as lines for the terminal, empty where all is usual.
 std::string describe_unusual(const Scene& scene);
 

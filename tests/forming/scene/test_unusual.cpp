@@ -92,5 +92,14 @@ TEST(Unusual, a_plunger_that_slides_through_a_guide_plate_or_a_seal_is_not_told)
   EXPECT_NE(notes.find("\"plunger\" runs into \"ring\""), notes.npos) << "a hole that shapes glass: " << notes;
 }
 
+TEST(Unusual, a_parison_longer_than_the_mould_is_told) {
+  const std::string notes =
+      notes_on("jar", {"tool.blow_mould.boundary.inner.path=(31, 14) (37, 26) (37, 91) (0, 91) mm"});
+  EXPECT_NE(notes.find("the parison as stage \"press\" presses it is too large for \"blow_mould\" of stage \"run\": it "
+                       "would reach 7 mm into that tool near ("),
+            notes.npos)
+      << notes;
+}
+
 }  // namespace
 }  // namespace parison::forming

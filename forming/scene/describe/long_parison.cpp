@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/scene/describe/unusual.hpp"
+
+namespace parison::forming {
+namespace {
+
+bool uses(const Stage& stage, Index tool) {
+  return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) { return one.tool == tool; });
+}
+
+/// Places of the surface that the press gives the glass, its plunger left out.
+std::vector<core::Point> pressed_surface(const Scene& scene, const PressPlan& press) {
+  const Stage& stage = scene.stages[static_cast<std::size_t>(press.stage)];
+  const double off = 1e-4 * core::size(scene.glass.profile);
+  const auto is_covered = [&](const core::Point& x, Index by) {  // by another tool of the press
+    return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) {
+      const Tool& tool = scene.tools[static_cast<std::size_t>(one.tool)];
+      return one.tool != by && one.tool != press.tool &&
+             core::contains(tool.profile, x - tool.position * core::axis_direction());
+    });
+  };
+  std::vector<core::Point> surface;
+  for (const StageTool& entry : stage.tools) {
+    const Tool& tool = scene.tools[static_cast<std::size_t>(entry.tool)];
+    if (entry.tool == press.tool || has_moved_before(scene, press.stage + 1, entry.tool)) continue;
+    for (const core::Segment& segment : tool.profile.segments) {
+      if (tool.boundaries[segment.boundary_id].kind != BoundaryKind::contact) continue;
+      constexpr int count = 50;
+      for (int i = 0; i <= count; ++i) {
+        const core::Point x = core::point_at(segment, double(i) / count) + tool.position * core::axis_direction();
+        const core::Point free = x + off * core::normal_at(segment, double(i) / count);
+        if (free[1] > press.low && free[1] < press.high && !is_covered(free, entry.tool)) surface.push_back(x);
+      }
+    }
+  }
+  return surface;
+}
+
+}  // namespace
+
+std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPlan& plan) {
+  std::vector<std::string> notes;
+  if (!plan.press) return notes;
+  const std::vector<core::Point> surface = pressed_surface(scene, *plan.press);
+  const Stage& pressed = scene.stages[static_cast<std::size_t>(plan.press->stage)];
+  const double allowed = 7.5e-3 * core::size(scene.glass.profile);  // 0.5 mm of a gob of 66 mm
+  for (Index t = 0; t < static_cast<Index>(scene.tools.size()); ++t) {
+    const Tool& mould = scene.tools[static_cast<std::size_t>(t)];
+    const Index first = first_use(scene, t);
+    if (first >= static_cast<Index>(scene.stages.size()) || first <= plan.press->stage || uses(pressed, t)) continue;
+    double depth = 0;
+    core::Point at = core::Point::Zero();
+    for (const core::Point& x : surface) {
+      const core::Point own = x - mould.position * core::axis_direction();
+      if (core::contains(mould.profile, own))
+        if (const double here = core::distance(mould.profile, own); here > depth) depth = here, at = x;
+    }
+    if (depth > allowed)
+      notes.push_back(fmt::format(
+          "the parison as stage \"{}\" presses it is too large for \"{}\" of stage \"{}\": it would reach {:.3g} mm "
+          "into "
+          "that tool near ({:.4g}, {:.4g}) mm even without hanging; a shorter or slimmer blank, or a larger mould, has "
+          "room for it",
+          pressed.name, mould.name, scene.stages[static_cast<std::size_t>(first)].name, 1e3 * depth, 1e3 * at[0],
+          1e3 * at[1]));
+  }
+  return notes;
+}
+
+}  // namespace parison::forming
