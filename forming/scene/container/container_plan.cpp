@@ -258,29 +258,4 @@ std::optional<ContainerPlan> container_plan(const Scene& scene) {
   return plan;
 }
 
-std::string describe_container(const Scene& scene) {
-  const auto plan = container_plan(scene);
-  if (!plan) return "";
-  std::string text = fmt::format("\ncontainer, from the drawings\n  {:<20}{:.4g} g\n", "weight", 1e3 * plan->mass);
-  const auto line = [&](const char* label, const std::string& value) {
-    text += fmt::format("  {:<20}{}\n", label, value);
-  };
-  if (plan->press) {
-    const std::string& tool = scene.tools[plan->press->tool].name;
-    line("press cavity", fmt::format("{:.4g} cm3 with \"{}\" at {:.5g} mm, {} of stage \"{}\"",
-                                     1e6 * plan->press->cavity, tool, 1e3 * plan->press->stop,
-                                     plan->press->is_driven ? "where it stops for this mass, the end" : "the end",
-                                     scene.stages[plan->press->stage].name));
-  }
-  if (plan->outside)
-    line("mould", fmt::format("{:.5g} cm3 closed in stage \"{}\"", 1e6 * *plan->outside, scene.stages.back().name));
-  if (plan->capacity)
-    line("capacity", fmt::format("{:.5g} ml to the rim at {:.4g} mm", 1e6 * *plan->capacity, 1e3 * *plan->rim));
-  if (plan->filled)
-    line("fill level", fmt::format("{:.5g} ml to {:.4g} mm below the rim, ullage {:.4g} ml", 1e6 * *plan->filled,
-                                   1e3 * *scene.output.fill_level, 1e6 * (*plan->capacity - *plan->filled)));
-  if (!plan->misfit.empty()) line("does not fit", plan->misfit);
-  return text;
-}
-
 }  // namespace parison::forming

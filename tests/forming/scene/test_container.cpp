@@ -149,6 +149,27 @@ TEST(ContainerPlan, a_heavier_gob_stops_the_plunger_earlier_by_its_volume_over_t
   EXPECT_NEAR(moved * M_PI * 0.027 * 0.027, 1e-6, 1e-8);  // the plunger is 27 mm thick where it enters the cavity
 }
 
+TEST(ContainerPlan, where_no_capacity_is_known_a_line_says_why) {
+  const auto text = [](const std::string& name, const std::vector<std::string>& overrides) {
+    return describe_container(read_scene(cases + name, "draft", overrides));
+  };
+  const std::string open = text("bottle", {"stage.blow.tools=[\"ring\", \"mould\"]"});
+  EXPECT_NE(
+      open.find("capacity            not known before a run: the tools leave the mouth or another opening of their "
+                "cavity open in the last stage, \"blow\", and no press cavity gives the inside; a run measures it"),
+      open.npos)
+      << open;
+  const std::string floating = text("jar", {"stage.hold.gravity=0 m/s2"});
+  EXPECT_NE(floating.find("not known: the last stage, \"hold\", has no gravity"), floating.npos) << floating;
+  const std::string wrong = text("tumbler", {"stage.press.motion.plunger.force=10 kN"});
+  EXPECT_NE(
+      wrong.find("press cavity        none: from where \"plunger\" starts, in the direction of its force, it closes "
+                 "no cavity with the other tools of stage \"press\""),
+      wrong.npos)
+      << wrong;
+  EXPECT_EQ(text("sag", {}).find("capacity"), std::string::npos) << "no container is formed";
+}
+
 TEST(Gob, a_capsule_has_its_mass_and_its_pole) {
   const Scene scene = jar_with("{ mass = \"219.6 g\", diameter = \"52 mm\", at = \"(0, 20) mm\" }");
   EXPECT_NEAR(2400 * volume_of(scene), 0.2196, 1e-5 * 0.2196);

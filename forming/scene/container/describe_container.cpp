@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "forming/scene/container/container_plan.hpp"
+
+namespace parison::forming {
+namespace {
+
+bool is_driven(const StageTool& tool) {
+  return std::holds_alternative<ForceMotion>(tool.motion);
+}
+
+/// Whether glass is pressed by a force or blown.
+bool forms_a_container(const Scene& scene) {
+  return std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) {
+    return std::any_of(stage.tools.begin(), stage.tools.end(), is_driven) ||
+           std::any_of(stage.pressure.begin(), stage.pressure.end(), [](const auto& p) { return p.second.max() > 0; });
+  });
+}
+
+/// Why no press cavity is known although a force drives a tool, empty where none does or the misfit says it.
+std::string why_no_press(const Scene& scene, const ContainerPlan& plan) {
+  if (!plan.misfit.empty()) return "";
+  for (const Stage& stage : scene.stages)
+    for (const StageTool& tool : stage.tools)
+      if (is_driven(tool))
+        return fmt::format(
+            "none: from where \"{}\" starts, in the direction of its force, it closes no cavity with the other tools "
+            "of "
+            "stage \"{}\"",
+            scene.tools[static_cast<std::size_t>(tool.tool)].name, stage.name);
+  return "";
+}
+
+std::string why_no_capacity(const Scene& scene) {
+  const Stage& last = scene.stages.back();
+  if (last.gravity == 0)
+    return fmt::format("not known: the last stage, \"{}\", has no gravity that says which end is the rim", last.name);
+  return fmt::format(
+      "not known before a run: {} in the last stage, \"{}\", and no press cavity gives the inside; a run measures it",
+      last.tools.empty() ? "no tool is there" : "the tools leave the mouth or another opening of their cavity open",
+      last.name);
+}
+
+}  // namespace
+
+std::string describe_container(const Scene& scene) {
+  const auto plan = container_plan(scene);
+  if (!plan) return "";
+  std::string text = fmt::format("\ncontainer, from the drawings\n  {:<20}{:.4g} g\n", "weight", 1e3 * plan->mass);
+  const auto line = [&](const char* label, const std::string& value) {
+    text += fmt::format("  {:<20}{}\n", label, value);
+  };
+  if (plan->press) {
+    const std::string& tool = scene.tools[plan->press->tool].name;
+    line("press cavity", fmt::format("{:.4g} cm3 with \"{}\" at {:.5g} mm, {} of stage \"{}\"",
+                                     1e6 * plan->press->cavity, tool, 1e3 * plan->press->stop,
+                                     plan->press->is_driven ? "where it stops for this mass, the end" : "the end",
+                                     scene.stages[plan->press->stage].name));
+  } else if (const std::string why = why_no_press(scene, *plan); !why.empty())
+    line("press cavity", why);
+  if (plan->outside)
+    line("mould", fmt::format("{:.5g} cm3 closed in stage \"{}\"", 1e6 * *plan->outside, scene.stages.back().name));
+  if (plan->capacity)
+    line("capacity", fmt::format("{:.5g} ml to the rim at {:.4g} mm", 1e6 * *plan->capacity, 1e3 * *plan->rim));
+  else if (forms_a_container(scene))
+    line("capacity", why_no_capacity(scene));
+  if (plan->filled)
+    line("fill level", fmt::format("{:.5g} ml to {:.4g} mm below the rim, ullage {:.4g} ml", 1e6 * *plan->filled,
+                                   1e3 * *scene.output.fill_level, 1e6 * (*plan->capacity - *plan->filled)));
+  if (!plan->misfit.empty()) line("does not fit", plan->misfit);
+  return text;
+}
+
+}  // namespace parison::forming
