@@ -23,6 +23,17 @@ std::set<std::string> bundled_names() {
   return names;
 }
 
+/// Where the bundled cases were looked for in vain, and what can be given instead.
+std::string none_was_found() {
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown).parent_path();
+  return fmt::format(
+      "no bundled cases were found, neither in {} nor in {}, where they are kept beside the program; the folder of a "
+      "case "
+      "can be given instead of a name, such as /path/to/cases/jar",
+      (program.parent_path() / "share/parison/cases").string(), (program / "share/parison/cases").string());
+}
+
 /// First line of the case's README without its mark of a heading.
 std::string title(const fs::path& folder) {
   std::ifstream readme(folder / "README.md");
@@ -51,14 +62,14 @@ std::string find_case(const std::string& given) {
   if (names.count(given)) return (shared_file("cases") / given).string();
   throw core::CaseError(fmt::format(
       "{}: no such case, allowed is a case file, a folder that holds a case.toml or the name of a bundled case ({})",
-      given, names.empty() ? "none was found" : fmt::format("{}", fmt::join(names, ", "))));
+      given, names.empty() ? none_was_found() : fmt::format("{}", fmt::join(names, ", "))));
 }
 
 std::string bundled_cases_table() {
   const fs::path cases = shared_file("cases");
   std::string table;
   for (const std::string& name : bundled_names()) table += fmt::format("{:<20}{}\n", name, title(cases / name));
-  return table.empty() ? "No bundled cases were found.\n" : table + fmt::format("\nin {}\n", cases.string());
+  return table.empty() ? none_was_found() + "\n" : table + fmt::format("\nin {}\n", cases.string());
 }
 
 }  // namespace parison::tools
