@@ -68,7 +68,7 @@ TEST(DimensionlessNumbers, glass_that_does_not_flow_has_no_inertia_and_no_emissi
 
 TEST(DimensionlessNumbers, stages_tools_and_accuracy_are_listed) {
   const std::string text = describe_scene(scene_of(small_scene));
-  EXPECT_EQ(line_with(text, "  press "), "  press               2 s; plate, plunger (-5 N, at most 10 mm/s)");
+  EXPECT_EQ(line_with(text, "  press      "), "  press               2 s; plate, plunger (-5 N, at most 10 mm/s)");
   const std::string overridden =
       describe_scene(scene_of(small_scene + "[numerics]\ntemperature_tolerance = \"0.02 K\"\n"));
   EXPECT_EQ(line_with(overridden, "temperature_tolerance"), "  temperature_tolerance   0.02 K      case");
