@@ -24,16 +24,22 @@ std::vector<core::Point> pressed_surface(const Scene& scene, const PressPlan& pr
              core::contains(tool.profile, x - tool.position * core::axis_direction());
     });
   };
+  constexpr std::size_t most_work = 20'000'000, per_segment = 50;
+  std::size_t segments = 0, seen = 0;
+  for (const StageTool& entry : stage.tools)
+    segments += scene.tools[static_cast<std::size_t>(entry.tool)].profile.segments.size();
+  const std::size_t stride = 1 + per_segment * segments * segments / most_work;
   std::vector<core::Point> surface;
   for (const StageTool& entry : stage.tools) {
     const Tool& tool = scene.tools[static_cast<std::size_t>(entry.tool)];
     if (entry.tool == press.tool || has_moved_before(scene, press.stage + 1, entry.tool)) continue;
     for (const core::Segment& segment : tool.profile.segments) {
       if (tool.boundaries[segment.boundary_id].kind != BoundaryKind::contact) continue;
-      constexpr int count = 50;
-      for (int i = 0; i <= count; ++i) {
-        const core::Point x = core::point_at(segment, double(i) / count) + tool.position * core::axis_direction();
-        const core::Point free = x + off * core::normal_at(segment, double(i) / count);
+      for (std::size_t i = 0; i <= per_segment; ++i) {
+        if (seen++ % stride != 0) continue;
+        const double t = double(i) / per_segment;
+        const core::Point x = core::point_at(segment, t) + tool.position * core::axis_direction();
+        const core::Point free = x + off * core::normal_at(segment, t);
         if (free[1] > press.low && free[1] < press.high && !is_covered(free, entry.tool)) surface.push_back(x);
       }
     }

@@ -27,6 +27,15 @@ std::vector<core::Point> hole_walls(const Tool& tool) {
   return points;
 }
 
+/// Every so many of the points, so that work with each segment of an outline stays bounded.
+std::vector<core::Point> thinned(const std::vector<core::Point>& points, const core::Profile& outline) {
+  constexpr std::size_t most_work = 1'000'000;
+  const std::size_t stride = 1 + points.size() * outline.segments.size() / most_work;
+  std::vector<core::Point> kept;
+  for (std::size_t i = 0; i < points.size(); i += stride) kept.push_back(points[i]);
+  return kept;
+}
+
 struct Interference {
   double depth = 0;  ///< m, along the radius
   core::Point at = core::Point::Zero();
@@ -51,7 +60,7 @@ Interference interference(const Tool& moved, double shift, const std::vector<cor
 /// Where a tool that moves from one offset to another first runs into a tool that it is free of at the start.
 std::string collision(const Tool& moved, double from, double to, const Tool& other, double touching) {
   constexpr int count = 24;
-  const std::vector<core::Point> walls = hole_walls(other);
+  const std::vector<core::Point> walls = thinned(hole_walls(other), moved.profile);
   const auto at = [&](double offset) { return interference(moved, offset - other.position, walls); };
   if (at(from).depth > touching) return "";  // they slide in each other
   Interference worst;

@@ -75,7 +75,10 @@ std::string advised_position(const Scene& scene, const GlassAndTool& pair, Index
   for (const Stage& stage : scene.stages)
     for (const StageTool& entry : stage.tools)
       moves = moves || (entry.tool == index && !std::holds_alternative<std::monostate>(entry.motion));
-  if (!moves) return "";
+  constexpr std::size_t most_work = 2'000'000;  // points times segments
+  const std::size_t work = pair.of_glass.size() * pair.tool.profile.segments.size() +
+                           pair.of_tool.size() * pair.glass.profile.segments.size();
+  if (!moves || work > most_work) return "";
   const auto low = pair.free_position(-1, touching), high = pair.free_position(1, touching);
   if (!low && !high) return "";
   const double at = pair.tool.position;
