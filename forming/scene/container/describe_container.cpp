@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "forming/scene/container/container_plan.hpp"
+#include "forming/scene/describe/unusual.hpp"
 
 namespace parison::forming {
 namespace {
@@ -23,14 +24,17 @@ bool forms_a_container(const Scene& scene) {
 /// Why no press cavity is known although a force drives a tool, empty where none does or the misfit says it.
 std::string why_no_press(const Scene& scene, const ContainerPlan& plan) {
   if (!plan.misfit.empty()) return "";
-  for (const Stage& stage : scene.stages)
-    for (const StageTool& tool : stage.tools)
-      if (is_driven(tool))
-        return fmt::format(
-            "none: from where \"{}\" starts, in the direction of its force, it closes no cavity with the other tools "
-            "of "
-            "stage \"{}\"",
-            scene.tools[static_cast<std::size_t>(tool.tool)].name, stage.name);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i)
+    for (const StageTool& tool : scene.stages[i].tools) {
+      if (!is_driven(tool)) continue;
+      const std::string &name = scene.tools[static_cast<std::size_t>(tool.tool)].name, &stage = scene.stages[i].name;
+      if (has_moved_before(scene, static_cast<Index>(i), tool.tool))
+        return fmt::format("none found: \"{}\" moves before stage \"{}\", where a force drives it", name, stage);
+      return fmt::format(
+          "none found: from where \"{}\" starts, in the direction of its force, the drawings close none with the other "
+          "tools of stage \"{}\"",
+          name, stage);
+    }
   return "";
 }
 

@@ -162,10 +162,9 @@ TEST(ContainerPlan, where_no_capacity_is_known_a_line_says_why) {
   const std::string floating = text("jar", {"stage.hold.gravity=0 m/s2"});
   EXPECT_NE(floating.find("not known: the last stage, \"hold\", has no gravity"), floating.npos) << floating;
   const std::string wrong = text("tumbler", {"stage.press.motion.plunger.force=10 kN"});
-  EXPECT_NE(
-      wrong.find("press cavity        none: from where \"plunger\" starts, in the direction of its force, it closes "
-                 "no cavity with the other tools of stage \"press\""),
-      wrong.npos)
+  EXPECT_NE(wrong.find("press cavity        none found: from where \"plunger\" starts, in the direction of its force, "
+                       "the drawings close none with the other tools of stage \"press\""),
+            wrong.npos)
       << wrong;
   EXPECT_EQ(text("sag", {}).find("capacity"), std::string::npos) << "no container is formed";
 }
