@@ -35,9 +35,9 @@ std::string stage_precondition_failure(const Scene& scene, const State& state) {
   const Point& x = state.glass.mesh.nodes[max_penetration.node];
   return fmt::format(
       "active tool {} overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit between "
-      "the tools of the stage. A parison that hangs too far needs less time or cooler glass before; a tool that closes "
-      "on "
-      "the glass needs a position clear of it and a motion: motion.{} = {{ offset = [...] }}",
+      "the tools of the stage. Where the blank as drawn is longer or wider than this tool (`parison check` compares "
+      "them), one of the drawings has to change; a parison that has sagged too far needs less time or cooler glass "
+      "before; a tool that closes on it needs a position clear of the glass and motion.{} = {{ offset = [...] }}",
       scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1],
       scene.tools[max_penetration.tool].name);
 }

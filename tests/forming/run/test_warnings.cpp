@@ -3,6 +3,7 @@
 
 #include "../scene_text.hpp"
 #include "forming/run/folder_run.hpp"
+#include "forming/run/stage.hpp"
 #include "forming/run/warnings.hpp"
 #include "forming/state/initial_state.hpp"
 
@@ -39,6 +40,18 @@ TEST(Warnings, a_force_that_never_moves_its_tool_is_told_as_too_weak) {
   const std::string said = said_of_plunger(-1e-5, true, false);
   EXPECT_NE(said.find("a force of up to 5 N hardly moves it, and the glass may not be pressed"), said.npos) << said;
   EXPECT_EQ(said_of_plunger(-1e-5, true, true), "") << "it has come to rest";
+}
+
+TEST(Warnings, glass_that_has_no_room_in_a_stage_is_told_with_the_drawings_before_the_sagging) {
+  const Scene scene = scene_of(small_scene);
+  State state = initial_state(scene);
+  state.stage = 1;
+  state.tools[1].offset = 0.008;
+  const std::string said = stage_precondition_failure(scene, state);
+  const auto drawn = said.find("Where the blank as drawn is longer"), sagged = said.find("a parison that has sagged");
+  EXPECT_EQ(said.rfind("active tool plunger overlaps the glass by 2 mm", 0), 0u) << said;
+  EXPECT_LT(drawn, sagged) << said;
+  EXPECT_NE(said.find("motion.plunger = { offset = [...] }"), said.npos) << said;
 }
 
 TEST(Warnings, one_fold_and_one_torn_piece_are_told_as_one) {
