@@ -14,7 +14,7 @@ double write_step(const std::string& path, const ContainerShape& shape);
 double volume_of_step(const std::string& path);
 
 /// Writes its surface as triangles, mm, binary STL with outward normals; flat sides deviate from the circle by at most
-/// `deviation`, m. Returns the volume that they enclose, m3.
+/// `deviation`, m, and are 120 at least. Returns the volume that they enclose, m3.
 double write_stl(const std::string& path, const ContainerShape& shape, double deviation = 1e-5);
 
 /// A shell that was written.
