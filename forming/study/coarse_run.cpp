@@ -21,13 +21,15 @@ std::string summary_path(const CoarseCase& coarse) {
 
 std::vector<CoarseCase> coarse_cases(const Scene& scene, const std::string& directory) {
   std::vector<CoarseCase> cases;
-  for (std::size_t i = 0; i < coarse_folders.size(); ++i) {
-    const double factor = coarser_factors[i];
-    if (factor * scene.accuracy_choice.coarsening_factor > max_coarsening) continue;
-    cases.push_back({scene.file, coarsened_text(scene.accuracy_name, factor), directory + '/' + coarse_folders[i],
-                     scene.overrides, factor});
-  }
+  for (std::size_t i = 0; i < coarse_folders.size(); ++i)
+    if (auto coarse = coarse_case(scene, directory + '/' + coarse_folders[i], coarser_factors[i]))
+      cases.push_back(std::move(*coarse));
   return cases;
+}
+
+std::optional<CoarseCase> coarse_case(const Scene& scene, const std::string& directory, double factor) {
+  if (factor * scene.accuracy_choice.coarsening_factor > max_coarsening) return std::nullopt;
+  return CoarseCase{scene.file, coarsened_text(scene.accuracy_name, factor), directory, scene.overrides, factor};
 }
 
 bool has_ended(const CoarseCase& coarse) {

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct CoarseCase {
 
 /// The coarser runs of a scene's run in a folder, the one nearest to it first.
 std::vector<CoarseCase> coarse_cases(const Scene& scene, const std::string& directory);
+/// One with edges and steps `factor` times as long, in a folder of its own; none where that would be too coarse.
+std::optional<CoarseCase> coarse_case(const Scene& scene, const std::string& directory, double factor);
 
 /// Whether it has come to its end or has failed on its way there, so that there is nothing left to run.
 bool has_ended(const CoarseCase& coarse);

@@ -49,7 +49,7 @@ std::string source_line(const RunComparison& result) {
   return means + fmt::format("  bars: {}; scatter {}\n",
                              result.bars == BarSource::differences
                                  ? "the difference against that of the coarser runs, so that common errors cancel"
-                                 : "those of both runs added, since no common coarser runs are there",
+                                 : "those of both runs added, since no coarser runs near enough are common to both",
                              scatter);
 }
 

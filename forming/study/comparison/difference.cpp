@@ -115,6 +115,9 @@ Evidence evidence_of(const FinishedRun& base, const FinishedRun& other, std::siz
   for (const FinishedRun& coarser : base.coarser)
     if (const FinishedRun* same = coarser_by(other, coarser.factor))
       evidence.partners.push_back({pairs_of(coarser, *same, in_common), coarser.factor});
+  // Runs so coarse tell too little by themselves.
+  const auto is_near = [](const Partners& one) { return one.factor <= partner_factors.front(); };
+  if (std::none_of(evidence.partners.begin(), evidence.partners.end(), is_near)) evidence.partners.clear();
   // Where some are as sure as the difference itself, those that are less sure would only add their scatter.
   const auto is_sure = [&](const Partners& one) { return one.pairs.size() >= evidence.pairs.size(); };
   auto& all = evidence.partners;

@@ -35,7 +35,8 @@ void warm_tools(const PlannedRun& run) {
 
 bool is_run_folder(const std::string& name) {
   const auto begins_with = [&](const char* word) { return name.rfind(word, 0) == 0; };
-  return begins_with(twin_folder) || std::any_of(coarse_folders.begin(), coarse_folders.end(), begins_with);
+  return begins_with(twin_folder) || std::any_of(coarse_folders.begin(), coarse_folders.end(), begins_with) ||
+         std::any_of(partner_folders.begin(), partner_folders.end(), begins_with);
 }
 
 void make_branch(const PlannedRun& run) {

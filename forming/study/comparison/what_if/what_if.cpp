@@ -87,8 +87,10 @@ std::string finished_elsewhere(const WhatIf& what_if, const std::string& directo
 
 /// The coarser runs of a run; where all is done twice, only the one nearest to it, since no other would count.
 std::vector<CoarseCase> partner_cases(const WhatIf& what_if, const Scene& scene, const std::string& directory) {
-  std::vector<CoarseCase> cases = coarse_cases(scene, directory);
-  if (what_if.twice && !cases.empty()) cases.erase(cases.begin() + 1, cases.end());
+  std::vector<CoarseCase> cases;
+  for (std::size_t i = 0; i < (what_if.twice ? 1 : partner_folders.size()); ++i)
+    if (auto coarse = coarse_case(scene, directory + '/' + partner_folders[i], partner_factors[i]))
+      cases.push_back(std::move(*coarse));
   return cases;
 }
 

@@ -120,6 +120,17 @@ TEST(Difference, of_runs_at_other_accuracies_the_bars_add_up) {
   EXPECT_NEAR(wall(comparison).bar, 0.15, 1e-12);
 }
 
+TEST(Difference, of_runs_without_a_coarser_one_near_enough_in_common_the_bars_add_up) {
+  FinishedRun base = run_with(2, 2.1, 2.2), other = run_with(2.3, 2.4, 2.5);
+  base.quantities.values[0].error = 0.1;
+  other.quantities.values[0].error = 0.05;
+  EXPECT_EQ(compare_runs(base, other).bars, BarSource::differences);
+  other.coarser[0].factor = partner_factors[0];  // in common are the runs three times as coarse
+  EXPECT_EQ(compare_runs(base, other).bars, BarSource::both_bars);
+  base.coarser[0].factor = partner_factors[0];
+  EXPECT_EQ(compare_runs(base, other).bars, BarSource::differences);
+}
+
 TEST(Difference, the_wall_is_compared_place_by_place) {
   FinishedRun base = run_with(2, 2.3, 2.9), other = run_with(2.1, 2.4, 3.0);
   base.quantities.profile[0] = std::nan("");

@@ -87,9 +87,9 @@ TEST_F(WhatIfTest, twice_means_a_twin_of_the_base_and_of_each_variant_from_where
   const auto runs = plan_runs(twice);
   // Each run and its nearest coarser one, three times; twins of both of the base, from two points, and of each variant.
   EXPECT_EQ(runs.size(), 3u * 2 + 2 * 2 + 2 * 2);
-  const PlannedRun& twin = named(runs, "twin of longer, 1.5 times coarser, after press");
-  EXPECT_EQ(twin.directory, in("out/longer/coarse_run/twin_after_press"));
-  EXPECT_EQ(twin.branch->directory, in("out/base/coarse_run"));
+  const PlannedRun& twin = named(runs, "twin of longer, 2 times coarser, after press");
+  EXPECT_EQ(twin.directory, in("out/longer/partner_run/twin_after_press"));
+  EXPECT_EQ(twin.branch->directory, in("out/base/partner_run"));
   EXPECT_TRUE(twin.branch->warmer_tools);
   EXPECT_EQ(twin.overrides, std::vector<std::string>{longer});
   const PlannedRun& warmer = named(runs, "twin of colder");
