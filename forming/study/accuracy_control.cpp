@@ -15,10 +15,12 @@ namespace {
 /// The search expects this error at draft, and its first run is this much coarser than where it expects to end.
 /// Coarser than five times draft the difference of runs says little about their errors.
 constexpr double usual_error = 0.005, first_coarser = 3.2, coarsest = 5;
-constexpr double refinement = 1.4;  ///< from the first run to the second, and after a failed one
-constexpr double aim = 0.95;        ///< of the target
+/// From the first run to the second, after a failed one, and at most where an estimate is larger than the one before it:
+/// then it shows the scatter of runs that are near each other, which Richardson's estimate multiplies.
+constexpr double refinement = 1.4;
+constexpr double aim = 0.95;  ///< of the target
 constexpr double most_refinement = 3, least_refinement = 1.1;
-constexpr std::size_t most_runs = 7;
+constexpr std::size_t most_runs = 8;
 constexpr double most_coarser = 4;  ///< of a run whose difference takes part in the error bars
 
 // The errors of single runs scatter about error = constant h^order by some 40 %, so neither an order that three runs
@@ -66,6 +68,7 @@ double AccuracyControl::estimate() const {
 }
 
 void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_seconds) {
+  const double before = record_.runs.empty() ? std::numeric_limits<double>::infinity() : record_.runs.back().estimate;
   record_.runs.push_back({factor_, cpu_seconds, run.has_value()});
   ControlledRun& now = record_.runs.back();
   double finer = refinement;
@@ -75,8 +78,8 @@ void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_secon
       now.estimate = estimate();
       now.confirmed = completed_.size() >= least_runs;
       if (std::isfinite(now.estimate))
-        finer =
-            std::clamp(std::pow(now.estimate / (aim * record_.target), 1 / order), least_refinement, most_refinement);
+        finer = std::clamp(std::pow(now.estimate / (aim * record_.target), 1 / order), least_refinement,
+                           now.estimate > before ? refinement : most_refinement);
     }
   }
   if (!finished()) factor_ /= finer;

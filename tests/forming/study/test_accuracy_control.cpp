@@ -94,7 +94,7 @@ TEST(AccuracyControl, two_runs_that_agree_by_chance_are_not_enough) {
   EXPECT_FALSE(control.record().reached()) << "the third is far from both";
 }
 
-TEST(AccuracyControl, refines_after_a_run_that_stopped_and_gives_up_after_seven) {
+TEST(AccuracyControl, refines_after_a_run_that_stopped_and_gives_up_after_eight) {
   AccuracyControl control(0.01);
   double last = 2 * control.factor();
   while (!control.finished()) {
@@ -102,7 +102,7 @@ TEST(AccuracyControl, refines_after_a_run_that_stopped_and_gives_up_after_seven)
     last = control.factor();
     control.add(std::nullopt, 1);
   }
-  EXPECT_EQ(control.record().runs.size(), 7u);
+  EXPECT_EQ(control.record().runs.size(), 8u);
   EXPECT_FALSE(control.record().reached());
 }
 
