@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "forming/report/error_bars.hpp"
+#include "forming/study/coarse_run.hpp"
 
 namespace parison::forming {
 namespace {

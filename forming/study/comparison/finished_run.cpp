@@ -97,7 +97,7 @@ FinishedRun read_finished_run(const std::string& directory) {
     throw core::CaseError(
         fmt::format("{}: no summary.json was found, allowed is the result folder of a run that has ended", directory));
   run->twins = read_twins(*run);
-  for (const char* folder : {coarse_folders[0], partner_folders[0], coarse_folders[1]}) {
+  for (const char* folder : {coarse_folders.front(), partner_folders.front(), coarse_folders.back()}) {
     auto coarser = read_run(directory + '/' + folder);
     if (!coarser || !coarser->completed) continue;
     const auto factor = coarsening(coarser->accuracy, run->accuracy);

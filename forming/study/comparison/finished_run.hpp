@@ -1,6 +1,5 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,12 +12,6 @@ namespace parison::forming {
 /// of the run's folder.
 inline constexpr const char* twin_folder = "twin";
 inline constexpr const char* twin_after = "twin_after_";  ///< with the name of the stage behind it
-
-/// The coarser runs by which a what-if compares two runs, in folders of each, the one nearest to it first. Twice as
-/// coarse instead of the 1.5 times of a single run's error bars: that costs less, and the scatter of a run that is
-/// nearer counts three times in Richardson's estimate, here 1.6 times.
-inline constexpr std::array partner_folders{"partner_run", "coarser_run"};
-inline constexpr std::array partner_factors{2.0, 3.0};
 
 /// A stage as it ended: numbers that are the same, to the last bit, where two runs went the same way.
 struct StageMark {

@@ -5,6 +5,7 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/report/error_bars.hpp"
+#include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/what_if/resolution.hpp"
 
