@@ -36,11 +36,12 @@ class CellGrid {
 core::Box cell_box(const core::Mesh& mesh, core::Index cell);
 
 /// Right-hand side int N_i (T - T_0) dV of the L2 projection onto the new mesh, where T is the old nodal field and T_0
-/// a nodal field of the new mesh near to it: where glass has folded onto itself two old cells count, and twice a small
-/// difference does no harm. The integral runs over the intersections of old and new cells, the supermesh (P. E.
-/// Farrell, M. D. Piggott, C. C. Pain, G. J. Gorman, C. R. Wilson, Comput. Methods Appl. Mech. Engng 198 (2009)
-/// 2632-2642), and is exact where both cells are straight. Curved cells are intersected as the triangles of their
-/// chords; old cells at the boundary are extended outward, so that no part of a new cell is left out.
+/// a nodal field of the new mesh near to it: where glass has folded onto itself, and where the chords of a distorted
+/// cell are inverted, two old cells count, and twice a small difference does no harm. The integral runs over the
+/// intersections of old and new cells, the supermesh (P. E. Farrell, M. D. Piggott, C. C. Pain, G. J. Gorman, C. R.
+/// Wilson, Comput. Methods Appl. Mech. Engng 198 (2009) 2632-2642), and is exact where both cells are straight. Curved
+/// cells are intersected as the triangles of their chords; old cells at the boundary are extended outward, so that no
+/// part of a new cell is left out.
 Eigen::VectorXd overlay_load(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry,
                              const Eigen::VectorXd& nodal, const Eigen::VectorXd& near);
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/mesh/element.hpp"
-#include "remesh/surface/outline.hpp"
 #include "remesh/transfer/mass_matrix.hpp"
 #include "remesh/transfer/overlay.hpp"
 
@@ -109,12 +108,11 @@ Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const
       if (is_given[i]) what(static_cast<Index>(i));
   };
   for_each_given([&](Index i) { start[i] = given[i]; });
-  // Where the old mesh lies on itself both of its cells count; elsewhere the plain projection is kept.
-  const Eigen::VectorXd near = crosses_itself(from) ? start : Eigen::VectorXd::Zero(start.size());
+  // Where the chords of old cells lie on each other both cells count: of a small difference, that does no harm.
   const Eigen::VectorXd load =
-      overlay_load(from, to, geometry, nodal, quadratic ? near : core::from_vertices(to, near));
+      overlay_load(from, to, geometry, nodal, quadratic ? start : core::from_vertices(to, start));
   Carried carried;
-  carried.value = mass.solve(mass.multiply(near) + (quadratic ? load : core::to_vertices(to, load)), start, is_given);
+  carried.value = mass.solve(mass.multiply(start) + (quadratic ? load : core::to_vertices(to, load)), start, is_given);
   set_ranges(from, transfer, nodal, carried);
   for_each_given([&](Index i) { carried.low[i] = carried.high[i] = given[i]; });
   carried.value = carried.value.cwiseMax(carried.low).cwiseMin(carried.high);

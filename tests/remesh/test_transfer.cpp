@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <map>
+#include <utility>
 
 #include "core/mesh/element.hpp"
 #include "figure.hpp"
 #include "remesh/mesher/mesh_profile.hpp"
+#include "remesh/mesher/quality.hpp"
 #include "remesh/profiles.hpp"
 #include "remesh/remesh_glass.hpp"
 #include "remesh/transfer/transfer.hpp"
@@ -218,6 +222,37 @@ TEST(Transfer, glass_that_lies_on_itself_twice_keeps_its_temperatures) {
   const Carried carried = project(from, to, Geometry::planar, make_transfer(from, to), old, 2);
   const Eigen::VectorXd exact = sample(to, linear);
   EXPECT_LT((carried.value - exact).cwiseAbs().maxCoeff(), 1.0) << "of 20 K";
+}
+
+/// A plate of 10 mm by 20 mm in eight cells, four around each of two vertices inside. The edge across its middle bends
+/// down by `bend`, m, and the two above it by a third of that.
+Mesh eight_cells(double upper, double lower, double bend) {
+  Mesh mesh;
+  mesh.nodes = {{0, 0},          {10e-3, 0},  {10e-3, 10e-3}, {0, 10e-3},
+                {10e-3, -10e-3}, {0, -10e-3}, {5e-3, upper},  {5e-3, lower}};
+  mesh.edit().vertex_count = 8;
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto middle = [&](Index a, Index b) {
+    const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), mesh.node_count());
+    const double below = std::max(a, b) == 1 ? bend : std::max(a, b) == 6 && std::min(a, b) < 2 ? bend / 3 : 0;
+    if (is_new) mesh.nodes.push_back(0.5 * (mesh.nodes[a] + mesh.nodes[b]) - Point(0, below));
+    return place->second;
+  };
+  for (const auto& [a, b, c] :
+       {std::array{0, 1, 6}, {1, 2, 6}, {2, 3, 6}, {3, 0, 6}, {5, 4, 7}, {4, 1, 7}, {1, 0, 7}, {0, 5, 7}})
+    mesh.edit().cells.push_back({a, b, c, middle(a, b), middle(b, c), middle(c, a)});
+  mesh.edit().boundaries = {{"side", core::BoundaryKind::contact}};
+  for (const auto& [a, b, cell] : {std::array{1, 2, 1}, {2, 3, 2}, {3, 0, 3}, {0, 5, 7}, {5, 4, 4}, {4, 1, 5}})
+    mesh.edit().boundary_edges.push_back({{a, b, middle(a, b)}, cell, 0});
+  return mesh;
+}
+
+TEST(Transfer, a_cell_whose_corners_alone_would_be_inverted_counts_once) {
+  const Mesh from = eight_cells(-0.2e-3, -6e-3, 2.4e-3), to = eight_cells(4e-3, -4e-3, 0);
+  ASSERT_GT(min_quality(from), 0);
+  const Field linear = [](const Point& x) { return 1200 + 3e3 * x[0] - 2e3 * x[1]; };
+  const Carried carried = project(from, to, Geometry::planar, make_transfer(from, to), sample(from, linear), 2);
+  EXPECT_LT((carried.value - sample(to, linear)).lpNorm<Eigen::Infinity>(), 6) << "of 70 K";
 }
 
 }  // namespace
