@@ -11,6 +11,7 @@
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/edge_correction.hpp"
 #include "forming/step/contact/penetration.hpp"
 #include "forming/step/flow/flow_step.hpp"
 #include "forming/step/flow/predictor.hpp"
@@ -134,6 +135,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
     after.totals.unforeseen_work +=
         unforeseen_work(scene.glass.flow->viscosity, state.glass.mesh, result.dissipation, predictor.temperature,
                         state.glass.temperature, after.glass.temperature, dt);
+  if (scene.has_flow() && !workspace.static_stage) correct_edges(scene, after);
   if (scene.has_flow()) update_rates(state, dt, after);
   advance_openings(scene, state, dt, after);
   after.time += dt;

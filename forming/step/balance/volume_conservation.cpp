@@ -11,6 +11,7 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/edge_correction.hpp"
 #include "remesh/surface/repair/restore_volume.hpp"
 
 namespace parison::forming {
@@ -88,18 +89,18 @@ std::vector<Point> shift_directions(const core::Mesh& mesh) {
   return directions;
 }
 
-/// Flags of the nodes that touch active tools.
-std::vector<bool> nodes_at_tools(const Scene& scene, const State& state, const core::Mesh& mesh) {
+/// The active tool that each surface node touches, -1 for none.
+std::vector<Index> touched_tools(const Scene& scene, const State& state, const core::Mesh& mesh) {
   const double touching = core::tolerance::at_tool * core::size(scene.glass.profile);
-  std::vector<bool> at_tool(mesh.nodes.size(), false);
+  std::vector<Index> touched(mesh.nodes.size(), -1);
   for (const auto& place : scene.stages[state.stage].tools) {
     const Body& body = scene.tools[place.tool];
-    const auto contact = contact_boundaries(body);
+    const contact::ToolGap gap(body.profile, contact_boundaries(body), touching);
     const Point offset = state.tools[place.tool].offset * core::axis_direction();
     for (const Index node : surface_nodes(mesh))
-      if (contact::signed_gap(body.profile, contact, mesh.nodes[node] - offset) < touching) at_tool[node] = true;
+      if (gap(mesh.nodes[node] - offset) < touching) touched[node] = place.tool;
   }
-  return at_tool;
+  return touched;
 }
 
 }  // namespace
@@ -137,9 +138,14 @@ Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen:
 void restore_volume(const Scene& scene, const State& state, double target, core::Mesh& mesh) {
   remesh::MovableSurface surface;
   surface.directions = shift_directions;
-  surface.in_contact = [&](const core::Mesh& now) { return nodes_at_tools(scene, state, now); };
+  surface.in_contact = [&](const core::Mesh& now) {
+    std::vector<bool> in_contact;
+    for (const Index tool : touched_tools(scene, state, now)) in_contact.push_back(tool >= 0);
+    return in_contact;
+  };
   surface.project = [&](core::Mesh& now) {
     project_out_of_tools(scene, state, now);
+    move_edges_out(scene, state, touched_tools(scene, state, now), now);
     keep_beside_axis(scene.geometry, now);
   };
   surface.volume_tolerance = 4e-15;

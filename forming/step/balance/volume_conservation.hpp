@@ -34,7 +34,8 @@ double missed_volume(const Scene& scene, const State& state, const Eigen::Vector
 /// to the initial volume; unchanged where the mode is unknown or hardly changes the volume.
 Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen::VectorXd velocity, double dt);
 
-/// Shifts the surface of a new glass mesh along its normals until the mesh has the volume `target`, m3, to round-off:
+/// Shifts the surface of a glass mesh, new or corrected, along its normals until it has the volume `target`, m3, to
+/// round-off, edges moved out of tools with it:
 /// the part that no tool touches, by the same distance everywhere and not into a tool; the whole surface, contacts as
 /// well, where no part is free or the free part is so small that it would move far, for what is below a few micrometres
 /// there.

@@ -112,6 +112,7 @@ struct Bound {
   Index tool;
   contact::GapConstraint at_end;
   double clearance = 0;    ///< gap that a middle node keeps so that its edge stays out of the tool, m
+  double held = 0;         ///< the same with corners of the tool, which it keeps once it has it, m
   bool lies_over = false;  ///< the edge lies over a corner or a rounding of the tool, which both ends touch
   bool of_edge = false;    ///< the tool is met by another point of the node's edge
 };
@@ -139,6 +140,8 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
     if (same != bounds.end()) {
       same->clearance = std::max(0.0, same->at_end.gap - constraint->gap - step.placed.resting);
       same->lies_over = step.lies_over(tool.index, *edge);
+      if (const auto corner = edge_constraint(tool, step.edge_beside(tool.index, *edge), true))
+        same->held = std::max(0.0, same->at_end.gap - corner->gap - step.placed.resting);
     } else if (bounds.size() < core::dim && constraint->gap <= reach) {
       bounds.push_back({tool.index, *constraint});
       bounds.back().of_edge = true;
@@ -159,15 +162,16 @@ flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Boun
                               : bound.at_end;
   const double approach = constraint.normal.dot(relative);
   const double gap = constraint.gap - dt * approach;  // at the step's start
-  // The middle of an edge that begins to leave the tool leaves it by itself.
-  const double clearance =
-      touched && !bound.lies_over ? std::min(bound.clearance, std::max(0.0, gap)) : bound.clearance;
+  // The middle of an edge that begins to leave the tool leaves it by itself; one that was moved out of it stays out.
+  const double held = std::min(bound.held, std::max(0.0, gap));
+  const double clearance = touched ? std::max(bound.lies_over ? bound.clearance : 0.0, held) : bound.clearance;
   // Glass that is drawn on a tool that grips is held from the run's first step, whichever way it is pulled.
   const bool drawn_on = state.totals.steps == 0 && std::abs(gap) <= placed.coincident;
   const bool grips = scene.tools[tool].friction.law == flow::Friction::Law::grip;
   // A middle is not held where the end of its edge has left the tool so far that the edge between would enter it.
   const bool peels = bound.clearance > placed.resting && !bound.lies_over;
-  const bool tied = (drawn_on || (touched && !peels && gap <= bound.clearance + placed.at_tool)) && grips;
+  const double closed = std::max(bound.clearance, clearance) + placed.at_tool;
+  const bool tied = (drawn_on || (touched && !peels && gap <= closed)) && grips;
   // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew there,
   // because next to a corner the linearised gap can be negative for a node that is outside; but a wall that is extended
   // past a joint has no tool behind it.

@@ -45,13 +45,8 @@ double max_penetration(const Scene& scene, const State& state, double known) {
   return known;
 }
 
-namespace {
-
-constexpr std::array<double, 9> eighths{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
-
-/// Places on an edge (first, last, middle node, m, in the tool's frame): its eighths, and where joints of the tool's
-/// outline lie beside it, since at a corner the tool may be deeper in the edge than at any place chosen without it.
 std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Profile& outline) {
+  constexpr std::array<double, 9> eighths{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
   constexpr double beside = 0.25;  // of the edge
   std::vector<double> places(eighths.begin(), eighths.end());
   const Point along = edge[1] - edge[0];
@@ -63,8 +58,6 @@ std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Prof
   }
   return places;
 }
-
-}  // namespace
 
 double max_edge_penetration(const Scene& scene, const State& state, double known) {
   const core::Mesh& mesh = state.glass.mesh;

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <vector>
 
 #include "forming/scene/scene.hpp"
@@ -18,6 +19,11 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
 /// Depth of the deepest glass node inside an active tool, m, or `known` where that is more; with what earlier steps
 /// had as `known` little is searched.
 double max_penetration(const Scene& scene, const State& state, double known = 0);
+
+/// Places on an edge (first, last, middle node, m, in the tool's frame) where penetration is looked for: its eighths,
+/// and where joints of the tool's outline lie beside it, since at a corner the tool may be deeper in the edge than at
+/// any place chosen without it.
+std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Profile& outline);
 
 /// Depth of the deepest of nine points on each edge of the glass that may touch, and of its places beside joints of a
 /// tool's outline, in an active tool, m, or `known`: between nodes, a corner or a small radius of a tool can be deeper.

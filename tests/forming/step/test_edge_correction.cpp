@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../scene_text.hpp"
+#include "core/mesh/tolerances.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/edge_correction.hpp"
+#include "forming/step/contact/penetration.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// Glass whose bottom, at z = 0, lies over a tool with a ridge that rises to z = 0 between nodes and turns by 2 x 14
+/// degrees.
+const std::string ridge = R"(case = "ridge"
+geometry = "axisymmetric"
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e3 Pa.s" }
+[glass]
+material = "liquid"
+boundary = [
+  { name = "surface", condition = "contact", path = "(0, 0) (10, 0) (10, 10) (0, 10) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
+[[tool]]
+name = "tool"
+friction = "slip"
+boundary = [
+  { name = "face", condition = "contact", path = "(20, -5) (20, -0.2) (4.93, -0.2) (4.13, 0) (3.33, -0.2) (0, -0.2) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, -5) mm" },
+  { name = "rest", condition = "insulated", path = "(20, -5) mm" } ]
+[[stage]]
+name = "wait"
+duration = "1 s"
+tools = ["tool"]
+[numerics]
+surface_size = "2 mm"
+)";
+
+/// The glass, 10 um of it pressed over the ridge, whose nodes all touch.
+struct OnRidge {
+  Scene scene = scene_of(ridge);
+  State state = initial_state(scene);
+  double allowed = core::tolerance::at_tool * core::size(scene.glass.profile);
+  OnRidge() {
+    for (Point& node : state.glass.mesh.nodes) node[1] -= 10e-6;
+    for (const Index node : contact_nodes(state.glass.mesh))
+      if (state.glass.mesh.nodes[node][1] < 0) state.glass.contact_tool[node] = 0;
+  }
+};
+
+TEST(EdgeCorrection, an_edge_over_a_ridge_is_moved_out_and_the_volume_stays) {
+  OnRidge glass;
+  const core::Mesh before = glass.state.glass.mesh;
+  ASSERT_LT(max_penetration(glass.scene, glass.state), 1e-12) << "no node is at the ridge";
+  ASSERT_GT(max_edge_penetration(glass.scene, glass.state), 2 * glass.allowed);
+  correct_edges(glass.scene, glass.state);
+  const core::Mesh& after = glass.state.glass.mesh;
+  EXPECT_LT(max_edge_penetration(glass.scene, glass.state), 1.05 * glass.allowed);
+  EXPECT_LT(max_penetration(glass.scene, glass.state), glass.allowed);
+  const double volume = core::volume(before, glass.scene.geometry);
+  EXPECT_NEAR(core::volume(after, glass.scene.geometry) / volume, 1, 1e-13);
+  for (Index n = 0; n < after.vertex_count(); ++n)
+    EXPECT_LT((after.nodes[n] - before.nodes[n]).norm(), 1e-6) << "vertices only follow the volume";
+}
+
+TEST(EdgeCorrection, edges_outside_the_tools_and_edges_that_touch_none_stay_to_the_bit) {
+  OnRidge glass;
+  core::Mesh& mesh = glass.state.glass.mesh;
+  const std::vector<Index> none(mesh.nodes.size(), -1);
+  const core::Mesh before = mesh;
+  EXPECT_FALSE(move_edges_out(glass.scene, glass.state, none, mesh));
+  EXPECT_EQ(mesh.nodes, before.nodes);
+  for (Point& node : mesh.nodes) node[1] += 10e-6;
+  const core::Mesh lifted = mesh;
+  correct_edges(glass.scene, glass.state);
+  EXPECT_EQ(mesh.nodes, lifted.nodes);
+}
+
+TEST(EdgeCorrection, the_flow_does_not_press_an_edge_back_that_was_moved_out) {
+  OnRidge glass;
+  const core::Mesh before = glass.state.glass.mesh;
+  ASSERT_TRUE(move_edges_out(glass.scene, glass.state, glass.state.glass.contact_tool, glass.state.glass.mesh));
+  const core::Mesh& after = glass.state.glass.mesh;
+  const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(core::dim * after.node_count());
+  int moved = 0;
+  for (const auto& candidate : contact_candidates(glass.scene, glass.state, at_rest, 1e-3)) {
+    if ((after.nodes[candidate.node] - before.nodes[candidate.node]).norm() < 1e-9) continue;
+    ++moved;
+    EXPECT_NEAR(candidate.rate, 0, 1e-9);
+  }
+  EXPECT_GE(moved, 1);
+}
+
+}  // namespace
+}  // namespace parison::forming
