@@ -49,11 +49,30 @@ std::optional<Place> nearest_kink(const Mesh& old, const std::vector<Link>& link
   return nearest;
 }
 
-/// The tool corners at which the surface gets a vertex, by old edge: those that the surface passes at less than half
-/// the edge length there. Where the surface penetrates the tool, half the surface size is enough, because the
-/// projection out of the tool leads around the corner. Between two contacts, and within a tenth of the edge length, the
-/// vertex lies in the corner: whether a mesh fills what it does not resolve would be chance, and with it where all
-/// glass beside the corner lies.
+/// The place nearest to a tool corner at which the surface passes it at less than half the edge length there. Where the
+/// surface penetrates the tool, half the surface size is enough, because the projection out of the tool leads around
+/// the corner.
+std::optional<Place> place_beside(const Mesh& old, const Criteria& criteria, const Point& corner, double target_size) {
+  double best = 0.5 * criteria.surface_size;
+  std::optional<Place> found;
+  for (std::size_t i = 0; i < old.boundary_edges().size(); ++i) {
+    const auto& edge = old.boundary_edges()[i].nodes;
+    const Point &a = old.nodes[edge[0]], &b = old.nodes[edge[1]];
+    if (criteria.straight_boundaries[old.boundary_edges()[i].boundary_id] ||
+        (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best)
+      continue;
+    const double s = closest_on(old, edge, corner);
+    const double gap = (point_on(old, edge, s) - corner).norm();
+    const Place here{static_cast<Index>(i), s};
+    if (gap < best && (gap < 0.5 * target_size || penetrates(old, criteria.project_out, here)))
+      best = gap, found = here;
+  }
+  return found;
+}
+
+/// The tool corners at which the surface gets a vertex, by old edge. Between two contacts, and within a tenth of the
+/// edge length, the vertex lies in the corner: whether a mesh fills what it does not resolve would be chance, and with
+/// it where all glass beside the corner lies.
 std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
   const std::vector<Link> links = boundary_links(old);
   std::vector<Point> fixed;
@@ -62,22 +81,9 @@ std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, con
   std::map<Index, Kept> kept;
   for (const Point& corner : criteria.keep) {
     const double target_size = std::min(criteria.surface_size, size(corner));
-    double best = 0.5 * criteria.surface_size;
-    Place found{-1, 0};
-    for (std::size_t i = 0; i < old.boundary_edges().size(); ++i) {
-      const auto& edge = old.boundary_edges()[i].nodes;
-      const Point &a = old.nodes[edge[0]], &b = old.nodes[edge[1]];
-      if (criteria.straight_boundaries[old.boundary_edges()[i].boundary_id] ||
-          (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best)
-        continue;
-      const double s = closest_on(old, edge, corner);
-      const double gap = (point_on(old, edge, s) - corner).norm();
-      const Place here{static_cast<Index>(i), s};
-      if (gap < best && (gap < 0.5 * target_size || penetrates(old, criteria.project_out, here)))
-        best = gap, found = here;
-    }
-    if (found.edge < 0) continue;
-    if (found.s == 1) found = {links[found.edge].next, 0};
+    const auto beside = place_beside(old, criteria, corner, target_size);
+    if (!beside) continue;
+    Place found = beside->s == 1 ? Place{links[beside->edge].next, 0} : *beside;
     if (lies_between_contacts(old, criteria, links, found))
       found = nearest_kink(old, links, corner, 0.3 * target_size).value_or(found);
     const Point passed = exterior_point(old, {}, found);
