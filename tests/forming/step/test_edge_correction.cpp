@@ -14,7 +14,7 @@
 namespace parison::forming {
 namespace {
 
-/// Glass whose bottom, at z = 0, lies over a tool with a ridge that rises to z = 0 between nodes and turns by 2 x 14
+/// Glass whose bottom, at z = 0, lies over a tool with a ridge that rises to z = 0 between nodes and turns by 11
 /// degrees.
 const std::string ridge = R"(case = "ridge"
 geometry = "axisymmetric"
@@ -30,7 +30,7 @@ boundary = [
 name = "tool"
 friction = "slip"
 boundary = [
-  { name = "face", condition = "contact", path = "(20, -5) (20, -0.2) (4.93, -0.2) (4.13, 0) (3.33, -0.2) (0, -0.2) mm" },
+  { name = "face", condition = "contact", path = "(20, -5) (20, -1.587) (4.13, 0) (0, -0.413) mm" },
   { name = "axis", condition = "symmetry", path = "(0, -5) mm" },
   { name = "rest", condition = "insulated", path = "(20, -5) mm" } ]
 [[stage]]
@@ -57,15 +57,17 @@ TEST(EdgeCorrection, an_edge_over_a_ridge_is_moved_out_and_the_volume_stays) {
   OnRidge glass;
   const core::Mesh before = glass.state.glass.mesh;
   ASSERT_LT(max_penetration(glass.scene, glass.state), 1e-12) << "no node is at the ridge";
-  ASSERT_GT(max_edge_penetration(glass.scene, glass.state), 2 * glass.allowed);
+  const double depth = max_edge_penetration(glass.scene, glass.state);
+  ASSERT_GT(depth, 10 * glass.allowed);
   correct_edges(glass.scene, glass.state);
   const core::Mesh& after = glass.state.glass.mesh;
-  EXPECT_LT(max_edge_penetration(glass.scene, glass.state), 1.05 * glass.allowed);
+  constexpr double for_volume = 2e-6;  // m, shift of the surface, none of which rests on the tool here
+  EXPECT_LT(max_edge_penetration(glass.scene, glass.state), 1.05 * glass.allowed + for_volume);
   EXPECT_LT(max_penetration(glass.scene, glass.state), glass.allowed);
   const double volume = core::volume(before, glass.scene.geometry);
   EXPECT_NEAR(core::volume(after, glass.scene.geometry) / volume, 1, 1e-13);
   for (Index n = 0; n < after.vertex_count(); ++n)
-    EXPECT_LT((after.nodes[n] - before.nodes[n]).norm(), 1e-6) << "vertices only follow the volume";
+    EXPECT_LT((after.nodes[n] - before.nodes[n]).norm(), for_volume) << "vertices only follow the volume";
 }
 
 TEST(EdgeCorrection, edges_outside_the_tools_and_edges_that_touch_none_stay_to_the_bit) {
