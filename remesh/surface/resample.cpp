@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 #include "remesh/surface/curve.hpp"
 
@@ -29,50 +28,9 @@ struct Kept {
   Point vertex;
 };
 
-/// Whether the old vertices on both sides of a place touch a tool.
-bool lies_between_contacts(const Mesh& old, const Criteria& criteria, const std::vector<Link>& links,
-                           const Place& place) {
-  if (criteria.contact.empty()) return false;
-  const auto& edges = old.boundary_edges();
-  const Index before = place.s > 0 ? place.edge : links[place.edge].previous;
-  return criteria.contact[edges[before].nodes[0]] && criteria.contact[edges[place.edge].nodes[1]];
-}
-
-/// The corner of the old surface nearest to a point within a distance, m; none where there is none.
-std::optional<Place> nearest_kink(const Mesh& old, const std::vector<Link>& links, const Point& x, double within) {
-  std::optional<Place> nearest;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const double distance = (old.nodes[old.boundary_edges()[i].nodes[0]] - x).norm();
-    if (std::abs(links[i].kink) > corner_angle && distance < within)
-      within = distance, nearest = {static_cast<Index>(i), 0};
-  }
-  return nearest;
-}
-
-/// The place nearest to a tool corner at which the surface passes it at less than half the edge length there. Where the
-/// surface penetrates the tool, half the surface size is enough, because the projection out of the tool leads around
-/// the corner.
-std::optional<Place> place_beside(const Mesh& old, const Criteria& criteria, const Point& corner, double target_size) {
-  double best = 0.5 * criteria.surface_size;
-  std::optional<Place> found;
-  for (std::size_t i = 0; i < old.boundary_edges().size(); ++i) {
-    const auto& edge = old.boundary_edges()[i].nodes;
-    const Point &a = old.nodes[edge[0]], &b = old.nodes[edge[1]];
-    if (criteria.straight_boundaries[old.boundary_edges()[i].boundary_id] ||
-        (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best)
-      continue;
-    const double s = closest_on(old, edge, corner);
-    const double gap = (point_on(old, edge, s) - corner).norm();
-    const Place here{static_cast<Index>(i), s};
-    if (gap < best && (gap < 0.5 * target_size || penetrates(old, criteria.project_out, here)))
-      best = gap, found = here;
-  }
-  return found;
-}
-
-/// The tool corners at which the surface gets a vertex, by old edge. Between two contacts, and within a tenth of the
-/// edge length, the vertex lies in the corner: whether a mesh fills what it does not resolve would be chance, and with
-/// it where all glass beside the corner lies.
+/// The tool corners at which the surface gets a vertex, by old edge: those that the surface passes at less than half
+/// the edge length there. Where the surface penetrates the tool, half the surface size is enough, because the
+/// projection out of the tool leads around the corner.
 std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
   const std::vector<Link> links = boundary_links(old);
   std::vector<Point> fixed;
@@ -81,18 +39,24 @@ std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, con
   std::map<Index, Kept> kept;
   for (const Point& corner : criteria.keep) {
     const double target_size = std::min(criteria.surface_size, size(corner));
-    const auto beside = place_beside(old, criteria, corner, target_size);
-    if (!beside) continue;
-    Place found = beside->s == 1 ? Place{links[beside->edge].next, 0} : *beside;
-    if (lies_between_contacts(old, criteria, links, found))
-      found = nearest_kink(old, links, corner, 0.3 * target_size).value_or(found);
-    const Point passed = exterior_point(old, {}, found);
-    const bool unfilled =
-        (passed - corner).norm() < 0.1 * target_size || lies_between_contacts(old, criteria, links, found);
-    const Point at = unfilled || penetrates(old, criteria.project_out, found) ? corner : passed;
-    const bool crowded = std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) {
-      return (x - at).norm() < 0.3 * target_size && !(unfilled && x == passed);
-    });
+    double best = 0.5 * criteria.surface_size;
+    Place found{-1, 0};
+    for (std::size_t i = 0; i < old.boundary_edges().size(); ++i) {
+      const auto& edge = old.boundary_edges()[i].nodes;
+      const Point &a = old.nodes[edge[0]], &b = old.nodes[edge[1]];
+      if (criteria.straight_boundaries[old.boundary_edges()[i].boundary_id] ||
+          (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best)
+        continue;
+      const double s = closest_on(old, edge, corner);
+      const double gap = (point_on(old, edge, s) - corner).norm();
+      const Place here{static_cast<Index>(i), s};
+      if (gap < best && (gap < 0.5 * target_size || penetrates(old, criteria.project_out, here)))
+        best = gap, found = here;
+    }
+    if (found.edge < 0) continue;
+    const Point at = penetrates(old, criteria.project_out, found) ? corner : exterior_point(old, {}, found);
+    const bool crowded =
+        std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) { return (x - at).norm() < 0.3 * target_size; });
     if (crowded || kept.count(found.edge)) continue;
     kept[found.edge] = {found.s, at};
     fixed.push_back(at);
