@@ -44,6 +44,16 @@ Scene checked_variant(const WhatIf& what_if, const Scene& base, const WhatIfVari
   }
 }
 
+/// Two assignments to one key, of which the last would count, were meant as two variants.
+void require_keys_once(const WhatIfVariant& variant) {
+  std::set<std::string> keys;
+  for (const std::string& assignment : variant.overrides)
+    if (const std::string key = assignment.substr(0, assignment.find('=')); !keys.insert(key).second)
+      throw core::CaseError(
+          fmt::format("variant {}: {} was found twice, allowed is once; another --variant NAME goes before the second",
+                      variant.name, key));
+}
+
 void require_names(const std::vector<WhatIfVariant>& variants) {
   if (variants.empty()) throw core::CaseError("what-if: no variant was found, allowed is at least one --set KEY=VALUE");
   std::set<std::string> names{base_name};
@@ -64,16 +74,21 @@ void require_names(const std::vector<WhatIfVariant>& variants) {
           fmt::format("variant {}: nothing that it changes was found, allowed is at least one --set KEY=VALUE after "
                       "--variant {}",
                       variant.name, variant.name));
+    require_keys_once(variant);
   }
 }
 
-/// The assignments of a twin from the start; empty where no tool carries heat from a uniform temperature.
-std::vector<std::string> warmer_tools(const Scene& scene) {
+/// The assignments of a twin from the start: tools of a uniform temperature are warmer, or the glass where no tool has
+/// one, as in settled production; empty where neither has.
+std::vector<std::string> warmer_start(const Scene& scene) {
   std::vector<std::string> overrides;
+  const auto is_uniform = [](const Body& body) { return body.thermal && !body.start_field; };
+  const auto warm = [&](const std::string& key, const Body& body) {
+    overrides.push_back(fmt::format("{}.temperature={:.9g} K", key, body.initial_temperature + twin_warmer));
+  };
   for (const Tool& tool : scene.tools)
-    if (tool.thermal && !tool.start_field)
-      overrides.push_back(
-          fmt::format("tool.{}.temperature={:.9g} K", tool.name, tool.initial_temperature + twin_warmer));
+    if (is_uniform(tool)) warm("tool." + tool.name, tool);
+  if (overrides.empty() && is_uniform(scene.glass) && !scene.glass.skin) warm("glass", scene.glass);
   return overrides;
 }
 
@@ -137,7 +152,7 @@ std::vector<CoarseCase> all_cases(const WhatIf& what_if, const Scene& scene, con
 /// variants leave it.
 void add_base_twins(const WhatIf& what_if, const Scene& scene, const std::set<std::optional<std::string>>& stages,
                     std::vector<PlannedRun>& runs) {
-  const std::vector<std::string> warmer = warmer_tools(scene);
+  const std::vector<std::string> warmer = warmer_start(scene);
   if (warmer.empty()) return;
   for (const CoarseCase& one : all_cases(what_if, scene, what_if.directory + '/' + base_name))
     for (const auto& stage : stages)
@@ -148,7 +163,7 @@ void add_base_twins(const WhatIf& what_if, const Scene& scene, const std::set<st
 /// A twin of a variant and of its coarser run.
 void add_variant_twins(const WhatIf& what_if, const std::string& label, const Scene& scene,
                        const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
-  const std::vector<std::string> warmer = warmer_tools(scene);
+  const std::vector<std::string> warmer = warmer_start(scene);
   if (warmer.empty()) return;
   const std::string base = what_if.directory + '/' + base_name, own = what_if.directory + '/' + label;
   for (const CoarseCase& one : all_cases(what_if, scene, own))

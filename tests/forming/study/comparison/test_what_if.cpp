@@ -158,6 +158,8 @@ TEST_F(WhatIfTest, what_is_wrong_with_a_variant_is_said_with_its_name_before_any
   EXPECT_NE(refusal({{"empty", {}}}).find("nothing that it changes"), std::string::npos);
   EXPECT_NE(refusal({{"a/b", {longer}}}).find("allowed are letters"), std::string::npos);
   EXPECT_NE(refusal({{"base", {longer}}}).find("found twice"), std::string::npos);
+  EXPECT_NE(refusal({{"two", {longer, colder, longer}}}).find("variant two: stage.rest.duration was found twice"),
+            std::string::npos);
   EXPECT_NE(refusal({{"a", {longer}}, {"a", {colder}}}).find("found twice"), std::string::npos);
   EXPECT_EQ(refusal({variant_of(longer)}), "");
   EXPECT_EQ(variant_of(longer).name, "stage.rest.duration_0.15_s");
