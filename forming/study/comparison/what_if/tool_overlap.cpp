@@ -42,6 +42,16 @@ Overlap overlap_of(const Scene& scene, Index a, Index b) {
   return deepest.depth > touching ? deepest : Overlap{};
 }
 
+/// Whether both tools work together in a stage.
+bool are_together(const Scene& scene, Index a, Index b) {
+  return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
+    const auto works = [&](Index tool) {
+      return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) { return one.tool == tool; });
+    };
+    return works(a) && works(b);
+  });
+}
+
 }  // namespace
 
 std::string new_tool_overlap(const Scene& base, const Scene& changed) {
@@ -55,7 +65,7 @@ std::string new_tool_overlap(const Scene& base, const Scene& changed) {
         const Index a = one.tool, b = other.tool;
         if (a >= b || moved.count(a) + moved.count(b) > 0 || !seen.insert({a, b}).second) continue;
         const Overlap found = overlap_of(changed, a, b);
-        if (found.depth > 0 && overlap_of(base, a, b).depth == 0)
+        if (found.depth > 0 && !(are_together(base, a, b) && overlap_of(base, a, b).depth > 0))
           return fmt::format(
               "tools \"{}\" and \"{}\" overlap by {:.3g} mm, near ({:g}, {:g}) mm, in stage {}, where those of the "
               "base do "
