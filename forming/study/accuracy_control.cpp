@@ -15,8 +15,8 @@ namespace {
 /// The search expects this error at draft, and its first run is this much coarser than where it expects to end.
 /// Coarser than five times draft the difference of runs says little about their errors.
 constexpr double usual_error = 0.005, first_coarser = 3.2, coarsest = 5;
-/// From the first run to the second, after a failed one, and at most where an estimate is larger than the one before it:
-/// then it shows the scatter of runs that are near each other, which Richardson's estimate multiplies.
+/// From the first run to the second, after a failed one, and at most where an estimate is larger than the one before
+/// it: then it shows the scatter of runs that are near each other, which Richardson's estimate multiplies.
 constexpr double refinement = 1.4;
 constexpr double aim = 0.95;  ///< of the target
 constexpr double most_refinement = 3, least_refinement = 1.1;

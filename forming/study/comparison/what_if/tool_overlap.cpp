@@ -46,7 +46,8 @@ Overlap overlap_of(const Scene& scene, Index a, Index b) {
 bool are_together(const Scene& scene, Index a, Index b) {
   return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
     const auto works = [&](Index tool) {
-      return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) { return one.tool == tool; });
+      return std::any_of(stage.tools.begin(), stage.tools.end(),
+                         [&](const StageTool& one) { return one.tool == tool; });
     };
     return works(a) && works(b);
   });
