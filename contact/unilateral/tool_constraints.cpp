@@ -91,6 +91,7 @@ struct ToolConstraints::Query {
   bool hidden(Index i, const Point& closest_point) const;
   void add_segment(Index i, std::vector<GapConstraint>& found) const;
   void add_joint(Index i, std::vector<GapConstraint>& found) const;
+  void add_tip(Index i, std::vector<GapConstraint>& found) const;
   void keep_closest_exterior(std::vector<GapConstraint>& found) const;
 };
 
@@ -142,6 +143,24 @@ void ToolConstraints::Query::add_joint(Index i, std::vector<GapConstraint>& foun
                    before.index});
 }
 
+/// Adds the constraint of a tip on the axis, at the joint after segment i, to a point that does not project onto its
+/// face: beyond the axis lies the face's mirror image.
+void ToolConstraints::Query::add_tip(Index i, std::vector<GapConstraint>& found) const {
+  const BoundedSegment &before = segments[i], &after = segments[next(i)];
+  if (before.in_contact == after.in_contact) return;
+  const bool ends = before.in_contact;  // the face, which comes to the axis or leaves it
+  const BoundedSegment& face = ends ? before : after;
+  const Point tip = before.segment->end, along = ends ? after.segment->end : before.segment->start;
+  if (std::abs(tip[0]) > coincident || std::abs(along[0]) > coincident) return;
+  const Point normal = core::normal_at(*face.segment, ends ? 1 : 0), arm = x - tip;
+  if (normal[0] <= 0 || arm.squaredNorm() > reach * reach) return;
+  if ((ends ? core::beyond_end(*face.segment, x) : core::beyond_start(*face.segment, x)) <= face.slack) return;
+  const Point axial(0, normal[1] < 0 ? -1 : 1);
+  if (arm.dot(axial) <= 0 || hidden(ends ? i : next(i), tip)) return;
+  const double distance = arm.norm();
+  found.push_back({distance, distance > 1e-3 * coincident ? Point(arm / distance) : axial, face.index});
+}
+
 /// A point inside the tool is projected to the closest point of the outline: of the segments with negative gaps only
 /// the nearest one is kept, and its neighbour at a re-entrant corner. At a convex corner one of the two segments is
 /// kept.
@@ -182,6 +201,7 @@ std::vector<GapConstraint> ToolConstraints::operator()(const Point& x, double re
   for (Index i = 0; i < query.count(); ++i) {
     query.add_segment(i, found);
     query.add_joint(i, found);
+    query.add_tip(i, found);
   }
   query.keep_closest_exterior(found);
   merge_constraints(found);

@@ -212,5 +212,22 @@ TEST(ToolGap, the_corner_between_ring_and_guide_plate_is_their_union) {
     }
 }
 
+/// A tool below a cone around the axis whose tip, or deepest point, is at the origin.
+Outline cone(double slope) {
+  return Pen({0, -10e-3}).free({10e-3, -10e-3}).free({10e-3, slope * 10e-3}).contact({0, 0}).close();
+}
+
+TEST(ToolGap, a_tip_on_the_axis_is_met_by_a_point_that_projects_onto_no_face) {
+  const auto above = gaps(cone(-0.3), 0, 1e-4, 1e-3);
+  ASSERT_EQ(above.size(), 1u);
+  EXPECT_NEAR(above[0].gap, 1e-4, 1e-15);
+  EXPECT_EQ(above[0].normal, Point(0, 1));
+  EXPECT_TRUE(gaps(cone(-0.3), 0, 2e-3, 1e-3).empty());
+  EXPECT_EQ(gaps(cone(-0.3), 1e-3, 0, 1e-3).size(), 1u);  // beside it the face counts
+  const auto cup = gaps(cone(0.3), 0, 1e-4, 1e-3);
+  ASSERT_EQ(cup.size(), 1u);  // the face of a cup, which the point projects onto
+  EXPECT_LT(cup[0].gap, 1e-4);
+}
+
 }  // namespace
 }  // namespace parison::contact::testing
