@@ -75,8 +75,8 @@ TEST(FixedPoint, is_found_sooner_with_acceleration_where_plain_iteration_creeps)
     return Eigen::VectorXd(rate.cwiseProduct(x) + Eigen::VectorXd::Ones(5));
   };
   const auto size = [](const Eigen::VectorXd& change) { return change.lpNorm<Eigen::Infinity>(); };
-  const auto fast = find_fixed_point(start, map, {1e-8, 5, 2000, size});
-  const auto plain = find_fixed_point(start, map, {1e-8, 0, 2000, size});
+  const auto fast = find_fixed_point(start, map, {1e-8, 5, 0, 2000, size});
+  const auto plain = find_fixed_point(start, map, {1e-8, 0, 0, 2000, size});
   ASSERT_TRUE(fast.converged && plain.converged);
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(fast.value[i], 1 / (1 - rate[i]), 1e-5);
   EXPECT_LT(10 * fast.evaluations, plain.evaluations);
@@ -89,7 +89,7 @@ TEST(FixedPoint, search_ends_where_the_map_cannot_be_evaluated) {
     return Eigen::VectorXd(2 * x);
   };
   const auto found =
-      find_fixed_point(Eigen::VectorXd::Ones(2), map, {1e-8, 0, 100, [](const auto& x) { return x.norm(); }});
+      find_fixed_point(Eigen::VectorXd::Ones(2), map, {1e-8, 0, 0, 100, [](const auto& x) { return x.norm(); }});
   EXPECT_FALSE(found.converged);
   EXPECT_EQ(found.evaluations, 2);
 }

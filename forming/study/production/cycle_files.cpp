@@ -87,7 +87,8 @@ std::string json_text(const Scene& scene, const PeriodicRequest& request, const 
   json.add("tolerance_K", request.tolerance);
   json.add("settled", state.found);
   json.add("confirmed", state.is_confirmed(request.tolerance));
-  json.add("scatter_K", state.scatter);
+  json.add("uncertainty_K", state.uncertainty);
+  json.add("offset_K", state.offset);
   json.add("reason", state.failure);
   add_search(json, scene, state);
   json.add("start_up_cycles", static_cast<long>(state.start_up.size()));

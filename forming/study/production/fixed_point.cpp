@@ -53,6 +53,7 @@ FixedPointOutcome find_fixed_point(const Eigen::VectorXd& start, const VectorMap
   void* solver = KINCreate(context);
   KINSetErrHandlerFn(solver, say_nothing, nullptr);
   KINSetMAA(solver, options.depth);
+  KINSetDelayAA(solver, options.delay);
   KINSetNumMaxIters(solver, options.max_evaluations + 1);
   KINInit(solver, evaluate, x);
   KINSetUserData(solver, &search);

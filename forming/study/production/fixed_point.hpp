@@ -12,6 +12,7 @@ using VectorMap = std::function<std::optional<Eigen::VectorXd>(const Eigen::Vect
 struct FixedPointOptions {
   double tolerance;     ///< of the size of x - map(x)
   int depth;            ///< of Anderson's acceleration
+  int delay;            ///< plain iterations before it
   int max_evaluations;  ///< of the map
   std::function<double(const Eigen::VectorXd& change)> size;
 };

@@ -50,6 +50,14 @@ bool HeatCycles::learn(const CycleRun& run) {
   return true;
 }
 
+bool HeatCycles::hold(const Eigen::VectorXd& temperatures) {
+  const auto alone = without_glass(temperatures);
+  if (!alone) return false;
+  imprint_ = temperatures - *alone;
+  start_ = temperatures;
+  return true;
+}
+
 std::optional<Eigen::VectorXd> HeatCycles::next(const Eigen::VectorXd& temperatures) const {
   auto after = without_glass(temperatures);
   if (!after) return after;
@@ -64,7 +72,7 @@ std::optional<Eigen::VectorXd> HeatCycles::next(const Eigen::VectorXd& temperatu
 
 std::optional<Eigen::VectorXd> HeatCycles::settled(const Eigen::VectorXd& start, double tolerance) const {
   constexpr int depth = 5, most = 200;
-  const FixedPointOptions options{tolerance, depth, most,
+  const FixedPointOptions options{tolerance, depth, 0, most,
                                   [](const Eigen::VectorXd& change) { return change.lpNorm<Eigen::Infinity>(); }};
   auto found = find_fixed_point(
       start, [this](const Eigen::VectorXd& x) { return next(x); }, options);

@@ -15,6 +15,8 @@ class HeatCycles {
 
   /// Takes what this run has left in the tools. False where the tools alone cannot be computed.
   bool learn(const CycleRun& run);
+  /// Takes the heat with which a cycle gives these temperatures back; learn has been called. False as there.
+  bool hold(const Eigen::VectorXd& temperatures);
   /// Tool temperatures a cycle later.
   std::optional<Eigen::VectorXd> next(const Eigen::VectorXd& temperatures) const;
   /// Tool temperatures that a cycle does not change, from those given; nothing where none are found.

@@ -13,13 +13,15 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/study/production/fixed_point.hpp"
 #include "forming/study/production/heat_cycles.hpp"
+#include "forming/study/production/settled_estimates.hpp"
 #include "forming/study/production/swabbing.hpp"
 #include "forming/study/production/tool_fields.hpp"
 
 namespace parison::forming {
 namespace {
 
-constexpr int anderson_depth = 2;
+/// Of Anderson's acceleration; the first iterations are plain ones, which come close to the state in most scenes.
+constexpr int anderson_depth = 2, anderson_delay = 2;
 
 /// Heat-only cycles settle to this share of the tolerance.
 constexpr double heat_only_share = 0.02;
@@ -33,8 +35,8 @@ struct Search {
   State initial;  ///< meshes and probes
   HeatCycles heat_cycles;
   SwabImprint swab;
+  SettledEstimates estimates;
   PeriodicState& result;
-  Eigen::VectorXd settled_last = {}, settled_before = {};  ///< by heat-only cycles, with the heat of the last runs
 };
 
 /// A cycle of a scene, in a folder of that name unless it is empty; false where it failed.
@@ -52,52 +54,36 @@ std::string largest_text(const Scene& scene, const std::vector<double>& values) 
   return fmt::format("{:.3g} K ({})", *largest, scene.tools[static_cast<std::size_t>(largest - values.begin())].name);
 }
 
+/// Takes what a cycle says of the periodic state, and keeps what heat-only cycles settle to with its heat. False where
+/// they do not settle.
+bool learn(Search& search, const CycleRun& run) {
+  const auto settled = search.heat_cycles.learn(run)
+                           ? search.heat_cycles.settled(run.end, heat_only_share * search.request.tolerance)
+                           : std::nullopt;
+  if (!settled) {
+    search.result.failure = "the tools alone do not settle with the heat of this run";
+    return false;
+  }
+  search.estimates.add(run.start, run.end, *settled);
+  return true;
+}
+
 /// The state that heat-only cycles with the heat of a forming run from `temperatures` settle to.
 std::optional<Eigen::VectorXd> settle(Search& search, const Eigen::VectorXd& temperatures) {
-  auto& result = search.result;
   CycleRun run;
-  const bool is_first = result.search.empty();
+  const bool is_first = search.estimates.runs().empty();
   const Scene scene = is_first ? search.scene : with_tools_at(search.scene, search.initial, temperatures);
-  if (!cycle_of(search, scene, is_first ? "first_gob" : "", run)) return std::nullopt;
-  auto next = search.heat_cycles.learn(run)
-                  ? search.heat_cycles.settled(run.end, heat_only_share * search.request.tolerance)
-                  : std::nullopt;
-  if (!next) {
-    result.failure = "the tools alone do not settle with the heat of this run";
-    return next;
-  }
-  result.search.push_back(
-      {surface_changes(search.initial, run.end - run.start), surface_changes(search.initial, *next - run.start)});
-  search.progress(fmt::format("forming run {}: tool surfaces change by {} in the cycle, {} to go", result.search.size(),
-                              largest_text(search.scene, result.search.back().change),
-                              largest_text(search.scene, result.search.back().distance)));
-  if (is_first) result.first = std::move(run);
-  search.settled_before = std::exchange(search.settled_last, *next);
-  return next;
+  if (!cycle_of(search, scene, is_first ? "first_gob" : "", run) || !learn(search, run)) return std::nullopt;
+  const SettledEstimate& last = search.estimates.runs().back();
+  search.progress(fmt::format("forming run {}: tool surfaces change by {} in the cycle, {} to go",
+                              search.estimates.runs().size(), largest_text(search.scene, last.change),
+                              largest_text(search.scene, last.distance)));
+  if (is_first) search.result.first = std::move(run);
+  return last.settled;
 }
 
 double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
-}
-
-/// Whether the distance is no longer what is left to go but what forming runs scatter by: it falls no more, although
-/// the last two cycles have changed no surface by more than the tolerance.
-bool only_scatters(const std::vector<SearchRun>& search, double tolerance) {
-  if (search.size() < 3) return false;
-  const SearchRun &before = search[search.size() - 2], &last = search.back();
-  return largest(last.distance) > 0.5 * largest(before.distance) && largest(last.change) <= tolerance &&
-         largest(before.change) <= tolerance;
-}
-
-/// How far the last state that heat-only cycles settled to may be from the periodic one, K: its distances to those
-/// before fall as a geometric series, as far as the scatter of the forming runs lets them. No less than the cycle
-/// itself changed a surface.
-double unsettled(const std::vector<SearchRun>& search, double tolerance) {
-  const double change = largest(search.back().change), distance = largest(search.back().distance);
-  if (search.size() == 1) return std::max(change, distance);
-  if (only_scatters(search, tolerance)) return change;
-  const double ratio = distance / largest(search[search.size() - 2].distance);
-  return std::max(change, ratio < 0.5 ? distance * ratio / (1 - ratio) : distance);
 }
 
 /// A folder that other cases can take the temperatures of the tools from.
@@ -122,21 +108,70 @@ Scene case_with_tools(const Search& search, const std::string& tools) {
   return scene;
 }
 
-/// Two plain cycles, the first as a case of its own with result files.
-void confirm(Search& search, const Eigen::VectorXd& settled) {
+/// Two plain cycles from the temperatures in the folder `tools`, the first as a case of its own with result files.
+void plain_cycles(Search& search) {
   auto& result = search.result;
-  Eigen::VectorXd temperatures = settled;
+  Eigen::VectorXd temperatures;
+  result.confirmed.clear();
   for (int k = 0; k < 2; ++k) {
     CycleRun run;
     const Scene scene =
         k == 0 ? case_with_tools(search, "tools") : with_tools_at(search.scene, search.initial, temperatures);
-    if (!cycle_of(search, scene, k == 0 ? "settled" : "", run)) return;
-    result.confirmed.push_back(surface_change(search.initial, run.end - run.start));
-    search.progress(fmt::format("plain cycle {}: tool surfaces change by {}", k + 1,
-                                largest_text(search.scene, surface_changes(search.initial, run.end - run.start))));
+    if (!cycle_of(search, scene, k == 0 ? "settled" : "", run) || !learn(search, run)) return;
+    const SettledEstimate& last = search.estimates.runs().back();
+    result.confirmed.push_back(largest(last.change));
+    search.progress(fmt::format("plain cycle {}: tool surfaces change by {}, {} to go", k + 1,
+                                largest_text(search.scene, last.change), largest_text(search.scene, last.distance)));
     temperatures = run.end;
     if (k == 0) result.settled = std::move(run);
   }
+}
+
+/// Forming runs towards the periodic state until it is known well enough or no more are allowed.
+void approach(Search& search) {
+  const double tolerance = search.request.tolerance;
+  const int most = search.request.max_runs;
+  auto& estimates = search.estimates;
+  const auto runs = [&] { return static_cast<int>(estimates.runs().size()); };
+  if (runs() == 0) {
+    const FixedPointOptions options{
+        tolerance, anderson_depth, anderson_delay, most,
+        [&](const Eigen::VectorXd&) { return estimates.only_scatter() ? 0 : estimates.uncertainty(); }};
+    find_fixed_point(
+        tool_temperatures(search.initial), [&](const Eigen::VectorXd& x) { return settle(search, x); }, options);
+  }
+  while (search.result.failure.empty() && runs() < most && estimates.uncertainty() > tolerance)
+    settle(search, estimates.mean());
+}
+
+/// Looks for the periodic state until plain cycles confirm it or no more forming runs are allowed.
+Eigen::VectorXd search_for_state(Search& search) {
+  auto& result = search.result;
+  const double tolerance = search.request.tolerance;
+  Eigen::VectorXd state;
+  while (result.failure.empty()) {
+    approach(search);
+    if (!result.failure.empty()) break;
+    result.runs = static_cast<int>(search.estimates.runs().size());
+    if (!search.estimates.only_scatter() && search.estimates.uncertainty() > tolerance) {
+      result.failure = fmt::format("after {} forming runs the tool surfaces are settled to {:.3g} K only", result.runs,
+                                   search.estimates.uncertainty());
+      break;
+    }
+    state = search.estimates.mean();
+    write_tools(search, state, "tools");
+    plain_cycles(search);
+    if (!result.failure.empty()) break;
+    result.found = true;
+    result.uncertainty = search.estimates.uncertainty();
+    result.offset = surface_change(search.initial, search.estimates.mean() - state);
+    const auto runs = static_cast<int>(search.estimates.runs().size());
+    if (result.is_confirmed(tolerance) || runs >= search.request.max_runs) break;
+    search.progress("the plain cycles do not confirm the state: the search goes on");
+    std::filesystem::remove_all(search.request.directory + "/settled");
+  }
+  for (const SettledEstimate& run : search.estimates.runs()) result.search.push_back({run.change, run.distance});
+  return state;
 }
 
 /// The surfaces of the tools at the start of a cycle.
@@ -154,6 +189,7 @@ StartUpCycle start_of_cycle(const Search& search, const Eigen::VectorXd& tempera
 /// Heat-only cycles from the start of the case until they are as close to the settled state as was asked for.
 void start_up(Search& search, const Eigen::VectorXd& settled) {
   constexpr int most = 1000;
+  if (!search.heat_cycles.hold(settled)) return;
   auto& cycles = search.result.start_up;
   std::optional<Eigen::VectorXd> now = search.result.first.start;
   while (now && static_cast<int>(cycles.size()) < most) {
@@ -186,7 +222,7 @@ void follow_swabs(Search& search, const Eigen::VectorXd& settled) {
 }  // namespace
 
 bool PeriodicState::is_confirmed(double tolerance) const {
-  return confirmed.size() == 2 && largest(confirmed) <= tolerance;
+  return confirmed.size() == 2 && largest(confirmed) <= tolerance && offset <= tolerance && uncertainty <= tolerance;
 }
 
 PeriodicState find_periodic_state(const Scene& given, const MachineCycle& cycle, const PeriodicRequest& request,
@@ -195,31 +231,22 @@ PeriodicState find_periodic_state(const Scene& given, const MachineCycle& cycle,
   const State initial = initial_state(scene);
   PeriodicState result;
   result.cycle = cycle;
-  Search search{
-      scene, request, stop, progress, initial, HeatCycles(scene, cycle, initial), swab_imprint(scene, initial), result};
+  Search search{scene,
+                request,
+                stop,
+                progress,
+                initial,
+                HeatCycles(scene, cycle, initial),
+                swab_imprint(scene, initial),
+                SettledEstimates(initial, request.tolerance),
+                result};
   result.failure = search.swab.failure;
   if (!result.failure.empty()) return result;
   result.swab_heat = search.swab.heat;
-  const FixedPointOptions options{request.tolerance, anderson_depth, request.max_runs,
-                                  [&](const Eigen::VectorXd&) { return unsettled(result.search, request.tolerance); }};
-  const auto found = find_fixed_point(
-      tool_temperatures(initial), [&](const Eigen::VectorXd& x) { return settle(search, x); }, options);
+  const Eigen::VectorXd settled = search_for_state(search);
   if (!result.failure.empty()) return result;
-  result.found = found.converged;
-  if (!found.converged) {
-    result.failure = fmt::format("after {} forming runs the tool surfaces are settled to {:.3g} K only",
-                                 found.evaluations, found.change);
-    return result;
-  }
-  Eigen::VectorXd settled = found.value;
-  if (only_scatters(result.search, request.tolerance) && largest(result.search.back().distance) > request.tolerance) {
-    result.scatter = largest(result.search.back().distance);
-    settled = 0.5 * (found.value + search.settled_before);
-  }
-  write_tools(search, settled, "tools");
   start_up(search, settled);
-  confirm(search, settled);
-  if (result.failure.empty() && search.swab.exists()) follow_swabs(search, settled);
+  if (search.swab.exists()) follow_swabs(search, settled);
   return result;
 }
 

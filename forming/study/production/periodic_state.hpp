@@ -12,7 +12,7 @@ namespace parison::forming {
 /// What is asked of a search for the periodic state of production.
 struct PeriodicRequest {
   double tolerance = 0.5;  ///< of any tool-surface temperature, K: its change in a cycle, its distance
-  int max_runs = 12;       ///< forming runs of the search
+  int max_runs = 12;       ///< forming runs of the search, after which two plain cycles still go on
   std::string directory;   ///< new folder: the first gob, the settled container and the state of the tools
 };
 
@@ -34,10 +34,12 @@ struct PeriodicState {
   std::string failure;  ///< why the search or a run did not end well; empty where all did
   bool stopped = false;
   bool found = false;
-  double scatter = 0;  ///< by which forming runs leave the state found uncertain, K; 0 where it is below the tolerance
-  std::vector<SearchRun> search;  ///< the first is that of the first gob
+  int runs = 0;                   ///< forming runs to the state found, without the plain cycles from there
+  std::vector<SearchRun> search;  ///< of all of them; the first is that of the first gob
   CycleRun first, settled;        ///< cycles from the temperatures of the case and from the state found
   std::vector<double> confirmed;  ///< change of any tool surface in each of two plain cycles from the state found, K
+  double offset = 0;              ///< of any tool surface to the state that those cycles and the search say, K
+  double uncertainty = 0;         ///< of that state, K; SettledEstimates::uncertainty
   std::vector<StartUpCycle> start_up;
   std::vector<double> swab_heat;         ///< of one swab of each tool, J; 0 for a tool without
   std::vector<StartUpCycle> since_swab;  ///< the cycles from one swab to the next; empty without
@@ -50,11 +52,12 @@ struct PeriodicState {
 using Progress = std::function<void(const std::string&)>;
 
 /// Looks for tool temperatures that a machine cycle gives back. Between forming runs heat-only cycles (HeatCycles) go
-/// on to where they settle; that map is iterated with Anderson's acceleration until a cycle changes no tool surface by
-/// more than the tolerance and none is further from the periodic state, as the falling distances say. Where they fall
-/// no more, what is left is the scatter of the forming runs, whose heats contact and remeshing decide a little
-/// otherwise each time; then the mean of the last two states is taken, and the scatter told. Two plain cycles from
-/// there confirm it. Each cycle has its share of swabs; what happens from one to the next is found afterwards.
+/// on to where they settle; that map is iterated, after two plain iterations with Anderson's acceleration. Where the
+/// distances fall no more, what is left is the scatter of forming runs, and the mean of the states that they settle to
+/// is taken until it is known to the tolerance (SettledEstimates). Two plain cycles from there confirm it: they change
+/// no tool surface by more than the tolerance, and what they settle to, with the runs before, is no further away, which
+/// a tool that takes hundreds of cycles does not show by its change. Otherwise the search goes on. Each cycle has its
+/// share of swabs; what happens from one to the next is found afterwards.
 PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
                                   const StopRequest& stop, const Progress& progress);
 

@@ -69,10 +69,10 @@ void print_containers(const std::string& folder, const PeriodicState& state) {
 void print_result(const forming::Scene& scene, const forming::PeriodicRequest& asked, const PeriodicState& state) {
   fmt::print("{}", forming::periodic_table(scene, state));
   fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; production reaches it {} cycles after ",
-             state.search.size(), state.start_up.size() - 1);
+             state.runs, state.start_up.size() - 1);
   fmt::print("its start\n");
-  if (state.scatter > 0)
-    fmt::print("  forming runs scatter: the tools at the gob are known to some {:.2g} K\n", state.scatter);
+  fmt::print("  with the plain cycles the tool surfaces are known to {:.2g} K, and are {:.2g} K from those above\n",
+             state.uncertainty, state.offset);
   print_containers(asked.directory, state);
   const std::string from = fs::absolute(asked.directory + "/tools").string();
   fmt::print("\n  results in {}; a case starts from these tools by temperature = {{ from = \"{}\" }}\n",
@@ -113,8 +113,10 @@ int cycle(const CycleRequest& request) {
   }
   print_result(scene, asked, state);
   if (state.is_confirmed(asked.tolerance)) return 0;
-  fmt::print(stderr, "parison: two plain cycles from the state found change a tool surface by more than {:g} K\n",
-             asked.tolerance);
+  fmt::print(stderr,
+             "parison: the plain cycles do not confirm the tool surfaces to {:g} K: known to {:.2g} K, {:.2g} K from "
+             "the state found; a finer accuracy scatters less\n",
+             asked.tolerance, state.uncertainty, state.offset);
   return run_failed;
 }
 
