@@ -12,8 +12,8 @@ namespace parison::tools {
 
 int compare(const CompareRequest& request) {
   const forming::Comparison comparison = forming::compare_folders(request.base, request.others);
+  if (!request.quantity.empty()) forming::require_quantity(request.quantity, comparison.base.quantities.values);
   const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
-  forming::require_quantity(comparison.base, quantity);
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
   if (!request.output.empty()) {
     forming::write_comparison(comparison, request.output);

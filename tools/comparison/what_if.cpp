@@ -73,6 +73,14 @@ std::string folder_name(std::string accuracy) {
   return "at_" + accuracy;
 }
 
+/// Says on stderr where a run has not made the quantity that was asked for.
+bool has_quantity(const forming::FinishedRun& run, const std::string& quantity) {
+  if (run.quantities.values.empty()) return true;
+  const std::string problem = forming::unknown_quantity(quantity, run.quantities.values);
+  if (!problem.empty()) fmt::print(stderr, "parison: the run of the base has no such result: {}\n", problem);
+  return problem.empty();
+}
+
 int report(const Comparison& comparison, const WhatIfRequest& request, const std::string& output) {
   const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
@@ -80,7 +88,7 @@ int report(const Comparison& comparison, const WhatIfRequest& request, const std
   fmt::print("\n  tables and profiles in {}; {:.1f} s of CPU time\n", output, cpu_of_children());
   const bool all = std::all_of(comparison.others.begin(), comparison.others.end(),
                                [](const forming::ComparedRun& other) { return other.result.has_value(); });
-  return all ? 0 : run_failed;
+  return all && has_quantity(comparison.base, quantity) ? 0 : run_failed;
 }
 
 int failed(const Round& round) {
@@ -92,8 +100,8 @@ int failed(const Round& round) {
 }
 
 /// Finer and finer until the error bars let a difference of the size asked for be seen.
-int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::string& output) {
-  forming::ResolutionControl control(request.resolve);
+int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::string& output,
+                       forming::ResolutionControl control) {
   for (;;) {
     asked.accuracy = control.accuracy();
     asked.directory = output + '/' + folder_name(asked.accuracy);
@@ -153,7 +161,9 @@ int what_if(const WhatIfRequest& request) {
   if (fs::exists(output + "/summary.json", error))
     throw core::CaseError(
         fmt::format("{}: the results of a run were found, allowed is a folder of its own for a what-if", output));
-  if (!request.resolve.empty()) return what_if_to_resolve(request, asked, output);
+  const std::vector<forming::Quantity> possible = forming::possible_quantities(scene);
+  if (!request.quantity.empty()) forming::require_quantity(request.quantity, possible);
+  if (!request.resolve.empty()) return what_if_to_resolve(request, asked, output, {request.resolve, possible});
   const Round round = run_round(asked, request.jobs);
   return round.comparison ? report(*round.comparison, request, output) : failed(round);
 }

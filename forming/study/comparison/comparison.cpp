@@ -111,12 +111,9 @@ Comparison compare_folders(const std::string& base, const std::vector<std::strin
   return comparison;
 }
 
-void require_quantity(const FinishedRun& run, const std::string& quantity) {
-  std::vector<std::string> names;
-  for (const Quantity& one : run.quantities.values) names.push_back(one.name);
-  if (!run.quantities.find(quantity) && !names.empty())
-    throw core::CaseError(fmt::format("--quantity: \"{}\" was found{}, allowed are {}", quantity,
-                                      core::did_you_mean(quantity, names), fmt::join(names, ", ")));
+void require_quantity(const std::string& quantity, const std::vector<Quantity>& known) {
+  if (const std::string problem = unknown_quantity(quantity, known); !problem.empty())
+    throw core::CaseError("--quantity: " + problem);
 }
 
 std::string comparison_tables(const Comparison& comparison) {

@@ -27,8 +27,8 @@ struct Comparison {
 /// that has ended, or is of another case. Another run that stopped on its way is kept with its reason.
 Comparison compare_folders(const std::string& base, const std::vector<std::string>& others);
 
-/// Throws core::CaseError where a run does not have a quantity, with those that it has.
-void require_quantity(const FinishedRun& run, const std::string& quantity);
+/// Throws core::CaseError where a quantity that was named by --quantity is none of the known ones, with their names.
+void require_quantity(const std::string& quantity, const std::vector<Quantity>& known);
 
 /// The tables for the terminal: of each run all quantities; then of each run what it does to the thinnest wall, or to
 /// the quantity that is named.

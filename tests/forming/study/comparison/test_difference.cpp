@@ -164,12 +164,12 @@ TEST(Comparison, the_last_table_says_by_how_much_for_sure_and_a_run_that_failed_
 
 TEST(Comparison, a_quantity_that_is_not_there_is_refused_with_the_nearest) {
   try {
-    require_quantity(run_with(2), "thicknes_min");
+    require_quantity("thicknes_min", run_with(2).quantities.values);
     ADD_FAILURE();
   } catch (const core::CaseError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean \"thickness_min\"?"), std::string::npos) << error.what();
   }
-  EXPECT_NO_THROW(require_quantity(run_with(2), "thickness_min"));
+  EXPECT_NO_THROW(require_quantity("thickness_min", run_with(2).quantities.values));
 }
 
 TEST(Comparison, the_plot_has_a_line_for_each_run_and_a_band_for_each_difference) {
@@ -183,8 +183,13 @@ TEST(Comparison, the_plot_has_a_line_for_each_run_and_a_band_for_each_difference
   EXPECT_EQ(profile_plot(compared(gob, gob)), "");
 }
 
+/// Those that runs of a case may have.
+std::vector<Quantity> possible() {
+  return {{"thickness_min", "mm", 0, 0}, {"heat_blank", "J", 0, 0}};
+}
+
 TEST(Resolution, goes_finer_until_the_bars_are_as_small_as_asked_for) {
-  ResolutionControl control("0.02 mm");
+  ResolutionControl control("0.02 mm", possible());
   EXPECT_EQ(control.accuracy(), "draft coarser 2");
   double factor = 2;
   for (int round = 0; !control.finished(); ++round) {
@@ -199,18 +204,19 @@ TEST(Resolution, goes_finer_until_the_bars_are_as_small_as_asked_for) {
 }
 
 TEST(Resolution, what_scatter_hides_at_any_accuracy_is_given_up) {
-  ResolutionControl control("thickness_min=0.001 mm");
+  ResolutionControl control("thickness_min=0.001 mm", possible());
   for (int round = 0; !control.finished() && round < 20; ++round)
     control.add(compared(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1)));
   EXPECT_TRUE(control.finished());
   EXPECT_FALSE(control.reached());
 }
 
-TEST(Resolution, a_size_that_is_none_is_refused_before_anything_runs_and_another_unit_when_the_unit_is_known) {
-  for (const char* wrong : {"", "mm", "0 mm", "-1 mm", "3 K", "thickness_min=2 J"})
-    EXPECT_THROW(ResolutionControl{wrong}, core::CaseError) << wrong;
-  ResolutionControl other("heat_blank=50 J");
-  EXPECT_THROW(other.add(compared(run_with(2, 2, 2), run_with(3, 3, 3))), core::CaseError);
+TEST(Resolution, a_size_that_is_none_another_unit_and_an_unknown_quantity_are_refused_before_anything_runs) {
+  for (const char* wrong : {"", "mm", "0 mm", "-1 mm", "3 K", "thickness_min=2 J", "heat_blank=2 mm", "heat_blanc=2 J"})
+    EXPECT_THROW(ResolutionControl(wrong, possible()), core::CaseError) << wrong;
+  ResolutionControl other("heat_blank=50 J", possible());
+  EXPECT_EQ(other.unit(), "J");
+  EXPECT_THROW(other.add(compared(run_with(2, 2, 2), run_with(3, 3, 3))), core::CaseError);  // the run has no such heat
 }
 
 }  // namespace

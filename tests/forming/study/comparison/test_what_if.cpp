@@ -130,6 +130,19 @@ TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last
   EXPECT_EQ(settings_line(comparison.others[0].settings), "stage.rest.duration: 0.1 s -> 0.15 s");
 }
 
+TEST_F(WhatIfTest, what_a_run_has_of_quantities_is_known_before_it_with_the_units) {
+  run_whole("made");
+  const std::vector<Quantity> possible = possible_quantities(scene());
+  const Quantities made = read_finished_run(in("made")).quantities;
+  EXPECT_GT(made.values.size(), 8u);
+  for (const Quantity& quantity : made.values) {
+    EXPECT_EQ(unknown_quantity(quantity.name, possible), "");
+    for (const Quantity& one : possible)
+      if (one.name == quantity.name) EXPECT_EQ(one.unit, quantity.unit) << one.name;
+  }
+  EXPECT_NE(unknown_quantity("heat_pott", possible).find("did you mean \"heat_pot\"?"), std::string::npos);
+}
+
 TEST_F(WhatIfTest, a_twin_has_tools_a_little_warmer_and_nothing_else) {
   run_whole("base");
   make_branch({"twin", in("base/twin_after_press"), coarse, {}, BranchPoint{in("base"), "press", true}, in("base")});
