@@ -126,7 +126,7 @@ std::string comparison_tables(const Comparison& comparison) {
     for (const Difference& row : other.result->quantities) text += quantity_row(row);
     text += wall_line(other.result->profile) + source_line(*other.result);
   }
-  return text;
+  return text + remark_lines(comparison);
 }
 
 std::string ranked_quantity(const Comparison& comparison) {

@@ -30,10 +30,12 @@ Comparison compare_folders(const std::string& base, const std::vector<std::strin
 /// Throws core::CaseError where a quantity that was named by --quantity is none of the known ones, with their names.
 void require_quantity(const std::string& quantity, const std::vector<Quantity>& known);
 
-/// The tables for the terminal: of each run all quantities; then of each run what it does to the thinnest wall, or to
-/// the quantity that is named.
+/// The tables for the terminal: of each run all quantities, below them remark_lines; then of each run what it does to
+/// the thinnest wall, or to the quantity that is named.
 std::string comparison_tables(const Comparison& comparison);
 std::string ranking_table(const Comparison& comparison, const std::string& quantity);
+/// Of base and other runs the flags and warnings in which they differ, and all failed checks, a line each.
+std::string remark_lines(const Comparison& comparison);
 /// The quantity of that table where none is named: the thinnest wall, else the first quantity.
 std::string ranked_quantity(const Comparison& comparison);
 

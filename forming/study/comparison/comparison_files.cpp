@@ -33,7 +33,21 @@ std::string quantities_csv(const Comparison& comparison) {
   return text;
 }
 
-void add_run(core::JsonWriter& json, const ComparedRun& other) {
+/// Those of a run, with whether the base has the same.
+void add_remarks(core::JsonWriter& json, const std::vector<Remark>& remarks, const std::vector<Remark>& base) {
+  json.open_list("remarks");
+  for (const Remark& remark : remarks) {
+    json.open_object("");
+    json.add("kind", name_of(remark.kind));
+    json.add("name", remark.name);
+    json.add("text", remark.text);
+    json.add("in_base", same_remark(base, remark) != nullptr);
+    json.close();
+  }
+  json.close();
+}
+
+void add_run(core::JsonWriter& json, const ComparedRun& other, const FinishedRun& base) {
   json.open_object("");
   json.add("run", other.label);
   json.add("folder", other.run.directory);
@@ -49,6 +63,8 @@ void add_run(core::JsonWriter& json, const ComparedRun& other) {
   json.add("completed", other.result.has_value());
   json.add("reason", other.reason);
   if (other.result) {
+    json.add("trustworthy", other.run.trustworthy);
+    add_remarks(json, other.run.remarks, base.remarks);
     json.add("stages_in_common", static_cast<long>(other.result->in_common));
     json.add("twins", static_cast<long>(other.result->twins));
     json.add("pairs", static_cast<long>(other.result->pairs));
@@ -75,8 +91,10 @@ std::string comparison_json(const Comparison& comparison) {
   core::JsonWriter json;
   json.add("base", comparison.base.directory);
   json.add("accuracy", comparison.base.accuracy);
+  json.add("trustworthy", comparison.base.trustworthy);
+  add_remarks(json, comparison.base.remarks, comparison.base.remarks);
   json.open_list("runs");
-  for (const ComparedRun& other : comparison.others) add_run(json, other);
+  for (const ComparedRun& other : comparison.others) add_run(json, other, comparison.base);
   json.close();
   return json.finish();
 }

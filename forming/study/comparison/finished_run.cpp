@@ -57,6 +57,7 @@ std::optional<FinishedRun> read_run(const std::string& directory) {
   run.reason = summary.text_of("reason");
   run.cpu_seconds = summary.number_of("cpu_seconds");
   run.quantities = read_quantities(summary);
+  run.remarks = read_remarks(summary);
   run.stages = read_stages(summary);
   if (const core::JsonValue* overrides = summary.find("overrides"))
     for (const core::JsonValue& assignment : overrides->items) run.overrides.push_back(assignment.text);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "forming/report/quantities.hpp"
+#include "forming/study/comparison/remarks.hpp"
 
 namespace parison::forming {
 
@@ -34,6 +35,7 @@ struct FinishedRun {
   std::string reason;  ///< why it has not completed
   double cpu_seconds = 0;
   Quantities quantities;
+  std::vector<Remark> remarks;  ///< flags, warnings and failed checks
   std::vector<StageMark> stages;
   std::vector<Twin> twins;
   double factor = 1;                 ///< edges and steps over those of the run that this is a coarser one of

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/case/case_error.hpp"
+#include "core/io/json_read.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/comparison.hpp"
@@ -160,6 +162,35 @@ TEST(Comparison, the_last_table_says_by_how_much_for_sure_and_a_run_that_failed_
   const std::string tables = comparison_tables(comparison);
   EXPECT_NE(tables.find("tool.blank.temperature: 460 degC -> 440 degC"), std::string::npos) << tables;
   EXPECT_NE(tables.find("no results: blow at 0.1 s"), std::string::npos) << tables;
+}
+
+TEST(Comparison, flags_and_warnings_that_differ_and_every_failed_check_are_a_line_each) {
+  const auto remarks = [](const std::string& flags, const std::string& warnings, const std::string& checks) {
+    return read_remarks(core::read_json(
+        fmt::format(R"({{"flags": [{}], "warnings": [{}], "checks": [{}]}})", flags, warnings, checks), "summary"));
+  };
+  const std::string hot = R"({"name": "tool_surface_above", "tool": "ring", "unit": "degC", "limit": 600, "value": 612})";
+  const std::string thin = R"({"name": "wall_below", "unit": "mm", "limit": 1.5, "value": 1.42})";
+  const auto check = [](const std::string& verdict) {
+    return R"({"name": "work_balance", "value": 0.021, "limit": 0.01, "unit": "%", "verdict": ")" + verdict + "\"}";
+  };
+  FinishedRun base = run_with(2), other = run_with(2.1);
+  Comparison comparison = compared(base, other);
+  EXPECT_NE(comparison_tables(comparison).find("flags and warnings: the same in all runs; no check failed"),
+            std::string::npos);
+  comparison.base.remarks = remarks(hot, R"("1 fold of 2 mm3 was closed; look there")", check("inside"));
+  comparison.others[0].run.remarks =
+      remarks(thin, R"("1 fold of 3 mm3 was closed; look there", "the ring still moves at 0.2 s")",
+              check("not trustworthy"));
+  EXPECT_EQ(remark_lines(comparison),
+            "\nflags and warnings that differ between the runs, and failed checks:\n"
+            "  run      flag tool_surface_above of ring: 612 degC, limit 600 degC\n"
+            "  thicker  flag wall_below: 1.42 mm, limit 1.5 mm\n"
+            "  thicker  warning the ring still moves at 0.2 s\n"
+            "  thicker  failed check work_balance is 2.1 %, the limit is 1 %: not trustworthy\n"
+            "  thicker  without the flag of run: tool_surface_above of ring: 612 degC, limit 600 degC\n");
+  comparison.others[0].run.remarks = comparison.base.remarks;
+  EXPECT_NE(remark_lines(comparison).find("the same in all runs"), std::string::npos);
 }
 
 TEST(Comparison, a_quantity_that_is_not_there_is_refused_with_the_nearest) {
