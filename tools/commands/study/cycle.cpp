@@ -13,7 +13,9 @@
 #include "core/case/units.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 #include "forming/study/production/cycle_files.hpp"
+#include "tools/comparison/run_queue.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 
@@ -57,23 +59,43 @@ std::string new_folder(const CycleRequest& request, const forming::Scene& scene)
   return folder;
 }
 
-/// The container of the first gob beside that of settled production, and that made just after a swab.
-void print_containers(const std::string& folder, const PeriodicState& state) {
-  std::vector<std::string> others{folder + "/settled"};
-  if (state.just_swabbed) others.push_back(folder + "/just_swabbed");
-  const auto comparison = forming::compare_folders(folder + "/first_gob", others);
-  fmt::print("{}", forming::comparison_tables(comparison));
-  forming::write_comparison(comparison, folder);
+/// The coarser runs of the containers, the first of which the others are compared with; false where one was stopped.
+bool make_coarser_runs(const forming::Scene& scene, const std::vector<std::string>& containers, int jobs) {
+  std::vector<QueuedRun> runs;
+  for (auto& plan : forming::plan_partner_runs(scene.file, containers)) runs.push_back({std::move(plan)});
+  fmt::print("\n{} coarser runs for the error bars\n", runs.size());
+  std::fflush(stdout);
+  return run_all(runs, scene.file, jobs);
 }
 
-void print_result(const forming::Scene& scene, const forming::PeriodicRequest& asked, const PeriodicState& state) {
+/// The container of the first gob beside that of settled production, and that made just after a swab; false where error
+/// bars were asked for and their runs were stopped.
+bool compare_containers(const CycleRequest& request, const forming::Scene& scene, const std::string& folder,
+                        const PeriodicState& state) {
+  std::vector<std::string> others{folder + "/settled"};
+  if (state.just_swabbed) others.push_back(folder + "/just_swabbed");
+  std::vector<std::string> containers{folder + "/first_gob"};
+  containers.insert(containers.end(), others.begin(), others.end());
+  const bool ended = !request.error_bars || make_coarser_runs(scene, containers, request.jobs);
+  const auto comparison = forming::compare_folders(containers.front(), others);
+  fmt::print("{}", forming::comparison_tables(comparison));
+  if (request.error_bars)
+    fmt::print("{}", forming::ranking_table(comparison, forming::ranked_quantity(comparison)));
+  else
+    fmt::print("  `parison cycle --error-bars` tells which differences are real\n");
+  forming::write_comparison(comparison, folder);
+  return ended;
+}
+
+/// False where a run of the error bars was stopped.
+bool print_result(const CycleRequest& request, const forming::Scene& scene, const forming::PeriodicRequest& asked, const PeriodicState& state) {
   fmt::print("{}", forming::periodic_table(scene, state));
   fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; production reaches it {} cycles after ",
              state.search.size(), state.start_up.size() - 1);
   fmt::print("its start\n");
   if (state.scatter > 0)
     fmt::print("  forming runs scatter: the tools at the gob are known to some {:.2g} K\n", state.scatter);
-  print_containers(asked.directory, state);
+  const bool ended = compare_containers(request, scene, asked.directory, state);
   const std::string from = fs::absolute(asked.directory + "/tools").string();
   fmt::print("\n  results in {}; a case starts from these tools by temperature = {{ from = \"{}\" }}\n",
              asked.directory, from);
@@ -81,6 +103,7 @@ void print_result(const forming::Scene& scene, const forming::PeriodicRequest& a
     if (state.cycle.overlaps(t))
       fmt::print("  {} still serves the container before at the gob: temperature_at = \"first use\"\n",
                  scene.tools[t].name);
+  return ended;
 }
 
 }  // namespace
@@ -111,7 +134,10 @@ int cycle(const CycleRequest& request) {
     fmt::print(stderr, "parison: {}\n", state.failure);
     return run_failed;
   }
-  print_result(scene, asked, state);
+  if (!print_result(request, scene, asked, state)) {
+    fmt::print(stderr, "parison: stopped on request before the coarser runs of the error bars had ended\n");
+    return run_failed;
+  }
   if (state.is_confirmed(asked.tolerance)) return 0;
   fmt::print(stderr, "parison: two plain cycles from the state found change a tool surface by more than {:g} K\n",
              asked.tolerance);

@@ -109,6 +109,17 @@ std::vector<CoarseCase> partner_cases(const WhatIf& what_if, const Scene& scene,
   return cases;
 }
 
+/// A coarser run of the run in the folder `own`.
+PlannedRun partner_of(const std::string& label, const CoarseCase& coarse, const std::optional<BranchPoint>& branch,
+                      const std::string& own) {
+  return {fmt::format("{}, {:g} times coarser", label, coarse.factor),
+          coarse.directory,
+          coarse.accuracy,
+          coarse.overrides,
+          branch,
+          own};
+}
+
 /// A run and its coarser ones; `stage` where they begin as those of the base had it at its end.
 void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scene,
               const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
@@ -121,9 +132,10 @@ void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scen
     return is_base ? finished_elsewhere(what_if, folder) : std::string();
   };
   runs.push_back({label, own, scene.accuracy_name, scene.overrides, branch(""), "", elsewhere(own)});
-  for (const CoarseCase& coarse : partner_cases(what_if, scene, own))
-    runs.push_back({fmt::format("{}, {:g} times coarser", label, coarse.factor), coarse.directory, coarse.accuracy,
-                    scene.overrides, branch(coarse.directory.substr(own.size())), own, elsewhere(coarse.directory)});
+  for (const CoarseCase& coarse : partner_cases(what_if, scene, own)) {
+    runs.push_back(partner_of(label, coarse, branch(coarse.directory.substr(own.size())), own));
+    runs.back().copy_of = elsewhere(coarse.directory);
+  }
 }
 
 /// A twin of a run that was made of a scene; `base` is the folder of the same run of the base, from which it begins at
@@ -209,6 +221,21 @@ std::vector<PlannedRun> plan_runs(const WhatIf& what_if) {
     const auto stage = last_common_stage(base, scenes[i]);
     add_runs(what_if, what_if.variants[i].name, scenes[i], stage, runs);
     if (what_if.twice) add_variant_twins(what_if, what_if.variants[i].name, scenes[i], stage, runs);
+  }
+  return runs;
+}
+
+std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const std::vector<std::string>& folders) {
+  std::vector<PlannedRun> runs;
+  for (const std::string& folder : folders) {
+    const FinishedRun run = read_finished_run(folder);
+    const Scene scene = read_scene(case_path, run.accuracy, run.overrides);
+    const std::vector<std::string> warmer = warmer_start(scene);
+    for (const CoarseCase& coarse : partner_cases({}, scene, folder)) {
+      runs.push_back(partner_of(run.name, coarse, std::nullopt, folder));
+      if (folder == folders.front() && !warmer.empty())
+        runs.push_back(twin_of({}, run.name, coarse, coarse.directory, std::nullopt, warmer));
+    }
   }
   return runs;
 }

@@ -58,6 +58,10 @@ std::optional<std::string> last_common_stage(const Scene& base, const Scene& cha
 /// name of the variant before the sentence: all is read, and the first stage tried, before anything runs.
 std::vector<PlannedRun> plan_runs(const WhatIf& what_if);
 
+/// The coarser runs for the error bars of differences between runs of a case that have come to their end in these
+/// folders, and twins of those of the first, which the others are compared with.
+std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const std::vector<std::string>& folders);
+
 /// What a variant changes against the base, value by value.
 std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant);
 

@@ -113,6 +113,19 @@ TEST_F(WhatIfTest, a_run_that_is_there_is_the_base_with_what_it_has) {
   EXPECT_TRUE(has_completed_here(in("out/base")));
 }
 
+TEST_F(WhatIfTest, runs_that_are_there_get_their_coarser_runs_and_the_first_of_them_twins) {
+  run_whole("first");
+  run_whole("second", {colder});
+  const auto runs = plan_partner_runs(folder, {in("first"), in("second")});
+  EXPECT_EQ(runs.size(), 2u * 2 + 2);
+  const PlannedRun& coarser = named(runs, "second, 2 times coarser");
+  EXPECT_EQ(coarser.directory, in("second/partner_run"));
+  EXPECT_EQ(coarser.inside, in("second"));
+  EXPECT_EQ(coarser.accuracy, "draft coarser 4");
+  EXPECT_EQ(coarser.overrides, std::vector<std::string>{colder});
+  EXPECT_EQ(named(runs, "twin of first, 3 times coarser").directory, in("first/coarser_run/twin"));
+}
+
 TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last_bit) {
   const RunOutcome base = run_whole("base");
   const Scene changed = scene({longer});
