@@ -84,8 +84,7 @@ bool has_quantity(const forming::FinishedRun& run, const std::string& quantity) 
 int report(const Comparison& comparison, const WhatIfRequest& request, const std::string& output) {
   const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
-  forming::write_comparison(comparison, output);
-  fmt::print("\n  tables and profiles in {}; {:.1f} s of CPU time\n", output, cpu_of_children());
+  fmt::print("\n  {}; {:.1f} s of CPU time\n", forming::write_comparison(comparison, output), cpu_of_children());
   const bool all = std::all_of(comparison.others.begin(), comparison.others.end(),
                                [](const forming::ComparedRun& other) { return other.result.has_value(); });
   return all && has_quantity(comparison.base, quantity) ? 0 : run_failed;

@@ -39,8 +39,10 @@ std::string remark_lines(const Comparison& comparison);
 /// The quantity of that table where none is named: the thinnest wall, else the first quantity.
 std::string ranked_quantity(const Comparison& comparison);
 
-/// Writes comparison.csv, comparison.json, profiles.csv and profiles.svg, the last two where there is a wall.
-void write_comparison(const Comparison& comparison, const std::string& folder);
+/// Writes comparison.csv, comparison.json, profiles.csv and profiles.svg, the last two where the walls of base and another
+/// run are compared; where they are not, those of an earlier comparison in the folder go. Returns which, and where, in
+/// words.
+std::string write_comparison(const Comparison& comparison, const std::string& folder);
 
 /// The walls over each other and their differences from the base with error bars, as SVG; empty without a wall.
 std::string profile_plot(const Comparison& comparison);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -99,14 +100,19 @@ std::string comparison_json(const Comparison& comparison) {
   return json.finish();
 }
 
-/// Empty without a wall.
+bool has_profile(const ComparedRun& other) {
+  return other.result && !other.result->profile.other.empty();
+}
+
+/// Empty without a wall of a run that is compared.
 std::string profiles_csv(const Comparison& comparison) {
   const auto& base = comparison.base.quantities.profile;
-  if (base.empty()) return "";
+  const bool is_compared = std::any_of(comparison.others.begin(), comparison.others.end(), has_profile);
+  if (base.empty() || !is_compared) return "";
   std::string text = "share_of_arc,base_mm";
   std::vector<const ProfileComparison*> walls;
   for (const ComparedRun& other : comparison.others)
-    if (other.result && !other.result->profile.other.empty()) {
+    if (has_profile(other)) {
       walls.push_back(&other.result->profile);
       text += ',' + core::csv_text(other.label + "_mm") + ',' + core::csv_text(other.label + "_difference_mm") + ',' +
               core::csv_text(other.label + "_error_bar_mm");
@@ -124,15 +130,24 @@ std::string profiles_csv(const Comparison& comparison) {
 
 }  // namespace
 
-void write_comparison(const Comparison& comparison, const std::string& folder) {
+std::string write_comparison(const Comparison& comparison, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw core::RunError(fmt::format("{}: cannot be made: {}", folder, error.message()));
-  core::replace_file(folder + "/comparison.csv", quantities_csv(comparison));
-  core::replace_file(folder + "/comparison.json", comparison_json(comparison));
-  const std::string profiles = profiles_csv(comparison), plot = profile_plot(comparison);
-  if (!profiles.empty()) core::replace_file(folder + "/profiles.csv", profiles);
-  if (!plot.empty()) core::replace_file(folder + "/profiles.svg", plot);
+  const std::vector<std::pair<std::string, std::string>> files{{"comparison.csv", quantities_csv(comparison)},
+                                                               {"comparison.json", comparison_json(comparison)},
+                                                               {"profiles.csv", profiles_csv(comparison)},
+                                                               {"profiles.svg", profile_plot(comparison)}};
+  std::vector<std::string> written;
+  for (const auto& [name, text] : files) {
+    if (text.empty()) {
+      std::filesystem::remove(folder + '/' + name, error);  // of a comparison before
+      continue;
+    }
+    core::replace_file(folder + '/' + name, text);
+    written.push_back(name);
+  }
+  return fmt::format("{} in {}", fmt::join(written, ", "), folder);
 }
 
 }  // namespace parison::forming
