@@ -162,6 +162,9 @@ int what_if(const WhatIfRequest& request) {
         fmt::format("{}: the results of a run were found, allowed is a folder of its own for a what-if", output));
   const std::vector<forming::Quantity> possible = forming::possible_quantities(scene);
   if (!request.quantity.empty()) forming::require_quantity(request.quantity, possible);
+  for (const auto& variant : asked.variants)
+    if (const std::string nothing = forming::nothing_changed(asked, variant); !nothing.empty())
+      fmt::print("{}\n", nothing);
   if (!request.resolve.empty()) return what_if_to_resolve(request, asked, output, {request.resolve, possible});
   const Round round = run_round(asked, request.jobs);
   return round.comparison ? report(*round.comparison, request, output) : failed(round);

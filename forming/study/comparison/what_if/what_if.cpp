@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "core/case/case_error.hpp"
+#include "core/case/given_file.hpp"
+#include "core/case/units.hpp"
 #include "forming/run/resume/checkpoint_files.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/study/coarse_run.hpp"
@@ -182,6 +186,26 @@ void add_variant_twins(const WhatIf& what_if, const std::string& label, const Sc
     runs.push_back(twin_of(what_if, label, one, base + one.directory.substr(own.size()), stage, warmer));
 }
 
+/// A quantity as it is written, in SI, and its dimension; nothing where the text is none.
+std::optional<std::pair<double, core::Dimension>> measured(const std::string& text) {
+  constexpr double zero_celsius = 273.15;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const std::string unit(core::trimmed(end));
+  if (end == text.c_str()) return std::nullopt;
+  if (unit.empty()) return std::pair(value, core::dimension::none);
+  if (unit == "degC") return std::pair(value + zero_celsius, core::dimension::temperature);
+  const auto known = core::parse_unit(unit);
+  return known ? std::optional(std::pair(value * known->factor, known->dimension)) : std::nullopt;
+}
+
+/// Whether a value is the same, written otherwise.
+bool is_same_value(const CaseDifference& setting) {
+  const auto before = measured(setting.before), now = measured(setting.now);
+  return before && now && core::same_exponents(before->second, now->second) &&
+         std::abs(before->first - now->first) <= 1e-12 * std::abs(before->first);
+}
+
 }  // namespace
 
 WhatIfVariant variant_of(const std::string& assignment) {
@@ -243,6 +267,13 @@ std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const st
 std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant) {
   return case_differences(what_if.case_path, what_if.overrides, what_if.case_path,
                           joined(what_if.overrides, variant.overrides));
+}
+
+std::string nothing_changed(const WhatIf& what_if, const WhatIfVariant& variant) {
+  const auto settings = settings_of(what_if, variant);
+  if (!std::all_of(settings.begin(), settings.end(), is_same_value)) return {};
+  return fmt::format("variant {} changes nothing: the base has {} already", variant.name,
+                     fmt::join(variant.overrides, ", "));
 }
 
 }  // namespace parison::forming

@@ -65,6 +65,9 @@ std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const st
 /// What a variant changes against the base, value by value.
 std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant);
 
+/// Where all values of a variant are those that the base has, maybe in another unit, a sentence that says so; else empty.
+std::string nothing_changed(const WhatIf& what_if, const WhatIfVariant& variant);
+
 /// Whether a file or folder of a result folder is that of another run: a coarser one or a twin.
 bool is_run_folder(const std::string& name);
 

@@ -192,6 +192,17 @@ TEST_F(WhatIfTest, what_is_wrong_with_a_variant_is_said_with_its_name_before_any
   EXPECT_FALSE(fs::exists(in("out")));
 }
 
+TEST_F(WhatIfTest, a_variant_that_has_the_values_of_the_base_is_told) {
+  const auto told = [&](const std::vector<std::string>& overrides) {
+    return nothing_changed(asked({}), {"same", overrides});
+  };
+  EXPECT_EQ(told({"tool.pot.temperature=480 degC"}),
+            "variant same changes nothing: the base has tool.pot.temperature=480 degC already");
+  EXPECT_NE(told({"tool.pot.temperature=753.15 K", "stage.rest.duration=100 ms"}), "");
+  EXPECT_EQ(told({"tool.pot.temperature=480 degC", longer}), "");
+  EXPECT_EQ(told({"tool.pot.temperature=480 K"}), "");
+}
+
 TEST_F(WhatIfTest, tools_that_a_variant_makes_overlap_are_refused_and_those_that_overlap_in_the_base_are_not) {
   const std::string jar = std::string(PARISON_SOURCE_DIR) + "/cases/jar";
   const auto overlap = [](const std::string& path, const std::vector<std::string>& overrides) {
@@ -236,6 +247,11 @@ TEST_F(WhatIfTest, results_of_another_case_are_refused_and_those_of_other_settin
   EXPECT_EQ(settings_line(settings),
             "stage.rest.duration: 0.1 s -> 0.15 s; tool.pot.temperature: 480 degC -> 470 degC");
   EXPECT_EQ(settings_line({}), "the same settings");
+  const std::string as_before = "tool.pot.temperature=480 degC";
+  EXPECT_TRUE(settings_that_differ(copy("first", two_stages(), {}), copy("other", two_stages(), {as_before})).empty());
+  EXPECT_EQ(
+      settings_line(settings_that_differ(copy("first", two_stages(), {}), copy("other", two_stages() + "\n", {}))),
+      "a drawing or the text of the case");
 }
 
 }  // namespace
