@@ -37,10 +37,12 @@ Comparison compare_variants(const WhatIf& asked, const std::vector<QueuedRun>& r
     return std::find_if(runs.begin(), runs.end(),
                         [&](const QueuedRun& run) { return run.plan.directory == folder(name); });
   };
+  // A folder may have twins from an earlier question with --twice.
+  const auto repeats = asked.twice ? forming::Repeats::averaged : forming::Repeats::ignored;
   Comparison comparison = forming::compare_folders(folder(forming::base_name), {});
   for (const auto& variant : asked.variants) {
     if (run_of(variant.name)->status == QueuedRun::Status::done) {
-      Comparison one = forming::compare_folders(folder(forming::base_name), {folder(variant.name)});
+      Comparison one = forming::compare_folders(folder(forming::base_name), {folder(variant.name)}, repeats);
       comparison.others.push_back(std::move(one.others.front()));
     } else {
       comparison.others.push_back(

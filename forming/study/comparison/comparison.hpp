@@ -25,7 +25,8 @@ struct Comparison {
 
 /// Compares result folders; throws core::CaseError where the base has not come to its end, a folder is none of a run
 /// that has ended, or is of another case. Another run that stopped on its way is kept with its reason.
-Comparison compare_folders(const std::string& base, const std::vector<std::string>& others);
+Comparison compare_folders(const std::string& base, const std::vector<std::string>& others,
+                           Repeats repeats = Repeats::averaged);
 
 /// Throws core::CaseError where a quantity that was named by --quantity is none of the known ones, with their names.
 void require_quantity(const std::string& quantity, const std::vector<Quantity>& known);
@@ -39,9 +40,9 @@ std::string remark_lines(const Comparison& comparison);
 /// The quantity of that table where none is named: the thinnest wall, else the first quantity.
 std::string ranked_quantity(const Comparison& comparison);
 
-/// Writes comparison.csv, comparison.json, profiles.csv and profiles.svg, the last two where the walls of base and another
-/// run are compared; where they are not, those of an earlier comparison in the folder go. Returns which, and where, in
-/// words.
+/// Writes comparison.csv, comparison.json, profiles.csv and profiles.svg, the last two where the walls of base and
+/// another run are compared; where they are not, those of an earlier comparison in the folder go. Returns which, and
+/// where, in words.
 std::string write_comparison(const Comparison& comparison, const std::string& folder);
 
 /// The walls over each other and their differences from the base with error bars, as SVG; empty without a wall.

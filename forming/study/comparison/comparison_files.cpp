@@ -69,6 +69,7 @@ void add_run(core::JsonWriter& json, const ComparedRun& other, const FinishedRun
     json.add("stages_in_common", static_cast<long>(other.result->in_common));
     json.add("twins", static_cast<long>(other.result->twins));
     json.add("pairs", static_cast<long>(other.result->pairs));
+    json.add("second_pair_with", other.result->repeated);
     json.open_object("quantities");
     for (const Difference& row : other.result->quantities) {
       json.open_object(row.name);

@@ -102,6 +102,14 @@ TEST(Difference, of_runs_made_twice_is_that_of_their_means) {
   const double finer = std::pow(1.5, bar_order), t = 2.132;  // four twins
   const double squares = 0.02 * 0.02 + std::pow(0.03 / finer, 2) + std::pow(0.01 / finer, 2);
   EXPECT_NEAR(wall(comparison).bar, t * std::sqrt(squares / 4 / 2), 1e-4);
+  EXPECT_EQ(comparison.repeated, "all tools 0.01 K warmer from the start");
+  const RunComparison single = compare_runs(base, other, 2, Repeats::ignored);
+  EXPECT_EQ(single.pairs, 1u);
+  EXPECT_EQ(single.repeated, "");
+  EXPECT_EQ(single.twins, comparison.twins);  // they still tell the scatter
+  EXPECT_NEAR(wall(single).base, 2, 1e-12);
+  base.twins[0].warmer_gob = true;
+  EXPECT_EQ(compare_runs(base, other).repeated, "the gob 0.01 K warmer from the start");
   other.twins = {twin_with(2.1, 1)};  // from another stage on: no pair
   EXPECT_EQ(compare_runs(base, other).pairs, 1u);
 }
@@ -169,7 +177,8 @@ TEST(Comparison, flags_and_warnings_that_differ_and_every_failed_check_are_a_lin
     return read_remarks(core::read_json(
         fmt::format(R"({{"flags": [{}], "warnings": [{}], "checks": [{}]}})", flags, warnings, checks), "summary"));
   };
-  const std::string hot = R"({"name": "tool_surface_above", "tool": "ring", "unit": "degC", "limit": 600, "value": 612})";
+  const std::string hot =
+      R"({"name": "tool_surface_above", "tool": "ring", "unit": "degC", "limit": 600, "value": 612})";
   const std::string thin = R"({"name": "wall_below", "unit": "mm", "limit": 1.5, "value": 1.42})";
   const auto check = [](const std::string& verdict) {
     return R"({"name": "work_balance", "value": 0.021, "limit": 0.01, "unit": "%", "verdict": ")" + verdict + "\"}";
@@ -179,9 +188,8 @@ TEST(Comparison, flags_and_warnings_that_differ_and_every_failed_check_are_a_lin
   EXPECT_NE(comparison_tables(comparison).find("flags and warnings: the same in all runs; no check failed"),
             std::string::npos);
   comparison.base.remarks = remarks(hot, R"("1 fold of 2 mm3 was closed; look there")", check("inside"));
-  comparison.others[0].run.remarks =
-      remarks(thin, R"("1 fold of 3 mm3 was closed; look there", "the ring still moves at 0.2 s")",
-              check("not trustworthy"));
+  comparison.others[0].run.remarks = remarks(
+      thin, R"("1 fold of 3 mm3 was closed; look there", "the ring still moves at 0.2 s")", check("not trustworthy"));
   EXPECT_EQ(remark_lines(comparison),
             "\nflags and warnings that differ between the runs, and failed checks:\n"
             "  run      flag tool_surface_above of ring: 612 degC, limit 600 degC\n"
