@@ -87,22 +87,38 @@ bool compare_containers(const CycleRequest& request, const forming::Scene& scene
   return ended;
 }
 
+/// How long production takes from its start to the settled state, as far as it was followed.
+std::string start_up_text(const PeriodicState& state, double tolerance) {
+  const std::size_t cycles = state.start_up.size() - 1;
+  const double distance = state.start_up.back().distance;
+  if (distance <= tolerance) return fmt::format("production reaches it {} cycles after its start", cycles);
+  return fmt::format("{} cycles after its start production is still {:.3g} K from it: start_up.csv ends there", cycles,
+                     distance);
+}
+
+/// The options by which `parison run` of the case begins with the tools of a folder, as they are pasted into a shell.
+std::string start_from_tools(const forming::Scene& scene, const PeriodicState& state, const std::string& folder) {
+  std::vector<std::string> options;
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    const std::string& name = scene.tools[t].name;
+    options.push_back(fmt::format("--set 'tool.{}.temperature={{ from = \"{}\" }}'", name, folder));
+    if (state.cycle.overlaps(t))  // it still serves the container before at the gob
+      options.push_back(fmt::format("--set 'tool.{}.temperature_at=first use'", name));
+  }
+  return fmt::format("{}", fmt::join(options, " \\\n    "));
+}
+
 /// False where a run of the error bars was stopped.
-bool print_result(const CycleRequest& request, const forming::Scene& scene, const forming::PeriodicRequest& asked, const PeriodicState& state) {
+bool print_result(const CycleRequest& request, const forming::Scene& scene, const forming::PeriodicRequest& asked,
+                  const PeriodicState& state) {
   fmt::print("{}", forming::periodic_table(scene, state));
-  fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; production reaches it {} cycles after ",
-             state.search.size(), state.start_up.size() - 1);
-  fmt::print("its start\n");
+  fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; {}\n", state.search.size(),
+             start_up_text(state, asked.tolerance));
   if (state.scatter > 0)
     fmt::print("  forming runs scatter: the tools at the gob are known to some {:.2g} K\n", state.scatter);
   const bool ended = compare_containers(request, scene, asked.directory, state);
-  const std::string from = fs::absolute(asked.directory + "/tools").string();
-  fmt::print("\n  results in {}; a case starts from these tools by temperature = {{ from = \"{}\" }}\n",
-             asked.directory, from);
-  for (std::size_t t = 0; t < scene.tools.size(); ++t)
-    if (state.cycle.overlaps(t))
-      fmt::print("  {} still serves the container before at the gob: temperature_at = \"first use\"\n",
-                 scene.tools[t].name);
+  fmt::print("\n  results in {}; a run starts from these tools with\n    {}\n", asked.directory,
+             start_from_tools(scene, state, fs::absolute(asked.directory + "/tools").lexically_normal().string()));
   return ended;
 }
 
