@@ -9,6 +9,7 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/scene/describe/unusual.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/resolution.hpp"
@@ -52,10 +53,28 @@ Comparison compare_variants(const WhatIf& asked, const std::vector<QueuedRun>& r
   return comparison;
 }
 
+/// What is unusual in the base, and in each variant beyond that; and which variants change nothing.
+void print_notes(const WhatIf& asked) {
+  const auto unusual = [&](std::vector<std::string> overrides) {
+    overrides.insert(overrides.begin(), asked.overrides.begin(), asked.overrides.end());
+    return forming::unusual_values(forming::read_scene(asked.case_path, asked.accuracy, overrides));
+  };
+  const std::vector<std::string> in_base = unusual({});
+  for (const std::string& note : in_base) fmt::print("unusual in the base, is it meant? {}\n", note);
+  for (const forming::WhatIfVariant& variant : asked.variants) {
+    for (const std::string& note : unusual(variant.overrides))
+      if (std::find(in_base.begin(), in_base.end(), note) == in_base.end())
+        fmt::print("unusual in variant {}, is it meant? {}\n", variant.name, note);
+    if (const std::string nothing = forming::nothing_changed(asked, variant); !nothing.empty())
+      fmt::print("{}\n", nothing);
+  }
+}
+
 /// Plans, runs and compares at one accuracy.
-Round run_round(const WhatIf& asked, int jobs) {
+Round run_round(const WhatIf& asked, int jobs, bool is_first = true) {
   std::vector<QueuedRun> runs;
   for (auto& plan : forming::plan_runs(asked)) runs.push_back({std::move(plan)});
+  if (is_first) print_notes(asked);
   fmt::print("{} at {} accuracy: {} variant{}, {} run{} in {}\n", asked.case_path, asked.accuracy,
              asked.variants.size(), asked.variants.size() == 1 ? "" : "s", runs.size(), runs.size() == 1 ? "" : "s",
              asked.directory);
@@ -106,7 +125,7 @@ int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::st
   for (;;) {
     asked.accuracy = control.accuracy();
     asked.directory = output + '/' + folder_name(asked.accuracy);
-    const Round round = run_round(asked, request.jobs);
+    const Round round = run_round(asked, request.jobs, control.rounds() == 0);
     if (!round.comparison) return failed(round);
     control.add(*round.comparison);
     fmt::print("  the error bars of {} are up to {:.3g} {}, wanted is {:.3g}\n", control.quantity(), control.bar(),
@@ -164,9 +183,6 @@ int what_if(const WhatIfRequest& request) {
         fmt::format("{}: the results of a run were found, allowed is a folder of its own for a what-if", output));
   const std::vector<forming::Quantity> possible = forming::possible_quantities(scene);
   if (!request.quantity.empty()) forming::require_quantity(request.quantity, possible);
-  for (const auto& variant : asked.variants)
-    if (const std::string nothing = forming::nothing_changed(asked, variant); !nothing.empty())
-      fmt::print("{}\n", nothing);
   if (!request.resolve.empty()) return what_if_to_resolve(request, asked, output, {request.resolve, possible});
   const Round round = run_round(asked, request.jobs);
   return round.comparison ? report(*round.comparison, request, output) : failed(round);
