@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/report/quantities.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/case_file.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "thermal/properties.hpp"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* heat_prefix = "heat_";
+constexpr const char* time_prefix = "time_";
+constexpr const char* force_prefix = "peak_force_";
 
 double celsius(double kelvin) {
   return kelvin - thermal::content_reference;
@@ -112,11 +115,20 @@ void add_tools(const Scene& scene, const State& state, const Summary& summary, Q
     if (scene.stages[i].may_end_early()) {
       const StageRecord& record = summary.run.stages[i];
       const double lasted = record.end - record.start;
-      found.values.push_back({"time_" + record.name, "s", lasted, lasted});
+      found.values.push_back({time_prefix + record.name, "s", lasted, lasted});
     }
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
     if (const double peak = state.tools[i].peak_force; peak > 0)
-      found.values.push_back({"peak_force_" + scene.tools[i].name, "N", peak, peak});
+      found.values.push_back({force_prefix + scene.tools[i].name, "N", peak, peak});
+}
+
+/// Whether a stage moves a tool.
+bool is_moved(const Scene& scene, std::size_t tool) {
+  return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
+    return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) {
+      return one.tool == static_cast<Index>(tool) && !std::holds_alternative<std::monostate>(one.motion);
+    });
+  });
 }
 
 }  // namespace
@@ -136,6 +148,33 @@ Quantities quantities(const Scene& scene, const State& state, const Summary& sum
   add_extent(state, found);
   add_tools(scene, state, summary, found);
   return found;
+}
+
+std::vector<Quantity> possible_quantities(const Scene& scene) {
+  std::vector<Quantity> possible;
+  const auto add = [&](const std::string& name, const char* unit) { possible.push_back({name, unit, none, none}); };
+  if (scene.has_flow()) {
+    add("thickness_mean", "mm"), add("thickness_min", "mm"), add("thickness_min_at", "of the arc");
+    add("extent_r_max", "mm"), add("extent_z_min", "mm"), add("extent_z_max", "mm");
+  }
+  if (scene.has_heat()) add("glass_mean", "degC"), add("glass_skin", "degC");
+  for (std::size_t i = 0; i < scene.tools.size(); ++i) {
+    if (scene.has_heat()) add(heat_prefix + scene.tools[i].name, "J");
+    if (scene.has_flow() && is_moved(scene, i)) add(force_prefix + scene.tools[i].name, "N");
+  }
+  for (const Stage& stage : scene.stages)
+    if (scene.has_flow() && stage.may_end_early()) add(time_prefix + stage.name, "s");
+  return possible;
+}
+
+std::string unknown_quantity(const std::string& name, const std::vector<Quantity>& known) {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : known) {
+    if (quantity.name == name) return {};
+    names.push_back(quantity.name);
+  }
+  return fmt::format("no quantity \"{}\" was found{}, allowed are {}", name, core::did_you_mean(name, names),
+                     fmt::join(names, ", "));
 }
 
 void add_quantities(core::JsonWriter& json, const Quantities& quantities) {

@@ -36,6 +36,15 @@ struct Quantities {
 Quantities quantities(const Scene& scene, const State& state, const Summary& summary,
                       const std::vector<ThicknessRow>& rows);
 
+/// The quantities that a run of a scene may have, with their units and without values. Some are there only where the
+/// run makes them: of the wall where the glass has become one, the heat of a tool that took up some, a peak force of
+/// one that was pressed on.
+std::vector<Quantity> possible_quantities(const Scene& scene);
+
+/// Where no quantity has a name, the sentence that refuses it, with the nearest name and all that are allowed; else
+/// empty.
+std::string unknown_quantity(const std::string& name, const std::vector<Quantity>& known);
+
 /// To and from the `quantities` and `thickness_profile_mm` of a summary.json.
 void add_quantities(core::JsonWriter& json, const Quantities& quantities);
 Quantities read_quantities(const core::JsonValue& summary);

@@ -90,6 +90,11 @@ void add_cycle(CLI::App& app, Command& chosen) {
   command->add_option("--max-runs", request->max_runs, "forming runs of the search at most")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
+  command->add_flag("--error-bars", request->error_bars,
+                    "say which differences of the settled container from the first gob's are real, by coarser runs");
+  command->add_option("--jobs", request->jobs, "runs of --error-bars at once, one thread each")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
   command->add_option("--output", request->output, "new folder for the results [results/cycle_NAME]");
   command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
 }

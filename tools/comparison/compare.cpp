@@ -12,13 +12,10 @@ namespace parison::tools {
 
 int compare(const CompareRequest& request) {
   const forming::Comparison comparison = forming::compare_folders(request.base, request.others);
+  if (!request.quantity.empty()) forming::require_quantity(request.quantity, comparison.base.quantities.values);
   const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
-  forming::require_quantity(comparison.base, quantity);
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
-  if (!request.output.empty()) {
-    forming::write_comparison(comparison, request.output);
-    fmt::print("\n  tables and profiles in {}\n", request.output);
-  }
+  if (!request.output.empty()) fmt::print("\n  {}\n", forming::write_comparison(comparison, request.output));
   return 0;
 }
 

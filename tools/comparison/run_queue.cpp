@@ -39,6 +39,14 @@ std::string log_path(const PlannedRun& plan) {
   return plan.directory + ".log";
 }
 
+void require_accuracy(const std::string& found, const PlannedRun& plan) {
+  if (found == plan.accuracy) return;
+  throw core::CaseError(
+      fmt::format("{}: a run at \"{}\" accuracy was found, where \"{}\" is asked for; allowed are the accuracy of the "
+                  "runs that are there, or another --output",
+                  plan.directory, found, plan.accuracy));
+}
+
 /// A summary made with other settings says that the folder belongs to something else.
 void require_same(const core::JsonValue& summary, const PlannedRun& plan, const std::string& case_path) {
   const forming::Scene scene = forming::read_scene(case_path, plan.accuracy, plan.overrides);
@@ -47,9 +55,8 @@ void require_same(const core::JsonValue& summary, const PlannedRun& plan, const 
         fmt::format("{}: a run by another build of the program was found, which may differ from this one in its "
                     "numbers; allowed is another --output",
                     plan.directory));
-  if (summary.text_of("case_fingerprint") == core::fingerprint_text(scene.fingerprint) &&
-      summary.text_of("accuracy") == scene.accuracy_name)
-    return;
+  require_accuracy(summary.text_of("accuracy"), plan);
+  if (summary.text_of("case_fingerprint") == core::fingerprint_text(scene.fingerprint)) return;
   throw core::CaseError(
       fmt::format("{}: a run of another case or with other settings was found, allowed is a name of its own for each "
                   "variant, or another --output",
@@ -163,8 +170,10 @@ void start(Queue& queue, QueuedRun& run) {
     if (end_by_summary(queue, run, is_copied ? ", from " + plan.copy_of : ", from before")) return;
   }
   const bool is_partner = !plan.inside.empty();
-  if (forming::has_checkpoint(plan.directory))
+  if (forming::has_checkpoint(plan.directory)) {
+    require_accuracy(forming::read_origin(forming::find_checkpoint(plan.directory)).accuracy, plan);
     return is_partner ? start_partner(queue, run, "goes on") : resume(queue, run, "goes on");
+  }
   fs::remove_all(plan.directory);  // what was killed before its first checkpoint
   fs::remove(log_path(plan));
   if (plan.branch) {

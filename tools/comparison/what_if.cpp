@@ -9,6 +9,7 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/scene/describe/unusual.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/resolution.hpp"
@@ -37,10 +38,12 @@ Comparison compare_variants(const WhatIf& asked, const std::vector<QueuedRun>& r
     return std::find_if(runs.begin(), runs.end(),
                         [&](const QueuedRun& run) { return run.plan.directory == folder(name); });
   };
+  // A folder may have twins from an earlier question with --twice.
+  const auto repeats = asked.twice ? forming::Repeats::averaged : forming::Repeats::ignored;
   Comparison comparison = forming::compare_folders(folder(forming::base_name), {});
   for (const auto& variant : asked.variants) {
     if (run_of(variant.name)->status == QueuedRun::Status::done) {
-      Comparison one = forming::compare_folders(folder(forming::base_name), {folder(variant.name)});
+      Comparison one = forming::compare_folders(folder(forming::base_name), {folder(variant.name)}, repeats);
       comparison.others.push_back(std::move(one.others.front()));
     } else {
       comparison.others.push_back(
@@ -50,10 +53,28 @@ Comparison compare_variants(const WhatIf& asked, const std::vector<QueuedRun>& r
   return comparison;
 }
 
+/// What is unusual in the base, and in each variant beyond that; and which variants change nothing.
+void print_notes(const WhatIf& asked) {
+  const auto unusual = [&](std::vector<std::string> overrides) {
+    overrides.insert(overrides.begin(), asked.overrides.begin(), asked.overrides.end());
+    return forming::unusual_values(forming::read_scene(asked.case_path, asked.accuracy, overrides));
+  };
+  const std::vector<std::string> in_base = unusual({});
+  for (const std::string& note : in_base) fmt::print("unusual in the base, is it meant? {}\n", note);
+  for (const forming::WhatIfVariant& variant : asked.variants) {
+    for (const std::string& note : unusual(variant.overrides))
+      if (std::find(in_base.begin(), in_base.end(), note) == in_base.end())
+        fmt::print("unusual in variant {}, is it meant? {}\n", variant.name, note);
+    if (const std::string nothing = forming::nothing_changed(asked, variant); !nothing.empty())
+      fmt::print("{}\n", nothing);
+  }
+}
+
 /// Plans, runs and compares at one accuracy.
-Round run_round(const WhatIf& asked, int jobs) {
+Round run_round(const WhatIf& asked, int jobs, bool is_first = true) {
   std::vector<QueuedRun> runs;
   for (auto& plan : forming::plan_runs(asked)) runs.push_back({std::move(plan)});
+  if (is_first) print_notes(asked);
   fmt::print("{} at {} accuracy: {} variant{}, {} run{} in {}\n", asked.case_path, asked.accuracy,
              asked.variants.size(), asked.variants.size() == 1 ? "" : "s", runs.size(), runs.size() == 1 ? "" : "s",
              asked.directory);
@@ -73,14 +94,21 @@ std::string folder_name(std::string accuracy) {
   return "at_" + accuracy;
 }
 
+/// Says on stderr where a run has not made the quantity that was asked for.
+bool has_quantity(const forming::FinishedRun& run, const std::string& quantity) {
+  if (run.quantities.values.empty()) return true;
+  const std::string problem = forming::unknown_quantity(quantity, run.quantities.values);
+  if (!problem.empty()) fmt::print(stderr, "parison: the run of the base has no such result: {}\n", problem);
+  return problem.empty();
+}
+
 int report(const Comparison& comparison, const WhatIfRequest& request, const std::string& output) {
   const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
-  forming::write_comparison(comparison, output);
-  fmt::print("\n  tables and profiles in {}; {:.1f} s of CPU time\n", output, cpu_of_children());
+  fmt::print("\n  {}; {:.1f} s of CPU time\n", forming::write_comparison(comparison, output), cpu_of_children());
   const bool all = std::all_of(comparison.others.begin(), comparison.others.end(),
                                [](const forming::ComparedRun& other) { return other.result.has_value(); });
-  return all ? 0 : run_failed;
+  return all && has_quantity(comparison.base, quantity) ? 0 : run_failed;
 }
 
 int failed(const Round& round) {
@@ -92,12 +120,12 @@ int failed(const Round& round) {
 }
 
 /// Finer and finer until the error bars let a difference of the size asked for be seen.
-int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::string& output) {
-  forming::ResolutionControl control(request.resolve);
+int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::string& output,
+                       forming::ResolutionControl control) {
   for (;;) {
     asked.accuracy = control.accuracy();
     asked.directory = output + '/' + folder_name(asked.accuracy);
-    const Round round = run_round(asked, request.jobs);
+    const Round round = run_round(asked, request.jobs, control.rounds() == 0);
     if (!round.comparison) return failed(round);
     control.add(*round.comparison);
     fmt::print("  the error bars of {} are up to {:.3g} {}, wanted is {:.3g}\n", control.quantity(), control.bar(),
@@ -153,7 +181,9 @@ int what_if(const WhatIfRequest& request) {
   if (fs::exists(output + "/summary.json", error))
     throw core::CaseError(
         fmt::format("{}: the results of a run were found, allowed is a folder of its own for a what-if", output));
-  if (!request.resolve.empty()) return what_if_to_resolve(request, asked, output);
+  const std::vector<forming::Quantity> possible = forming::possible_quantities(scene);
+  if (!request.quantity.empty()) forming::require_quantity(request.quantity, possible);
+  if (!request.resolve.empty()) return what_if_to_resolve(request, asked, output, {request.resolve, possible});
   const Round round = run_round(asked, request.jobs);
   return round.comparison ? report(*round.comparison, request, output) : failed(round);
 }

@@ -10,6 +10,7 @@
 #include "core/io/files.hpp"
 #include "tools/report/data/result_folder.hpp"
 #include "tools/report/data/run_data.hpp"
+#include "tools/report/data/run_names.hpp"
 #include "tools/report/page.hpp"
 
 namespace parison::tools {
@@ -37,13 +38,12 @@ void check(const ReportRequest& request) {
 
 int report(const ReportRequest& request) {
   check(request);
-  std::string title;
-  for (const std::string& path : request.folders) {
-    const ResultFolder folder = read_folder(path);
-    title += (title.empty() ? "" : ", ") + folder.name;
-    if (!folder.told.empty()) fmt::print("{}: {}\n", path, folder.told);
-  }
+  for (const std::string& path : request.folders)
+    if (const ResultFolder folder = read_folder(path); !folder.told.empty()) fmt::print("{}: {}\n", path, folder.told);
   ReportCache cache;
+  const std::string title = fmt::format("{}", fmt::join(run_names(request.folders), ", "));
+  if (const std::string mixed = mixed_cases(request.folders, cache); !mixed.empty())
+    fmt::print(stderr, "parison: {}\n", mixed);
   const std::string page = page_text(title, report_data(request.folders, false, cache, request.search));
   const std::string output =
       request.output.empty() ? (fs::path(request.folders[0]) / "report.html").string() : request.output;

@@ -17,6 +17,7 @@
 #include "core/case/case_error.hpp"
 #include "core/process/run_error.hpp"
 #include "tools/program/stop_request.hpp"
+#include "tools/report/data/run_names.hpp"
 #include "tools/report/page.hpp"
 #include "tools/report/watched_folder.hpp"
 
@@ -128,6 +129,9 @@ int watch(const WatchRequest& request) {
   if (std::filesystem::exists(request.folder) && !std::filesystem::is_directory(request.folder))
     throw core::CaseError(fmt::format(
         "{}: is no folder, allowed is the result folder of a run, also one that is still to come", request.folder));
+  if (const std::string runs = run_folders_hint(request.folder); !runs.empty())
+    throw core::CaseError(
+        fmt::format("{}: is the folder of several runs, allowed is that of one; {}", request.folder, runs));
   WatchedFolder folder(request.folder);
   const std::string page = page_text(request.folder, "null");
   asio::io_context context(1);

@@ -51,12 +51,14 @@ std::string verdict_sentence(const Checks& checks) {
   return fmt::format("{}; of {} checks", sentence, checks.size());
 }
 
+std::string value_and_limit(const Check& check) {
+  return fmt::format("{} is {}, the limit is {}", check.name, number(check, check.value), number(check, check.limit));
+}
+
 std::vector<std::string> complaints(const Checks& checks) {
   std::vector<std::string> sentences;
   for (const Check& check : checks)
-    if (check.verdict() != Verdict::inside)
-      sentences.push_back(fmt::format("{} is {}, the limit is {}: {}", check.name, number(check, check.value),
-                                      number(check, check.limit), check.sentence));
+    if (check.verdict() != Verdict::inside) sentences.push_back(value_and_limit(check) + ": " + check.sentence);
   return sentences;
 }
 

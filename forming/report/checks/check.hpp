@@ -35,6 +35,9 @@ bool trustworthy(const Checks& checks);
 /// "all 14 checks inside their limits", or which are not.
 std::string verdict_sentence(const Checks& checks);
 
+/// "work_balance is 2.1 %, the limit is 1 %".
+std::string value_and_limit(const Check& check);
+
 /// Those beyond their limit, a sentence each with name, number and limit.
 std::vector<std::string> complaints(const Checks& checks);
 

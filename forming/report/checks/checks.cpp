@@ -25,6 +25,7 @@ void add_checks(core::JsonWriter& json, const Checks& checks, bool completed) {
     json.add("value", check.value);
     json.add("limit", check.limit);
     json.add("severe_limit", check.severe_limit);
+    json.add("unit", check.unit);
     json.add("verdict", name_of(check.verdict()));
     json.add("sentence", check.sentence);
     json.close();

@@ -39,15 +39,20 @@ void add_gob_temperature(const Scene& scene, std::vector<std::string>& notes) {
       is_swapped ? fmt::format("; was \"{:.4g} degC\" meant?", kelvin) : ""));
 }
 
-void add_tool_temperatures(const Scene& scene, std::vector<std::string>& notes) {
-  constexpr double coldest = 350, hottest = 600;  // degC
+/// Of tools around a gob what is unusual; of any others what no tool can have.
+void add_tool_temperatures(const Scene& scene, bool is_around_gob, std::vector<std::string>& notes) {
+  constexpr double coldest = 350, hottest = 600, iron_melts = 1150;  // degC; the eutectic of iron and graphite
   for (const Tool& tool : scene.tools) {
     const double celsius = tool.initial_temperature - zero_celsius;
-    if (!tool.thermal || tool.start_field || (celsius >= coldest && celsius <= hottest)) continue;
-    notes.push_back(fmt::format(
-        "\"{}\" starts at {:.4g} degC; usual are 400 to 530 degC of moulds and blanks, 450 to 600 degC of rings and "
-        "plungers, and 375 degC where cooling is strong",
-        tool.name, celsius));
+    const bool is_usual = is_around_gob ? celsius >= coldest && celsius <= hottest : celsius < iron_melts;
+    if (!tool.thermal || tool.start_field || is_usual) continue;
+    std::string note = fmt::format("\"{}\" starts at {:.4g} degC", tool.name, celsius);
+    if (celsius >= iron_melts) note += fmt::format(", but grey iron melts at {:g} degC and bronze below", iron_melts);
+    if (is_around_gob)
+      note +=
+          "; usual are 400 to 530 degC of moulds and blanks, 450 to 600 degC of rings and plungers, and 375 degC "
+          "where cooling is strong";
+    notes.push_back(std::move(note));
   }
 }
 
@@ -100,11 +105,10 @@ void add_fill_level(const Scene& scene, const ContainerPlan& plan, std::vector<s
 
 std::vector<std::string> unusual_values(const Scene& scene) {
   std::vector<std::string> notes;
-  if (forms_a_gob(scene)) {
-    add_gob_temperature(scene, notes);
-    add_tool_temperatures(scene, notes);
-    add_durations(scene, notes);
-  }
+  const bool is_gob = forms_a_gob(scene);
+  if (is_gob) add_gob_temperature(scene, notes);
+  if (scene.has_heat()) add_tool_temperatures(scene, is_gob, notes);
+  if (is_gob) add_durations(scene, notes);
   add_pressures(scene, notes);
   for (auto& note : unusual_forces(scene)) notes.push_back(std::move(note));
   if (const auto plan = container_plan(scene)) {

@@ -44,7 +44,7 @@ std::string source_line(const RunComparison& result) {
                                                 result.twins == 1 ? "s" : "")
                                   : "as measured on other containers, since no twin run is there";
   const std::string means =
-      result.pairs > 1 ? fmt::format("  each value is the mean of {} runs that differ by round-off\n", result.pairs)
+      result.pairs > 1 ? fmt::format("  each value is the mean of two runs, the second with {}\n", result.repeated)
                        : "";
   return means + fmt::format("  bars: {}; scatter {}\n",
                              result.bars == BarSource::differences
@@ -95,7 +95,7 @@ const Difference* find_row(const ComparedRun& other, const std::string& quantity
 
 }  // namespace
 
-Comparison compare_folders(const std::string& base, const std::vector<std::string>& others) {
+Comparison compare_folders(const std::string& base, const std::vector<std::string>& others, Repeats repeats) {
   Comparison comparison{read_finished_run(base), {}};
   if (!comparison.base.completed)
     throw core::CaseError(fmt::format("{}: a run that stopped in {} was found, allowed as the base is a completed one",
@@ -104,19 +104,16 @@ Comparison compare_folders(const std::string& base, const std::vector<std::strin
     FinishedRun run = read_finished_run(folder);
     ComparedRun other{run.name, settings_that_differ(comparison.base, run), run.reason, {}};
     if (run.completed)
-      other.result = compare_runs(comparison.base, run, stages_without_influence(comparison.base, run));
+      other.result = compare_runs(comparison.base, run, stages_without_influence(comparison.base, run), repeats);
     other.run = std::move(run);
     comparison.others.push_back(std::move(other));
   }
   return comparison;
 }
 
-void require_quantity(const FinishedRun& run, const std::string& quantity) {
-  std::vector<std::string> names;
-  for (const Quantity& one : run.quantities.values) names.push_back(one.name);
-  if (!run.quantities.find(quantity) && !names.empty())
-    throw core::CaseError(fmt::format("--quantity: \"{}\" was found{}, allowed are {}", quantity,
-                                      core::did_you_mean(quantity, names), fmt::join(names, ", ")));
+void require_quantity(const std::string& quantity, const std::vector<Quantity>& known) {
+  if (const std::string problem = unknown_quantity(quantity, known); !problem.empty())
+    throw core::CaseError("--quantity: " + problem);
 }
 
 std::string comparison_tables(const Comparison& comparison) {
@@ -129,7 +126,7 @@ std::string comparison_tables(const Comparison& comparison) {
     for (const Difference& row : other.result->quantities) text += quantity_row(row);
     text += wall_line(other.result->profile) + source_line(*other.result);
   }
-  return text;
+  return text + remark_lines(comparison);
 }
 
 std::string ranked_quantity(const Comparison& comparison) {

@@ -25,20 +25,25 @@ struct Comparison {
 
 /// Compares result folders; throws core::CaseError where the base has not come to its end, a folder is none of a run
 /// that has ended, or is of another case. Another run that stopped on its way is kept with its reason.
-Comparison compare_folders(const std::string& base, const std::vector<std::string>& others);
+Comparison compare_folders(const std::string& base, const std::vector<std::string>& others,
+                           Repeats repeats = Repeats::averaged);
 
-/// Throws core::CaseError where a run does not have a quantity, with those that it has.
-void require_quantity(const FinishedRun& run, const std::string& quantity);
+/// Throws core::CaseError where a quantity that was named by --quantity is none of the known ones, with their names.
+void require_quantity(const std::string& quantity, const std::vector<Quantity>& known);
 
-/// The tables for the terminal: of each run all quantities; then of each run what it does to the thinnest wall, or to
-/// the quantity that is named.
+/// The tables for the terminal: of each run all quantities, below them remark_lines; then of each run what it does to
+/// the thinnest wall, or to the quantity that is named.
 std::string comparison_tables(const Comparison& comparison);
 std::string ranking_table(const Comparison& comparison, const std::string& quantity);
+/// Of base and other runs the flags and warnings in which they differ, and all failed checks, a line each.
+std::string remark_lines(const Comparison& comparison);
 /// The quantity of that table where none is named: the thinnest wall, else the first quantity.
 std::string ranked_quantity(const Comparison& comparison);
 
-/// Writes comparison.csv, comparison.json, profiles.csv and profiles.svg, the last two where there is a wall.
-void write_comparison(const Comparison& comparison, const std::string& folder);
+/// Writes comparison.csv, comparison.json, profiles.csv and profiles.svg, the last two where the walls of base and
+/// another run are compared; where they are not, those of an earlier comparison in the folder go. Returns which, and
+/// where, in words.
+std::string write_comparison(const Comparison& comparison, const std::string& folder);
 
 /// The walls over each other and their differences from the base with error bars, as SVG; empty without a wall.
 std::string profile_plot(const Comparison& comparison);

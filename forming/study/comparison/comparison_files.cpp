@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -33,7 +34,21 @@ std::string quantities_csv(const Comparison& comparison) {
   return text;
 }
 
-void add_run(core::JsonWriter& json, const ComparedRun& other) {
+/// Those of a run, with whether the base has the same.
+void add_remarks(core::JsonWriter& json, const std::vector<Remark>& remarks, const std::vector<Remark>& base) {
+  json.open_list("remarks");
+  for (const Remark& remark : remarks) {
+    json.open_object("");
+    json.add("kind", name_of(remark.kind));
+    json.add("name", remark.name);
+    json.add("text", remark.text);
+    json.add("in_base", same_remark(base, remark) != nullptr);
+    json.close();
+  }
+  json.close();
+}
+
+void add_run(core::JsonWriter& json, const ComparedRun& other, const FinishedRun& base) {
   json.open_object("");
   json.add("run", other.label);
   json.add("folder", other.run.directory);
@@ -49,9 +64,12 @@ void add_run(core::JsonWriter& json, const ComparedRun& other) {
   json.add("completed", other.result.has_value());
   json.add("reason", other.reason);
   if (other.result) {
+    json.add("trustworthy", other.run.trustworthy);
+    add_remarks(json, other.run.remarks, base.remarks);
     json.add("stages_in_common", static_cast<long>(other.result->in_common));
     json.add("twins", static_cast<long>(other.result->twins));
     json.add("pairs", static_cast<long>(other.result->pairs));
+    json.add("second_pair_with", other.result->repeated);
     json.open_object("quantities");
     for (const Difference& row : other.result->quantities) {
       json.open_object(row.name);
@@ -75,20 +93,27 @@ std::string comparison_json(const Comparison& comparison) {
   core::JsonWriter json;
   json.add("base", comparison.base.directory);
   json.add("accuracy", comparison.base.accuracy);
+  json.add("trustworthy", comparison.base.trustworthy);
+  add_remarks(json, comparison.base.remarks, comparison.base.remarks);
   json.open_list("runs");
-  for (const ComparedRun& other : comparison.others) add_run(json, other);
+  for (const ComparedRun& other : comparison.others) add_run(json, other, comparison.base);
   json.close();
   return json.finish();
 }
 
-/// Empty without a wall.
+bool has_profile(const ComparedRun& other) {
+  return other.result && !other.result->profile.other.empty();
+}
+
+/// Empty without a wall of a run that is compared.
 std::string profiles_csv(const Comparison& comparison) {
   const auto& base = comparison.base.quantities.profile;
-  if (base.empty()) return "";
+  const bool is_compared = std::any_of(comparison.others.begin(), comparison.others.end(), has_profile);
+  if (base.empty() || !is_compared) return "";
   std::string text = "share_of_arc,base_mm";
   std::vector<const ProfileComparison*> walls;
   for (const ComparedRun& other : comparison.others)
-    if (other.result && !other.result->profile.other.empty()) {
+    if (has_profile(other)) {
       walls.push_back(&other.result->profile);
       text += ',' + core::csv_text(other.label + "_mm") + ',' + core::csv_text(other.label + "_difference_mm") + ',' +
               core::csv_text(other.label + "_error_bar_mm");
@@ -106,15 +131,24 @@ std::string profiles_csv(const Comparison& comparison) {
 
 }  // namespace
 
-void write_comparison(const Comparison& comparison, const std::string& folder) {
+std::string write_comparison(const Comparison& comparison, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw core::RunError(fmt::format("{}: cannot be made: {}", folder, error.message()));
-  core::replace_file(folder + "/comparison.csv", quantities_csv(comparison));
-  core::replace_file(folder + "/comparison.json", comparison_json(comparison));
-  const std::string profiles = profiles_csv(comparison), plot = profile_plot(comparison);
-  if (!profiles.empty()) core::replace_file(folder + "/profiles.csv", profiles);
-  if (!plot.empty()) core::replace_file(folder + "/profiles.svg", plot);
+  const std::vector<std::pair<std::string, std::string>> files{{"comparison.csv", quantities_csv(comparison)},
+                                                               {"comparison.json", comparison_json(comparison)},
+                                                               {"profiles.csv", profiles_csv(comparison)},
+                                                               {"profiles.svg", profile_plot(comparison)}};
+  std::vector<std::string> written;
+  for (const auto& [name, text] : files) {
+    if (text.empty()) {
+      std::filesystem::remove(folder + '/' + name, error);  // of a comparison before
+      continue;
+    }
+    core::replace_file(folder + '/' + name, text);
+    written.push_back(name);
+  }
+  return fmt::format("{} in {}", fmt::join(written, ", "), folder);
 }
 
 }  // namespace parison::forming

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/study/comparison/difference.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/students_t.hpp>
@@ -94,16 +96,38 @@ const Twin* twin_for(const FinishedRun& run, std::size_t in_common) {
   return chosen;
 }
 
-/// Two runs, and their twins where both have one from the same stage on.
-std::vector<Pair> pairs_of(const FinishedRun& base, const FinishedRun& other, std::size_t in_common) {
+/// How far two runs may be compared: the stages in which they are the same, and whether twins make a second pair.
+struct Common {
+  std::size_t stages;
+  Repeats repeats;
+};
+
+/// The twins of both runs that make a second pair; null where both have none from the same stage on.
+std::pair<const Twin*, const Twin*> second_pair(const FinishedRun& base, const FinishedRun& other,
+                                                const Common& common) {
+  const Twin *a = twin_for(base, common.stages), *b = twin_for(other, common.stages);
+  const bool are_repeats = common.repeats == Repeats::averaged && a && b && a->stages == b->stages;
+  return are_repeats ? std::pair(a, b) : std::pair<const Twin*, const Twin*>();
+}
+
+/// Two runs, and their twins where these make a second pair.
+std::vector<Pair> pairs_of(const FinishedRun& base, const FinishedRun& other, const Common& common) {
   std::vector<Pair> pairs{{&base.quantities, &other.quantities}};
-  const Twin *a = twin_for(base, in_common), *b = twin_for(other, in_common);
-  if (a && b && a->stages == b->stages) pairs.push_back({&a->quantities, &b->quantities});
+  if (const auto [a, b] = second_pair(base, other, common); a) pairs.push_back({&a->quantities, &b->quantities});
   return pairs;
 }
 
-Evidence evidence_of(const FinishedRun& base, const FinishedRun& other, std::size_t in_common) {
-  Evidence evidence{base, other, pairs_of(base, other, in_common), {}, {}};
+/// What the second pair has otherwise, in words.
+std::string repeated_with(const FinishedRun& base, const FinishedRun& other, const Common& common) {
+  const Twin* twin = second_pair(base, other, common).first;
+  if (!twin) return {};
+  return fmt::format("{} {:g} K warmer from {}", twin->warmer_gob ? "the gob" : "all tools", twin_warmer,
+                     twin->stages == 0 ? "the start" : "the end of stage " + base.stages[twin->stages - 1].name);
+}
+
+Evidence evidence_of(const FinishedRun& base, const FinishedRun& other, const Common& common) {
+  const std::size_t in_common = common.stages;
+  Evidence evidence{base, other, pairs_of(base, other, common), {}, {}};
   const auto add_twin = [&](const FinishedRun& run) {
     if (const Twin* twin = twin_for(run, in_common))
       evidence.twins.push_back({&run.quantities, &twin->quantities, run.factor});
@@ -115,7 +139,7 @@ Evidence evidence_of(const FinishedRun& base, const FinishedRun& other, std::siz
   if (base.accuracy != other.accuracy) return evidence;  // their errors do not cancel
   for (const FinishedRun& coarser : base.coarser)
     if (const FinishedRun* same = coarser_by(other, coarser.factor))
-      evidence.partners.push_back({pairs_of(coarser, *same, in_common), coarser.factor});
+      evidence.partners.push_back({pairs_of(coarser, *same, common), coarser.factor});
   // Runs so coarse tell too little by themselves.
   const auto is_near = [](const Partners& one) { return one.factor <= partner_factors.front(); };
   if (std::none_of(evidence.partners.begin(), evidence.partners.end(), is_near)) evidence.partners.clear();
@@ -243,10 +267,12 @@ Significance Difference::significance() const {
   return std::abs(difference) > bar ? Significance::real : Significance::within_error;
 }
 
-RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other, std::size_t may_agree) {
+RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other, std::size_t may_agree, Repeats repeats) {
   RunComparison result;
   result.in_common = std::min(may_agree, stages_in_common(base, other));
-  const Evidence evidence = evidence_of(base, other, result.in_common);
+  const Common common{result.in_common, repeats};
+  const Evidence evidence = evidence_of(base, other, common);
+  result.repeated = repeated_with(base, other, common);
   result.twins = evidence.twins.size();
   result.pairs = evidence.pairs.size();
   result.scatter = result.twins > 0 ? ScatterSource::twins : ScatterSource::stated;

@@ -38,6 +38,12 @@ enum class BarSource {
 };
 enum class ScatterSource { twins, stated };
 
+/// What a comparison makes of runs that were made twice.
+enum class Repeats {
+  averaged,  ///< means of run and twin are compared, where both have one from the same stage on
+  ignored    ///< the runs alone are compared; twins tell only the scatter
+};
+
 struct RunComparison {
   std::vector<Difference> quantities;
   ProfileComparison profile;
@@ -45,6 +51,7 @@ struct RunComparison {
   ScatterSource scatter = ScatterSource::stated;
   std::size_t twins = 0;      ///< how many showed the scatter
   std::size_t pairs = 1;      ///< of runs of both, whose means are compared
+  std::string repeated = {};  ///< what the second pair has otherwise, in words; empty without one
   std::size_t in_common = 0;  ///< stages in which both runs are the same to the last bit
 };
 
@@ -54,11 +61,13 @@ struct RunComparison {
 /// Richardson's estimate as for a single run (error_bars.hpp), made of the difference of the runs and that of their
 /// coarser runs. It is at least the scatter: what two runs of the same thing differ by because remeshing and contact
 /// decide otherwise, as twins show, times Student's t for as many twins and 90 %. Where both runs have a twin from the
-/// same stage on, the means of run and twin are compared, whose scatter is smaller by the root of two.
+/// same stage on, the means of run and twin are compared, whose scatter is smaller by the root of two, unless these
+/// repeats are ignored.
 /// `may_agree`: after how many stages they may first differ, by their cases; numbers of stages alone do not tell where
 /// only heat changes.
 RunComparison compare_runs(const FinishedRun& base, const FinishedRun& other,
-                           std::size_t may_agree = std::numeric_limits<std::size_t>::max());
+                           std::size_t may_agree = std::numeric_limits<std::size_t>::max(),
+                           Repeats repeats = Repeats::averaged);
 
 /// Scatter of the difference of two runs, where no twin shows it, as a share of size_of_kind.
 double stated_scatter(const std::string& quantity);

@@ -57,10 +57,18 @@ std::optional<FinishedRun> read_run(const std::string& directory) {
   run.reason = summary.text_of("reason");
   run.cpu_seconds = summary.number_of("cpu_seconds");
   run.quantities = read_quantities(summary);
+  run.remarks = read_remarks(summary);
   run.stages = read_stages(summary);
   if (const core::JsonValue* overrides = summary.find("overrides"))
     for (const core::JsonValue& assignment : overrides->items) run.overrides.push_back(assignment.text);
   return run;
+}
+
+constexpr const char* gob_key = "glass.temperature=";
+
+bool is_set(const std::vector<std::string>& overrides, const std::string& key) {
+  return std::any_of(overrides.begin(), overrides.end(),
+                     [&](const std::string& assignment) { return assignment.rfind(key, 0) == 0; });
 }
 
 /// Those that came to their end.
@@ -68,7 +76,7 @@ std::vector<Twin> read_twins(const FinishedRun& run) {
   std::vector<Twin> twins;
   const auto add = [&](const std::string& folder, std::size_t stages) {
     if (const auto twin = read_run(run.directory + '/' + folder); twin && twin->completed)
-      twins.push_back({stages, twin->quantities});
+      twins.push_back({stages, twin->quantities, is_set(twin->overrides, gob_key) && !is_set(run.overrides, gob_key)});
   };
   add(twin_folder, 0);
   for (std::size_t i = 0; i < run.stages.size(); ++i) add(twin_after + run.stages[i].name, i + 1);

@@ -5,13 +5,17 @@
 #include <vector>
 
 #include "forming/report/quantities.hpp"
+#include "forming/study/comparison/remarks.hpp"
 
 namespace parison::forming {
 
-/// Twins of a run: the same with tools a little warmer, from the start or from the end of a stage. They lie in folders
-/// of the run's folder.
+/// Twins of a run: the same with tools a little warmer, from the start or from the end of a stage; with the gob a
+/// little warmer where all tools begin with fields of temperature. They lie in folders of the run's folder.
 inline constexpr const char* twin_folder = "twin";
 inline constexpr const char* twin_after = "twin_after_";  ///< with the name of the stage behind it
+
+/// A tool warmer by this makes remeshing and contact decide otherwise and changes nothing else, K.
+inline constexpr double twin_warmer = 0.01;
 
 /// A stage as it ended: numbers that are the same, to the last bit, where two runs went the same way.
 struct StageMark {
@@ -23,6 +27,7 @@ struct StageMark {
 struct Twin {
   std::size_t stages;  ///< after how many stages it began to differ
   Quantities quantities;
+  bool warmer_gob = false;  ///< instead of warmer tools
 };
 
 /// A result folder as a comparison sees it.
@@ -34,6 +39,7 @@ struct FinishedRun {
   std::string reason;  ///< why it has not completed
   double cpu_seconds = 0;
   Quantities quantities;
+  std::vector<Remark> remarks;  ///< flags, warnings and failed checks
   std::vector<StageMark> stages;
   std::vector<Twin> twins;
   double factor = 1;                 ///< edges and steps over those of the run that this is a coarser one of

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t shown_settings = 6;
 
-Scene scene_in(const FinishedRun& run) {
+/// The case of a run with other assignments.
+Scene scene_in(const FinishedRun& run, const std::vector<std::string>& overrides) {
   const std::string folder = case_copy_folder(run.directory);
   std::error_code unreadable;
   if (!std::filesystem::exists(folder + "/case.toml", unreadable))
@@ -22,7 +23,11 @@ Scene scene_in(const FinishedRun& run) {
         fmt::format("{}: no copy of its case was found, allowed are folders with a case/case.toml, by which it is "
                     "decided whether runs are of the same case",
                     run.directory));
-  return read_scene(folder, run.accuracy, run.overrides);
+  return read_scene(folder, run.accuracy, overrides);
+}
+
+Scene scene_in(const FinishedRun& run) {
+  return scene_in(run, run.overrides);
 }
 
 std::string names_of(const std::vector<std::string>& names) {
@@ -42,18 +47,23 @@ std::vector<std::pair<std::string, std::string>> identity_of(const Scene& scene)
 
 }  // namespace
 
+std::optional<OtherCase> other_case(const Scene& base, const Scene& other) {
+  const auto expected = identity_of(base), found = identity_of(other);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (found[i].second != expected[i].second) return OtherCase{found[i].first, expected[i].second, found[i].second};
+  return std::nullopt;
+}
+
 std::vector<CaseDifference> settings_that_differ(const FinishedRun& base, const FinishedRun& other) {
   const Scene a = scene_in(base), b = scene_in(other);
-  const auto expected = identity_of(a), found = identity_of(b);
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    if (found[i].second != expected[i].second)
-      throw core::CaseError(
-          fmt::format("{}: {} {} was found in the copy of its case, where {} has {}; allowed are runs of the same case "
-                      "up to the values of its settings",
-                      other.directory, found[i].first, found[i].second, base.directory, expected[i].second));
+  if (const auto found = other_case(a, b))
+    throw core::CaseError(fmt::format(
+        "{}: {} {} was found in the copy of its case, where {} has {}; allowed are runs of the same case up "
+        "to the values of its settings",
+        other.directory, found->what, found->other, base.directory, found->base));
   auto settings = case_differences(case_copy_folder(base.directory), base.overrides, case_copy_folder(other.directory),
                                    other.overrides);
-  if (settings.empty() && a.fingerprint != b.fingerprint)
+  if (settings.empty() && scene_in(base, {}).fingerprint != scene_in(other, {}).fingerprint)
     settings.push_back({"a drawing or the text of the case", "", ""});
   return settings;
 }

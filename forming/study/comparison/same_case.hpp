@@ -1,12 +1,21 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "forming/run/resume/case_change.hpp"
+#include "forming/scene/scene.hpp"
 #include "forming/study/comparison/finished_run.hpp"
 
 namespace parison::forming {
+
+/// By what two scenes are of different cases: case (its name), geometry, tools or stages, as each has it.
+struct OtherCase {
+  std::string what, base, other;
+};
+/// The first of them in which two scenes differ; nothing where they are of one case up to settings.
+std::optional<OtherCase> other_case(const Scene& base, const Scene& other);
 
 /// The settings in which the cases of two result folders differ, by the copies of the cases in the folders. Throws
 /// core::CaseError where they are not the same case up to settings: another name, geometry, or other bodies or stages;

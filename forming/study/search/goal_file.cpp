@@ -23,13 +23,8 @@ constexpr double usual_corrections = 1, most_corrections = 10;
 
 const Quantity& known_quantity(const CaseNode& node, const std::vector<Quantity>& known) {
   const std::string& name = core::text(node);
-  std::vector<std::string> names;
-  for (const Quantity& quantity : known) {
-    if (quantity.name == name) return quantity;
-    names.push_back(quantity.name);
-  }
-  core::refuse(node, fmt::format("no quantity \"{}\" was found{}, allowed are {}", name,
-                                 core::did_you_mean(name, names), fmt::join(names, ", ")));
+  if (const std::string problem = unknown_quantity(name, known); !problem.empty()) core::refuse(node, problem);
+  return *std::find_if(known.begin(), known.end(), [&](const Quantity& one) { return one.name == name; });
 }
 
 /// The case of a goal, and what its runs can reach.

@@ -157,22 +157,15 @@ Outcome read_outcome(const std::string& folder, const WallPart& part) {
 }
 
 std::vector<Quantity> known_quantities(const Scene& scene) {
-  std::vector<Quantity> known;
-  const auto add = [&](const std::string& name, const char* unit) { known.push_back({name, unit, none, none}); };
-  add("weight", "g");
+  std::vector<Quantity> known{{"weight", "g", none, none}};
   if (scene.has_flow()) {
-    add("wall_rms", "%");
-    for (const char* name :
-         {"wall_min", "thickness_min", "thickness_mean", "extent_r_max", "extent_z_min", "extent_z_max"})
-      add(name, "mm");
+    known.push_back({"wall_rms", "%", none, none});
+    known.push_back({"wall_min", "mm", none, none});
   }
-  if (scene.has_heat()) add("glass_mean", "degC"), add("glass_skin", "degC");
-  for (const Tool& tool : scene.tools) {
-    if (scene.has_heat()) add("heat_" + tool.name, "J"), add("hottest_" + tool.name, "degC");
-    if (scene.has_flow()) add("peak_force_" + tool.name, "N");
-  }
-  for (const Stage& stage : scene.stages)
-    if (stage.may_end_early()) add("time_" + stage.name, "s");
+  for (const Quantity& quantity : possible_quantities(scene))
+    if (quantity.name != "thickness_min_at") known.push_back(quantity);  // it jumps: no search can follow it
+  if (scene.has_heat())
+    for (const Tool& tool : scene.tools) known.push_back({"hottest_" + tool.name, "degC", none, none});
   return known;
 }
 

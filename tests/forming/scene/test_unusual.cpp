@@ -33,6 +33,12 @@ TEST(Unusual, a_tool_at_room_temperature_is_told) {
   expect_note("jar", "tool.blank.temperature=20 degC", "\"blank\" starts at 20 degC; usual are 400 to 530 degC");
 }
 
+TEST(Unusual, a_tool_above_the_melting_point_of_iron_is_told_in_any_case) {
+  expect_note("jar", "tool.blank.temperature=4400 degC",
+              "\"blank\" starts at 4400 degC, but grey iron melts at 1150 degC and bronze below; usual are 400 to 530");
+  expect_note("sag", "tool.ring.temperature=1200 degC", "\"ring\" starts at 1200 degC, but grey iron melts");
+}
+
 TEST(Unusual, a_force_away_from_the_glass_is_told_in_both_directions) {
   expect_note(
       "tumbler", "stage.press.motion.plunger.force=10 kN",

@@ -14,6 +14,7 @@
 #include "forming/run/stage.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "tools/commands/run/coarse_run.hpp"
@@ -81,7 +82,8 @@ int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& requ
 }  // namespace
 
 std::string opening(const RunRequest& request, const Scene& scene) {
-  return request.verbose ? forming::describe_scene(scene) : forming::describe_scene_briefly(scene);
+  return request.verbose ? forming::describe_scene(scene)
+                         : forming::describe_scene_briefly(scene) + forming::describe_unusual(scene);
 }
 
 int code_of(const forming::RunFacts& facts, bool keep_going) {

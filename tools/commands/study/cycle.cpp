@@ -13,7 +13,9 @@
 #include "core/case/units.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 #include "forming/study/production/cycle_files.hpp"
+#include "tools/comparison/run_queue.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 
@@ -57,30 +59,67 @@ std::string new_folder(const CycleRequest& request, const forming::Scene& scene)
   return folder;
 }
 
-/// The container of the first gob beside that of settled production, and that made just after a swab.
-void print_containers(const std::string& folder, const PeriodicState& state) {
-  std::vector<std::string> others{folder + "/settled"};
-  if (state.just_swabbed) others.push_back(folder + "/just_swabbed");
-  const auto comparison = forming::compare_folders(folder + "/first_gob", others);
-  fmt::print("{}", forming::comparison_tables(comparison));
-  forming::write_comparison(comparison, folder);
+/// The coarser runs of the containers, the first of which the others are compared with; false where one was stopped.
+bool make_coarser_runs(const forming::Scene& scene, const std::vector<std::string>& containers, int jobs) {
+  std::vector<QueuedRun> runs;
+  for (auto& plan : forming::plan_partner_runs(scene.file, containers)) runs.push_back({std::move(plan)});
+  fmt::print("\n{} coarser runs for the error bars\n", runs.size());
+  std::fflush(stdout);
+  return run_all(runs, scene.file, jobs);
 }
 
-void print_result(const forming::Scene& scene, const forming::PeriodicRequest& asked, const PeriodicState& state) {
+/// The container of the first gob beside that of settled production, and that made just after a swab; false where error
+/// bars were asked for and their runs were stopped.
+bool compare_containers(const CycleRequest& request, const forming::Scene& scene, const std::string& folder,
+                        const PeriodicState& state) {
+  std::vector<std::string> others{folder + "/settled"};
+  if (state.just_swabbed) others.push_back(folder + "/just_swabbed");
+  std::vector<std::string> containers{folder + "/first_gob"};
+  containers.insert(containers.end(), others.begin(), others.end());
+  const bool ended = !request.error_bars || make_coarser_runs(scene, containers, request.jobs);
+  const auto comparison = forming::compare_folders(containers.front(), others);
+  fmt::print("{}", forming::comparison_tables(comparison));
+  if (request.error_bars)
+    fmt::print("{}", forming::ranking_table(comparison, forming::ranked_quantity(comparison)));
+  else
+    fmt::print("  `parison cycle --error-bars` tells which differences are real\n");
+  forming::write_comparison(comparison, folder);
+  return ended;
+}
+
+/// How long production takes from its start to the settled state, as far as it was followed.
+std::string start_up_text(const PeriodicState& state, double tolerance) {
+  const std::size_t cycles = state.start_up.size() - 1;
+  const double distance = state.start_up.back().distance;
+  if (distance <= tolerance) return fmt::format("production reaches it {} cycles after its start", cycles);
+  return fmt::format("{} cycles after its start production is still {:.3g} K from it: start_up.csv ends there", cycles,
+                     distance);
+}
+
+/// The options by which `parison run` of the case begins with the tools of a folder, as they are pasted into a shell.
+std::string start_from_tools(const forming::Scene& scene, const PeriodicState& state, const std::string& folder) {
+  std::vector<std::string> options;
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    const std::string& name = scene.tools[t].name;
+    options.push_back(fmt::format("--set 'tool.{}.temperature={{ from = \"{}\" }}'", name, folder));
+    if (state.cycle.overlaps(t))  // it still serves the container before at the gob
+      options.push_back(fmt::format("--set 'tool.{}.temperature_at=first use'", name));
+  }
+  return fmt::format("{}", fmt::join(options, " \\\n    "));
+}
+
+/// False where a run of the error bars was stopped.
+bool print_result(const CycleRequest& request, const forming::Scene& scene, const forming::PeriodicRequest& asked,
+                  const PeriodicState& state) {
   fmt::print("{}", forming::periodic_table(scene, state));
-  fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; production reaches it {} cycles after ",
-             state.runs, state.start_up.size() - 1);
-  fmt::print("its start\n");
+  fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; {}\n", state.runs,
+             start_up_text(state, asked.tolerance));
   fmt::print("  with the plain cycles the tool surfaces are known to {:.2g} K, and are {:.2g} K from those above\n",
              state.uncertainty, state.offset);
-  print_containers(asked.directory, state);
-  const std::string from = fs::absolute(asked.directory + "/tools").string();
-  fmt::print("\n  results in {}; a case starts from these tools by temperature = {{ from = \"{}\" }}\n",
-             asked.directory, from);
-  for (std::size_t t = 0; t < scene.tools.size(); ++t)
-    if (state.cycle.overlaps(t))
-      fmt::print("  {} still serves the container before at the gob: temperature_at = \"first use\"\n",
-                 scene.tools[t].name);
+  const bool ended = compare_containers(request, scene, asked.directory, state);
+  fmt::print("\n  results in {}; a run starts from these tools with\n    {}\n", asked.directory,
+             start_from_tools(scene, state, fs::absolute(asked.directory + "/tools").lexically_normal().string()));
+  return ended;
 }
 
 }  // namespace
@@ -111,7 +150,10 @@ int cycle(const CycleRequest& request) {
     fmt::print(stderr, "parison: {}\n", state.failure);
     return run_failed;
   }
-  print_result(scene, asked, state);
+  if (!print_result(request, scene, asked, state)) {
+    fmt::print(stderr, "parison: stopped on request before the coarser runs of the error bars had ended\n");
+    return run_failed;
+  }
   if (state.is_confirmed(asked.tolerance)) return 0;
   fmt::print(stderr,
              "parison: the plain cycles do not confirm the tool surfaces to {:g} K: known to {:.2g} K, {:.2g} K from "

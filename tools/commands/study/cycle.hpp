@@ -11,6 +11,8 @@ struct CycleRequest {
   std::vector<std::string> overrides;
   std::vector<std::string> sets;  ///< "ring=2": tools of which sets take turns
   int max_runs = 12;
+  bool error_bars = false;  ///< of the differences between the first gob's container and the settled one
+  int jobs = 1;             ///< runs of the error bars at once
 };
 
 /// Looks for the tool temperatures of settled production and prints what the container becomes there. Returns the exit

@@ -18,6 +18,7 @@
 #include "core/case/given_file.hpp"
 #include "core/io/files.hpp"
 #include "core/process/run_error.hpp"
+#include "tools/report/data/run_names.hpp"
 
 namespace parison::tools {
 namespace {
@@ -169,9 +170,12 @@ ResultFolder read_folder(const std::string& path) {
   std::error_code unreadable;
   if (!fs::exists(path, unreadable))
     throw core::CaseError(fmt::format("{}: no such folder, allowed is the result folder of a run", path));
-  if (!is_result_folder(path))
+  if (!is_result_folder(path)) {
+    const std::string runs = run_folders_hint(path);
     throw core::CaseError(fmt::format(
-        "{}: no history.csv was found there, allowed is the result folder of a run, which `parison run` makes", path));
+        "{}: no history.csv was found there, allowed is the result folder of a run, which `parison run` makes{}", path,
+        runs.empty() ? "" : "; " + runs));
+  }
   ResultFolder folder;
   folder.path = path;
   fs::path place = fs::absolute(path).lexically_normal();

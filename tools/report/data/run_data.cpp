@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/files.hpp"
+#include "forming/study/comparison/same_case.hpp"
 #include "tools/report/data/result_folder.hpp"
+#include "tools/report/data/run_names.hpp"
 #include "tools/report/data/wall_bars.hpp"
 
 namespace parison::tools {
@@ -86,12 +88,13 @@ const SceneOfRun& scene_of(const std::string& folder, ReportCache& cache) {
   return scene;
 }
 
-Json run_json(const std::string& path, std::size_t runs, ReportCache& cache, PackedBytes& bytes) {
+Json run_json(const std::string& path, const std::string& name, std::size_t runs, ReportCache& cache,
+              PackedBytes& bytes) {
   ResultFolder folder = read_folder(path);
   const SceneOfRun& scene = scene_of(path, cache);
   std::vector<std::string> problems;
   replace_volume(folder.history);
-  Json run{{"name", folder.name},
+  Json run{{"name", name},
            {"path", path},
            {"state", name_of(folder.state)},
            {"told", folder.told},
@@ -126,12 +129,33 @@ std::string without_tags(const std::string& json) {
 
 }  // namespace
 
+std::string mixed_cases(const std::vector<std::string>& folders, ReportCache& cache) {
+  const std::vector<std::string> names = run_names(folders);
+  const auto& first = scene_of(folders.front(), cache).scene;
+  for (std::size_t i = 1; first && i < folders.size(); ++i) {
+    const auto& scene = scene_of(folders[i], cache).scene;
+    if (const auto other = scene ? forming::other_case(*first, *scene) : std::nullopt)
+      return fmt::format(
+          "The runs are of different cases: {} has {} {}, {} has {}. Curves and pictures beside each other are not of "
+          "the "
+          "same thing.",
+          names.front(), other->what, other->base, names[i], other->other);
+  }
+  return {};
+}
+
 std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache,
                         const std::string& search) {
   Json runs = Json::array();
   PackedBytes bytes;
-  for (const std::string& folder : folders) runs.push_back(run_json(folder, folders.size(), cache, bytes));
-  Json page{{"program", PARISON_VERSION}, {"live", live}, {"runs", std::move(runs)}, {"bytes", bytes.text()}};
+  const std::vector<std::string> names = run_names(folders);
+  for (std::size_t i = 0; i < folders.size(); ++i)
+    runs.push_back(run_json(folders[i], names[i], folders.size(), cache, bytes));
+  Json page{{"program", PARISON_VERSION},
+            {"live", live},
+            {"mixed_cases", mixed_cases(folders, cache)},
+            {"runs", std::move(runs)},
+            {"bytes", bytes.text()}};
   if (!search.empty()) page["search"] = Json::parse(search);
   return without_tags(page.dump(-1, ' ', true, Json::error_handler_t::replace));
 }

@@ -15,6 +15,10 @@ struct ReportCache {
   std::map<std::string, std::pair<std::string, SceneOfRun>> scenes;  ///< by folder, with the stamp of the case
 };
 
+/// A sentence where runs are of different cases, by the copies of the cases in their folders; empty where they are of
+/// one up to settings.
+std::string mixed_cases(const std::vector<std::string>& folders, ReportCache& cache);
+
 /// The data of a page on some result folders as a JSON text without any character that ends or opens a tag; `live`
 /// says that the page is to ask for more; `search` is the course of a search as JSON, or empty. Throws core::CaseError
 /// where one of them is no result folder.

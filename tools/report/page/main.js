@@ -83,6 +83,7 @@ async function take(page) {
   const time = film ? film.times[film.state.index] : null;
   if (atEnd) state.film.index = undefined;
   show(runs, page.program);
+  if (page.mixed_cases) say("warn", page.mixed_cases);
   if (!atEnd && shown.film) shown.film.showTime(time, true);
 }
 

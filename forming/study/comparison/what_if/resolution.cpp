@@ -62,12 +62,15 @@ double read_size(const std::string& size, const std::string& unit, const std::st
 
 }  // namespace
 
-ResolutionControl::ResolutionControl(const std::string& wanted)
+ResolutionControl::ResolutionControl(const std::string& wanted, const std::vector<Quantity>& possible)
     : wanted_(wanted), factor_(none), next_factor_(first_factor), target_(none), bar_(none) {
   const auto equals = wanted.find('=');
   quantity_ = equals == wanted.npos ? usual_quantity : wanted.substr(0, equals);
-  size_ = equals == wanted.npos ? wanted : wanted.substr(equals + 1);
-  if (quantity_ == usual_quantity) target_ = read_size(size_, "mm", wanted_);  // before anything runs
+  if (const std::string problem = unknown_quantity(quantity_, possible); !problem.empty())
+    throw core::CaseError("--resolve: " + problem);
+  for (const Quantity& one : possible)
+    if (one.name == quantity_) unit_ = one.unit;
+  target_ = read_size(equals == wanted.npos ? wanted : wanted.substr(equals + 1), unit_, wanted_);
 }
 
 std::string ResolutionControl::accuracy() const {
@@ -75,10 +78,8 @@ std::string ResolutionControl::accuracy() const {
 }
 
 void ResolutionControl::add(const Comparison& comparison) {
-  const Quantity* base = comparison.base.quantities.find(quantity_);
-  if (!base) refuse_size(wanted_, fmt::format("but the case has no {}", quantity_));
-  unit_ = base->unit;
-  target_ = read_size(size_, unit_, wanted_);
+  if (const std::string problem = unknown_quantity(quantity_, comparison.base.quantities.values); !problem.empty())
+    throw core::CaseError("--resolve: the run of the base has no such result: " + problem);
   bar_ = none;
   for (const ComparedRun& other : comparison.others)
     if (other.result)

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
+#include <vector>
 
 #include "forming/study/comparison/comparison.hpp"
 
@@ -10,12 +11,13 @@ namespace parison::forming {
 /// rounds.
 class ResolutionControl {
  public:
-  /// "0.02mm" of the thinnest wall, or "heat_blank=50 J" of another quantity.
-  explicit ResolutionControl(const std::string& wanted);
+  /// "0.02mm" of the thinnest wall, or "heat_blank=50 J" of another quantity, of those that runs may have. Throws
+  /// core::CaseError where the quantity is none of them or the size is none in its unit.
+  ResolutionControl(const std::string& wanted, const std::vector<Quantity>& possible);
 
   /// Of the next round.
   std::string accuracy() const;
-  /// The comparison of a round. Throws core::CaseError where it does not have the quantity or its unit is another.
+  /// The comparison of a round. Throws core::CaseError where its base does not have the quantity.
   void add(const Comparison& comparison);
   bool reached() const;
   /// Whether there is nothing more to run: reached, or out of reach.
@@ -28,7 +30,7 @@ class ResolutionControl {
   int rounds() const { return rounds_; }
 
  private:
-  std::string wanted_, quantity_, size_, unit_;
+  std::string wanted_, quantity_, unit_;
   double factor_, next_factor_;  ///< edges and steps of the last round and the next, in units of those of draft
   double target_, bar_;
   int rounds_ = 0;

@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "core/case/case_error.hpp"
+#include "core/case/given_file.hpp"
+#include "core/case/units.hpp"
 #include "forming/run/resume/checkpoint_files.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/study/coarse_run.hpp"
@@ -109,6 +113,17 @@ std::vector<CoarseCase> partner_cases(const WhatIf& what_if, const Scene& scene,
   return cases;
 }
 
+/// A coarser run of the run in the folder `own`.
+PlannedRun partner_of(const std::string& label, const CoarseCase& coarse, const std::optional<BranchPoint>& branch,
+                      const std::string& own) {
+  return {fmt::format("{}, {:g} times coarser", label, coarse.factor),
+          coarse.directory,
+          coarse.accuracy,
+          coarse.overrides,
+          branch,
+          own};
+}
+
 /// A run and its coarser ones; `stage` where they begin as those of the base had it at its end.
 void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scene,
               const std::optional<std::string>& stage, std::vector<PlannedRun>& runs) {
@@ -121,9 +136,10 @@ void add_runs(const WhatIf& what_if, const std::string& label, const Scene& scen
     return is_base ? finished_elsewhere(what_if, folder) : std::string();
   };
   runs.push_back({label, own, scene.accuracy_name, scene.overrides, branch(""), "", elsewhere(own)});
-  for (const CoarseCase& coarse : partner_cases(what_if, scene, own))
-    runs.push_back({fmt::format("{}, {:g} times coarser", label, coarse.factor), coarse.directory, coarse.accuracy,
-                    scene.overrides, branch(coarse.directory.substr(own.size())), own, elsewhere(coarse.directory)});
+  for (const CoarseCase& coarse : partner_cases(what_if, scene, own)) {
+    runs.push_back(partner_of(label, coarse, branch(coarse.directory.substr(own.size())), own));
+    runs.back().copy_of = elsewhere(coarse.directory);
+  }
 }
 
 /// A twin of a run that was made of a scene; `base` is the folder of the same run of the base, from which it begins at
@@ -170,6 +186,26 @@ void add_variant_twins(const WhatIf& what_if, const std::string& label, const Sc
     runs.push_back(twin_of(what_if, label, one, base + one.directory.substr(own.size()), stage, warmer));
 }
 
+/// A quantity as it is written, in SI, and its dimension; nothing where the text is none.
+std::optional<std::pair<double, core::Dimension>> measured(const std::string& text) {
+  constexpr double zero_celsius = 273.15;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const std::string unit(core::trimmed(end));
+  if (end == text.c_str()) return std::nullopt;
+  if (unit.empty()) return std::pair(value, core::dimension::none);
+  if (unit == "degC") return std::pair(value + zero_celsius, core::dimension::temperature);
+  const auto known = core::parse_unit(unit);
+  return known ? std::optional(std::pair(value * known->factor, known->dimension)) : std::nullopt;
+}
+
+/// Whether a value is the same, written otherwise.
+bool is_same_value(const CaseDifference& setting) {
+  const auto before = measured(setting.before), now = measured(setting.now);
+  return before && now && core::same_exponents(before->second, now->second) &&
+         std::abs(before->first - now->first) <= 1e-12 * std::abs(before->first);
+}
+
 }  // namespace
 
 WhatIfVariant variant_of(const std::string& assignment) {
@@ -213,9 +249,31 @@ std::vector<PlannedRun> plan_runs(const WhatIf& what_if) {
   return runs;
 }
 
+std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const std::vector<std::string>& folders) {
+  std::vector<PlannedRun> runs;
+  for (const std::string& folder : folders) {
+    const FinishedRun run = read_finished_run(folder);
+    const Scene scene = read_scene(case_path, run.accuracy, run.overrides);
+    const std::vector<std::string> warmer = warmer_start(scene);
+    for (const CoarseCase& coarse : partner_cases({}, scene, folder)) {
+      runs.push_back(partner_of(run.name, coarse, std::nullopt, folder));
+      if (folder == folders.front() && !warmer.empty())
+        runs.push_back(twin_of({}, run.name, coarse, coarse.directory, std::nullopt, warmer));
+    }
+  }
+  return runs;
+}
+
 std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant) {
   return case_differences(what_if.case_path, what_if.overrides, what_if.case_path,
                           joined(what_if.overrides, variant.overrides));
+}
+
+std::string nothing_changed(const WhatIf& what_if, const WhatIfVariant& variant) {
+  const auto settings = settings_of(what_if, variant);
+  if (!std::all_of(settings.begin(), settings.end(), is_same_value)) return {};
+  return fmt::format("variant {} changes nothing: the base has {} already", variant.name,
+                     fmt::join(variant.overrides, ", "));
 }
 
 }  // namespace parison::forming

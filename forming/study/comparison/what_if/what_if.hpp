@@ -46,9 +46,6 @@ struct PlannedRun {
   std::string copy_of = {};            ///< folder of the same run, finished elsewhere; empty for none
 };
 
-/// A tool warmer by this makes remeshing and contact decide otherwise and changes nothing else, K.
-inline constexpr double twin_warmer = 0.01;
-
 /// The last stage after which a changed case may take up a run of another case: all that the run has used up to its end
 /// is the same. None where that is not so of the first stage, or no stage follows.
 std::optional<std::string> last_common_stage(const Scene& base, const Scene& changed);
@@ -58,8 +55,16 @@ std::optional<std::string> last_common_stage(const Scene& base, const Scene& cha
 /// name of the variant before the sentence: all is read, and the first stage tried, before anything runs.
 std::vector<PlannedRun> plan_runs(const WhatIf& what_if);
 
+/// The coarser runs for the error bars of differences between runs of a case that have come to their end in these
+/// folders, and twins of those of the first, which the others are compared with.
+std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const std::vector<std::string>& folders);
+
 /// What a variant changes against the base, value by value.
 std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant);
+
+/// Where all values of a variant are those that the base has, maybe in another unit, a sentence that says so; else
+/// empty.
+std::string nothing_changed(const WhatIf& what_if, const WhatIfVariant& variant);
 
 /// Whether a file or folder of a result folder is that of another run: a coarser one or a twin.
 bool is_run_folder(const std::string& name);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/case/case_error.hpp"
+#include "core/io/json_read.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/comparison.hpp"
@@ -100,6 +102,14 @@ TEST(Difference, of_runs_made_twice_is_that_of_their_means) {
   const double finer = std::pow(1.5, bar_order), t = 2.132;  // four twins
   const double squares = 0.02 * 0.02 + std::pow(0.03 / finer, 2) + std::pow(0.01 / finer, 2);
   EXPECT_NEAR(wall(comparison).bar, t * std::sqrt(squares / 4 / 2), 1e-4);
+  EXPECT_EQ(comparison.repeated, "all tools 0.01 K warmer from the start");
+  const RunComparison single = compare_runs(base, other, 2, Repeats::ignored);
+  EXPECT_EQ(single.pairs, 1u);
+  EXPECT_EQ(single.repeated, "");
+  EXPECT_EQ(single.twins, comparison.twins);  // they still tell the scatter
+  EXPECT_NEAR(wall(single).base, 2, 1e-12);
+  base.twins[0].warmer_gob = true;
+  EXPECT_EQ(compare_runs(base, other).repeated, "the gob 0.01 K warmer from the start");
   other.twins = {twin_with(2.1, 1)};  // from another stage on: no pair
   EXPECT_EQ(compare_runs(base, other).pairs, 1u);
 }
@@ -162,14 +172,43 @@ TEST(Comparison, the_last_table_says_by_how_much_for_sure_and_a_run_that_failed_
   EXPECT_NE(tables.find("no results: blow at 0.1 s"), std::string::npos) << tables;
 }
 
+TEST(Comparison, flags_and_warnings_that_differ_and_every_failed_check_are_a_line_each) {
+  const auto remarks = [](const std::string& flags, const std::string& warnings, const std::string& checks) {
+    return read_remarks(core::read_json(
+        fmt::format(R"({{"flags": [{}], "warnings": [{}], "checks": [{}]}})", flags, warnings, checks), "summary"));
+  };
+  const std::string hot =
+      R"({"name": "tool_surface_above", "tool": "ring", "unit": "degC", "limit": 600, "value": 612})";
+  const std::string thin = R"({"name": "wall_below", "unit": "mm", "limit": 1.5, "value": 1.42})";
+  const auto check = [](const std::string& verdict) {
+    return R"({"name": "work_balance", "value": 0.021, "limit": 0.01, "unit": "%", "verdict": ")" + verdict + "\"}";
+  };
+  FinishedRun base = run_with(2), other = run_with(2.1);
+  Comparison comparison = compared(base, other);
+  EXPECT_NE(comparison_tables(comparison).find("flags and warnings: the same in all runs; no check failed"),
+            std::string::npos);
+  comparison.base.remarks = remarks(hot, R"("1 fold of 2 mm3 was closed; look there")", check("inside"));
+  comparison.others[0].run.remarks = remarks(
+      thin, R"("1 fold of 3 mm3 was closed; look there", "the ring still moves at 0.2 s")", check("not trustworthy"));
+  EXPECT_EQ(remark_lines(comparison),
+            "\nflags and warnings that differ between the runs, and failed checks:\n"
+            "  run      flag tool_surface_above of ring: 612 degC, limit 600 degC\n"
+            "  thicker  flag wall_below: 1.42 mm, limit 1.5 mm\n"
+            "  thicker  warning the ring still moves at 0.2 s\n"
+            "  thicker  failed check work_balance is 2.1 %, the limit is 1 %: not trustworthy\n"
+            "  thicker  without the flag of run: tool_surface_above of ring: 612 degC, limit 600 degC\n");
+  comparison.others[0].run.remarks = comparison.base.remarks;
+  EXPECT_NE(remark_lines(comparison).find("the same in all runs"), std::string::npos);
+}
+
 TEST(Comparison, a_quantity_that_is_not_there_is_refused_with_the_nearest) {
   try {
-    require_quantity(run_with(2), "thicknes_min");
+    require_quantity("thicknes_min", run_with(2).quantities.values);
     ADD_FAILURE();
   } catch (const core::CaseError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean \"thickness_min\"?"), std::string::npos) << error.what();
   }
-  EXPECT_NO_THROW(require_quantity(run_with(2), "thickness_min"));
+  EXPECT_NO_THROW(require_quantity("thickness_min", run_with(2).quantities.values));
 }
 
 TEST(Comparison, the_plot_has_a_line_for_each_run_and_a_band_for_each_difference) {
@@ -183,8 +222,13 @@ TEST(Comparison, the_plot_has_a_line_for_each_run_and_a_band_for_each_difference
   EXPECT_EQ(profile_plot(compared(gob, gob)), "");
 }
 
+/// Those that runs of a case may have.
+std::vector<Quantity> possible() {
+  return {{"thickness_min", "mm", 0, 0}, {"heat_blank", "J", 0, 0}};
+}
+
 TEST(Resolution, goes_finer_until_the_bars_are_as_small_as_asked_for) {
-  ResolutionControl control("0.02 mm");
+  ResolutionControl control("0.02 mm", possible());
   EXPECT_EQ(control.accuracy(), "draft coarser 2");
   double factor = 2;
   for (int round = 0; !control.finished(); ++round) {
@@ -199,18 +243,19 @@ TEST(Resolution, goes_finer_until_the_bars_are_as_small_as_asked_for) {
 }
 
 TEST(Resolution, what_scatter_hides_at_any_accuracy_is_given_up) {
-  ResolutionControl control("thickness_min=0.001 mm");
+  ResolutionControl control("thickness_min=0.001 mm", possible());
   for (int round = 0; !control.finished() && round < 20; ++round)
     control.add(compared(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1)));
   EXPECT_TRUE(control.finished());
   EXPECT_FALSE(control.reached());
 }
 
-TEST(Resolution, a_size_that_is_none_is_refused_before_anything_runs_and_another_unit_when_the_unit_is_known) {
-  for (const char* wrong : {"", "mm", "0 mm", "-1 mm", "3 K", "thickness_min=2 J"})
-    EXPECT_THROW(ResolutionControl{wrong}, core::CaseError) << wrong;
-  ResolutionControl other("heat_blank=50 J");
-  EXPECT_THROW(other.add(compared(run_with(2, 2, 2), run_with(3, 3, 3))), core::CaseError);
+TEST(Resolution, a_size_that_is_none_another_unit_and_an_unknown_quantity_are_refused_before_anything_runs) {
+  for (const char* wrong : {"", "mm", "0 mm", "-1 mm", "3 K", "thickness_min=2 J", "heat_blank=2 mm", "heat_blanc=2 J"})
+    EXPECT_THROW(ResolutionControl(wrong, possible()), core::CaseError) << wrong;
+  ResolutionControl other("heat_blank=50 J", possible());
+  EXPECT_EQ(other.unit(), "J");
+  EXPECT_THROW(other.add(compared(run_with(2, 2, 2), run_with(3, 3, 3))), core::CaseError);  // the run has no such heat
 }
 
 }  // namespace

@@ -113,6 +113,19 @@ TEST_F(WhatIfTest, a_run_that_is_there_is_the_base_with_what_it_has) {
   EXPECT_TRUE(has_completed_here(in("out/base")));
 }
 
+TEST_F(WhatIfTest, runs_that_are_there_get_their_coarser_runs_and_the_first_of_them_twins) {
+  run_whole("first");
+  run_whole("second", {colder});
+  const auto runs = plan_partner_runs(folder, {in("first"), in("second")});
+  EXPECT_EQ(runs.size(), 2u * 2 + 2);
+  const PlannedRun& coarser = named(runs, "second, 2 times coarser");
+  EXPECT_EQ(coarser.directory, in("second/partner_run"));
+  EXPECT_EQ(coarser.inside, in("second"));
+  EXPECT_EQ(coarser.accuracy, "draft coarser 4");
+  EXPECT_EQ(coarser.overrides, std::vector<std::string>{colder});
+  EXPECT_EQ(named(runs, "twin of first, 3 times coarser").directory, in("first/coarser_run/twin"));
+}
+
 TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last_bit) {
   const RunOutcome base = run_whole("base");
   const Scene changed = scene({longer});
@@ -128,6 +141,19 @@ TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last
   const Comparison comparison = compare_folders(in("base"), {in("longer")});
   EXPECT_EQ(comparison.others[0].result->in_common, 1u);
   EXPECT_EQ(settings_line(comparison.others[0].settings), "stage.rest.duration: 0.1 s -> 0.15 s");
+}
+
+TEST_F(WhatIfTest, what_a_run_has_of_quantities_is_known_before_it_with_the_units) {
+  run_whole("made");
+  const std::vector<Quantity> possible = possible_quantities(scene());
+  const Quantities made = read_finished_run(in("made")).quantities;
+  EXPECT_GT(made.values.size(), 8u);
+  for (const Quantity& quantity : made.values) {
+    EXPECT_EQ(unknown_quantity(quantity.name, possible), "");
+    for (const Quantity& one : possible)
+      if (one.name == quantity.name) EXPECT_EQ(one.unit, quantity.unit) << one.name;
+  }
+  EXPECT_NE(unknown_quantity("heat_pott", possible).find("did you mean \"heat_pot\"?"), std::string::npos);
 }
 
 TEST_F(WhatIfTest, a_twin_has_tools_a_little_warmer_and_nothing_else) {
@@ -164,6 +190,17 @@ TEST_F(WhatIfTest, what_is_wrong_with_a_variant_is_said_with_its_name_before_any
   EXPECT_EQ(refusal({variant_of(longer)}), "");
   EXPECT_EQ(variant_of(longer).name, "stage.rest.duration_0.15_s");
   EXPECT_FALSE(fs::exists(in("out")));
+}
+
+TEST_F(WhatIfTest, a_variant_that_has_the_values_of_the_base_is_told) {
+  const auto told = [&](const std::vector<std::string>& overrides) {
+    return nothing_changed(asked({}), {"same", overrides});
+  };
+  EXPECT_EQ(told({"tool.pot.temperature=480 degC"}),
+            "variant same changes nothing: the base has tool.pot.temperature=480 degC already");
+  EXPECT_NE(told({"tool.pot.temperature=753.15 K", "stage.rest.duration=100 ms"}), "");
+  EXPECT_EQ(told({"tool.pot.temperature=480 degC", longer}), "");
+  EXPECT_EQ(told({"tool.pot.temperature=480 K"}), "");
 }
 
 TEST_F(WhatIfTest, tools_that_a_variant_makes_overlap_are_refused_and_those_that_overlap_in_the_base_are_not) {
@@ -210,6 +247,11 @@ TEST_F(WhatIfTest, results_of_another_case_are_refused_and_those_of_other_settin
   EXPECT_EQ(settings_line(settings),
             "stage.rest.duration: 0.1 s -> 0.15 s; tool.pot.temperature: 480 degC -> 470 degC");
   EXPECT_EQ(settings_line({}), "the same settings");
+  const std::string as_before = "tool.pot.temperature=480 degC";
+  EXPECT_TRUE(settings_that_differ(copy("first", two_stages(), {}), copy("other", two_stages(), {as_before})).empty());
+  EXPECT_EQ(
+      settings_line(settings_that_differ(copy("first", two_stages(), {}), copy("other", two_stages() + "\n", {}))),
+      "a drawing or the text of the case");
 }
 
 }  // namespace
