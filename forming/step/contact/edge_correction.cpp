@@ -38,6 +38,41 @@ Point shift_of_middle(const PlacedTools::Tool& tool, const EdgeNodes& edge, doub
   return found.empty() ? Point::Zero() : Point(largest * found.front().normal);
 }
 
+/// The nodes of a cell that lie inside the glass, not on its surface.
+std::vector<Index> inner_nodes(const core::Mesh& mesh, Index cell) {
+  const auto& nodes = mesh.cells()[cell];
+  std::vector<Index> inner(nodes.begin(), nodes.end());
+  for (const auto& edge : mesh.boundary_edges())
+    for (const Index node : edge.nodes) inner.erase(std::remove(inner.begin(), inner.end(), node), inner.end());
+  return inner;
+}
+
+/// Whether no cell that has one of these nodes is inverted.
+bool all_sound(const core::Mesh& mesh, const std::vector<Index>& nodes) {
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto& own = mesh.cells()[cell];
+    const bool has = std::any_of(nodes.begin(), nodes.end(), [&](Index node) {
+      return std::find(own.begin(), own.end(), node) != own.end();
+    });
+    if (has && remesh::cell_quality(mesh, cell) <= 0) return false;
+  }
+  return true;
+}
+
+/// Moves the middle node of an edge, alone or where its cell is too flat for that with the cell's inner nodes; false,
+/// and nothing moved, where a cell would be inverted.
+bool moves_soundly(const core::BoundaryEdge& edge, const Point& shift, core::Mesh& mesh) {
+  const Index middle = edge.nodes[2];
+  mesh.nodes[middle] += shift;
+  if (remesh::cell_quality(mesh, edge.cell) > 0) return true;
+  std::vector<Index> moved = inner_nodes(mesh, edge.cell);
+  for (const Index node : moved) mesh.nodes[node] += shift;
+  moved.push_back(middle);
+  if (moved.size() > 1 && all_sound(mesh, moved)) return true;
+  for (const Index node : moved) mesh.nodes[node] -= shift;
+  return false;
+}
+
 /// Moves an edge out of a tool as far as its cell stays sound; false where it is not in the tool.
 bool move_out(const PlacedTools& placed, const PlacedTools::Tool& tool, const core::BoundaryEdge& edge,
               core::Mesh& mesh) {
@@ -46,13 +81,8 @@ bool move_out(const PlacedTools& placed, const PlacedTools::Tool& tool, const co
   for (int i = 0; i < 3; ++i) local[i] = mesh.nodes[edge.nodes[i]] - tool.shift;
   Point shift = shift_of_middle(tool, local, placed.at_tool);
   if (shift.norm() < placed.coincident) return false;
-  Point& middle = mesh.nodes[edge.nodes[2]];
-  const Point before = middle;
-  for (int i = 0; i <= halvings; ++i, shift *= 0.5) {
-    middle = before + shift;
-    if (remesh::cell_quality(mesh, edge.cell) > 0) return true;
-  }
-  middle = before;
+  for (int i = 0; i <= halvings; ++i, shift *= 0.5)
+    if (moves_soundly(edge, shift, mesh)) return true;
   return false;
 }
 
