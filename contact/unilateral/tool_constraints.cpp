@@ -122,7 +122,7 @@ bool ToolConstraints::Query::hidden(Index i, const Point& closest_point) const {
 }
 
 void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& found) const {
-  if (!segments[i].in_contact || !is_near(x, segments[i].bounds, max_off * reach) || !projects_on(i)) return;
+  if (!segments[i].in_contact || !projects_on(i)) return;
   const double t = core::projected_parameter(segment(i), x);
   const Point closest_point = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
   const double gap = (x - closest_point).dot(normal);
@@ -199,6 +199,7 @@ std::vector<GapConstraint> ToolConstraints::operator()(const Point& x, double re
   const Query query{segments_, x, reach, coincident_};
   std::vector<GapConstraint> found;
   for (Index i = 0; i < query.count(); ++i) {
+    if (!is_near(x, segments_[i].bounds, max_off * reach)) continue;
     query.add_segment(i, found);
     query.add_joint(i, found);
     query.add_tip(i, found);

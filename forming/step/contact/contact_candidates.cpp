@@ -67,6 +67,19 @@ contact::GapConstraint along_path(const contact::GapConstraint& at_end, const Po
   return normal ? contact::GapConstraint{at_end.gap / normal->dot(at_end.normal), *normal, at_end.segment} : at_end;
 }
 
+/// The active contacts of each node.
+struct ContactsOfNodes {
+  std::vector<Index> first;  ///< of each node, -1 where there is none
+  std::vector<Index> next;   ///< of the same node after each contact, -1 after its last
+  ContactsOfNodes(const ActiveContacts& contacts, Index node_count)
+      : first(node_count, -1), next(contacts.node.size(), -1) {
+    for (auto i = static_cast<Index>(next.size()) - 1; i >= 0; --i) {
+      next[i] = first[contacts.node[i]];
+      first[contacts.node[i]] = i;
+    }
+  }
+};
+
 /// A step that is predicted: the velocities (core::dim per node, m/s; the tools' along the axis), with the tools placed
 /// where they end.
 struct StepPath {
@@ -76,13 +89,13 @@ struct StepPath {
   const Eigen::VectorXd& velocity;
   const std::vector<double>& tool_speed;
   double dt;
+  ContactsOfNodes contacts;
 
   bool touches(Index tool, Index node) const { return state.glass.contact_tool[node] == tool; }
   /// The normal with which a node touches a tool, null where it does not. A node in a corner may touch two tools.
   const Point* normal_of_contact(Index tool, Index node) const {
-    const auto& [nodes, tools, normals] = state.glass.active_contacts;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (nodes[i] == node && tools[i] == tool) return &normals[i];
+    for (Index i = contacts.first[node]; i >= 0; i = contacts.next[i])
+      if (state.glass.active_contacts.tool[i] == tool) return &state.glass.active_contacts.normal[i];
     return nullptr;
   }
   /// Whether both ends of an edge touch a tool that bulges gently between them.
@@ -152,7 +165,7 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
 }
 
 flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Bound& bound) {
-  const auto& [scene, state, placed, velocity, tool_speed, dt] = step;
+  const auto& [scene, state, placed, velocity, tool_speed, dt, contacts] = step;
   const Index tool = bound.tool;
   const Point& x = state.glass.mesh.nodes[node];
   const Point relative = flow::node_velocity(velocity, node) - tool_speed[tool] * core::axis_direction();
@@ -198,7 +211,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   const core::Mesh& glass = state.glass.mesh;
   const auto tools = active_tools(scene, state);
   const PlacedTools placed(scene, tools, offset);
-  const StepPath step{scene, state, placed, velocity, speed, dt};
+  const StepPath step{scene, state, placed, velocity, speed, dt, {state.glass.active_contacts, glass.node_count()}};
   std::vector<flow::ContactCandidate> candidates;
   const auto may_touch = touching_nodes(glass);
   const auto edge_of = edges_of_middles(glass);
