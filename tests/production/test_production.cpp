@@ -10,6 +10,7 @@
 #include "forming/study/production/cycle_files.hpp"
 #include "forming/study/production/fixed_point.hpp"
 #include "forming/study/production/periodic_state.hpp"
+#include "forming/study/production/settled_estimates.hpp"
 #include "forming/study/production/swabbing.hpp"
 #include "forming/study/production/tool_fields.hpp"
 
@@ -92,6 +93,48 @@ TEST(FixedPoint, search_ends_where_the_map_cannot_be_evaluated) {
       find_fixed_point(Eigen::VectorXd::Ones(2), map, {1e-8, 0, 0, 100, [](const auto& x) { return x.norm(); }});
   EXPECT_FALSE(found.converged);
   EXPECT_EQ(found.evaluations, 2);
+}
+
+/// A run that starts at one temperature, the same in all tools, changes by a tenth of what it has to go, and settles to
+/// another.
+void add_run(SettledEstimates& estimates, const State& tools, double start, double settled) {
+  const auto size = tool_temperatures(tools).size();
+  const auto all = [&](double value) { return Eigen::VectorXd::Constant(size, value).eval(); };
+  estimates.add(all(start), all(start + 0.1 * (settled - start)), all(settled));
+}
+
+TEST(SettledEstimates, of_a_falling_series_is_the_last_one) {
+  const State tools = initial_state(scene_of(slab));
+  SettledEstimates estimates(tools, 0.5);
+  for (double start = 100; start > 0.01; start *= 0.1) add_run(estimates, tools, start, 0.1 * start);
+  EXPECT_FALSE(estimates.only_scatter());
+  EXPECT_NEAR(estimates.mean()[0], 0.01 * 0.1, 0.01 * 0.1);
+  EXPECT_LT(estimates.uncertainty(), 0.05);
+  EXPECT_GT(estimates.uncertainty(), estimates.mean()[0]);
+}
+
+TEST(SettledEstimates, of_runs_that_only_scatter_is_their_mean_within_students_t) {
+  const State tools = initial_state(scene_of(slab));
+  SettledEstimates estimates(tools, 0.5);
+  add_run(estimates, tools, 100, 9);
+  add_run(estimates, tools, 9, 0.4);
+  EXPECT_FALSE(estimates.only_scatter());
+  add_run(estimates, tools, 0.4, -0.8);
+  add_run(estimates, tools, -0.2, 1);
+  EXPECT_TRUE(estimates.only_scatter());
+  EXPECT_NEAR(estimates.mean()[0], 0.1, 1e-12) << "of the two last runs, whose distances are 1.2 K; not of that before";
+  constexpr double t = 6.3138;  // Student's, one degree of freedom, 90 %
+  EXPECT_NEAR(estimates.uncertainty(), t * 0.9, 1e-3);
+  add_run(estimates, tools, 0.1, 1.0);
+  EXPECT_NEAR(estimates.mean()[0], 0.4, 1e-12);
+  EXPECT_NEAR(estimates.uncertainty(), 2.91999 * std::sqrt((1.44 + 0.36 + 0.36) / 2 / 3), 1e-3);
+}
+
+TEST(SettledEstimates, one_run_that_happens_to_settle_close_to_its_start_does_not_outweigh_the_others) {
+  const State tools = initial_state(scene_of(slab));
+  SettledEstimates estimates(tools, 0.5);
+  for (const double settled : {0.6, -0.7, 0.01, 0.8}) add_run(estimates, tools, 0, settled);
+  EXPECT_NEAR(estimates.mean()[0], 0.1775, 1e-12);
 }
 
 TEST(PeriodicState, is_that_of_hundreds_of_plain_cycles) {

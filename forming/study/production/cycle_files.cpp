@@ -92,6 +92,7 @@ std::string json_text(const Scene& scene, const PeriodicRequest& request, const 
   json.add("reason", state.failure);
   add_search(json, scene, state);
   json.add("start_up_cycles", static_cast<long>(state.start_up.size()));
+  if (!state.start_up.empty()) json.add("start_up_end_distance_K", state.start_up.back().distance);
   json.open_object("tools");
   if (!state.settled.samples.empty())
     for (std::size_t t = 0; t < scene.tools.size(); ++t) add_tool(json, scene, state, t);
