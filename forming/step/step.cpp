@@ -135,8 +135,8 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
     after.totals.unforeseen_work +=
         unforeseen_work(scene.glass.flow->viscosity, state.glass.mesh, result.dissipation, predictor.temperature,
                         state.glass.temperature, after.glass.temperature, dt);
-  if (scene.has_flow() && !workspace.static_stage) correct_edges(scene, after);
   if (scene.has_flow()) update_rates(state, dt, after);
+  if (scene.has_flow() && !workspace.static_stage) correct_edges(scene, after);
   advance_openings(scene, state, dt, after);
   after.time += dt;
   after.stage_time += dt;

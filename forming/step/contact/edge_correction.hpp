@@ -14,7 +14,12 @@ namespace parison::forming {
 /// would be inverted is moved as far as it can be. Whether any was moved.
 bool move_edges_out(const Scene& scene, const State& state, const std::vector<Index>& touched, core::Mesh& mesh);
 
-/// The same at the end of a step; the volume stays.
+/// Slides the middle nodes of edges that touch a tool with all nodes, and lie in it between them, along the edge to its
+/// middle, with all that the glass has there: on a rounding of the tool an edge whose middle node is off its middle
+/// cuts the tool. Mass and heat of the glass stay. Whether any slid.
+bool centre_middles(const Scene& scene, State& state);
+
+/// The same two at the end of a step; volume, mass and heat of the glass stay.
 void correct_edges(const Scene& scene, State& state);
 
 }  // namespace parison::forming

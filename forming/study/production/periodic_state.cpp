@@ -134,9 +134,9 @@ void approach(Search& search) {
   auto& estimates = search.estimates;
   const auto runs = [&] { return static_cast<int>(estimates.runs().size()); };
   if (runs() == 0) {
-    const FixedPointOptions options{
-        tolerance, anderson_depth, anderson_delay, most,
-        [&](const Eigen::VectorXd&) { return estimates.only_scatter() ? 0 : estimates.uncertainty(); }};
+    const FixedPointOptions options{tolerance, anderson_depth, anderson_delay, most, [&](const Eigen::VectorXd&) {
+                                      return estimates.only_scatter() ? 0 : estimates.uncertainty();
+                                    }};
     find_fixed_point(
         tool_temperatures(search.initial), [&](const Eigen::VectorXd& x) { return settle(search, x); }, options);
   }

@@ -98,5 +98,57 @@ TEST(EdgeCorrection, the_flow_does_not_press_an_edge_back_that_was_moved_out) {
   EXPECT_GE(moved, 1);
 }
 
+/// The scene with a round tool, of 3 mm radius, under the glass, and heat.
+std::string with_round_tool() {
+  std::string text = ridge;
+  const auto put = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  put(R"("(20, -5) (20, -1.587) (4.13, 0) (0, -0.413) mm")",
+      R"(["(20, -20) (20, -3) (3, -3) mm", "arc centre (0, -3) mm radius 3 mm from 0 deg to 90 deg"])");
+  put(R"("(0, -5) mm")", R"("(0, -20) mm")");
+  put(R"("(20, -5) mm")", R"("(20, -20) mm")");
+  put("\"2 mm\"", "\"1 mm\"");
+  put("viscosity =", "heat_capacity = \"1300 J/kg/K\"\nconductivity = \"2 W/m/K\"\nviscosity =");
+  put("material = \"liquid\"", "material = \"liquid\"\ntemperature = \"900 degC\"");
+  put("friction = \"slip\"", "friction = \"slip\"\nmaterial = \"iron\"\ntemperature = \"500 degC\"");
+  return text + iron + "[[interface]]\ntools = [\"tool\"]\nlaw = \"constant\"\nh = \"1000 W/m2/K\"\n";
+}
+
+TEST(EdgeCorrection, a_middle_that_is_off_the_middle_of_an_edge_on_a_round_tool_slides_back_along_it_with_its_field) {
+  const Scene scene = scene_of(with_round_tool());
+  State state = initial_state(scene);
+  GlassState& glass = state.glass;
+  const auto& edges = glass.mesh.boundary_edges();
+  const auto edge = std::find_if(edges.begin(), edges.end(), [&](const core::BoundaryEdge& e) {
+    return glass.mesh.nodes[e.nodes[0]][0] < 1e-9 && glass.mesh.nodes[e.nodes[2]][1] < 1e-9;
+  });
+  ASSERT_NE(edge, edges.end()) << "on the bottom, at the axis";
+  const auto [first, last, middle] = edge->nodes;
+  const double length = glass.mesh.nodes[last][0];
+  const auto on_tool = [](double r) { return Point(r, -3e-3 + std::sqrt(9e-6 - r * r)); };
+  constexpr double off = 0.1;
+  glass.mesh.nodes[last] = on_tool(length), glass.mesh.nodes[middle] = on_tool((0.5 - off) * length);
+  for (const Index node : edge->nodes) glass.contact_tool[node] = 0;
+  glass.temperature[last] += 50, glass.temperature[middle] += 10;
+  glass.mass_nodes = glass.mesh.nodes;
+  const State before = state;
+  const double depth = max_edge_penetration(scene, state);
+  ASSERT_GT(depth, 5e-6);
+  ASSERT_TRUE(centre_middles(scene, state));
+  EXPECT_NEAR(glass.mesh.nodes[middle][0], 0.5 * length, 0.05 * length);
+  EXPECT_EQ(glass.mass_nodes[middle], glass.mesh.nodes[middle]);
+  EXPECT_NEAR(glass_heat(scene, state), glass_heat(scene, before), 1e-12 * glass_heat(scene, before));
+  // The field along the old edge was 41.7 s^2 + 8.3 s K at the share s of its length.
+  EXPECT_NEAR(glass.temperature[middle] - glass.temperature[first], 14.6, 0.5);
+  const core::Mesh mass = mass_mesh(state), mass_before = mass_mesh(before);
+  EXPECT_NEAR(glass.density * core::volume(mass, scene.geometry),
+              before.glass.density * core::volume(mass_before, scene.geometry), 1e-18);
+  // On the old edge the node lies in the tool a little; moved out of it, it is on the arc, and so is the edge.
+  EXPECT_TRUE(move_edges_out(scene, state, glass.contact_tool, glass.mesh));
+  EXPECT_LT(max_edge_penetration(scene, state), 0.25 * depth);
+  EXPECT_FALSE(centre_middles(scene, state)) << "once is enough";
+}
+
 }  // namespace
 }  // namespace parison::forming
