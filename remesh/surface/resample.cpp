@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 
+#include "remesh/surface/corners.hpp"
 #include "remesh/surface/curve.hpp"
 
 namespace parison::remesh {
@@ -16,54 +15,6 @@ using core::Point;
 
 namespace {
 
-/// Whether an old edge starts at the end of a boundary or at a corner.
-bool is_fixed(const Mesh& old, const std::vector<Link>& links, Index i) {
-  return old.boundary_edges()[i].boundary_id != old.boundary_edges()[links[i].previous].boundary_id ||
-         std::abs(links[i].kink) > corner_angle;
-}
-
-/// The parameter at which an old edge passes a tool corner, and the position of the vertex placed there, m.
-struct Kept {
-  double s;
-  Point vertex;
-};
-
-/// The tool corners at which the surface gets a vertex, by old edge: those that the surface passes at less than half
-/// the edge length there. Where the surface penetrates the tool, half the surface size is enough, because the
-/// projection out of the tool leads around the corner.
-std::map<Index, Kept> kept_places(const Mesh& old, const Criteria& criteria, const SizeField& size) {
-  const std::vector<Link> links = boundary_links(old);
-  std::vector<Point> fixed;
-  for (std::size_t i = 0; i < links.size(); ++i)
-    if (is_fixed(old, links, static_cast<Index>(i))) fixed.push_back(old.nodes[old.boundary_edges()[i].nodes[0]]);
-  std::map<Index, Kept> kept;
-  for (const Point& corner : criteria.keep) {
-    const double target_size = std::min(criteria.surface_size, size(corner));
-    double best = 0.5 * criteria.surface_size;
-    Place found{-1, 0};
-    for (std::size_t i = 0; i < old.boundary_edges().size(); ++i) {
-      const auto& edge = old.boundary_edges()[i].nodes;
-      const Point &a = old.nodes[edge[0]], &b = old.nodes[edge[1]];
-      if (criteria.straight_boundaries[old.boundary_edges()[i].boundary_id] ||
-          (corner - 0.5 * (a + b)).norm() > (b - a).norm() + best)
-        continue;
-      const double s = closest_on(old, edge, corner);
-      const double gap = (point_on(old, edge, s) - corner).norm();
-      const Place here{static_cast<Index>(i), s};
-      if (gap < best && (gap < 0.5 * target_size || penetrates(old, criteria.project_out, here)))
-        best = gap, found = here;
-    }
-    if (found.edge < 0) continue;
-    const Point at = penetrates(old, criteria.project_out, found) ? corner : exterior_point(old, {}, found);
-    const bool crowded =
-        std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) { return (x - at).norm() < 0.3 * target_size; });
-    if (crowded || kept.count(found.edge)) continue;
-    kept[found.edge] = {found.s, at};
-    fixed.push_back(at);
-  }
-  return kept;
-}
-
 class Resampler {
  public:
   Resampler(const Mesh& old, const Criteria& criteria, const SizeField& size)
@@ -71,7 +22,7 @@ class Resampler {
         criteria_(criteria),
         size_(size),
         links_(boundary_links(old)),
-        kept_(kept_places(old, criteria, size)) {}
+        corners_(find_corners(old, criteria, size)) {}
 
   Surface run() {
     const auto count = static_cast<Index>(links_.size());
@@ -89,8 +40,28 @@ class Resampler {
 
  private:
   bool starts_curve(Index i) const {
-    const auto kept = kept_.find(i);
-    return is_fixed(old_, links_, i) || (kept != kept_.end() && kept->second.s == 0);
+    const auto kept = corners_.kept.find(i);
+    return is_fixed(old_, links_, i) || (kept != corners_.kept.end() && kept->second.s == 0);
+  }
+
+  /// The point at a place of the surface that is resampled, m.
+  Point point_at(const Place& place) const {
+    const auto filled = corners_.filled.find(place.edge);
+    if (filled == corners_.filled.end()) return exterior_point(old_, criteria_.project_out, place);
+    const auto& nodes = old_.boundary_edges()[place.edge].nodes;
+    const auto& [s, corner] = filled->second;
+    const bool before = place.s < s;
+    const Point& end = old_.nodes[nodes[before ? 0 : 1]];
+    const double share = before ? place.s / s : s < 1 ? (1 - place.s) / (1 - s) : 0;
+    const Point x = end + share * (corner - end);
+    return criteria_.project_out ? criteria_.project_out(x) : x;
+  }
+
+  /// Appends the part of an edge between two values of s.
+  void extend_to(const Place& from, double to, BoundaryCurve& curve) const {
+    if (!corners_.filled.count(from.edge)) return extend(old_, criteria_.project_out, from, to, curve);
+    const double length = (point_at({from.edge, to}) - point_at(from)).norm();
+    curve.parts.push_back({from, 0, curve.length() + length, to - from.s});
   }
 
   void loop(Index first, Index last) {
@@ -102,13 +73,13 @@ class Resampler {
     do {
       if (i == start || starts_curve(i))
         curves.push_back({{}, criteria_.straight_boundaries[old_.boundary_edges()[i].boundary_id]});
-      const auto kept = kept_.find(i);
-      if (kept != kept_.end() && kept->second.s > 0) {
-        extend(old_, criteria_.project_out, {i, 0}, kept->second.s, curves.back());
+      const auto kept = corners_.kept.find(i);
+      if (kept != corners_.kept.end() && kept->second.s > 0) {
+        extend_to({i, 0}, kept->second.s, curves.back());
         curves.push_back({{}, curves.back().straight});
-        extend(old_, criteria_.project_out, {i, kept->second.s}, 1, curves.back());
+        extend_to({i, kept->second.s}, 1, curves.back());
       } else {
-        extend(old_, criteria_.project_out, {i, 0}, 1, curves.back());
+        extend_to({i, 0}, 1, curves.back());
       }
       i = links_[i].next;
     } while (i != start);
@@ -139,18 +110,15 @@ class Resampler {
       const Point along = (old_.nodes[nodes[1]] - old_.nodes[nodes[0]]).normalized();
       return project_along(criteria_.project_out, exterior_point(old_, {}, place), along);
     }
-    const auto kept = kept_.find(place.edge);
-    if (kept != kept_.end() && kept->second.s == place.s) return kept->second.vertex;
-    return exterior_point(old_, criteria_.project_out, place);
+    const auto kept = corners_.kept.find(place.edge);
+    if (kept != corners_.kept.end() && kept->second.s == place.s) return kept->second.vertex;
+    return point_at(place);
   }
 
   void add(const BoundaryCurve& curve, const BoundaryCurve& next, Index at_least) {
     const Point start = start_of(curve), end = start_of(next);
-    const auto on_curve = [&](double s) -> Point {
-      return exterior_point(old_, criteria_.project_out, place_at(old_, curve, s));
-    };
     const auto point = [&](double s) -> Point {
-      return curve.straight ? Point(start + s / curve.length() * (end - start)) : on_curve(s);
+      return curve.straight ? Point(start + s / curve.length() * (end - start)) : point_at(place_at(old_, curve, s));
     };
     const std::vector<double> at = divide(
         curve.length(),
@@ -175,7 +143,7 @@ class Resampler {
   const Criteria& criteria_;
   const SizeField& size_;
   std::vector<Link> links_;
-  std::map<Index, Kept> kept_;
+  Corners corners_;
   Surface surface_;
   std::vector<bool> mid_contact_, mid_fixed_;
 };

@@ -104,6 +104,16 @@ double cross(const Point& u, const Point& v) {
   return u[0] * v[1] - u[1] * v[0];
 }
 
+/// Reference coordinates, those of a point farther outside than `furthest` brought back to there. Small changes of the
+/// point change the result a little only.
+std::array<double, 2> limited(const std::array<double, 2>& at) {
+  std::array<double, 3> above{1 - at[0] - at[1], at[0], at[1]};
+  double sum = 0;
+  for (double& fraction : above) sum += fraction = std::max(0.0, fraction + furthest);
+  const double scale = (1 + 3 * furthest) / sum;
+  return {above[1] * scale - furthest, above[2] * scale - furthest};
+}
+
 /// Convex polygon of a few corners.
 struct Polygon {
   std::array<Point, 10> corner;
@@ -210,12 +220,17 @@ class Overlay {
   }
 
  private:
-  /// Value of the field at x by the old cell, or by another where that is too far.
+  /// Value of the field at x by the old cell. Where that is too far, by the cell that contains x or, outside all cells,
+  /// by no more than the allowed extrapolation.
   double old_value(Index old, std::array<double, 2> at, const Point& x) const {
     if (!(std::min({at[0], at[1], 1 - at[0] - at[1]}) > -furthest)) {
       const CellGrid::Found found = grid_.find(x);
-      old = found.cell;
-      at = found.at;
+      if (found.miss == 0 || !std::isfinite(at[0] + at[1])) {
+        old = found.cell;
+        at = found.at;
+      } else {
+        at = limited(at);
+      }
     }
     const auto shape = core::triangle_shape(at[0], at[1]);
     double value = 0;

@@ -157,14 +157,56 @@ TEST(RemeshGlass, thermal_skin_is_refined_and_no_finer_than_allowed) {
 TEST(RemeshGlass, a_tool_corner_on_the_surface_gets_a_vertex) {
   const Mesh old = meshed(gob(), 2e-3);
   Criteria criteria = criteria_for(old, 2e-3);
-  const Point on(26e-3, 49.77e-3), off(30e-3, 49e-3);
-  criteria.keep = {on, off};
+  const Point on(26e-3, 49.77e-3), off(30e-3, 49e-3), close(26.1e-3, 52.5e-3);
+  criteria.keep = {on, off, close};
   const Remeshed made = remesh_glass(old, criteria);
   ASSERT_TRUE(made.ok) << made.reason;
-  double nearest = 1;
-  for (Index i = 0; i < made.mesh.vertex_count(); ++i) nearest = std::min(nearest, (made.mesh.nodes[i] - on).norm());
-  EXPECT_LT(nearest, 1e-12);
+  const auto nearest = [&](const Point& x) {
+    double distance = 1;
+    for (Index i = 0; i < made.mesh.vertex_count(); ++i) distance = std::min(distance, (made.mesh.nodes[i] - x).norm());
+    return distance;
+  };
+  EXPECT_LT(nearest(on), 1e-12);
+  EXPECT_LT(nearest(close), 1e-12) << "less than a tenth of an edge away";
   expect_sound(old, made, "gob_keep");
+}
+
+/// Distance of the vertex of a new mesh nearest to x, m, for a block of 12 mm whose corner is cut off from 11.5 mm to a
+/// height `high`, mm, and which touches a tool with that corner or touches nothing.
+double nearest_vertex(const Point& x, double high, bool touches) {
+  const Mesh old = meshed(Pen(0, 0)
+                              .line(11.5, 0, "outer")
+                              .line(12, high, "outer")
+                              .line(12, 10, "outer")
+                              .line(0, 10, "outer")
+                              .line(0, 0, "axis")
+                              .closed(),
+                          1e-3);
+  Criteria criteria = criteria_for(old, 1e-3);
+  criteria.geometry = core::Geometry::planar;
+  criteria.keep = {Point(12e-3, 0)};
+  criteria.contact.assign(old.nodes.size(), touches);
+  const Remeshed made = remesh_glass(old, criteria);
+  EXPECT_TRUE(made.ok) << made.reason;
+  EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13);
+  if (high == 0.5 && touches)
+    for (const core::BoundaryEdge& edge : made.mesh.boundary_edges())
+      for (const Index node : edge.nodes) {
+        const Point at = made.mesh.nodes[node];
+        if (at[0] > 11.5e-3 && at[1] < 0.5e-3) EXPECT_LT(std::min(12e-3 - at[0], at[1]), 10e-6) << "off both walls";
+      }
+  double distance = 1;
+  for (Index i = 0; i < made.mesh.vertex_count(); ++i) distance = std::min(distance, (made.mesh.nodes[i] - x).norm());
+  return distance;
+}
+
+TEST(RemeshGlass, a_corner_that_glass_in_contact_has_not_filled_by_half_an_edge_is_filled) {
+  const Point corner(12e-3, 0), cut(11.75e-3, 0.25e-3), end(12e-3, 0.1e-3);
+  EXPECT_LT(nearest_vertex(corner, 0.5, true), 1e-12);
+  EXPECT_LT(nearest_vertex(cut, 0.5, false), 1e-5);
+  EXPECT_GT(nearest_vertex(corner, 0.5, false), 0.3e-3);
+  EXPECT_LT(nearest_vertex(corner, 0.1, true), 1e-12) << "an old vertex so near moves into the corner";
+  EXPECT_EQ(nearest_vertex(end, 0.1, false), 0);
 }
 
 TEST(RemeshGlass, the_same_mesh_gives_the_same_bits) {
