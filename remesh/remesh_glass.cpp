@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/mesh/tolerances.hpp"
 #include "remesh/mesher/mesh_outline.hpp"
 #include "remesh/surface/axis_closing.hpp"
 #include "remesh/surface/curve.hpp"
@@ -67,12 +68,13 @@ Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mes
   ClosedOnAxis closed{distorted};
   if (criteria.geometry == core::Geometry::axisymmetric && has_reached_axis(distorted))
     closed = close_on_axis(distorted, max_lap * result.volume_before);
-  const Mesh old = without_collapsed_edges(std::move(closed.mesh));
+  const Mesh old = without_collapsed_edges(std::move(closed.mesh), criteria.contact);
   const SizeField size = size_field(old, criteria);
   result.coarsening_factor = size.coarsening_factor();
   Surface surface = resample(old, criteria, size);
   const double volume = result.volume_before;
-  const Crossings crossings = remove_crossings(criteria.geometry, {max_lap * volume, max_torn * volume}, surface);
+  const Crossings crossings = remove_crossings(
+      criteria.geometry, {max_lap * volume, max_torn * volume, core::tolerance::torn_neck * core::size(old)}, surface);
   result.laps = crossings.laps + closed.voids, result.lap_volume = crossings.lap_volume + closed.volume;
   result.torn = crossings.torn, result.torn_volume = crossings.torn_volume;
   if (crossings.first >= 0) {
@@ -106,7 +108,7 @@ MeshedInside mesh_inside(const Mesh& mesh, const Mesh& old, const Criteria& crit
     outline.boundary_ids.push_back(edges[i].boundary_id);
     if (i + 1 == edges.size() || edges[i + 1].nodes[0] != last) outline.loop_start.push_back(outline.edge_count());
   }
-  const SizeField size = size_field(without_collapsed_edges(old), criteria);
+  const SizeField size = size_field(without_collapsed_edges(old, criteria.contact), criteria);
   MeshedOutline meshed = mesh_outline(outline, mesh.boundaries(), size, mesher);
   return {std::move(meshed.mesh), std::move(meshed.reason)};
 }

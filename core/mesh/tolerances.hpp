@@ -24,9 +24,12 @@ inline constexpr double outline_penetration = 1.5e-4;
 inline constexpr double contact_proximity = 1.5e-2;
 /// Distance from the surface of the glass that the end of a boundary named by a stage may have (5 mm).
 inline constexpr double named_end = 7.5e-2;
+/// Thickness of a free neck of glass below which what hangs on it has torn off (5 um: it would take for ever to get to
+/// nothing).
+inline constexpr double torn_neck = 7.5e-5;
 /// Shift of the free surface in one round of restoring the volume (50 um), and the shifts of the free part (20 um) and
-/// of the whole surface (3 um) that decide which of them moves.
-inline constexpr double shift = 7.5e-4, free_shift = 3e-4, whole_shift = 4.5e-5;
+/// of the whole surface (1 um, what a step may leave) that decide which of them moves.
+inline constexpr double shift = 7.5e-4, free_shift = 3e-4, whole_shift = 1.5e-5;
 /// Overlap of a tool with the glass that makes a stage impossible (0.5 mm), and distance of a tool from the start of
 /// its motion (1 um: what decimals in a case file leave).
 inline constexpr double stage_overlap = 7.5e-3, motion_start = 1.5e-5;

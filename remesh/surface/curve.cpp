@@ -80,8 +80,8 @@ std::vector<Link> boundary_links(const Mesh& mesh) {
   return links;
 }
 
-Mesh without_collapsed_edges(Mesh mesh) {
-  constexpr double collapsed = 0.01;  // largest chord, in chords of the shorter neighbour
+Mesh without_collapsed_edges(Mesh mesh, const std::vector<bool>& contact) {
+  constexpr double collapsed = 0.01, short_in_air = 0.1;  // largest chord, in chords of the shorter neighbour
   const std::vector<Link> links = boundary_links(mesh);
   const auto chord = [&](Index i) {
     const Edge& edge = mesh.boundary_edges()[i].nodes;
@@ -91,9 +91,10 @@ Mesh without_collapsed_edges(Mesh mesh) {
   std::vector<bool> leaves(links.size(), false);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Index previous = links[i].previous, next = links[i].next;
-    if (leaves[previous] || leaves[next] ||
-        chord(static_cast<Index>(i)) > collapsed * std::min(chord(previous), chord(next)))
-      continue;
+    const Edge& own = mesh.boundary_edges()[i].nodes;
+    const bool in_air = !contact.empty() && std::none_of(own.begin(), own.end(), [&](Index n) { return contact[n]; });
+    const double most = (in_air ? short_in_air : collapsed) * std::min(chord(previous), chord(next));
+    if (leaves[previous] || leaves[next] || chord(static_cast<Index>(i)) > most) continue;
     const Edge& nodes = mesh.boundary_edges()[i].nodes;
     const Index boundary_id = mesh.boundary_edges()[i].boundary_id;
     leaves[i] = true;

@@ -19,9 +19,10 @@ struct Link {
 std::vector<Link> boundary_links(const core::Mesh& mesh);
 
 /// The mesh without collapsed boundary edges: edges shorter than a hundredth of both neighbours, which arise where two
-/// nodes meet in a corner of the tools. The boundary stays closed and the ends of boundaries are kept. Cells and nodes
-/// are not changed.
-core::Mesh without_collapsed_edges(core::Mesh mesh);
+/// nodes meet in a corner of the tools, and of those that touch no tool (`contact`: whether each node does; empty: not
+/// known) edges shorter than a tenth, which arise in the notch where glass has folded. The boundary stays closed and
+/// the ends of boundaries are kept. Cells and nodes are not changed.
+core::Mesh without_collapsed_edges(core::Mesh mesh, const std::vector<bool>& contact = {});
 
 /// Point, m, unit tangent, and arc length from s = 0, m, of a quadratic edge (first, last, mid) at s in [0, 1].
 core::Point point_on(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double s);

@@ -63,6 +63,33 @@ TEST(Crossings, a_piece_behind_a_neck_thinner_than_nothing_is_cut_off) {
   EXPECT_NEAR(area(surface), 100, 1);
 }
 
+TEST(Crossings, a_piece_on_a_neck_thinner_than_the_limit_is_cut_off_and_a_wedge_or_a_film_on_a_tool_is_not) {
+  const auto necked = [](double half) {
+    return polygon({{0, 0},
+                    {10, 0},
+                    {10, 10},
+                    {5 + half, 10.5},
+                    {5 + half, 11.5},
+                    {5.5, 12},
+                    {5.5, 14},
+                    {4.5, 14},
+                    {4.5, 12},
+                    {5 - half, 11.5},
+                    {5 - half, 10.5},
+                    {0, 10}});
+  };
+  const CrossingLimits limits{0.1, 5, 0.05};
+  Surface thin = necked(0.02), thick = necked(0.03), held = necked(0.02), large = necked(0.02);
+  EXPECT_EQ(remove_crossings(core::Geometry::planar, limits, thin).torn, 1);
+  EXPECT_NEAR(area(thin), 101, 4);
+  EXPECT_EQ(remove_crossings(core::Geometry::planar, limits, thick).torn, 0);
+  held.contact.assign(held.contact.size(), true);
+  EXPECT_EQ(remove_crossings(core::Geometry::planar, limits, held).torn, 0);
+  EXPECT_EQ(remove_crossings(core::Geometry::planar, {0.1, 1, 0.05}, large).torn, 0);
+  Surface wedge = polygon({{0, 0}, {10, 0}, {10, 5}, {5, 5.01}, {0.02, 5.02}, {0, 5.03}, {-0.02, 5.02}, {-5, 5.01}});
+  EXPECT_EQ(remove_crossings(core::Geometry::planar, limits, wedge).torn, 0);
+}
+
 TEST(Crossings, a_large_piece_is_left_and_said_to_be_torn) {
   Surface surface = pinched();
   const Crossings found = remove_crossings(core::Geometry::planar, {0.1, 1}, surface);

@@ -6,8 +6,9 @@ namespace parison::remesh {
 
 /// Largest volumes, m3, of what may be cut off where a surface crosses itself.
 struct CrossingLimits {
-  double lap;   ///< notch between folded glass, or glass that overlaps itself
-  double torn;  ///< piece that hangs on a neck of negative width
+  double lap;       ///< notch between folded glass, or glass that overlaps itself
+  double torn;      ///< piece that hangs on a neck of negative width, or one thinner than `neck`
+  double neck = 0;  ///< thickness, m, of a neck without contact that has torn
 };
 
 /// What was cut off where a surface crossed itself.
@@ -23,7 +24,8 @@ struct Crossings {
 
 /// Removes the places where a surface crosses itself. Where glass has folded onto itself, the notch in between is cut
 /// off by a chord. Where a neck of the glass has become so thin that its sides have crossed, the smaller piece behind
-/// it has torn off and is cut off as well. What is greater than the limits is left as it is.
+/// it has torn off and is cut off as well; so it is where the neck is thinner than the limit. What is greater than the
+/// limits is left as it is.
 Crossings remove_crossings(core::Geometry geometry, const CrossingLimits& limits, Surface& surface);
 
 }  // namespace parison::remesh

@@ -22,7 +22,7 @@ struct MovableSurface {
 
 /// Shifts the surface by a common distance until the mesh has the volume `target`, m3: the part without
 /// contact; the whole surface where there is no such part or where it would have to move by more than 20 um and the
-/// whole one by less than 3 um. Returns the volume reached.
+/// whole one by less than 1 um. Returns the volume reached.
 double restore_volume(const MovableSurface& surface, core::Geometry geometry, double target, core::Mesh& mesh);
 
 }  // namespace parison::remesh
