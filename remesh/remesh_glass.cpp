@@ -60,22 +60,15 @@ std::string describe(const Crossings& crossings, const Surface& surface, double 
                      at(crossings.first), at(crossings.second), max_lap);
 }
 
-}  // namespace
-
-Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mesher& mesher) {
-  Remeshed result;
-  result.volume_before = core::volume(distorted, criteria.geometry);
-  ClosedOnAxis closed{distorted};
-  if (criteria.geometry == core::Geometry::axisymmetric && has_reached_axis(distorted))
-    closed = close_on_axis(distorted, max_lap * result.volume_before);
-  const Mesh old = without_collapsed_edges(std::move(closed.mesh), criteria.contact);
-  const SizeField size = size_field(old, criteria);
-  result.coarsening_factor = size.coarsening_factor();
-  Surface surface = resample(old, criteria, size);
+/// What remesh_glass does with the old mesh, where the surface fills corners of tools or not; `result` is what is known
+/// of it before.
+Remeshed mesh_anew(const Mesh& old, const Criteria& criteria, const SizeField& size, CornerFilling filling,
+                   const Mesher& mesher, Remeshed result) {
+  Surface surface = resample(old, criteria, size, filling);
   const double volume = result.volume_before;
   const Crossings crossings = remove_crossings(
       criteria.geometry, {max_lap * volume, max_torn * volume, core::tolerance::torn_neck * core::size(old)}, surface);
-  result.laps = crossings.laps + closed.voids, result.lap_volume = crossings.lap_volume + closed.volume;
+  result.laps += crossings.laps, result.lap_volume += crossings.lap_volume;
   result.torn = crossings.torn, result.torn_volume = crossings.torn_volume;
   if (crossings.first >= 0) {
     result.reason = describe(crossings, surface, volume);
@@ -95,6 +88,26 @@ Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mes
   result.volume_after =
       restore_volume(movable_surface(result.mesh, surface), criteria.geometry, result.volume_before, result.mesh);
   result.ok = true;
+  return result;
+}
+
+}  // namespace
+
+Remeshed remesh_glass(const Mesh& distorted, const Criteria& criteria, const Mesher& mesher) {
+  Remeshed known;
+  known.volume_before = core::volume(distorted, criteria.geometry);
+  ClosedOnAxis closed{distorted};
+  if (criteria.geometry == core::Geometry::axisymmetric && has_reached_axis(distorted))
+    closed = close_on_axis(distorted, max_lap * known.volume_before);
+  known.laps = closed.voids, known.lap_volume = closed.volume;
+  const Mesh old = without_collapsed_edges(std::move(closed.mesh), criteria.contact);
+  const SizeField size = size_field(old, criteria);
+  known.coarsening_factor = size.coarsening_factor();
+  Remeshed result = mesh_anew(old, criteria, size, CornerFilling::where_little_is_missing, mesher, known);
+  // Where edges are coarse beside the body, what they miss at corners is more than the rest of the surface can give.
+  if (!result.ok) {
+    if (Remeshed other = mesh_anew(old, criteria, size, CornerFilling::none, mesher, known); other.ok) return other;
+  }
   return result;
 }
 

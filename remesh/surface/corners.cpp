@@ -100,7 +100,7 @@ bool is_fixed(const Mesh& old, const std::vector<Link>& links, Index i) {
          std::abs(links[i].kink) > corner_angle;
 }
 
-Corners find_corners(const Mesh& old, const Criteria& criteria, const SizeField& size) {
+Corners find_corners(const Mesh& old, const Criteria& criteria, const SizeField& size, CornerFilling filling) {
   const std::vector<Link> links = boundary_links(old);
   std::vector<Point> fixed;
   for (std::size_t i = 0; i < links.size(); ++i)
@@ -115,8 +115,9 @@ Corners find_corners(const Mesh& old, const Criteria& criteria, const SizeField&
       found = nearest_kink(old, links, corner, 0.3 * target_size).value_or(found);
     const Point passed = exterior_point(old, {}, found);
     std::map<Index, FilledEdge> edges;
-    const bool filled = add_filled(old, criteria, links, found, corner, target_size, edges) ||
-                        (passed - corner).norm() < 0.1 * target_size;
+    const bool filled =
+        filling != CornerFilling::none && (add_filled(old, criteria, links, found, corner, target_size, edges) ||
+                                           (passed - corner).norm() < 0.1 * target_size);
     const Point at = filled || penetrates(old, criteria.project_out, found) ? corner : passed;
     const bool crowded = std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) {
       return (x - at).norm() < 0.3 * target_size && !(filled && x == passed);

@@ -31,6 +31,6 @@ bool is_fixed(const core::Mesh& old, const std::vector<Link>& links, core::Index
 
 /// What the new surface does at the tool corners `criteria.keep`. Where the old one counts as filling a corner the
 /// vertex lies in it: how much of it a mesh fills would be chance, and with it where all glass beside the corner lies.
-Corners find_corners(const core::Mesh& old, const Criteria& criteria, const SizeField& size);
+Corners find_corners(const core::Mesh& old, const Criteria& criteria, const SizeField& size, CornerFilling filling);
 
 }  // namespace parison::remesh

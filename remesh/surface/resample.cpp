@@ -17,12 +17,12 @@ namespace {
 
 class Resampler {
  public:
-  Resampler(const Mesh& old, const Criteria& criteria, const SizeField& size)
+  Resampler(const Mesh& old, const Criteria& criteria, const SizeField& size, CornerFilling filling)
       : old_(old),
         criteria_(criteria),
         size_(size),
         links_(boundary_links(old)),
-        corners_(find_corners(old, criteria, size)) {}
+        corners_(find_corners(old, criteria, size, filling)) {}
 
   Surface run() {
     const auto count = static_cast<Index>(links_.size());
@@ -150,8 +150,8 @@ class Resampler {
 
 }  // namespace
 
-Surface resample(const Mesh& old, const Criteria& criteria, const SizeField& size) {
-  return Resampler(old, criteria, size).run();
+Surface resample(const Mesh& old, const Criteria& criteria, const SizeField& size, CornerFilling filling) {
+  return Resampler(old, criteria, size, filling).run();
 }
 
 }  // namespace parison::remesh

@@ -40,8 +40,12 @@ struct Surface {
 /// the error of the solution.
 SizeField size_field(const core::Mesh& old, const Criteria& criteria);
 
+/// Whether a surface that passes a corner of a tool closely is led into it.
+enum class CornerFilling { where_little_is_missing, none };
+
 /// Divides the old boundary's quadratic curves according to the size field. Edges that penetrate a tool are divided on
 /// their projection out of it. Ends of boundaries and corners keep their exact positions.
-Surface resample(const core::Mesh& old, const Criteria& criteria, const SizeField& size);
+Surface resample(const core::Mesh& old, const Criteria& criteria, const SizeField& size,
+                 CornerFilling filling = CornerFilling::where_little_is_missing);
 
 }  // namespace parison::remesh

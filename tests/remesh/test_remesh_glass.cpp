@@ -209,6 +209,25 @@ TEST(RemeshGlass, a_corner_that_glass_in_contact_has_not_filled_by_half_an_edge_
   EXPECT_EQ(nearest_vertex(end, 0.1, false), 0);
 }
 
+TEST(RemeshGlass, a_corner_that_would_take_more_than_a_percent_of_the_glass_is_not_filled) {
+  const Mesh old = meshed(Pen(0, 0)
+                              .line(3.2, 0, "outer")
+                              .line(4, 0.8, "outer")
+                              .line(4, 2, "outer")
+                              .line(0, 2, "outer")
+                              .line(0, 0, "axis")
+                              .closed(),
+                          1e-3);
+  Criteria criteria = criteria_for(old, 2e-3);
+  criteria.geometry = core::Geometry::planar;
+  criteria.keep = {Point(4e-3, 0)};
+  criteria.contact.assign(old.nodes.size(), true);
+  const Remeshed made = remesh_glass(old, criteria);
+  ASSERT_TRUE(made.ok) << made.reason;
+  EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13);
+  for (const Point& x : made.mesh.nodes) EXPECT_GT((x - Point(4e-3, 0)).norm(), 0.5e-3);
+}
+
 TEST(RemeshGlass, the_same_mesh_gives_the_same_bits) {
   const Mesh old = pressed_cup(1);
   const Remeshed first = remesh_glass(old, criteria_for(old, 1e-3));
