@@ -30,11 +30,10 @@ std::string balance(const Quantity& quantity) {
 
 /// The bar of a quantity by the runs that have it; NaN where the run itself is the only one.
 double bar_of(const Quantity& quantity, const std::vector<CoarserRun>& coarser) {
-  double bar = none;
+  std::vector<ValueOfRun> values{{1, quantity.value}};
   for (const CoarserRun& run : coarser)
-    if (const Quantity* other = run.quantities.find(quantity.name))
-      bar = std::fmax(bar, bar_over_difference(run.factor) * std::abs(other->value - quantity.value));
-  return bar;
+    if (const Quantity* other = run.quantities.find(quantity.name)) values.push_back({run.factor, other->value});
+  return bar_of_values(values);
 }
 
 double median(std::vector<double> values) {
@@ -72,14 +71,27 @@ template <typename Difference>
 double bar_by(const Quantities& run, const std::vector<CoarserRun>& coarser, const Difference& difference) {
   double bar = none;
   for (const CoarserRun& one : coarser)
-    bar = std::fmax(bar, bar_over_difference(one.factor) * difference(one.quantities, run));
+    bar = std::fmax(bar, richardson_estimate(difference(one.quantities, run), 1, one.factor));
   return std::isfinite(bar) ? std::max(bar, resolution) : none;
 }
 
 }  // namespace
 
-double bar_over_difference(double factor) {
-  return 1 / (std::pow(factor, bar_order) - 1);
+double richardson_estimate(double difference, double fine, double coarse, double order) {
+  return std::abs(difference / (std::pow(coarse, order) - std::pow(fine, order)));
+}
+
+double bar_of_values(const std::vector<ValueOfRun>& values) {
+  double bar = none;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const ValueOfRun &run = values.front(), &one = values[i];
+    bar = std::fmax(bar, richardson_estimate(one.value - run.value, run.factor, one.factor));
+    if (i == 1) continue;
+    const ValueOfRun &before = values[i - 1], &earlier = values[i - 2];
+    const bool turns = (one.value - before.value) * (before.value - earlier.value) < 0;
+    if (turns) bar = std::fmax(bar, richardson_estimate(one.value - before.value, before.factor, one.factor));
+  }
+  return bar;
 }
 
 double size_of_kind(const Quantities& run, const Quantity& quantity) {

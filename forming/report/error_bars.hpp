@@ -14,7 +14,7 @@ inline constexpr std::array coarser_factors{1.5, 3.0};
 
 /// The order of the error bars. Chosen on the scenes of tests/bars, which say how well it does on each of them left
 /// out. It is below the order of the method, because runs agree by chance and because contact comes in jumps.
-inline constexpr double bar_order = 0.7;
+inline constexpr double bar_order = 0.65;
 
 /// A run of the same scene with edges and steps `factor` times as long.
 struct CoarserRun {
@@ -48,13 +48,23 @@ struct ErrorBars {
   std::optional<AccuracyRecord> control;  ///< where an accuracy was asked for
 };
 
-/// The bar of a quantity: the largest that Richardson's estimate makes, at a low order, of its differences from the
-/// coarser runs (L. F. Richardson, Phil. Trans. R. Soc. A 210 (1911) 307-357). Temperatures and heats lend each other
-/// the usual size of their bars.
+/// The bar of a quantity: that of its values in all runs (bar_of_values). Temperatures and heats lend each other the
+/// usual size of their bars.
 ErrorBars error_bars(const Quantities& run, std::vector<CoarserRun> coarser);
 
-/// By what the difference from a run `factor` times coarser is multiplied.
-double bar_over_difference(double factor);
+/// Richardson's estimate of the error of a run by the difference of two runs whose edges and steps are `fine` and
+/// `coarse` times as long as its own (L. F. Richardson, Phil. Trans. R. Soc. A 210 (1911) 307-357).
+double richardson_estimate(double difference, double fine, double coarse, double order = bar_order);
+
+/// A value, and how many times as long as those of the run in question are edges and steps of the run that gave it.
+struct ValueOfRun {
+  double factor, value;
+};
+
+/// The error bar of the first value by those of ever coarser runs of the same scene: the largest estimate that its
+/// differences from them make and, where the values do not go one way with the edges, those of the coarser runs beside
+/// the turn: there the first may agree with the next by chance. NaN where the first or all others are not finite.
+double bar_of_values(const std::vector<ValueOfRun>& values);
 
 /// The bars of a kind are alike as shares of this. Heats: between its own, of which the mesh and the steps get a
 /// share wrong, and all of it, as what one tool gets too much another lacks. In the unit of the quantity.

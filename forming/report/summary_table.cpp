@@ -143,18 +143,16 @@ std::string error_text(const Quantity& quantity) {
 
 /// What the bars rest on.
 std::string coarser_lines(const ErrorBars& bars) {
-  std::string factors, shares;
+  std::string factors;
   double seconds = 0;
   for (const CoarserRun& run : bars.coarser) {
     factors += fmt::format("{}{:.3g}", factors.empty() ? "" : " and ", run.factor);
-    shares += fmt::format("{}{:.2g}", shares.empty() ? "" : " and ", bar_over_difference(run.factor));
     seconds += run.cpu_seconds;
   }
   return fmt::format(
-      "  by {} {} times coarser ({:.1f} s CPU): {} times the difference{};\n"
+      "  by {} {} times coarser ({:.1f} s CPU), the largest that the differences of the runs show;\n"
       "  about nine of ten true errors are smaller; - where no coarser run has the quantity\n",
-      bars.coarser.size() == 1 ? "a run" : "runs", factors, seconds, shares,
-      bars.coarser.size() == 1 ? "" : ", whichever is larger");
+      bars.coarser.size() == 1 ? "a run" : "runs", factors, seconds);
 }
 
 /// The runs that were made for an accuracy that was asked for, and whether it was reached.

@@ -66,6 +66,8 @@ constexpr double least_room = 0.5;
 /// Least cosine between a ray and the normal at its end beside a rim, where the sides bend towards each other.
 constexpr double facing_at_rim = 0.97;
 /// What glass needs to be a wall: surface with another side opposite over all of it, its length over its thickness.
+/// Each stretch beside a longer one needs that length too. A round roll is as long as thick: near that, the mesh would
+/// decide.
 constexpr double least_share = 0.25, least_length = 1.5;
 
 /// Rows with place and area, in the order of walking the wanted edges; `nodes` says whose they are.
@@ -176,13 +178,17 @@ void take_off(ThicknessRow& row, WallMark mark) {
   row.inner_position = Point::Constant(none);
 }
 
-/// A stretch of wall shorter than it is thick is none: rays from a heel or a bead that happen to meet the other side.
+/// A short stretch of wall is none: a roll at a rim, or rays from a heel or a bead that happen to meet the other side.
 /// What is no wall beside a rim is rim.
 void clean_marks(const core::Mesh& mesh, const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
-  for (const Stretch& stretch : wall_stretches(mesh, nodes, rows)) {
+  const std::vector<Stretch> stretches = wall_stretches(mesh, nodes, rows);
+  double longest = 0;
+  for (const Stretch& stretch : stretches) longest = std::max(longest, stretch.length);
+  for (const Stretch& stretch : stretches) {
+    const double least = stretch.length < longest ? least_length : 1;
     double thickest = 0;
     for (std::size_t i = stretch.begin; i < stretch.end; ++i) thickest = std::max(thickest, rows[i].thickness);
-    for (std::size_t i = stretch.begin; i < stretch.end && stretch.length < thickest; ++i)
+    for (std::size_t i = stretch.begin; i < stretch.end && stretch.length < least * thickest; ++i)
       take_off(rows[i], WallMark::foot);
   }
   const auto spread = [&](std::size_t from, std::size_t to) {

@@ -14,7 +14,7 @@ SCENES, REFERENCES, MEASURED = HERE / "scenes", HERE / "references.json", HERE /
 # References are far finer than fine: edges and steps in units of its; what a scene costs decides.
 FINER = {"bottle_blow": 0.6, "vial": 0.6, "neck_press": 0.65, "slab_press": 0.65, "tube": 0.45, "gob": 0.45,
          "plate_over_ring": 0.45, "cup": 0.45, "squash": 0.45, "punch": 0.45, "bar_press": 0.45,
-         "cup_force": 0.5, "bar_stroke": 0.5, "pad": 0.4}
+         "cup_force": 0.5, "dish": 0.45, "lens": 0.45, "pestle": 0.4, "bar_stroke": 0.5, "pad": 0.4}
 FINEST = 0.3
 QUIET = ("--set", "output.interval=1000 s")
 

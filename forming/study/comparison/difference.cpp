@@ -158,7 +158,7 @@ double scatter_by_twins(const Evidence& evidence, const Value& value) {
   int count = 0;
   for (const auto& [run, twin, factor] : evidence.twins)
     if (const auto found = difference_of(value, *run, *twin)) {
-      const double finer = *found / std::pow(factor, bar_order);
+      const double finer = *found / std::pow(factor, difference_order);
       squares += finer * finer;
       ++count;
     }
@@ -172,7 +172,7 @@ double error_by_partners(const Evidence& evidence, const Value& value, double di
   double error = none;
   for (const Partners& partners : evidence.partners)
     if (const auto coarse = difference_of(value, partners.pairs))
-      error = std::fmax(error, bar_over_difference(partners.factor) * std::abs(*coarse - difference));
+      error = std::fmax(error, richardson_estimate(*coarse - difference, 1, partners.factor, difference_order));
   return error;
 }
 

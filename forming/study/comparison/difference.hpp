@@ -8,6 +8,9 @@
 
 namespace parison::forming {
 
+/// The order of the error bars of differences (richardson_estimate). tests/difference_bars says how well it does.
+inline constexpr double difference_order = 0.7;
+
 /// Whether a difference is larger than its error bar.
 enum class Significance { real, within_error, unknown };
 /// "real", "within its error" or "no error bar".

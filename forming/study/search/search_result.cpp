@@ -215,14 +215,14 @@ Confirmed read_confirmed(const Goal& goal, const std::string& folder) {
   const auto found = worth(goal, own);
   if (!found) return {none, none, false, own.reason.empty() ? "it lacks what the goal needs" : own.reason};
   Confirmed confirmed{found->value, none, found->holds(), "", own, found};
+  std::vector<ValueOfRun> values{{1, found->value}};
   for (std::size_t i = 0; i < coarse_folders.size(); ++i) {
     const std::string coarse = folder + '/' + coarse_folders[i];
     if (!std::filesystem::exists(coarse + "/summary.json")) continue;
-    const auto other = worth(goal, read_outcome(coarse, goal.target.part));
-    if (!other) continue;
-    const double bar = std::abs(other->value - found->value) * bar_over_difference(coarser_factors[i]);
-    confirmed.bar = std::isnan(confirmed.bar) ? bar : std::max(confirmed.bar, bar);
+    if (const auto other = worth(goal, read_outcome(coarse, goal.target.part)))
+      values.push_back({coarser_factors[i], other->value});
   }
+  confirmed.bar = bar_of_values(values);
   return confirmed;
 }
 

@@ -97,15 +97,11 @@ const QuantityColumn* find_column(const SweepTable& table, const std::string& na
 
 /// The bar of the wall at a point, by the coarser runs, as that of a quantity.
 double numerical_bar(const FinishedRun& mean, std::size_t point) {
-  double bar = none;
-  for (const FinishedRun& coarser : mean.coarser) {
-    const std::vector<double>& other = coarser.quantities.profile;
-    if (other.empty() || !std::isfinite(other[point])) continue;
-    const double estimate =
-        std::abs(other[point] - mean.quantities.profile[point]) * bar_over_difference(coarser.factor);
-    bar = std::isnan(bar) ? estimate : std::max(bar, estimate);
-  }
-  return bar;
+  std::vector<ValueOfRun> values{{1, mean.quantities.profile[point]}};
+  for (const FinishedRun& coarser : mean.coarser)
+    if (const std::vector<double>& other = coarser.quantities.profile; !other.empty())
+      values.push_back({coarser.factor, other[point]});
+  return bar_of_values(values);
 }
 
 /// The runs that are read, and which of those that were drawn are done.

@@ -266,6 +266,17 @@ TEST(WallSides, a_heavy_dish_has_a_bottom_and_a_flange_ends_in_a_rim) {
     if (row.position[0] > 30e-3 - 1e-9) EXPECT_EQ(row.mark, WallMark::rim);
 }
 
+TEST(WallSides, a_thick_roll_at_the_rim_of_a_thin_dish_is_no_wall) {
+  const auto dish =
+      profile_of("axisymmetric", boundary("outer", "\"(0, 0) (28, 0) (28, 11) mm\"") +
+                                     boundary("roll", "\"arc centre (24, 11) mm radius 4 mm from 0 deg to 180 deg\"") +
+                                     boundary("inner", "\"(20, 1.5) (0, 1.5) mm\"") +
+                                     boundary("axis", "\"(0, 0) mm\"", "symmetry"));
+  expect_uniform(dish, 1.5e-3, 1e-9);
+  for (const ThicknessRow& row : dish.rows)
+    EXPECT_EQ(row.is_wall(), row.position[0] <= 20e-3) << row.position.transpose();
+}
+
 TEST(WallSides, a_gob_is_no_wall) {
   expect_no_wall(
       profile_of("axisymmetric", boundary("all", "\"arc centre (0, 0) mm radius 26 mm from -90 deg to 90 deg\"") +

@@ -33,18 +33,20 @@ std::vector<double> profile_of(const Json& summary) {
 /// The bar at each place by the coarser runs; empty without one.
 std::vector<double> bars_of(const std::string& folder, const Json& summary, const forming::Scene& scene) {
   const std::vector<double> own = profile_of(summary);
-  std::vector<double> bars;
-  if (own.empty() || !summary.contains("error_bars")) return bars;
+  if (own.empty() || !summary.contains("error_bars")) return {};
+  std::vector<std::vector<forming::ValueOfRun>> values;
+  for (const double value : own) values.push_back({{1, value}});
   for (const forming::CoarseCase& coarse : forming::coarse_cases(scene, folder)) {
     const std::string path = coarse.directory + "/summary.json";
     if (!std::filesystem::is_regular_file(path)) continue;
     const Json other = Json::parse(core::read_text(path), nullptr, false);
     const std::vector<double> profile = profile_of(other);
     if (profile.size() != own.size() || other.value("completed", Json()) != Json(true)) continue;
-    bars.resize(own.size(), none);
-    for (std::size_t i = 0; i < own.size(); ++i)
-      bars[i] = std::fmax(bars[i], forming::bar_over_difference(coarse.factor) * std::abs(profile[i] - own[i]));
+    for (std::size_t i = 0; i < own.size(); ++i) values[i].push_back({coarse.factor, profile[i]});
   }
+  std::vector<double> bars;
+  if (values.front().size() > 1)
+    for (const auto& of_runs : values) bars.push_back(forming::bar_of_values(of_runs));
   return bars;
 }
 

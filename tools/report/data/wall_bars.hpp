@@ -15,8 +15,8 @@ struct WallTables {
   ResultTable profile;  ///< thickness.csv
 };
 
-/// The error bar at a place of the outer side is the largest of those within a hundredth of its length: the difference
-/// from each coarser run that completed, multiplied as the bars of the quantities are (forming::bar_over_difference).
+/// The error bar at a place of the outer side is the largest of those within a hundredth of its length: that of
+/// the run and the coarser ones that completed, as the bars of the quantities are (forming::bar_of_values).
 WallTables wall_tables(const std::string& folder, const nlohmann::ordered_json& summary,
                        const std::optional<forming::Scene>& scene);
 

@@ -43,6 +43,11 @@ Twin twin_with(double value, std::size_t stages) {
   return {stages, run_with(value).quantities};
 }
 
+/// The bar of a difference by another difference of runs so many times as coarse.
+double richardson(double difference, double factor) {
+  return richardson_estimate(difference, 1, factor, difference_order);
+}
+
 TEST(Difference, the_error_that_both_runs_have_cancels) {
   FinishedRun base = run_with(2, 2.3, 2.9), other = run_with(2.1, 2.4, 3.0);
   base.twins = {twin_with(2.0001, 0)};
@@ -57,9 +62,9 @@ TEST(Difference, what_the_coarser_runs_differ_by_otherwise_is_the_error) {
   FinishedRun base = run_with(2, 2, 2), other = run_with(2.1, 2.14, 2.16);
   base.twins = {twin_with(2.0001, 0)};
   const Difference found = wall(compare_runs(base, other));
-  EXPECT_NEAR(found.bar, bar_over_difference(1.5) * 0.04, 1e-9);
+  EXPECT_NEAR(found.bar, richardson(0.04, 1.5), 1e-9);
   EXPECT_EQ(found.significance(), Significance::within_error);
-  EXPECT_GT(bar_over_difference(1.5) * 0.04, bar_over_difference(3) * 0.06);
+  EXPECT_GT(richardson(0.04, 1.5), richardson(0.06, 3));
 }
 
 TEST(Difference, no_bar_is_smaller_than_what_twins_scatter_by) {
@@ -71,7 +76,7 @@ TEST(Difference, no_bar_is_smaller_than_what_twins_scatter_by) {
   EXPECT_NEAR(wall(comparison).bar, 6.314 * 0.03, 1e-4);  // Student's t of one twin, 90 %
   EXPECT_EQ(wall(comparison).significance(), Significance::within_error);
   base.coarser[0].twins = {twin_with(2.03, 0)};  // of a coarser run, which scatters more
-  const double t = 2.920, coarse = 0.03 / std::pow(1.5, bar_order);
+  const double t = 2.920, coarse = 0.03 / std::pow(1.5, difference_order);
   EXPECT_NEAR(wall(compare_runs(base, other)).bar, t * std::sqrt((0.03 * 0.03 + coarse * coarse) / 2), 1e-4);
 }
 
@@ -92,14 +97,14 @@ TEST(Difference, of_runs_made_twice_is_that_of_their_means) {
   other.twins = {twin_with(2.1, 0)};
   base.coarser[0].twins = {twin_with(2.03, 0)};
   EXPECT_EQ(compare_runs(base, other).pairs, 2u);
-  const double far = bar_over_difference(3) * (0.5 - 0.09);  // of coarser runs made once, while no others are
-  EXPECT_NEAR(wall(compare_runs(base, other)).bar, std::max(far, bar_over_difference(1.5) * 0.01), 1e-9);
+  const double far = richardson(0.5 - 0.09, 3);  // of coarser runs made once, while no others are
+  EXPECT_NEAR(wall(compare_runs(base, other)).bar, std::max(far, richardson(0.01, 1.5)), 1e-9);
   other.coarser[0].twins = {twin_with(2.11, 0)};
   const RunComparison comparison = compare_runs(base, other);
   EXPECT_NEAR(wall(comparison).base, 2.01, 1e-12);
   EXPECT_NEAR(wall(comparison).difference, 0.09, 1e-12);
   EXPECT_NEAR(comparison.profile.difference[200], 0.09, 1e-12);
-  const double finer = std::pow(1.5, bar_order), t = 2.132;  // four twins
+  const double finer = std::pow(1.5, difference_order), t = 2.132;  // four twins
   const double squares = 0.02 * 0.02 + std::pow(0.03 / finer, 2) + std::pow(0.01 / finer, 2);
   EXPECT_NEAR(wall(comparison).bar, t * std::sqrt(squares / 4 / 2), 1e-4);
   EXPECT_EQ(comparison.repeated, "all tools 0.01 K warmer from the start");
@@ -235,7 +240,7 @@ TEST(Resolution, goes_finer_until_the_bars_are_as_small_as_asked_for) {
     ASSERT_LT(round, 8);
     const double off = 0.005 * factor;  // the bar goes with the edges
     control.add(compared(run_with(2, 2, 2), run_with(2.1, 2.1 + off, 2.1 + off)));
-    EXPECT_NEAR(control.bar(), std::max(bar_over_difference(1.5) * off, 0.0146), 1e-4);
+    EXPECT_NEAR(control.bar(), std::max(richardson(off, 1.5), 0.0146), 1e-4);
     factor = std::stod(control.accuracy().substr(14));
   }
   EXPECT_TRUE(control.reached());
