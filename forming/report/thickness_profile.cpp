@@ -10,7 +10,6 @@
 #include "core/io/files.hpp"
 #include "core/mesh/element.hpp"
 #include "forming/report/wall/surface_chain.hpp"
-#include "forming/report/wall/wall_sides.hpp"
 #include "forming/state/sample.hpp"
 #include "thermal/properties.hpp"
 
@@ -243,12 +242,22 @@ std::vector<bool> whole_surface(const core::Mesh& mesh) {
   return edges;
 }
 
-}  // namespace
+/// Rays that neither start nor end on a fixed boundary.
+std::vector<Ray> rays_between_free_sides(const core::Mesh& mesh, std::vector<Ray> rays) {
+  const std::vector<bool> fixed = core::boundaries_of_kind(mesh, BoundaryKind::fixed);
+  std::vector<bool> is_free(mesh.nodes.size(), false);
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    for (const Index node : edge.nodes) is_free[node] = is_free[node] || !fixed[edge.boundary_id];
+  for (std::size_t node = 0; node < rays.size(); ++node)
+    if (!is_free[node] || (rays[node].ends() && fixed[mesh.boundary_edges()[rays[node].edge].boundary_id]))
+      rays[node] = {};
+  return rays;
+}
 
-ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geometry) {
-  const std::vector<Ray> rays = surface_rays(mesh, geometry);
-  const WallSides sides = wall_sides(mesh, geometry, rays);
+ThicknessProfile profile_by_rays(const core::Mesh& mesh, core::Geometry geometry, const std::vector<Ray>& rays) {
   ThicknessProfile profile;
+  profile.rays = rays;
+  const WallSides& sides = profile.sides = wall_sides(mesh, geometry, rays);
   profile.no_wall = sides.no_wall;
   std::vector<bool> wanted = edges_of(sides, {SurfacePart::outer, SurfacePart::rim});
   std::vector<Index>& nodes = profile.nodes;
@@ -258,10 +267,21 @@ ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geomet
     clean_marks(mesh, nodes, profile.rows);
     profile.no_wall = objection(mesh, geometry, sides, nodes, profile.rows);
   }
-  if (!profile.no_wall.empty()) profile.rows = make_rows(mesh, geometry, wanted = whole_surface(mesh), nodes);
+  if (!profile.no_wall.empty()) {
+    profile.rows = make_rows(mesh, geometry, wanted = whole_surface(mesh), nodes);
+    profile.sides.part.assign(mesh.boundary_edges().size(), SurfacePart::none);
+  }
   for (std::size_t edge = 0; edge < wanted.size(); ++edge)
     if (wanted[edge]) profile.outer_edges.push_back(static_cast<Index>(edge));
   return profile;
+}
+
+}  // namespace
+
+ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geometry) {
+  const std::vector<Ray> rays = surface_rays(mesh, geometry);
+  ThicknessProfile profile = profile_by_rays(mesh, geometry, rays_between_free_sides(mesh, rays));
+  return profile.no_wall.empty() ? profile : profile_by_rays(mesh, geometry, rays);
 }
 
 ThicknessProfile thickness_profile(const Scene& scene, const State& state) {

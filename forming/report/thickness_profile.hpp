@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "forming/report/wall/wall_sides.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 
@@ -47,8 +48,11 @@ struct ThicknessProfile {
   std::vector<Index> nodes;        ///< of the rows
   std::vector<Index> outer_edges;  ///< boundary edges that the rows lie on
   std::string no_wall;             ///< why there is none, a sentence; empty with a wall
+  std::vector<Ray> rays;           ///< through the glass, by node of the mesh
+  WallSides sides;                 ///< all `none` without a wall
 };
-/// The sides are those of wall_sides. Glass is no wall where less than a quarter of its surface has the other side
+/// The sides are those of wall_sides. A fixed boundary is where glass is held, a rim; it counts as a side only where
+/// there is no wall otherwise. Glass is no wall where less than a quarter of its surface has the other side
 /// opposite, or where it is less than one and a half times as long as thick.
 ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geometry);
 

@@ -43,12 +43,12 @@ std::vector<SurfacePart> sides_of_nodes(const core::Mesh& mesh, const WallSides&
 }
 
 /// Thickness at the nodes: of the outer side as in the profile, of the inner side by rays that meet the outer one.
-std::vector<double> thickness_at_nodes(const core::Mesh& mesh, const WallSides& sides, const std::vector<Ray>& rays,
-                                       const std::vector<SurfacePart>& side, const ThicknessProfile& profile) {
-  std::vector<double> thickness(mesh.nodes.size(), none);
+std::vector<double> thickness_at_nodes(const std::vector<SurfacePart>& side, const ThicknessProfile& profile) {
+  std::vector<double> thickness(side.size(), none);
   for (std::size_t n = 0; n < thickness.size(); ++n)
-    if (const Ray& ray = rays[n]; side[n] == SurfacePart::inner && ray.ends() &&
-                                  sides.part[ray.edge] == SurfacePart::outer && ray.facing >= facing_sides)
+    if (const Ray& ray = profile.rays[n]; side[n] == SurfacePart::inner && ray.ends() &&
+                                          profile.sides.part[ray.edge] == SurfacePart::outer &&
+                                          ray.facing >= facing_sides)
       thickness[n] = ray.length;
   for (std::size_t i = 0; i < profile.rows.size(); ++i) thickness[profile.nodes[i]] = profile.rows[i].thickness;
   return thickness;
@@ -86,11 +86,8 @@ double slice_distance(double height) {
 
 std::vector<ContourPoint> contour(const Scene& scene, const State& state, const ThicknessProfile& profile) {
   const core::Mesh& mesh = state.glass.mesh;
-  const std::vector<Ray> rays = surface_rays(mesh, scene.geometry);
-  WallSides sides = wall_sides(mesh, scene.geometry, rays);
-  if (!profile.no_wall.empty()) sides.part.assign(sides.part.size(), SurfacePart::none);
-  const std::vector<SurfacePart> side = sides_of_nodes(mesh, sides);
-  const std::vector<double> thickness = thickness_at_nodes(mesh, sides, rays, side, profile);
+  const std::vector<SurfacePart> side = sides_of_nodes(mesh, profile.sides);
+  const std::vector<double> thickness = thickness_at_nodes(side, profile);
   std::vector<ContourPoint> points;
   std::vector<bool> seen(mesh.nodes.size(), false);
   int loop = 0;

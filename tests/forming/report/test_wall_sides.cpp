@@ -112,6 +112,23 @@ TEST(WallSides, a_capped_tube_has_its_wall_up_to_a_fixed_rim) {
     EXPECT_EQ(row.mark == WallMark::rim, row.position[1] < 1e-9) << row.position.transpose();
 }
 
+TEST(WallSides, a_fixed_rim_under_a_slanting_wall_is_no_thin_wall) {
+  const auto tube = profile_of("axisymmetric", boundary("rim", "\"(8, 0) (12, 0) mm\"", "fixed") +
+                                                   boundary("outer", "\"(20, 12) (20, 40) (0, 40) mm\"") +
+                                                   boundary("axis", "\"(0, 38) mm\"", "symmetry") +
+                                                   boundary("inner", "\"(18, 38) (18, 13) (8, 0) mm\""));
+  EXPECT_EQ(tube.no_wall, "");
+  EXPECT_NEAR(thickness_range(tube.rows).lowest, 2e-3, 1e-9);
+  for (const ThicknessRow& row : tube.rows)
+    if (row.position[1] < 1e-9 && row.position[0] < 12e-3 - 1e-9) EXPECT_EQ(row.mark, WallMark::rim);
+}
+
+TEST(WallSides, a_plate_held_on_its_under_side_has_its_thickness) {
+  expect_uniform(profile_of("planar", boundary("held", "\"(0, 0) (40, 0) mm\"", "fixed") +
+                                          boundary("free", "\"(40, 4) (0, 4) (0, 0) mm\"")),
+                 4e-3, 1e-12);
+}
+
 TEST(WallSides, half_a_spherical_shell_ends_at_its_rim) {
   const auto shell =
       profile_of("axisymmetric",
