@@ -86,7 +86,7 @@ bool step_once(RunInProgress& run, AcceptedStep& step) {
     StepResult result = try_step(run, dt, limit);
     const bool accepted = result.converged && !rejected_by_error_control(run.scene, result.report);
     add_step(result.report, accepted, run.outcome.facts.solver_statistics);
-    const ProposedStep proposed = propose_step(run.scene, result.report, accepted ? state.next_step : dt);
+    const ProposedStep proposed = propose_step(run.scene, state, result.report, accepted ? state.next_step : dt);
     if (accepted) {
       accept(run, result, proposed, step);
       return true;

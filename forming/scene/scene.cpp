@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/io/files.hpp"
-#include "forming/scene/preset_lengths.hpp"
+#include "forming/scene/preset_scales.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -227,6 +227,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   refuse_repeated_names(root.tables("probe"));
   for (const auto* probe : root.tables("probe")) scene.probes.push_back(read_probe(*probe, scene));
   if (const auto* output = root.find("output")) scene.output = read_output(*output);
+  if (scene.output.interval == 0) scene.output.interval = usual_output_interval(scene);
   if (const auto* numerics = root.find("numerics")) read_numerics(*numerics, scene);
   if (scene.accuracy_choice.coarsening_factor != 1) coarsen(scene, scene.accuracy_choice.coarsening_factor);
   check_sizes(scene, root);

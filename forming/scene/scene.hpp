@@ -227,7 +227,7 @@ struct Flags {
 
 struct Output {
   std::optional<double> fill_level;       ///< of the finished container below its rim, m
-  double interval = 0.1;                  ///< between field outputs, s
+  double interval = 0;                    ///< between field outputs, s
   std::vector<double> times;              ///< further output times, s
   double checkpoint_interval = 300;       ///< between checkpoints, s of wall time
   std::optional<Index> checkpoint_steps;  ///< between checkpoints as well, steps

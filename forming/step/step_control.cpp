@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "forming/scene/preset_scales.hpp"
+
 namespace parison::forming {
 
 namespace {
@@ -95,12 +97,13 @@ double next_corner(const Scene& scene, const State& state) {
 
 }  // namespace
 
-ProposedStep propose_step(const Scene& scene, const StepReport& report, double allowed) {
+ProposedStep propose_step(const Scene& scene, const State& state, const StepReport& report, double allowed) {
   const auto [used, by] = load(scene, report);
   ProposedStep proposed{(used < slow_fraction ? max_slow_growth : max_growth) * std::max(report.dt, allowed),
                         StepLimit::growth};
   if (used > 0 && report.dt * safety_factor / used < proposed.dt) proposed = {report.dt * safety_factor / used, by};
-  if (proposed.dt > scene.accuracy.max_step) proposed = {scene.accuracy.max_step, StepLimit::max_step};
+  if (const double longest = longest_step(scene, scene.stages[state.stage]); proposed.dt > longest)
+    proposed = {longest, StepLimit::max_step};
   proposed.dt = std::max(proposed.dt, scene.accuracy.min_step);
   return proposed;
 }

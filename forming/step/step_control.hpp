@@ -13,9 +13,10 @@ struct ProposedStep {
   StepLimit limit;
 };
 
-/// The length of the next step, from what the last one changed (strain, surface temperature, predictor against
-/// corrector); `allowed`, s, is the length that was proposed for the last one before it was clipped to an event.
-ProposedStep propose_step(const Scene& scene, const StepReport& report, double allowed);
+/// The length of the next step of the stage that a state is in, from what the last one changed (strain, surface
+/// temperature, predictor against corrector); `allowed`, s, is the length that was proposed for the last one before it
+/// was clipped to an event.
+ProposedStep propose_step(const Scene& scene, const State& state, const StepReport& report, double allowed);
 
 /// Whether a step changed three times more than it may, so that it is rejected and repeated shorter.
 bool rejected_by_error_control(const Scene& scene, const StepReport& report);

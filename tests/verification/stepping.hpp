@@ -23,7 +23,7 @@ inline State steps_to(const Scene& scene, State state, double time, Workspace& w
     auto result = coupled_step(scene, state, dt, workspace);
     EXPECT_TRUE(result.converged) << result.reason;
     if (!result.converged) break;
-    const double proposed = propose_step(scene, result.report, state.next_step).dt;
+    const double proposed = propose_step(scene, state, result.report, state.next_step).dt;
     if (!rejected_by_error_control(scene, result.report)) {
       if (look) look(state, result.state);
       state = std::move(result.state);

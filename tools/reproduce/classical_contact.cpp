@@ -45,7 +45,7 @@ bool run_stage(const Scene& scene, const std::string& directory) {
     const double before = state.time;
     state.time += report.dt;
     state.stage_time += report.dt;
-    state.next_step = propose_step(scene, report, state.next_step).dt;
+    state.next_step = propose_step(scene, state, report, state.next_step).dt;
     files.row(history_row(scene, state, state, report), tool_line(scene, state, surfaces));
     if (!outputs_due(scene, before, state.time).empty()) files.fields(state, report.interface);
   }

@@ -10,7 +10,7 @@
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "forming/scene/describe/named_points.hpp"
 #include "forming/scene/describe/unusual.hpp"
-#include "forming/scene/preset_lengths.hpp"
+#include "forming/scene/preset_scales.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "forming/scene/preset_scales.hpp"
+
 namespace parison::tools {
 namespace {
 
@@ -29,8 +31,8 @@ bool is_pressed(const Stage& stage) {
 /// Steps that grow from the first to the longest, and go on with that.
 double quiet_steps(const Scene& scene, const Stage& stage) {
   constexpr double growth = 1.5;
-  const forming::Accuracy& accuracy = scene.accuracy;
-  return std::log(accuracy.max_step / accuracy.initial_step) / std::log(growth) + stage.duration / accuracy.max_step;
+  const double longest = forming::longest_step(scene, stage);
+  return std::log(longest / scene.accuracy.initial_step) / std::log(growth) + stage.duration / longest;
 }
 
 }  // namespace

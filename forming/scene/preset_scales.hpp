@@ -15,4 +15,12 @@ void fit_preset_lengths(Scene& scene);
 /// Whether a setting is one of these lengths.
 bool is_length(const Setting& setting);
 
+/// The longest step of a stage, s: numerics.max_step where the case has it. The preset's is for stages of up to 20 s;
+/// in a longer one, glass that sags for minutes in a kiln, it grows with the duration.
+double longest_step(const Scene& scene, const Stage& stage);
+
+/// Between the fields that a run writes where the case does not say it, s: 0.1 s, in cases longer than a minute 600
+/// times in all.
+double usual_output_interval(const Scene& scene);
+
 }  // namespace parison::forming

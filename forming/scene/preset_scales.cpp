@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/scene/preset_lengths.hpp"
+#include "forming/scene/preset_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +25,19 @@ void fit_preset_lengths(Scene& scene) {
 
 bool is_length(const Setting& setting) {
   return std::strcmp(setting.unit, "mm") == 0;
+}
+
+double longest_step(const Scene& scene, const Stage& stage) {
+  constexpr double usual = 20;  // s
+  const double step = scene.accuracy.max_step;
+  return scene.accuracy_origin.count("max_step") ? step : step * std::max(1.0, stage.duration / usual);
+}
+
+double usual_output_interval(const Scene& scene) {
+  constexpr double usual = 0.1, outputs = 600;  // s
+  double duration = 0;
+  for (const Stage& stage : scene.stages) duration += stage.duration;
+  return std::max(usual, duration / outputs);
 }
 
 }  // namespace parison::forming
