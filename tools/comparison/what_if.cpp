@@ -65,6 +65,7 @@ void print_notes(const WhatIf& asked) {
     for (const std::string& note : unusual(variant.overrides))
       if (std::find(in_base.begin(), in_base.end(), note) == in_base.end())
         fmt::print("unusual in variant {}, is it meant? {}\n", variant.name, note);
+    for (const std::string& note : forming::settled_replaced(asked, variant)) fmt::print("{}\n", note);
     if (const std::string nothing = forming::nothing_changed(asked, variant); !nothing.empty())
       fmt::print("{}\n", nothing);
   }

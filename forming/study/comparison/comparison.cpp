@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <set>
 
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
@@ -95,6 +97,27 @@ const Difference* find_row(const ComparedRun& other, const std::string& quantity
 
 }  // namespace
 
+namespace {
+
+/// "folder/name" for a run of a result folder `name` in a `folder`.
+std::string name_with_folder(const FinishedRun& run) {
+  const auto path = std::filesystem::absolute(run.directory).lexically_normal();
+  const auto own = path.has_filename() ? path : path.parent_path();
+  return own.parent_path().filename().string() + '/' + run.name;
+}
+
+/// Runs in result folders of the same name are told by the folder above too.
+void tell_apart(Comparison& comparison) {
+  std::set<std::string> names{comparison.base.name};
+  bool alike = false;
+  for (const ComparedRun& other : comparison.others) alike = !names.insert(other.label).second || alike;
+  if (!alike) return;
+  comparison.base.name = name_with_folder(comparison.base);
+  for (ComparedRun& other : comparison.others) other.label = name_with_folder(other.run);
+}
+
+}  // namespace
+
 Comparison compare_folders(const std::string& base, const std::vector<std::string>& others, Repeats repeats) {
   Comparison comparison{read_finished_run(base), {}};
   if (!comparison.base.completed)
@@ -108,6 +131,7 @@ Comparison compare_folders(const std::string& base, const std::vector<std::strin
     other.run = std::move(run);
     comparison.others.push_back(std::move(other));
   }
+  tell_apart(comparison);
   return comparison;
 }
 

@@ -91,7 +91,7 @@ std::string json_text(const Scene& scene, const PeriodicRequest& request, const 
   json.add("offset_K", state.offset);
   json.add("reason", state.failure);
   add_search(json, scene, state);
-  json.add("start_up_cycles", static_cast<long>(state.start_up.size()));
+  json.add("start_up_cycles", static_cast<long>(std::max<std::size_t>(state.start_up.size(), 1) - 1));
   if (!state.start_up.empty()) json.add("start_up_end_distance_K", state.start_up.back().distance);
   json.open_object("tools");
   if (!state.settled.samples.empty())
@@ -144,19 +144,23 @@ void write_periodic_state(const Scene& scene, const PeriodicRequest& request, co
 }
 
 std::string periodic_table(const Scene& scene, const PeriodicState& state) {
-  std::string text = fmt::format("\n  {:<14}{:>16}{:>34}{:>12}{:>12}{:>12}\n", "tool", "in use, s",
-                                 "surface min, mean, max, degC", "hottest", "heat, kJ", "cooling, W");
+  std::string text = fmt::format("\n  {:<14}{:>16}{:>34}{:>12}{:>12}{:>12}\n", "tool", "in use, s", "surface, degC",
+                                 "hottest", "heat, kJ", "cooling, W");
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const SurfaceRange range = range_of(state.settled.samples, t);
     const CycleHeat& heat = state.settled.heat[t];
     double out = 0;
-    for (const double part : heat.through) out += part;
+    for (std::size_t b = 0; b < heat.through.size(); ++b)
+      if (scene.tools[t].boundaries[b].kind != BoundaryKind::contact) out += heat.through[b];
     text += fmt::format("  {:<14}{:>16}{:>34}{:>12.1f}{:>12.3f}{:>12.1f}\n", scene.tools[t].name,
                         fmt::format("{:.4g} to {:.4g}", state.cycle.uses[t].begin, state.cycle.uses[t].end),
                         fmt::format("{:.1f}  {:.1f}  {:.1f}", range.min - zero_celsius, range.mean - zero_celsius,
                                     range.max - zero_celsius),
                         range.hottest - zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds_of(t));
   }
+  text +=
+      "  surface: the mean over it, the lowest, mean and highest in the cycle; hottest: of any place and time;\n"
+      "  cooling: through the boundaries that no glass touches, what the contact surface loses to air is not in it\n";
   return text;
 }
 

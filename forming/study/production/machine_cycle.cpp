@@ -43,14 +43,19 @@ double time_of(const Scene& scene, const std::optional<double>& seconds) {
                   scene.file));
 }
 
-/// Whether the tool gives heat to anything but glass in any stage.
-bool is_cooled(const Scene& scene, State& state, Index tool) {
+/// Whether the tool gives heat to anything but glass in any stage, through the boundaries that count.
+bool is_cooled(const Scene& scene, State& state, Index tool, bool contact_counts) {
   const core::Mesh& mesh = state.tools[tool].mesh;
-  for (const auto& boundary : mesh.boundaries())
+  const auto& boundaries = mesh.boundaries();
+  for (const auto& boundary : boundaries)
     if (boundary.kind == BoundaryKind::temperature) return true;
-  for (state.stage = 0; state.stage < static_cast<Index>(scene.stages.size()); ++state.stage)
-    for (const auto& exchange : surroundings(scene, state, body_of_tool(tool), mesh))
-      if (exchange && (exchange->h.max() > 0 || exchange->emissivity > 0)) return true;
+  for (state.stage = 0; state.stage < static_cast<Index>(scene.stages.size()); ++state.stage) {
+    const auto exchanges = surroundings(scene, state, body_of_tool(tool), mesh);
+    for (std::size_t b = 0; b < exchanges.size(); ++b)
+      if ((contact_counts || boundaries[b].kind != BoundaryKind::contact) && exchanges[b] &&
+          (exchanges[b]->h.max() > 0 || exchanges[b]->emissivity > 0))
+        return true;
+  }
   return false;
 }
 
@@ -78,7 +83,7 @@ void refuse_short(const Scene& scene, const MachineCycle& cycle) {
 void refuse_uncooled(const Scene& scene, const MachineCycle& cycle) {
   State state = initial_state(scene);
   for (std::size_t t = 0; t < scene.tools.size(); ++t)
-    if (cycle.uses[t].end > 0 && !is_cooled(scene, state, static_cast<Index>(t)))
+    if (cycle.uses[t].end > 0 && !is_cooled(scene, state, static_cast<Index>(t), true))
       throw core::CaseError(
           fmt::format("{}: the tool \"{}\" has no cooling and loses no heat to air, so that its temperature rises from "
                       "cycle to cycle; allowed are tools with a cooled boundary, a given temperature or air around",
@@ -103,6 +108,18 @@ MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seco
   refuse_short(scene, cycle);
   refuse_uncooled(scene, cycle);
   return cycle;
+}
+
+std::vector<std::string> notes_on_cooling(const Scene& scene, const MachineCycle& cycle) {
+  State state = initial_state(scene);
+  std::vector<std::string> notes;
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    if (cycle.uses[t].end > 0 && !is_cooled(scene, state, static_cast<Index>(t), false))
+      notes.push_back(
+          fmt::format("the tool \"{}\" is cooled by nothing but air at its contact surface, and may settle "
+                      "far hotter than glass allows; is a boundary `cooled` on the machine?",
+                      scene.tools[t].name));
+  return notes;
 }
 
 Scene scene_in_cycle(const Scene& scene, const MachineCycle& cycle) {

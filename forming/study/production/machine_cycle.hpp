@@ -33,6 +33,9 @@ struct MachineCycle {
 MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seconds,
                            const std::map<std::string, int>& sets = {});
 
+/// A sentence for each tool from which nothing but air at its contact surface takes heat.
+std::vector<std::string> notes_on_cooling(const Scene& scene, const MachineCycle& cycle);
+
 /// The case as each container of the cycle goes through it: tools that still serve the container before at its start
 /// have their temperatures at their first use.
 Scene scene_in_cycle(const Scene& scene, const MachineCycle& cycle);

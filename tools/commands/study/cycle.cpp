@@ -12,6 +12,7 @@
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/scene/describe/unusual.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/what_if/what_if.hpp"
 #include "forming/study/production/cycle_files.hpp"
@@ -138,6 +139,8 @@ int cycle(const CycleRequest& request) {
   asked.max_runs = request.max_runs;
   const forming::MachineCycle machine = forming::machine_cycle(scene, seconds, sets_of(request));
   asked.directory = new_folder(request, scene);
+  for (const std::string& note : forming::unusual_values(scene)) fmt::print("unusual, is it meant? {}\n", note);
+  for (const std::string& note : forming::notes_on_cooling(scene, machine)) fmt::print("{}\n", note);
   fmt::print("{} at {} accuracy: a machine cycle of {:.4g} s\n", scene.name, scene.accuracy_name, machine.seconds);
   std::fflush(stdout);
   const PeriodicState state =

@@ -90,7 +90,7 @@ class Result:
 
     @property
     def quantities(self) -> dict[str, float]:
-        """Numbers by the names of `parison compare`: {"thickness_min_mm": 1.44, ...}."""
+        """Numbers by the names of `parison compare`: {"thickness_min": 1.44, ...}."""
         return {name: quantity["value"] for name, quantity in self.summary["quantities"].items()}
 
     def table(self, name: str) -> Table:

@@ -16,6 +16,7 @@
 #include "forming/run/stage.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/finished_run.hpp"
+#include "forming/study/comparison/same_case.hpp"
 #include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/tool_overlap.hpp"
 
@@ -40,6 +41,11 @@ Scene checked_scene(const WhatIf& what_if, const std::vector<std::string>& overr
 Scene checked_variant(const WhatIf& what_if, const Scene& base, const WhatIfVariant& variant) {
   try {
     Scene scene = checked_scene(what_if, joined(what_if.overrides, variant.overrides));
+    if (const auto other = other_case(base, scene))
+      throw core::CaseError(
+          fmt::format("{} {} was found, where the base has {}; allowed are changes of settings, with "
+                      "the names, the geometry, the tools and the stages of the base",
+                      other->what, other->other, other->base));
     if (const std::string overlap = new_tool_overlap(base, scene); !overlap.empty()) throw core::CaseError(overlap);
     return scene;
   } catch (const core::CaseError& error) {
@@ -267,6 +273,19 @@ std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const st
 std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant) {
   return case_differences(what_if.case_path, what_if.overrides, what_if.case_path,
                           joined(what_if.overrides, variant.overrides));
+}
+
+std::vector<std::string> settled_replaced(const WhatIf& what_if, const WhatIfVariant& variant) {
+  const Scene base = read_scene(what_if.case_path, what_if.accuracy, what_if.overrides);
+  const Scene scene = read_scene(what_if.case_path, what_if.accuracy, joined(what_if.overrides, variant.overrides));
+  std::vector<std::string> notes;
+  for (std::size_t t = 0; t < base.tools.size() && t < scene.tools.size(); ++t)
+    if (base.tools[t].start_field && !scene.tools[t].start_field)
+      notes.push_back(fmt::format(
+          "variant {}: the tool \"{}\" starts at {:.0f} degC all over, where the base has the temperatures that an "
+          "earlier run or production has left in it; `parison cycle` with a change of cooling finds what it settles to",
+          variant.name, scene.tools[t].name, scene.tools[t].initial_temperature - 273.15));
+  return notes;
 }
 
 std::string nothing_changed(const WhatIf& what_if, const WhatIfVariant& variant) {

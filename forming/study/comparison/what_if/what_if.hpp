@@ -62,6 +62,10 @@ std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const st
 /// What a variant changes against the base, value by value.
 std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant);
 
+/// A sentence for each tool that a variant starts at one temperature, where the base has a field that an earlier run or
+/// settled production has left in it.
+std::vector<std::string> settled_replaced(const WhatIf& what_if, const WhatIfVariant& variant);
+
 /// Where all values of a variant are those that the base has, maybe in another unit, a sentence that says so; else
 /// empty.
 std::string nothing_changed(const WhatIf& what_if, const WhatIfVariant& variant);
