@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "forming/study/comparison/what_if/what_if.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace parison::tools {
@@ -18,6 +19,13 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* what, Command
   command->callback([&chosen, request, work] { chosen = [request, work] { return work(*request); }; });
   return command;
 }
+
+/// Each --set of a command line belongs to the --variant before it.
+struct GivenSets {
+  std::vector<std::string> before;  ///< all variants
+  std::vector<forming::WhatIfVariant> variants;
+};
+GivenSets given_sets(const CLI::App& command, const CLI::Option* variant, const CLI::Option* set);
 
 /// Adds the commands that run one case, and those that make many runs, with their options.
 void add_run_commands(CLI::App& app, Command& chosen);

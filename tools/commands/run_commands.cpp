@@ -96,7 +96,22 @@ void add_cycle(CLI::App& app, Command& chosen) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
   command->add_option("--output", request->output, "new folder for the results [results/cycle_NAME]");
-  command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
+  const auto* variant =
+      command
+          ->add_option("--variant",
+                       "name of a change with settled production of its own; the --set behind it belong to it")
+          ->type_name("NAME")
+          ->take_all()
+          ->allow_extra_args(false);
+  const auto* set = command->add_option("--set", "KEY=VALUE; before any --variant for every run")
+                        ->take_all()
+                        ->allow_extra_args(false);
+  command->callback([&chosen, request, command, variant, set] {
+    GivenSets given = given_sets(*command, variant, set);
+    request->overrides = std::move(given.before);
+    request->variants = std::move(given.variants);
+    chosen = [request] { return cycle(*request); };
+  });
 }
 
 }  // namespace

@@ -55,24 +55,6 @@ void add_compare(CLI::App& app, Command& chosen) {
   command->add_option("--output", request->output, "folder for comparison.csv and .json, profiles.csv and .svg");
 }
 
-/// The variants in the order of the command line: a --set belongs to the --variant before it, one before all of them is
-/// a variant of its own.
-std::vector<forming::WhatIfVariant> variants_of(const CLI::App& command, const CLI::Option* variant,
-                                                const CLI::Option* set) {
-  std::vector<forming::WhatIfVariant> variants;
-  std::size_t names = 0, sets = 0;
-  for (const CLI::Option* option : command.parse_order()) {
-    if (option == variant) variants.push_back({variant->results().at(names++), {}});
-    if (option != set) continue;
-    const std::string& assignment = set->results().at(sets++);
-    if (names == 0)
-      variants.push_back(forming::variant_of(assignment));
-    else
-      variants.back().overrides.push_back(assignment);
-  }
-  return variants;
-}
-
 void add_what_if(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<WhatIfRequest>();
   WhatIfRequest& asked = *request;
@@ -109,7 +91,10 @@ void add_what_if(CLI::App& app, Command& chosen) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
   command->callback([&chosen, request, command, variant, set] {
-    request->variants = variants_of(*command, variant, set);
+    GivenSets given = given_sets(*command, variant, set);
+    request->variants.clear();
+    for (const std::string& assignment : given.before) request->variants.push_back(forming::variant_of(assignment));
+    for (auto& one : given.variants) request->variants.push_back(std::move(one));
     chosen = [request] { return what_if(*request); };
   });
 }

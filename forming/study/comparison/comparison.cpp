@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <set>
 
@@ -98,13 +97,6 @@ const Difference* find_row(const ComparedRun& other, const std::string& quantity
 }  // namespace
 
 namespace {
-
-/// "folder/name" for a run of a result folder `name` in a `folder`.
-std::string name_with_folder(const FinishedRun& run) {
-  const auto path = std::filesystem::absolute(run.directory).lexically_normal();
-  const auto own = path.has_filename() ? path : path.parent_path();
-  return own.parent_path().filename().string() + '/' + run.name;
-}
 
 /// Runs in result folders of the same name are told by the folder above too.
 void tell_apart(Comparison& comparison) {

@@ -132,4 +132,10 @@ std::size_t stages_in_common(const FinishedRun& a, const FinishedRun& b) {
   return count;
 }
 
+std::string name_with_folder(const FinishedRun& run) {
+  const fs::path path = fs::absolute(run.directory).lexically_normal();
+  const fs::path own = path.has_filename() ? path : path.parent_path();
+  return own.parent_path().filename().string() + '/' + run.name;
+}
+
 }  // namespace parison::forming

@@ -55,4 +55,7 @@ const FinishedRun* coarser_by(const FinishedRun& run, double factor);
 /// The number of stages, from the first, in which two runs went the same way to the last bit.
 std::size_t stages_in_common(const FinishedRun& a, const FinishedRun& b);
 
+/// "folder/name" of a run in a result folder `name` in a `folder`.
+std::string name_with_folder(const FinishedRun& run);
+
 }  // namespace parison::forming

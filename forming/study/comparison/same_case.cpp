@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "core/case/case_error.hpp"
 #include "forming/report/files/case_copy.hpp"
@@ -45,6 +47,14 @@ std::vector<std::pair<std::string, std::string>> identity_of(const Scene& scene)
           {"stages", names_of(stages)}};
 }
 
+/// Whether both runs start a tool from what another run or production has left in it, and not from the same.
+bool is_field_of_tool(const CaseDifference& setting) {
+  const std::string ending = ".temperature.from";
+  return setting.key.size() > ending.size() &&
+         setting.key.compare(setting.key.size() - ending.size(), ending.size(), ending) == 0 &&
+         !setting.before.empty() && !setting.now.empty();
+}
+
 }  // namespace
 
 std::optional<OtherCase> other_case(const Scene& base, const Scene& other) {
@@ -77,8 +87,11 @@ std::size_t stages_without_influence(const FinishedRun& base, const FinishedRun&
   return last ? count + 1 : 0;
 }
 
-std::string settings_line(const std::vector<CaseDifference>& settings) {
-  if (settings.empty()) return "the same settings";
+std::string settings_line(const std::vector<CaseDifference>& all) {
+  if (all.empty()) return "the same settings";
+  std::vector<CaseDifference> settings;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(settings),
+               [](const CaseDifference& one) { return !is_field_of_tool(one); });
   std::string line;
   for (std::size_t i = 0; i < std::min(settings.size(), shown_settings); ++i) {
     const CaseDifference& setting = settings[i];
@@ -88,6 +101,7 @@ std::string settings_line(const std::vector<CaseDifference>& settings) {
                           setting.now.empty() ? "absent" : setting.now);
   }
   if (settings.size() > shown_settings) line += fmt::format("; {} more", settings.size() - shown_settings);
+  if (settings.size() < all.size()) line += std::string(line.empty() ? "" : "; ") + "each on its own tool temperatures";
   return line;
 }
 

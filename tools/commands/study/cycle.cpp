@@ -12,11 +12,10 @@
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
 #include "forming/scene/accuracy.hpp"
-#include "forming/scene/describe/unusual.hpp"
 #include "forming/study/comparison/comparison.hpp"
-#include "forming/study/comparison/what_if/what_if.hpp"
 #include "forming/study/production/cycle_files.hpp"
-#include "tools/comparison/run_queue.hpp"
+#include "tools/commands/study/cycle_steps.hpp"
+#include "tools/commands/study/cycle_variants.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 
@@ -52,21 +51,12 @@ std::map<std::string, int> sets_of(const CycleRequest& request) {
   return sets;
 }
 
-std::string new_folder(const CycleRequest& request, const forming::Scene& scene) {
-  const std::string folder = request.output.empty() ? "results/cycle_" + scene.name : request.output;
+std::string new_folder(const CycleRequest& request, const std::string& name) {
+  const std::string folder = request.output.empty() ? "results/cycle_" + name : request.output;
   std::error_code error;
   if (fs::exists(folder, error) && (!fs::is_directory(folder, error) || !fs::is_empty(folder, error)))
     throw core::CaseError(fmt::format("{}: it exists and is not empty, allowed is a new folder", folder));
   return folder;
-}
-
-/// The coarser runs of the containers, the first of which the others are compared with; false where one was stopped.
-bool make_coarser_runs(const forming::Scene& scene, const std::vector<std::string>& containers, int jobs) {
-  std::vector<QueuedRun> runs;
-  for (auto& plan : forming::plan_partner_runs(scene.file, containers)) runs.push_back({std::move(plan)});
-  fmt::print("\n{} coarser runs for the error bars\n", runs.size());
-  std::fflush(stdout);
-  return run_all(runs, scene.file, jobs);
 }
 
 /// The container of the first gob beside that of settled production, and that made just after a swab; false where error
@@ -77,7 +67,7 @@ bool compare_containers(const CycleRequest& request, const forming::Scene& scene
   if (state.just_swabbed) others.push_back(folder + "/just_swabbed");
   std::vector<std::string> containers{folder + "/first_gob"};
   containers.insert(containers.end(), others.begin(), others.end());
-  const bool ended = !request.error_bars || make_coarser_runs(scene, containers, request.jobs);
+  const bool ended = !request.error_bars || make_coarser_runs(scene.file, containers, request.jobs);
   const auto comparison = forming::compare_folders(containers.front(), others);
   fmt::print("{}", forming::comparison_tables(comparison));
   if (request.error_bars)
@@ -130,25 +120,24 @@ int cycle(const CycleRequest& request) {
   if (forming::read_accuracy(request.accuracy).target)
     throw core::CaseError(fmt::format(
         "--accuracy: {} was found, allowed are draft, standard, fine, coarser or finer ones", request.accuracy));
-  std::optional<double> seconds;
+  CyclePlan plan{{},
+                 positive("--tolerance", request.tolerance, core::dimension::temperature_difference, "0.5 K"),
+                 sets_of(request)};
   if (!request.cycle_time.empty())
-    seconds = positive("--cycle-time", request.cycle_time, core::dimension::time, "12 s");
+    plan.seconds = positive("--cycle-time", request.cycle_time, core::dimension::time, "12 s");
   const forming::Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
-  forming::PeriodicRequest asked;
-  asked.tolerance = positive("--tolerance", request.tolerance, core::dimension::temperature_difference, "0.5 K");
-  asked.max_runs = request.max_runs;
-  const forming::MachineCycle machine = forming::machine_cycle(scene, seconds, sets_of(request));
-  asked.directory = new_folder(request, scene);
-  for (const std::string& note : forming::unusual_values(scene)) fmt::print("unusual, is it meant? {}\n", note);
-  for (const std::string& note : forming::notes_on_cooling(scene, machine)) fmt::print("{}\n", note);
+  const std::string folder = new_folder(request, scene.name);
+  if (!request.variants.empty()) {
+    CycleRequest with_folder = request;
+    with_folder.output = folder;
+    return cycle_variants(with_folder, plan);
+  }
+  const forming::PeriodicRequest asked{plan.tolerance, request.max_runs, folder};
+  const forming::MachineCycle machine = forming::machine_cycle(scene, plan.seconds, plan.sets);
+  print_notes_on_cycle(scene, machine, "");
   fmt::print("{} at {} accuracy: a machine cycle of {:.4g} s\n", scene.name, scene.accuracy_name, machine.seconds);
   std::fflush(stdout);
-  const PeriodicState state =
-      forming::find_periodic_state(scene, machine, asked, stop_requested, [](const std::string& text) {
-        fmt::print("  {}\n", text);
-        std::fflush(stdout);
-      });
-  forming::write_periodic_state(scene, asked, state);
+  const PeriodicState state = find_settled(scene, machine, asked);
   if (!state.failure.empty()) {
     fmt::print(stderr, "parison: {}\n", state.failure);
     return run_failed;
@@ -157,11 +146,9 @@ int cycle(const CycleRequest& request) {
     fmt::print(stderr, "parison: stopped on request before the coarser runs of the error bars had ended\n");
     return run_failed;
   }
-  if (state.is_confirmed(asked.tolerance)) return 0;
-  fmt::print(stderr,
-             "parison: the plain cycles do not confirm the tool surfaces to {:g} K: known to {:.2g} K, {:.2g} K from "
-             "the state found; a finer accuracy scatters less\n",
-             asked.tolerance, state.uncertainty, state.offset);
+  const std::string doubt = not_confirmed(state, asked.tolerance);
+  if (doubt.empty()) return 0;
+  fmt::print(stderr, "parison: {}\n", doubt);
   return run_failed;
 }
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "forming/study/comparison/what_if/what_if.hpp"
+
 namespace parison::tools {
 
 /// What `parison cycle` is asked for.
@@ -13,10 +15,11 @@ struct CycleRequest {
   int max_runs = 12;
   bool error_bars = false;  ///< of the differences between the first gob's container and the settled one
   int jobs = 1;             ///< runs of the error bars at once
+  std::vector<forming::WhatIfVariant> variants = {};  ///< changes, each with production of its own
 };
 
-/// Looks for the tool temperatures of settled production and prints what the container becomes there. Returns the exit
-/// code.
+/// Looks for the tool temperatures of settled production and prints what the container becomes there; with variants,
+/// what each of them changes there. Returns the exit code.
 int cycle(const CycleRequest& request);
 
 }  // namespace parison::tools

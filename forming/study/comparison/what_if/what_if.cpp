@@ -259,12 +259,13 @@ std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const st
   std::vector<PlannedRun> runs;
   for (const std::string& folder : folders) {
     const FinishedRun run = read_finished_run(folder);
+    const std::string label = name_with_folder(run);
     const Scene scene = read_scene(case_path, run.accuracy, run.overrides);
     const std::vector<std::string> warmer = warmer_start(scene);
     for (const CoarseCase& coarse : partner_cases({}, scene, folder)) {
-      runs.push_back(partner_of(run.name, coarse, std::nullopt, folder));
+      runs.push_back(partner_of(label, coarse, std::nullopt, folder));
       if (folder == folders.front() && !warmer.empty())
-        runs.push_back(twin_of({}, run.name, coarse, coarse.directory, std::nullopt, warmer));
+        runs.push_back(twin_of({}, label, coarse, coarse.directory, std::nullopt, warmer));
     }
   }
   return runs;

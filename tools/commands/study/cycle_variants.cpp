@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/commands/study/cycle_variants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "core/case/case_error.hpp"
+#include "forming/study/comparison/comparison.hpp"
+#include "forming/study/production/cycle_files.hpp"
+#include "tools/commands/study/cycle_steps.hpp"
+#include "tools/program/exit_codes.hpp"
+#include "tools/program/stop_request.hpp"
+
+namespace parison::tools {
+namespace {
+
+/// The case or a variant of it, and what became of its production.
+struct Production {
+  std::string name, folder;
+  forming::Scene scene;
+  forming::MachineCycle machine;
+  std::string failure = {};  ///< why it did not settle, empty where it did
+  double uncertainty = 0;    ///< of the tool surfaces, K
+
+  std::string container() const { return folder + "/settled"; }
+};
+
+Production production_of(const CycleRequest& request, const CyclePlan& plan, const forming::WhatIfVariant& variant) {
+  std::vector<std::string> overrides = request.overrides;
+  overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
+  forming::Scene scene = forming::read_scene(request.case_path, request.accuracy, overrides);
+  try {
+    forming::MachineCycle machine = forming::machine_cycle(scene, plan.seconds, plan.sets);
+    return {variant.name, request.output + '/' + variant.name, std::move(scene), std::move(machine)};
+  } catch (const core::CaseError& error) {
+    throw core::CaseError(fmt::format("{}: {}", variant.name, error.what()));
+  }
+}
+
+/// The base first.
+std::vector<Production> read_all(const CycleRequest& request, const CyclePlan& plan) {
+  // What `what-if` refuses is refused here too.
+  forming::plan_runs({request.case_path, request.accuracy, request.output, request.overrides, request.variants});
+  std::vector<Production> all{production_of(request, plan, {forming::base_name, {}})};
+  for (const forming::WhatIfVariant& variant : request.variants) all.push_back(production_of(request, plan, variant));
+  return all;
+}
+
+/// False where it was stopped on request.
+bool settle(const CycleRequest& request, const CyclePlan& plan, Production& one) {
+  forming::PeriodicRequest asked;
+  asked.tolerance = plan.tolerance;
+  asked.max_runs = request.max_runs;
+  asked.directory = one.folder;
+  fmt::print("\n{} at {} accuracy: a machine cycle of {:.4g} s\n", one.name, one.scene.accuracy_name,
+             one.machine.seconds);
+  std::fflush(stdout);
+  const forming::PeriodicState state = find_settled(one.scene, one.machine, asked);
+  one.uncertainty = std::max(state.uncertainty, state.offset);
+  one.failure = !state.failure.empty() ? state.failure : not_confirmed(state, plan.tolerance);
+  if (state.failure.empty()) fmt::print("{}", forming::periodic_table(one.scene, state));
+  if (!one.failure.empty()) fmt::print(stderr, "parison: {}: {}\n", one.name, one.failure);
+  return !state.stopped;
+}
+
+/// The containers of the variants beside that of the base, each on the tools to which its own production settles.
+forming::Comparison compare_settled(const std::vector<Production>& all) {
+  std::vector<std::string> others;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i].failure.empty()) others.push_back(all[i].container());
+  forming::Comparison comparison = forming::compare_folders(all.front().container(), others);
+  for (const Production& one : all)
+    if (!one.failure.empty()) comparison.others.push_back({one.name, {}, one.failure, {}});
+  return comparison;
+}
+
+}  // namespace
+
+int cycle_variants(const CycleRequest& request, const CyclePlan& plan) {
+  std::vector<Production> all = read_all(request, plan);
+  for (const Production& one : all) print_notes_on_cycle(one.scene, one.machine, one.name + ": ");
+  for (Production& one : all)
+    if (!settle(request, plan, one) || !all.front().failure.empty()) return run_failed;
+  std::vector<std::string> containers;
+  double uncertainty = 0;
+  for (const Production& one : all)
+    if (one.failure.empty()) {
+      containers.push_back(one.container());
+      uncertainty = std::max(uncertainty, one.uncertainty);
+    }
+  if (!make_coarser_runs(all.front().scene.file, containers, request.jobs)) {
+    fmt::print(stderr, "parison: stopped on request before the coarser runs of the error bars had ended\n");
+    return run_failed;
+  }
+  const forming::Comparison comparison = compare_settled(all);
+  fmt::print("{}{}", forming::comparison_tables(comparison),
+             forming::ranking_table(comparison, forming::ranked_quantity(comparison)));
+  fmt::print("  each on the tools to which its own production settles, whose surfaces are known to {:.2g} K\n",
+             uncertainty);
+  fmt::print("\n  {}\n", forming::write_comparison(comparison, request.output));
+  return containers.size() == all.size() ? 0 : run_failed;
+}
+
+}  // namespace parison::tools
