@@ -37,7 +37,10 @@ std::string quantity_row(const Difference& row) {
                      name_of(row.significance()));
 }
 
-std::string source_line(const RunComparison& result) {
+std::string source_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other) {
+  const std::string& stopped = base.coarser_stopped.empty() ? other.coarser_stopped : base.coarser_stopped;
+  if (result.bars == BarSource::none && !stopped.empty())
+    return fmt::format("  no error bars: a coarser run stopped: {}; a finer accuracy helps\n", stopped);
   if (result.bars == BarSource::none)
     return "  no error bars: a run without coarser runs; `parison resume FOLDER --error-bars` makes them\n";
   const std::string scatter = result.scatter == ScatterSource::twins
@@ -140,7 +143,7 @@ std::string comparison_tables(const Comparison& comparison) {
     text += fmt::format("  {:<22}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", "quantity", "base", "other", "difference",
                         "error bar", "unit", "verdict");
     for (const Difference& row : other.result->quantities) text += quantity_row(row);
-    text += wall_line(other.result->profile) + source_line(*other.result);
+    text += wall_line(other.result->profile) + source_line(*other.result, comparison.base, other.run);
   }
   return text + remark_lines(comparison);
 }

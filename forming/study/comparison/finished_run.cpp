@@ -107,7 +107,11 @@ FinishedRun read_finished_run(const std::string& directory) {
   run->twins = read_twins(*run);
   for (const char* folder : {coarse_folders.front(), partner_folders.front(), coarse_folders.back()}) {
     auto coarser = read_run(directory + '/' + folder);
-    if (!coarser || !coarser->completed) continue;
+    if (!coarser) continue;
+    if (!coarser->completed) {
+      if (run->coarser_stopped.empty()) run->coarser_stopped = coarser->reason;
+      continue;
+    }
     const auto factor = coarsening(coarser->accuracy, run->accuracy);
     if (!factor || *factor <= 1) continue;
     coarser->factor = *factor;
