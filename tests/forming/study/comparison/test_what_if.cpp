@@ -118,12 +118,12 @@ TEST_F(WhatIfTest, runs_that_are_there_get_their_coarser_runs_and_the_first_of_t
   run_whole("second", {colder});
   const auto runs = plan_partner_runs(folder, {in("first"), in("second")});
   EXPECT_EQ(runs.size(), 2u * 2 + 2);
-  const PlannedRun& coarser = named(runs, "second, 2 times coarser");
+  const PlannedRun& coarser = named(runs, "results/second, 2 times coarser");
   EXPECT_EQ(coarser.directory, in("second/partner_run"));
   EXPECT_EQ(coarser.inside, in("second"));
   EXPECT_EQ(coarser.accuracy, "draft coarser 4");
   EXPECT_EQ(coarser.overrides, std::vector<std::string>{colder});
-  EXPECT_EQ(named(runs, "twin of first, 3 times coarser").directory, in("first/coarser_run/twin"));
+  EXPECT_EQ(named(runs, "twin of results/first, 3 times coarser").directory, in("first/coarser_run/twin"));
 }
 
 TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last_bit) {
