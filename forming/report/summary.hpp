@@ -41,6 +41,7 @@ struct RunFacts {
   Checks checks;         ///< of the run's end
   Extremes extremes;     ///< of temperatures
   MouldFilling filling;  ///< at the end of the last stage that blew
+  std::string unfilled;  ///< what the press has not filled, and why, a sentence; empty where it has
   std::vector<StageRecord> stages;
   SolverStatistics solver_statistics;
 };

@@ -20,7 +20,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 10;
+constexpr std::int64_t format_version = 11;
 
 struct Writer {
   Hdf5Group group;
@@ -103,6 +103,7 @@ void visit_facts(Visitor visit, Facts& facts) {
   for (std::size_t i = 0; i < facts.extremes.tools.size(); ++i)
     visit_extreme(visit.part(fmt::format("hottest_tool_{}", i)), facts.extremes.tools[i]);
   visit_filling(visit.part("mould_filling"), facts.filling);
+  visit("unfilled", facts.unfilled);
   for (std::size_t i = 0; i < facts.warnings.size(); ++i)
     visit(fmt::format("warning_{}", i).c_str(), facts.warnings[i]);
   for (std::size_t i = 0; i < facts.stages.size(); ++i) {

@@ -81,6 +81,7 @@ RunOutcome finish(RunInProgress& run, const Work& from_here) {
   }
   const std::string& stage = run.scene.stages[state.stage].name;
   facts.reason = facts.completed ? "" : fmt::format("stage {} at {:.5f} s: {}", stage, state.time, facts.reason);
+  if (facts.reason.find(facts.unfilled) == std::string::npos) add_warnings({facts.unfilled}, facts);
   add_warnings(remeshing_warnings(state), facts);
   facts.checks = checks(run.scene, state, facts);
   if (facts.completed) add_warnings(unused_interface_warnings(run.scene, state), facts);
@@ -107,7 +108,7 @@ RunOutcome resume(const Scene& scene, RunOutcome from, const Observers& observer
   notify(run, &RunObserver::run_begins);
   return finish(run, [&] {
     std::string& reason = run.outcome.facts.reason;
-    if (state.stage_time == 0) reason = stage_precondition_failure(scene, state);
+    if (state.stage_time == 0) reason = after_press(run.outcome.facts, stage_precondition_failure(scene, state));
     return run_stages(run, state.stage_time > 0 || reason.empty());
   });
 }

@@ -55,6 +55,11 @@ bool has_own_mesh(const Body& body) {
 
 }  // namespace
 
+std::string after_press(const RunFacts& facts, const std::string& failure) {
+  if (failure.empty() || facts.unfilled.empty()) return failure;
+  return fmt::format("{}; in this stage {}", facts.unfilled, failure);
+}
+
 bool begin_stage(RunInProgress& run, Index stage) {
   State& state = run.outcome.state;
   std::string& reason = run.outcome.facts.reason;
@@ -63,7 +68,7 @@ bool begin_stage(RunInProgress& run, Index stage) {
   state.next_step = run.scene.accuracy.initial_step;
   state.next_limit = static_cast<Index>(StepLimit::initial);
   run.workspace.static_stage.reset();
-  reason = misplaced.empty() ? stage_precondition_failure(run.scene, state) : misplaced;
+  reason = after_press(run.outcome.facts, misplaced.empty() ? stage_precondition_failure(run.scene, state) : misplaced);
   const bool good = reason.empty();
   notify(run, &RunObserver::stage_begins);
   if (stage == 0) notify(run, &RunObserver::fields_due, state);
@@ -90,6 +95,17 @@ const char* end_reason(const RunInProgress& run, bool good) {
   return name_of(stage_end(run.scene, run.outcome.state));
 }
 
+/// Notes what driven tools have not filled, or else which of them still move.
+void look_at_driven_tools(RunInProgress& run) {
+  const State& state = run.outcome.state;
+  RunFacts& facts = run.outcome.facts;
+  const auto unfilled = unfilled_cavity(run.scene, state);
+  if (unfilled) facts.unfilled = *unfilled;
+  const bool told = unfilled && !unfilled->empty();
+  if (!told && stage_end(run.scene, state) == StageEnd::duration)
+    add_warnings(moving_tool_warnings(run.scene, state), facts);
+}
+
 }  // namespace
 
 void end_stage(RunInProgress& run, bool good) {
@@ -99,8 +115,7 @@ void end_stage(RunInProgress& run, bool good) {
   facts.stages.push_back(
       {run.scene.stages[state.stage].name, state.stage_start, state.time, reason, state.totals.work});
   if (good && blows(run.scene.stages[state.stage])) facts.filling = mould_filling(run.scene, state);
-  if (good && !facts.stopped && stage_end(run.scene, state) == StageEnd::duration)
-    add_warnings(moving_tool_warnings(run.scene, state), facts);
+  if (good && !facts.stopped) look_at_driven_tools(run);
 }
 
 }  // namespace parison::forming

@@ -11,6 +11,9 @@ std::string stage_precondition_failure(const Scene& scene, const State& state);
 /// The same of the first stage, at the start of a run.
 std::string first_stage_failure(const Scene& scene);
 
+/// Why a stage cannot begin, after what the press before has left unfilled where it has; empty when it can.
+std::string after_press(const RunFacts& facts, const std::string& failure);
+
 /// Enters a stage; false when it cannot begin, and the facts say why.
 bool begin_stage(RunInProgress& run, Index stage);
 

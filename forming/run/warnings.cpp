@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forming/scene/container/container_plan.hpp"
+#include "forming/step/step_control.hpp"
+
 namespace parison::forming {
 
 namespace {
@@ -51,6 +54,81 @@ Warnings moving_tool_warnings(const Scene& scene, const State& state) {
           stage.name, stage.duration, name, 1e3 * *stage.end_speed, motion->force.max_size()));
   }
   return warnings;
+}
+
+namespace {
+
+/// What would bring a tool further that stands short of a place, m, and moves towards it at a speed, m/s, at the end of
+/// a stage of that time, s.
+std::string advice_for_short_tool(double force, double missing, double speed, double speed_limit, double time) {
+  constexpr double at_limit = 0.999;
+  if (speed >= at_limit * speed_limit)
+    return fmt::format(
+        "It still moved at its speed_limit of {:.3g} mm/s: a later end of the stage or a higher speed_limit brings it "
+        "further",
+        1e3 * speed_limit);
+  const std::string pressed = fmt::format("Its force of {:.4g} N", std::abs(force));
+  const char* const remedy = "more force, a hotter gob or less friction";
+  if (!(speed > 0)) return fmt::format("{} moved it no further: it takes {}", pressed, remedy);
+  if (speed * time < missing)
+    return fmt::format(
+        "{} still moved it at {:.3g} mm/s, by which it comes at most {:.2g} mm further in as long a stage again: it "
+        "takes {}",
+        pressed, 1e3 * speed, 1e3 * speed * time, remedy);
+  return fmt::format("{} still moved it at {:.3g} mm/s: a later end of the stage brings it further, or {}", pressed,
+                     1e3 * speed, remedy);
+}
+
+/// The tools of the present stage that no glass touches, but one: ", and no glass touched plate"; empty without any.
+std::string untouched_tools(const Scene& scene, const State& state, Index but) {
+  std::string names;
+  for (const StageTool& tool : scene.stages[state.stage].tools)
+    if (tool.tool != but && !touches_glass(state, tool.tool))
+      names += (names.empty() ? "" : " or ") + scene.tools[tool.tool].name;
+  return names.empty() ? "" : ", and no glass touched " + names;
+}
+
+/// Whether a larger force has driven the tool in an earlier stage.
+bool was_pressed_harder(const Scene& scene, Index stage, Index tool, double force) {
+  return std::any_of(scene.stages.begin(), scene.stages.begin() + stage, [&](const Stage& earlier) {
+    return std::any_of(earlier.tools.begin(), earlier.tools.end(), [&](const StageTool& entry) {
+      const auto* motion = std::get_if<ForceMotion>(&entry.motion);
+      return entry.tool == tool && motion && motion->force.max_size() > force;
+    });
+  });
+}
+
+/// That a tool stands short of the offset, m, at which it has filled its cavity.
+std::string short_tool(const Scene& scene, const State& state, Index tool, const ForceMotion& motion, double full) {
+  const ToolState& body = state.tools[tool];
+  const double missing = std::abs(full - body.offset), speed = full > body.offset ? body.velocity : -body.velocity;
+  const double speed_limit = motion.speed_limit(state.stage_time - 0.5 * state.last_step);
+  return fmt::format(
+      "stage {} ended ({}) before the glass filled its cavity: {} stood at {:.2f} mm, {:.3g} mm short of {:.2f} mm, "
+      "where the cavity is full{}. {}",
+      scene.stages[state.stage].name, name_of(stage_end(scene, state)), scene.tools[tool].name, 1e3 * body.offset,
+      1e3 * missing, 1e3 * full, untouched_tools(scene, state, tool),
+      advice_for_short_tool(body.force, missing, speed, speed_limit, state.stage_time));
+}
+
+}  // namespace
+
+std::optional<std::string> unfilled_cavity(const Scene& scene, const State& state) {
+  if (scene.geometry != core::Geometry::axisymmetric) return {};
+  std::vector<double> offset;
+  for (const ToolState& tool : state.tools) offset.push_back(tool.offset);
+  std::optional<std::string> told;
+  for (const StageTool& entry : scene.stages[state.stage].tools) {
+    const auto* motion = std::get_if<ForceMotion>(&entry.motion);
+    if (!motion) continue;
+    const double volume = core::volume(state.glass.mesh, scene.geometry);
+    const auto full = full_offset(scene, offset, state.stage, entry.tool, volume);
+    if (full == offset[entry.tool])
+      told = "";
+    else if (full && !was_pressed_harder(scene, state.stage, entry.tool, motion->force.max_size()))
+      told = short_tool(scene, state, entry.tool, *motion, *full);
+  }
+  return told;
 }
 
 Warnings remeshing_warnings(const State& state) {

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,11 @@ using Warnings = std::vector<std::string>;
 
 /// Of tools that were to come to rest in the present stage, which ended by its duration before they did.
 Warnings moving_tool_warnings(const Scene& scene, const State& state);
+
+/// How far the tool that a force drives in the present stage has stayed from where the glass fills the cavity, why, and
+/// what to do; empty where the cavity is full. Nothing where no tool closes one, or where its force only holds what a
+/// larger one has pressed before.
+std::optional<std::string> unfilled_cavity(const Scene& scene, const State& state);
 
 /// Of folds and torn pieces of the glass: what the container would show.
 Warnings remeshing_warnings(const State& state);

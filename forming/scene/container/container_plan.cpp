@@ -180,11 +180,15 @@ void plan_moved(Press& press, double end, ContainerPlan& plan) {
                               press.stage.name, 1e6 * cavity->volume);
 }
 
+/// The direction along the axis in which a force drives, 1 or -1.
+double sense_of(const ForceMotion& motion) {
+  return motion.force.max() >= -motion.force.min() ? 1 : -1;
+}
+
 /// The motion of a tool as the press, where it closes a cavity.
 void plan_motion(Press& press, const Motion& motion, const std::optional<double>& end, ContainerPlan& plan) {
   const double start = *press.placed.offset[press.tool];
-  if (const auto* force = std::get_if<ForceMotion>(&motion))
-    plan_driven(press, force->force.max() >= -force->force.min() ? 1 : -1, plan);
+  if (const auto* force = std::get_if<ForceMotion>(&motion)) plan_driven(press, sense_of(*force), plan);
   if (end && *end != start) plan_moved(press, *end, plan);
 }
 
@@ -245,6 +249,22 @@ std::optional<double> inside_height(const ContainerPlan& plan) {
   if (plan.mould_range) return plan.mould_range->second - plan.mould_range->first;
   if (plan.press) return plan.press->high - plan.press->low;
   return {};
+}
+
+std::optional<double> full_offset(const Scene& scene, const std::vector<double>& offset, Index stage, Index tool,
+                                  double volume) {
+  const Stage& present = scene.stages[stage];
+  const auto entry = std::find_if(present.tools.begin(), present.tools.end(),
+                                  [&](const StageTool& candidate) { return candidate.tool == tool; });
+  Press press{present, stage, tool, {scene, {offset.begin(), offset.end()}}};
+  const auto cavity = press.cavity(offset[tool]);
+  if (!cavity) return {};
+  if (cavity->volume <= (1 + fits) * volume) return offset[tool];
+  ContainerPlan plan{};
+  plan.glass_volume = volume;
+  plan_driven(press, sense_of(std::get<ForceMotion>(entry->motion)), plan);
+  if (!plan.press) return {};
+  return plan.press->stop;
 }
 
 std::optional<ContainerPlan> container_plan(const Scene& scene) {

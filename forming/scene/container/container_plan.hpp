@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "forming/scene/scene.hpp"
 
@@ -37,7 +38,13 @@ std::optional<double> inside_height(const ContainerPlan& plan);
 /// at the end of its mould against gravity.
 std::optional<ContainerPlan> container_plan(const Scene& scene);
 
-/// The same as lines for the terminal, empty without a plan.
+/// The offset at which a tool that a force drives has filled the cavity it closes with the others of its stage, with
+/// that volume of glass, m3, and all tools at the offsets given, m: its own one where the cavity is full already.
+/// Nothing where it closes none.
+std::optional<double> full_offset(const Scene& scene, const std::vector<double>& offset, Index stage, Index tool,
+                                  double volume);
+
+/// The plan as lines for the terminal, empty without one.
 std::string describe_container(const Scene& scene);
 
 }  // namespace parison::forming

@@ -100,6 +100,7 @@ RunFacts some_facts() {
   facts.timing["heat"] = 0.75;
   facts.stages = {{"rest", 0, 1 / 3.0, "duration", {1, 2, 3, 4, 5, 6, 1 / 7.0, 8}}};
   facts.warnings = {"at 0.1 s something", "something else"};
+  facts.unfilled = "the plunger stood short";
   facts.solver_statistics.flow_solves = 1L << 33;
   facts.extremes.glass = {900, 0.25, {1, 2}, 0.125, 1 / 3.0};
   facts.extremes.tools = {{}, {800, 0.5, {3, 4}, 0.375, 1 / 7.0}};
@@ -133,6 +134,7 @@ TEST(Checkpoint, a_state_comes_back_to_the_bit) {
   EXPECT_EQ(facts.stages[0].end_reason, "duration");
   EXPECT_EQ(facts.stages[0].work.surface, 1 / 7.0);
   EXPECT_EQ(facts.warnings, (std::vector<std::string>{"at 0.1 s something", "something else"}));
+  EXPECT_EQ(facts.unfilled, "the plunger stood short");
   EXPECT_EQ(facts.solver_statistics.flow_solves, 1L << 33);
   EXPECT_EQ(facts.solver_statistics.limited_by.back(), 3);
   EXPECT_EQ(facts.extremes.glass.at, Point(1, 2));
@@ -196,7 +198,7 @@ TEST(Checkpoint, one_of_another_case_file_accuracy_or_version_is_refused_with_a_
   const std::string kept = path + ".kept";
   std::filesystem::copy_file(path, kept);
   core::write_hdf5(path, [](core::Hdf5Group& file) { file.write("version", std::int64_t{99}); });
-  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 10");
+  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 11");
   const std::int64_t version = core::open_hdf5(kept).read_integer("version");
   core::write_hdf5(path, [&](core::Hdf5Group& file) {
     file.write("version", version);

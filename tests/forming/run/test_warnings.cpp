@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "../pot_scene.hpp"
 #include "../scene_text.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/run/stage.hpp"
@@ -40,6 +41,78 @@ TEST(Warnings, a_force_that_never_moves_its_tool_is_told_as_too_weak) {
   const std::string said = said_of_plunger(-1e-5, true, false);
   EXPECT_NE(said.find("a force of up to 5 N hardly moves it, and the glass may not be pressed"), said.npos) << said;
   EXPECT_EQ(said_of_plunger(-1e-5, true, true), "") << "it has come to rest";
+}
+
+/// The pot with a plunger that slides in it, its face a flat cone: full at an offset of -3.255 mm.
+const std::string loose_pot = replaced("(0, 10) (12, 10) mm", "(0, 10) (11.99, 10.3) mm",
+                                       replaced("(12, 20) (0, 20) mm", "(11.99, 20) (0, 20) mm", pot));
+
+/// The pot when its press of 0.4 s is over: the plunger at an offset, m, and its speed, m/s.
+State end_of_press(const Scene& scene, double offset, double velocity) {
+  State state = initial_state(scene);
+  state.stage_time = scene.stages[0].duration;
+  state.tools[1].offset = offset;
+  state.tools[1].velocity = velocity;
+  state.tools[1].force = -3000;
+  return state;
+}
+
+TEST(Warnings, a_plunger_short_of_the_full_cavity_is_told_with_what_its_speed_says_of_more_time) {
+  const Scene scene = scene_of(loose_pot);
+  const auto said = [&](double velocity) {
+    return unfilled_cavity(scene, end_of_press(scene, -2e-3, velocity)).value_or("nothing");
+  };
+  const std::string short_of =
+      "stage press ended (duration) before the glass filled its cavity: plunger stood at -2.00 mm, 1.26 mm short of "
+      "-3.26 mm, where the cavity is full, and no glass touched pot. ";
+  const std::string remedy = "more force, a hotter gob or less friction";
+  EXPECT_EQ(said(-1e-3), short_of +
+                             "Its force of 3000 N still moved it at 1 mm/s, by which it comes at most 0.4 mm "
+                             "further in as long a stage again: it takes " +
+                             remedy);
+  EXPECT_EQ(said(-0.01),
+            short_of +
+                "Its force of 3000 N still moved it at 10 mm/s: a later end of the stage brings it further, or " +
+                remedy);
+  EXPECT_EQ(said(1e-6), short_of + "Its force of 3000 N moved it no further: it takes " + remedy);
+  EXPECT_EQ(said(-0.05), short_of +
+                             "It still moved at its speed_limit of 50 mm/s: a later end of the stage or a "
+                             "higher speed_limit brings it further");
+}
+
+TEST(Warnings, only_a_closed_cavity_that_is_not_full_is_told_of_and_not_by_a_force_that_only_holds) {
+  const std::string hold =
+      "[[stage]]\nname = \"hold\"\nduration = \"1 s\"\ntools = [\"pot\", \"plunger\"]\n"
+      "motion.plunger = { force = \"-100 N\", speed_limit = \"50 mm/s\" }\n[material.glass]";
+  const Scene scene = scene_of(replaced("[material.glass]", hold, loose_pot));
+  const auto said = [&](Index stage, double offset) {
+    State state = end_of_press(scene, offset, -1e-3);
+    state.stage = stage;
+    state.stage_time = scene.stages[static_cast<std::size_t>(stage)].duration;
+    return unfilled_cavity(scene, state);
+  };
+  EXPECT_EQ(said(0, -3.254e-3), "");
+  EXPECT_EQ(said(1, -3.254e-3), "") << "what the press has left is filled by now";
+  EXPECT_EQ(said(1, -2e-3), std::nullopt);
+  EXPECT_NE(said(0, -2e-3), std::nullopt);
+  State open = initial_state(scene_of(small_scene));
+  open.stage = 1;
+  EXPECT_EQ(unfilled_cavity(scene_of(small_scene), open), std::nullopt);
+}
+
+TEST(Warnings, a_stage_that_a_short_press_keeps_from_beginning_names_the_short_tool_first_and_once) {
+  const std::string named =
+      "[[stage]]\nname = \"open\"\nduration = \"1 s\"\ngravity = \"-9.81 m/s2\"\ntools = [\"pot\"]\n"
+      "name_boundary = [{ name = \"top\", from = \"(12, 6.94) mm\", to = \"(0, 6.94) mm\" }]\n[material.glass]";
+  const std::string text =
+      replaced("duration = \"0.4 s\"", "duration = \"0.02 s\"", replaced("[material.glass]", named, loose_pot));
+  const RunFacts facts = run_in_folder(scene_of(text), tests::absent_folder()).facts;
+  const auto press = facts.reason.find("s: stage press ended (duration) before the glass filled its cavity: plunger");
+  const auto stage = facts.reason.find("; in this stage name_boundary top: \"");
+  ASSERT_NE(press, std::string::npos) << facts.reason;
+  ASSERT_NE(stage, std::string::npos) << facts.reason;
+  EXPECT_LT(press, stage);
+  EXPECT_TRUE(facts.warnings.empty()) << facts.warnings.front();
 }
 
 TEST(Warnings, glass_that_has_no_room_in_a_stage_is_told_with_the_drawings_before_the_sagging) {
