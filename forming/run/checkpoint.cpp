@@ -13,6 +13,7 @@
 #include "core/process/run_error.hpp"
 #include "forming/report/files/case_copy.hpp"
 #include "forming/run/resume/case_change.hpp"
+#include "forming/run/resume/changed_tools.hpp"
 #include "forming/state/visit_state.hpp"
 
 namespace parison::forming {
@@ -161,8 +162,9 @@ std::string case_as_it_was(const std::string& folder, const std::string& accurac
   return {};
 }
 
-/// The case has changed; refused where the run has used what changed, or where nothing has it as it was.
-void require_unused_change(const std::string& path, const Scene& scene, const Hdf5Group& file) {
+/// The tools that are others since the case has changed; refused where the run has used what changed, or where nothing
+/// has it as it was.
+std::vector<Index> require_unused_change(const std::string& path, const Scene& scene, const Hdf5Group& file) {
   const auto stage = static_cast<Index>(file.open("state").read_integer("stage"));
   const std::string before =
       case_as_it_was(std::filesystem::path(path).parent_path().string(), scene.accuracy_name, file);
@@ -172,10 +174,11 @@ void require_unused_change(const std::string& path, const Scene& scene, const Hd
         path, file.read_string("case"), scene.name));
   const std::string key = used_change(before, read_overrides(file), scene, stage);
   if (!key.empty())
-    throw core::CaseError(fmt::format(
-        "{}: {} has changed, which the run up to this checkpoint has used; allowed are changes of output and "
-        "of the stages after \"{}\"",
-        path, key, scene.stages.at(stage).name));
+    throw core::CaseError(
+        fmt::format("{}: {} has changed, which the run up to this checkpoint has used; allowed are changes of output, "
+                    "of the stages after \"{}\" and of tools that only those use",
+                    path, key, scene.stages.at(stage).name));
+  return changed_unused_tools(before, read_overrides(file), scene, stage);
 }
 
 /// Whether the copy of a result folder is the case of one of its checkpoints; nothing where it cannot be read.
@@ -192,13 +195,15 @@ std::optional<bool> is_of_a_checkpoint(const std::string& copy, const std::strin
   }
 }
 
-void require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
+/// Refuses a checkpoint that the scene cannot go on from; the tools that are others in the scene.
+std::vector<Index> require_match(const std::string& path, const Scene& scene, const Hdf5Group& file) {
   require_version(path, file);
-  if (fingerprint_in(file) != scene.fingerprint) require_unused_change(path, scene, file);
   const std::string accuracy = file.read_string("accuracy");
   if (accuracy != scene.accuracy_name)
     throw core::CaseError(fmt::format("{}: a checkpoint at {} accuracy was found, allowed is one at {} accuracy", path,
                                       accuracy, scene.accuracy_name));
+  if (fingerprint_in(file) != scene.fingerprint) return require_unused_change(path, scene, file);
+  return {};
 }
 
 void write_overrides(Hdf5Group& file, const std::vector<std::string>& overrides) {
@@ -233,7 +238,7 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
 
 Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
   const Hdf5Group file = core::open_hdf5(path);
-  require_match(path, scene, file);
+  const std::vector<Index> changed_tools = require_match(path, scene, file);
   Checkpoint checkpoint;
   auto& [state, facts] = checkpoint.outcome;
   facts.stages.resize(static_cast<std::size_t>(file.read_integer("stages_done")));
@@ -243,6 +248,7 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
   visit_files(Reader{file.open("files")}, checkpoint.files);
   state.tools.resize(scene.tools.size());
   visit_state(Reader{file.open("state")}, state);
+  renew_unused_tools(scene, changed_tools, checkpoint.outcome);
   return checkpoint;
 }
 

@@ -20,8 +20,9 @@ struct Checkpoint {
 /// Each file is complete or does not exist.
 void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint);
 
-/// Reads a checkpoint bit for bit; throws core::CaseError where it belongs to another version or to a case that has
-/// changed in what the run has used, core::RunError where it is damaged.
+/// Reads a checkpoint bit for bit; tools that the run has not used yet are as the case has them now. Throws
+/// core::CaseError where it belongs to another version or to a case that has changed in what the run has used,
+/// core::RunError where it is damaged.
 Checkpoint read_checkpoint(const std::string& path, const Scene& scene);
 
 /// The case that a checkpoint was made of.

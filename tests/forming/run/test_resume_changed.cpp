@@ -68,7 +68,7 @@ TEST_F(Resume, with_a_change_of_what_the_run_has_used_it_is_refused_by_its_key) 
   EXPECT_EQ(complaint("interval = \"0.02 s\"", "interval = \"0.03 s\""), "");
   EXPECT_NE(complaint("name = \"press\"\nduration = \"0.1 s\"", "name = \"press\"\nduration = \"0.2 s\"")
                 .find(": stage.press.duration has changed, which the run up to this checkpoint has used; allowed are "
-                      "changes of output and of the stages after \"press\""),
+                      "changes of output, of the stages after \"press\" and of tools that only those use"),
             std::string::npos);
   EXPECT_NE(
       complaint("temperature = \"1100 degC\"", "temperature = \"1101 degC\"").find(": glass.temperature has changed"),

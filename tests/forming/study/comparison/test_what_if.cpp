@@ -143,6 +143,52 @@ TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last
   EXPECT_EQ(settings_line(comparison.others[0].settings), "stage.rest.duration: 0.1 s -> 0.15 s");
 }
 
+/// The two stages, the second one in a sleeve that stands in the air, cooled, until then.
+std::string with_sleeve() {
+  std::string text = replaced("\"plunger\"]\nlaw", "\"plunger\", \"sleeve\"]\nlaw", two_stages());
+  text = replaced("tools = [\"pot\"]", "tools = [\"sleeve\"]", text);
+  text = replaced("case = \"pot\"", "case = \"pot\"\ndimension.depth = \"8 mm\"", text);
+  return replaced("[numerics]", R"case([[tool]]
+name = "sleeve"
+material = "iron"
+temperature = "480 degC"
+friction = "stick"
+boundary = [
+  { name = "inner", condition = "contact", path = "(12, 20) (12, 0) (0, 0) mm" },
+  { name = "axis", condition = "symmetry", path = "(0 mm, -depth)" },
+  { name = "outer", condition.cooled = { h = "800 W/m2/K", temperature = "50 degC" }, path = "(20 mm, -depth) (20, 20) (12, 20) mm" } ]
+[numerics])case",
+                  text);
+}
+
+TEST_F(WhatIfTest, a_tool_that_was_not_used_yet_may_be_another_one) {
+  core::write_text(folder + "/case.toml", with_sleeve());
+  const RunOutcome base = run_whole("base");
+  ASSERT_TRUE(base.facts.completed) << base.facts.reason;
+  const auto common = [&](const std::vector<std::string>& overrides) {
+    return last_common_stage(scene(), scene(overrides));
+  };
+  EXPECT_EQ(common({"tool.sleeve.temperature=430 degC"}), std::optional<std::string>("press"));
+  EXPECT_EQ(common({"dimension.depth=12 mm"}), std::optional<std::string>("press"));
+  EXPECT_EQ(common({"tool.sleeve.temperature=430 degC", colder}), std::nullopt);
+
+  // A thicker and colder one stands there as it would in a run from the start.
+  const std::vector<std::string> other{"dimension.depth=12 mm", "tool.sleeve.temperature=430 degC"};
+  const Scene changed = scene(other);
+  make_branch({"other", in("other"), coarse, other, BranchPoint{in("base"), "press"}, ""});
+  const RunOutcome branch = resume_in_folder(changed, in("other")), whole = run_whole("whole", other);
+  ASSERT_TRUE(branch.facts.completed) << branch.facts.reason;
+  const ToolState &sleeve = branch.state.tools[2], &expected = whole.state.tools[2], &before = base.state.tools[2];
+  ASSERT_EQ(sleeve.mesh.nodes, expected.mesh.nodes);
+  EXPECT_LT((sleeve.temperature - expected.temperature).cwiseAbs().maxCoeff(), 0.05);
+  EXPECT_NEAR(sleeve.heat_through[2], expected.heat_through[2], 1e-3 * expected.heat_through[2]);
+  EXPECT_NEAR(sleeve.heat_received, expected.heat_received, 2e-3 * expected.heat_received);
+  EXPECT_GT(sleeve.heat_received, 1.02 * before.heat_received);
+  EXPECT_NEAR(branch.facts.extremes.tools[2].temperature, whole.facts.extremes.tools[2].temperature, 0.05);
+  for (const Check& check : branch.facts.checks)
+    if (check.name == "energy_imbalance") EXPECT_EQ(check.verdict(), Verdict::inside);
+}
+
 TEST_F(WhatIfTest, what_a_run_has_of_quantities_is_known_before_it_with_the_units) {
   run_whole("made");
   const std::vector<Quantity> possible = possible_quantities(scene());
