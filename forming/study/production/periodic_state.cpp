@@ -72,8 +72,9 @@ bool learn(Search& search, const CycleRun& run) {
 std::optional<Eigen::VectorXd> settle(Search& search, const Eigen::VectorXd& temperatures) {
   CycleRun run;
   const bool is_first = search.estimates.runs().empty();
+  const char* first_folder = search.request.changed_from.empty() ? "first_gob" : "first_after_change";
   const Scene scene = is_first ? search.scene : with_tools_at(search.scene, search.initial, temperatures);
-  if (!cycle_of(search, scene, is_first ? "first_gob" : "", run) || !learn(search, run)) return std::nullopt;
+  if (!cycle_of(search, scene, is_first ? first_folder : "", run) || !learn(search, run)) return std::nullopt;
   const SettledEstimate& last = search.estimates.runs().back();
   search.progress(fmt::format("forming run {}: tool surfaces change by {} in the cycle, {} to go",
                               search.estimates.runs().size(), largest_text(search.scene, last.change),
@@ -97,15 +98,7 @@ void write_tools(const Search& search, const Eigen::VectorXd& temperatures, cons
 
 /// The case with its tools as in the folder that write_tools has made.
 Scene case_with_tools(const Search& search, const std::string& tools) {
-  const std::string folder = std::filesystem::absolute(search.request.directory + '/' + tools).string();
-  std::vector<std::string> overrides = search.scene.overrides;
-  for (const Tool& tool : search.scene.tools)
-    overrides.push_back(fmt::format("tool.{}.temperature={{ from = \"{}\" }}", tool.name, folder));
-  Scene scene = read_scene(search.scene.file, search.scene.accuracy_name, overrides);
-  // Sizes of first meshes depend on this mean; the tools keep their meshes throughout the search.
-  for (std::size_t t = 0; t < scene.tools.size(); ++t)
-    scene.tools[t].initial_temperature = search.scene.tools[t].initial_temperature;
-  return scene;
+  return with_tools_of(search.scene, search.request.directory + '/' + tools);
 }
 
 /// Two plain cycles from the temperatures in the folder `tools`, the first as a case of its own with result files.
@@ -227,7 +220,8 @@ bool PeriodicState::is_confirmed(double tolerance) const {
 
 PeriodicState find_periodic_state(const Scene& given, const MachineCycle& cycle, const PeriodicRequest& request,
                                   const StopRequest& stop, const Progress& progress) {
-  const Scene scene = scene_in_cycle(given, cycle);
+  Scene scene = scene_in_cycle(given, cycle);
+  if (!request.changed_from.empty()) scene = with_tools_of(scene, request.changed_from);
   const State initial = initial_state(scene);
   PeriodicState result;
   result.cycle = cycle;

@@ -14,6 +14,9 @@ struct PeriodicRequest {
   double tolerance = 0.5;  ///< of any tool-surface temperature, K: its change in a cycle, its distance
   int max_runs = 12;       ///< forming runs of the search, after which two plain cycles still go on
   std::string directory;   ///< new folder: the first gob, the settled container and the state of the tools
+  /// Folder of the tools of another production that the case changes; the first run is then the first container after
+  /// the change. Empty: the search starts from the tools as the case has them.
+  std::string changed_from = {};
 };
 
 /// A forming run of the search.

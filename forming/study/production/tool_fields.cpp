@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/study/production/tool_fields.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 
 namespace parison::forming {
 
@@ -33,6 +36,23 @@ Scene with_tools_at(const Scene& scene, const State& state, const Eigen::VectorX
     warm.tools[t].start_field =
         StartField{"the machine cycle before", {}, state.tools[t].mesh, field, field.minCoeff(), field.maxCoeff()};
   }
+  return warm;
+}
+
+Scene with_tools_of(const Scene& scene, const std::string& folder) {
+  const std::string from = std::filesystem::absolute(folder).lexically_normal().string();
+  std::vector<std::string> overrides = scene.overrides;
+  for (const Tool& tool : scene.tools) {
+    const std::string key = fmt::format("tool.{}.temperature=", tool.name);
+    overrides.erase(std::remove_if(overrides.begin(), overrides.end(),
+                                   [&](const std::string& assignment) { return assignment.rfind(key, 0) == 0; }),
+                    overrides.end());
+    overrides.push_back(fmt::format("{}{{ from = \"{}\" }}", key, from));
+  }
+  Scene warm = read_scene(scene.file, scene.accuracy_name, overrides);
+  // Sizes of first meshes depend on this mean.
+  for (std::size_t t = 0; t < warm.tools.size(); ++t)
+    warm.tools[t].initial_temperature = scene.tools[t].initial_temperature;
   return warm;
 }
 

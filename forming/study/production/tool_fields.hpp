@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "forming/scene/scene.hpp"
@@ -15,6 +16,9 @@ void set_tool_temperatures(const Eigen::VectorXd& temperatures, State& state);
 /// The scene with its tools at these temperatures at the start; the meshes are those of the state, which stay the
 /// first meshes of the scene.
 Scene with_tools_at(const Scene& scene, const State& state, const Eigen::VectorXd& temperatures);
+
+/// The scene, read again, with its tools as in a folder of results; its first meshes stay the same.
+Scene with_tools_of(const Scene& scene, const std::string& folder);
 
 /// The largest of a vector of changes of all tools' temperatures on their contact boundaries, K, without sign, and of
 /// each tool.

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
 #include "core/case/case_error.hpp"
 #include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/finished_run.hpp"
 #include "forming/study/production/cycle_files.hpp"
 #include "tools/commands/study/cycle_steps.hpp"
 #include "tools/program/exit_codes.hpp"
@@ -24,6 +26,7 @@ struct Production {
   forming::MachineCycle machine;
   std::string failure = {};  ///< why it did not settle, empty where it did
   double uncertainty = 0;    ///< of the tool surfaces, K
+  double warming = 0;        ///< of a tool surface from the first container to the settled one, the largest, K
 
   std::string container() const { return folder + "/settled"; }
 };
@@ -49,9 +52,11 @@ std::vector<Production> read_all(const CycleRequest& request, const CyclePlan& p
   return all;
 }
 
-/// False where it was stopped on request.
-bool settle(const CycleRequest& request, const CyclePlan& plan, Production& one) {
+/// `base`: folder of the production that this one is a change of; empty for the base itself. False where it was stopped
+/// on request.
+bool settle(const CycleRequest& request, const CyclePlan& plan, const std::string& base, Production& one) {
   forming::PeriodicRequest asked;
+  if (!base.empty()) asked.changed_from = base + "/tools";
   asked.tolerance = plan.tolerance;
   asked.max_runs = request.max_runs;
   asked.directory = one.folder;
@@ -61,6 +66,7 @@ bool settle(const CycleRequest& request, const CyclePlan& plan, Production& one)
   const forming::PeriodicState state = find_settled(one.scene, one.machine, asked);
   one.uncertainty = std::max(state.uncertainty, state.offset);
   one.failure = !state.failure.empty() ? state.failure : not_confirmed(state, plan.tolerance);
+  if (!state.start_up.empty()) one.warming = state.start_up.front().distance;
   if (state.failure.empty()) fmt::print("{}", forming::periodic_table(one.scene, state));
   if (!one.failure.empty()) fmt::print(stderr, "parison: {}: {}\n", one.name, one.failure);
   return !state.stopped;
@@ -77,13 +83,28 @@ forming::Comparison compare_settled(const std::vector<Production>& all) {
   return comparison;
 }
 
+/// What is open of a quantity while the tool surfaces are known to so many K, in words: by its change from the first
+/// gob of the base to its settled container. Empty where that is not known.
+std::string left_open(const Production& base, const std::string& quantity, double uncertainty) {
+  const auto settled = forming::read_finished_run(base.container()).quantities,
+             first = forming::read_finished_run(base.folder + "/first_gob").quantities;
+  const forming::Quantity *after = settled.find(quantity), *before = first.find(quantity);
+  if (!after || !before || !(base.warming > 0)) return {};
+  return fmt::format(
+      "; from the first gob to settled production {} changed by {:.2g} {} for {:.3g} K, so that leaves "
+      "some {:.2g} {} open",
+      quantity, after->value - before->value, after->unit, base.warming,
+      std::abs(after->value - before->value) * uncertainty / base.warming, after->unit);
+}
+
 }  // namespace
 
 int cycle_variants(const CycleRequest& request, const CyclePlan& plan) {
   std::vector<Production> all = read_all(request, plan);
   for (const Production& one : all) print_notes_on_cycle(one.scene, one.machine, one.name + ": ");
-  for (Production& one : all)
-    if (!settle(request, plan, one) || !all.front().failure.empty()) return run_failed;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!settle(request, plan, i > 0 ? all.front().folder : "", all[i]) || !all.front().failure.empty())
+      return run_failed;
   std::vector<std::string> containers;
   double uncertainty = 0;
   for (const Production& one : all)
@@ -96,10 +117,10 @@ int cycle_variants(const CycleRequest& request, const CyclePlan& plan) {
     return run_failed;
   }
   const forming::Comparison comparison = compare_settled(all);
-  fmt::print("{}{}", forming::comparison_tables(comparison),
-             forming::ranking_table(comparison, forming::ranked_quantity(comparison)));
-  fmt::print("  each on the tools to which its own production settles, whose surfaces are known to {:.2g} K\n",
-             uncertainty);
+  const std::string ranked = forming::ranked_quantity(comparison);
+  fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, ranked));
+  fmt::print("  each on the tools to which its own production settles, whose surfaces are known to {:.2g} K{}\n",
+             uncertainty, left_open(all.front(), ranked, uncertainty));
   fmt::print("\n  {}\n", forming::write_comparison(comparison, request.output));
   return containers.size() == all.size() ? 0 : run_failed;
 }
