@@ -6,95 +6,13 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/case/case_file.hpp"
-#include "core/case/tolerance.hpp"
+#include "forming/run/resume/case_differences.hpp"
 
 namespace parison::forming {
 namespace {
 
 using core::CaseFile;
 using core::CaseNode;
-
-const CaseNode* member(const CaseNode& table, const std::string& name) {
-  for (const CaseNode& item : table.items)
-    if (item.name == name) return &item;
-  return nullptr;
-}
-
-/// An entry of a list by its own name, or its number.
-std::string label(const CaseNode& entry, std::size_t number) {
-  const CaseNode* name = entry.kind == CaseNode::Kind::table ? member(entry, "name") : nullptr;
-  return name ? name->text : fmt::format("{}", number);
-}
-
-std::string joined(const std::string& path, const std::string& word) {
-  return path.empty() ? word : path + '.' + word;
-}
-
-constexpr std::size_t longest_value = 60;  ///< characters that are shown of a value
-
-/// A value as a user reads it, the middle of a long one left out.
-std::string shown(const CaseNode& node) {
-  std::vector<std::string> items;
-  for (const CaseNode& item : node.items)
-    items.push_back(node.kind == CaseNode::Kind::table ? item.name + " = " + shown(item) : shown(item));
-  std::string text = node.kind == CaseNode::Kind::table    ? fmt::format("{{ {} }}", fmt::join(items, ", "))
-                     : node.kind == CaseNode::Kind::list   ? fmt::format("[{}]", fmt::join(items, ", "))
-                     : node.kind == CaseNode::Kind::number ? fmt::format("{:g}", node.number)
-                     : node.kind == CaseNode::Kind::flag   ? fmt::format("{}", node.flag)
-                                                           : node.text;
-  if (text.size() > longest_value) text = text.substr(0, longest_value / 2) + " ... " + text.substr(text.size() - 20);
-  return text;
-}
-
-void add_differences(const CaseNode& before, const CaseNode& now, const std::string& path,
-                     std::vector<CaseDifference>& found);
-
-void add_table_differences(const CaseNode& before, const CaseNode& now, const std::string& path,
-                           std::vector<CaseDifference>& found) {
-  for (const CaseNode& item : before.items) {
-    if (const CaseNode* other = member(now, item.name))
-      add_differences(item, *other, joined(path, item.name), found);
-    else
-      found.push_back({joined(path, item.name), shown(item), ""});
-  }
-  for (const CaseNode& item : now.items)
-    if (!member(before, item.name)) found.push_back({joined(path, item.name), "", shown(item)});
-}
-
-/// Of the first `count` entries, and of their number below that.
-void add_list_differences(const CaseNode& before, const CaseNode& now, const std::string& path, std::size_t count,
-                          std::vector<CaseDifference>& found) {
-  const bool same_length = before.items.size() == now.items.size();
-  const std::size_t shorter = std::min(before.items.size(), now.items.size());
-  const bool are_tables = shorter > 0 && before.items.front().kind == CaseNode::Kind::table;
-  if (!same_length && !are_tables && shorter < count) return found.push_back({path, shown(before), shown(now)});
-  for (std::size_t i = 0; i < std::min(count, shorter); ++i)
-    add_differences(before.items[i], now.items[i], joined(path, label(before.items[i], i)), found);
-  if (!same_length && are_tables && shorter < count)
-    found.push_back(
-        {path, fmt::format("{} entries", before.items.size()), fmt::format("{} entries", now.items.size())});
-}
-
-/// The paths and values of all that differs.
-void add_differences(const CaseNode& before, const CaseNode& now, const std::string& path,
-                     std::vector<CaseDifference>& found) {
-  using Kind = CaseNode::Kind;
-  if (before.kind == now.kind && before.kind == Kind::table) return add_table_differences(before, now, path, found);
-  if (before.kind == now.kind && before.kind == Kind::list)
-    return add_list_differences(before, now, path, before.items.size() + now.items.size(), found);
-  const bool same =
-      before.kind == now.kind && before.text == now.text && before.number == now.number && before.flag == now.flag;
-  if (!same) found.push_back({path, shown(before), shown(now)});
-}
-
-/// A case without its tolerances, which no run uses.
-CaseFile case_with(const std::string& path, const std::vector<std::string>& overrides) {
-  CaseFile file = core::read_case_file(path);
-  for (const std::string& assignment : overrides) core::override_value(file, assignment);
-  core::take_tolerances(file);
-  return file;
-}
 
 bool same_segment(const core::Segment& a, const core::Segment& b) {
   return a.start == b.start && a.end == b.end && a.is_arc == b.is_arc && a.centre == b.centre && a.radius == b.radius &&
@@ -121,8 +39,8 @@ class Change {
  public:
   Change(const std::string& folder_before, const std::vector<std::string>& overrides_before, const Scene& scene,
          Index stage)
-      : before_(case_with(folder_before, overrides_before)),
-        now_(case_with(scene.file, scene.overrides)),
+      : before_(case_without_tolerances(folder_before, overrides_before)),
+        now_(case_without_tolerances(scene.file, scene.overrides)),
         scene_before_(read_scene(folder_before, scene.accuracy_name, overrides_before)),
         scene_(scene),
         stage_(stage) {}
@@ -154,22 +72,11 @@ class Change {
   bool is_unused_tool(Index tool) const { return tool >= 0 && first_use(scene_, tool) > stage_; }
 
   std::vector<CaseDifference> differences(const std::string& item) const {
-    const CaseNode *old_item = member(before_.root, item), *new_item = member(now_.root, item);
-    std::vector<CaseDifference> found;
-    if (old_item && new_item)
-      add_differences(*old_item, *new_item, item, found);
-    else if (old_item || new_item)
-      found.push_back({item, old_item ? shown(*old_item) : "", new_item ? shown(*new_item) : ""});
-    return found;
+    return item_differences(before_.root, now_.root, item);
   }
 
   std::vector<CaseDifference> differences_of_tool(Index tool) const {
-    const auto number = static_cast<std::size_t>(tool);
-    const CaseNode &old_tool = member(before_.root, "tool")->items[number],
-                   &new_tool = member(now_.root, "tool")->items[number];
-    std::vector<CaseDifference> found;
-    add_differences(old_tool, new_tool, joined("tool", label(old_tool, number)), found);
-    return found;
+    return entry_differences(*member(before_.root, "tool"), *member(now_.root, "tool"), static_cast<std::size_t>(tool));
   }
 
   std::string used_of(const std::string& item) const {
@@ -179,11 +86,9 @@ class Change {
         old_item && new_item && old_item->kind == CaseNode::Kind::list && new_item->kind == CaseNode::Kind::list;
     if (item == "tool" && are_lists && old_item->items.size() == new_item->items.size()) return used_tool();
     if (item == "dimension") return used_dimension();
-    std::vector<CaseDifference> found;
-    if (item == "stage" && are_lists)
-      add_list_differences(*old_item, *new_item, item, static_cast<std::size_t>(stage_) + 1, found);
-    else
-      found = differences(item);
+    const auto found = item == "stage" && are_lists
+                           ? first_entry_differences(*old_item, *new_item, static_cast<std::size_t>(stage_) + 1)
+                           : differences(item);
     return found.empty() ? std::string() : found.front().key;
   }
 
@@ -235,14 +140,6 @@ std::vector<Index> changed_unused_tools(const std::string& folder_before,
                                         const std::vector<std::string>& overrides_before, const Scene& scene,
                                         Index stage) {
   return Change(folder_before, overrides_before, scene, stage).changed_tools();
-}
-
-std::vector<CaseDifference> case_differences(const std::string& before,
-                                             const std::vector<std::string>& overrides_before, const std::string& now,
-                                             const std::vector<std::string>& overrides_now) {
-  std::vector<CaseDifference> found;
-  add_differences(case_with(before, overrides_before).root, case_with(now, overrides_now).root, "", found);
-  return found;
 }
 
 }  // namespace parison::forming

@@ -18,14 +18,4 @@ std::vector<Index> changed_unused_tools(const std::string& folder_before,
                                         const std::vector<std::string>& overrides_before, const Scene& scene,
                                         Index stage);
 
-/// A value in which two cases differ, as a user reads it; empty where one of them does not have it.
-struct CaseDifference {
-  std::string key, before, now;
-};
-
-/// All values in which two case files with these assignments differ.
-std::vector<CaseDifference> case_differences(const std::string& before,
-                                             const std::vector<std::string>& overrides_before, const std::string& now,
-                                             const std::vector<std::string>& overrides_now);
-
 }  // namespace parison::forming

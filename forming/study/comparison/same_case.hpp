@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "forming/run/resume/case_change.hpp"
+#include "forming/run/resume/case_differences.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/study/comparison/finished_run.hpp"
 

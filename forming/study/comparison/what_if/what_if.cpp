@@ -12,6 +12,7 @@
 #include "core/case/case_error.hpp"
 #include "core/case/given_file.hpp"
 #include "core/case/units.hpp"
+#include "forming/run/resume/case_change.hpp"
 #include "forming/run/resume/checkpoint_files.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/study/coarse_run.hpp"
