@@ -137,6 +137,27 @@ void approach(Search& search) {
     settle(search, estimates.mean());
 }
 
+/// What all runs so far say of the state in the folder `tools`.
+void judge(Search& search, const Eigen::VectorXd& state) {
+  auto& result = search.result;
+  result.uncertainty = search.estimates.uncertainty();
+  result.offset = surface_change(search.initial, search.estimates.mean() - state);
+  result.runs = static_cast<int>(search.estimates.runs().size() - result.confirmed.size());
+}
+
+/// Further runs where the two plain cycles bear the state out and single runs scatter too much to know it well enough.
+void measure_again(Search& search, const Eigen::VectorXd& state) {
+  auto& result = search.result;
+  const double tolerance = search.request.tolerance;
+  const auto may_go_on = [&] {
+    return static_cast<int>(search.estimates.runs().size()) < search.request.max_runs && result.failure.empty() &&
+           largest(result.confirmed) <= tolerance && result.offset <= tolerance && result.uncertainty > tolerance;
+  };
+  if (may_go_on()) search.progress("single runs scatter by more than the tolerance: more of them are made");
+  while (may_go_on())
+    if (settle(search, search.estimates.mean())) judge(search, state);
+}
+
 /// Looks for the periodic state until plain cycles confirm it or no more forming runs are allowed.
 Eigen::VectorXd search_for_state(Search& search) {
   auto& result = search.result;
@@ -145,8 +166,8 @@ Eigen::VectorXd search_for_state(Search& search) {
   while (result.failure.empty()) {
     approach(search);
     if (!result.failure.empty()) break;
-    result.runs = static_cast<int>(search.estimates.runs().size());
     if (!search.estimates.only_scatter() && search.estimates.uncertainty() > tolerance) {
+      result.runs = static_cast<int>(search.estimates.runs().size());
       result.failure = fmt::format("after {} forming runs the tool surfaces are settled to {:.3g} K only", result.runs,
                                    search.estimates.uncertainty());
       break;
@@ -156,8 +177,8 @@ Eigen::VectorXd search_for_state(Search& search) {
     plain_cycles(search);
     if (!result.failure.empty()) break;
     result.found = true;
-    result.uncertainty = search.estimates.uncertainty();
-    result.offset = surface_change(search.initial, search.estimates.mean() - state);
+    judge(search, state);
+    measure_again(search, state);
     const auto runs = static_cast<int>(search.estimates.runs().size());
     if (result.is_confirmed(tolerance) || runs >= search.request.max_runs) break;
     search.progress("the plain cycles do not confirm the state: the search goes on");

@@ -59,7 +59,8 @@ using Progress = std::function<void(const std::string&)>;
 /// distances fall no more, what is left is the scatter of forming runs, and the mean of the states that they settle to
 /// is taken until it is known to the tolerance (SettledEstimates). Two plain cycles from there confirm it: they change
 /// no tool surface by more than the tolerance, and what they settle to, with the runs before, is no further away, which
-/// a tool that takes hundreds of cycles does not show by its change. Otherwise the search goes on. Each cycle has its
+/// a tool that takes hundreds of cycles does not show by its change; more runs are made where single ones scatter too
+/// much for that. Otherwise the search goes on. Each cycle has its
 /// share of swabs; what happens from one to the next is found afterwards.
 PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
                                   const StopRequest& stop, const Progress& progress);
