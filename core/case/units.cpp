@@ -68,6 +68,7 @@ constexpr NamedDimension named_dimensions[] = {
     {dimension::pressure, "a pressure", "0.35 bar", 1e15},
     {dimension::viscosity, "a viscosity", "1e4 Pa.s", 1e30},
     {dimension::surface_tension, "a surface tension", "0.3 N/m", 1e9},
+    {dimension::heat_per_area, "a heat on an area", "100 kJ/m2", 1e9},
     {dimension::friction, "a friction coefficient", "1e6 Pa.s/m", 1e30},
     {{2, 1, -2}, "an energy", "33 kJ", 1e18},
     {{2, 1, -3}, "a power", "5 kW", 1e18},
@@ -88,7 +89,9 @@ namespace {
 /// Null for a dimension without a name of its own.
 const NamedDimension* find_named(const Dimension& dimension) {
   for (const auto& named : named_dimensions)
-    if (same_exponents(named.dimension, dimension) && named.dimension.absolute == dimension.absolute) return &named;
+    if (same_exponents(named.dimension, dimension) && named.dimension.absolute == dimension.absolute &&
+        named.dimension.heat == dimension.heat)
+      return &named;
   return nullptr;
 }
 

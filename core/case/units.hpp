@@ -6,10 +6,11 @@
 
 namespace parison::core {
 
-/// Exponents of m, kg, s and K. `absolute` marks a temperature that may be given in degC.
+/// Exponents of m, kg, s and K. `absolute` marks a temperature that may be given in degC, `heat` a heat on an area,
+/// which has the exponents of a surface tension and is called otherwise.
 struct Dimension {
   int length = 0, mass = 0, time = 0, temperature = 0;
-  bool absolute = false;
+  bool absolute = false, heat = false;
 };
 
 namespace dimension {
@@ -29,7 +30,7 @@ inline constexpr Dimension force{1, 1, -2};
 inline constexpr Dimension pressure{-1, 1, -2};
 inline constexpr Dimension viscosity{-1, 1, -1};
 inline constexpr Dimension surface_tension{0, 1, -2};
-inline constexpr Dimension heat_per_area{0, 1, -2};
+inline constexpr Dimension heat_per_area{0, 1, -2, 0, false, true};
 inline constexpr Dimension friction{-2, 1, -1};
 inline constexpr Dimension heat_capacity{2, 0, -2, -1};
 inline constexpr Dimension conductivity{1, 1, -3, -1};

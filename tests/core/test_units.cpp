@@ -65,6 +65,14 @@ TEST(Units, another_dimension_is_named_along_with_the_allowed_one) {
             "\"5 kg.m\" is a quantity in kg m, allowed is a length such as \"2.5 mm\"");
 }
 
+TEST(Units, a_heat_on_an_area_is_not_called_a_surface_tension) {
+  EXPECT_EQ(parse_quantity("100 kJ/m2", dimension::heat_per_area).value, 1e5);
+  EXPECT_EQ(parse_quantity("100 kJ", dimension::heat_per_area).problem,
+            "\"100 kJ\" is an energy, allowed is a heat on an area such as \"100 kJ/m2\"");
+  EXPECT_EQ(parse_quantity("3 K", dimension::surface_tension).problem,
+            "\"3 K\" is a temperature difference, allowed is a surface tension such as \"0.3 N/m\"");
+}
+
 TEST(Units, a_scale_temperature_is_no_difference) {
   EXPECT_EQ(parse_quantity("40 degC", dimension::temperature_difference).problem,
             "\"40 degC\" is a temperature on a scale, allowed is a temperature difference such as \"40 K\"");
