@@ -13,6 +13,7 @@
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/resolution.hpp"
+#include "forming/study/setting_error.hpp"
 #include "tools/comparison/compare.hpp"
 #include "tools/comparison/run_queue.hpp"
 #include "tools/program/exit_codes.hpp"
@@ -152,6 +153,15 @@ WhatIf asked_of_case(const WhatIfRequest& request) {
   return {request.case_path, accuracy, "", request.overrides, request.variants};
 }
 
+/// The case of all runs; a mistake in what --base sets is told as one of that option.
+forming::Scene read_base(const WhatIf& asked) {
+  try {
+    return forming::read_scene(asked.case_path, "draft", asked.overrides);
+  } catch (const core::CaseError& error) {
+    throw core::CaseError(forming::refusal_text(error, "--base", asked.overrides));
+  }
+}
+
 /// The run that is there says the case and the accuracy.
 WhatIf asked_of_results(const WhatIfRequest& request) {
   const std::string& folder = request.case_path;
@@ -174,7 +184,7 @@ WhatIf asked_of_results(const WhatIfRequest& request) {
 int what_if(const WhatIfRequest& request) {
   catch_signals();
   WhatIf asked = forming::is_result_folder(request.case_path) ? asked_of_results(request) : asked_of_case(request);
-  const forming::Scene scene = forming::read_scene(asked.case_path, "draft", asked.overrides);
+  const forming::Scene scene = read_base(asked);
   const std::string output = request.output.empty() ? "results/what_if_" + scene.name : request.output;
   asked.directory = output;
   asked.twice = request.twice;
