@@ -106,7 +106,9 @@ Json run_json(const std::string& path, const std::string& name, std::size_t runs
   run["history"] = pack_table(folder.history, runs, bytes);
   run["tools"] = pack_table(read_table(path + "/tools.csv"), runs, bytes);
   if (!folder.summary.empty()) {
-    WallTables wall = wall_tables(path, run["summary"], scene.scene);
+    const auto finished = run_with_coarser(path);
+    if (finished) add_errors(*finished, run["summary"]);
+    WallTables wall = wall_tables(path, finished);
     run["heights"] = pack_table(wall.heights, runs, bytes);
     run["profile"] = pack_table(wall.profile, runs, bytes);
   }

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "core/io/files.hpp"
 #include "forming/report/error_bars.hpp"
-#include "forming/study/coarse_run.hpp"
 
 namespace parison::tools {
 namespace {
@@ -21,28 +19,16 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Places to each side whose bars count too: a difference may vanish by chance at one of them.
 constexpr int reach = 4;
 
-/// The wall thickness at even places of the outer side, mm; empty where a summary has none.
-std::vector<double> profile_of(const Json& summary) {
-  std::vector<double> profile;
-  const auto found = summary.is_object() ? summary.find("thickness_profile_mm") : summary.end();
-  if (!summary.is_object() || found == summary.end() || !found->is_array()) return profile;
-  for (const Json& value : *found) profile.push_back(value.is_number() ? value.get<double>() : none);
-  return profile;
-}
-
-/// The bar at each place by the coarser runs; empty without one.
-std::vector<double> bars_of(const std::string& folder, const Json& summary, const forming::Scene& scene) {
-  const std::vector<double> own = profile_of(summary);
-  if (own.empty() || !summary.contains("error_bars")) return {};
+/// The bar at each even place of the outer side by the coarser runs; empty without one.
+std::vector<double> bars_of(const forming::FinishedRun& run) {
+  const std::vector<double>& own = run.quantities.profile;
+  if (own.empty()) return {};
   std::vector<std::vector<forming::ValueOfRun>> values;
   for (const double value : own) values.push_back({{1, value}});
-  for (const forming::CoarseCase& coarse : forming::coarse_cases(scene, folder)) {
-    const std::string path = coarse.directory + "/summary.json";
-    if (!std::filesystem::is_regular_file(path)) continue;
-    const Json other = Json::parse(core::read_text(path), nullptr, false);
-    const std::vector<double> profile = profile_of(other);
-    if (profile.size() != own.size() || other.value("completed", Json()) != Json(true)) continue;
-    for (std::size_t i = 0; i < own.size(); ++i) values[i].push_back({coarse.factor, profile[i]});
+  for (const forming::FinishedRun& coarser : run.coarser) {
+    const std::vector<double>& profile = coarser.quantities.profile;
+    if (profile.size() != own.size()) continue;
+    for (std::size_t i = 0; i < own.size(); ++i) values[i].push_back({coarser.factor, profile[i]});
   }
   std::vector<double> bars;
   if (values.front().size() > 1)
@@ -77,9 +63,27 @@ void add_column(ResultTable& table, std::vector<double> values) {
 
 }  // namespace
 
-WallTables wall_tables(const std::string& folder, const Json& summary, const std::optional<forming::Scene>& scene) {
+std::optional<forming::FinishedRun> run_with_coarser(const std::string& folder) {
+  try {
+    forming::FinishedRun run = forming::read_finished_run(folder);
+    if (run.completed && !run.coarser.empty()) return run;
+  } catch (const std::exception&) {  // a file that is damaged, or was edited, costs the bars and not the page
+  }
+  return std::nullopt;
+}
+
+void add_errors(const forming::FinishedRun& run, Json& summary) {
+  const auto quantities = summary.find("quantities");
+  if (summary.contains("error_bars") || quantities == summary.end() || !quantities->is_object()) return;
+  for (const forming::Quantity& quantity : run.quantities.values)
+    if (const auto found = quantities->find(quantity.name);
+        found != quantities->end() && found->is_object() && std::isfinite(quantity.error))
+      (*found)["error"] = quantity.error;
+}
+
+WallTables wall_tables(const std::string& folder, const std::optional<forming::FinishedRun>& run) {
   WallTables wall{read_table(folder + "/heights.csv"), read_table(folder + "/thickness.csv")};
-  const std::vector<double> bars = scene ? bars_of(folder, summary, *scene) : std::vector<double>{};
+  const std::vector<double> bars = run ? bars_of(*run) : std::vector<double>{};
   const auto *arc = wall.profile.column("arc_mm"), *r = wall.profile.column("r_outer_mm"),
              *z = wall.profile.column("z_outer_mm");
   if (!arc || !r || !z || arc->empty()) return wall;

@@ -4,10 +4,17 @@
 #include <optional>
 #include <string>
 
-#include "forming/scene/scene.hpp"
+#include "forming/study/comparison/finished_run.hpp"
 #include "tools/report/data/result_folder.hpp"
 
 namespace parison::tools {
+
+/// The run of a folder as `parison compare` reads it, whichever command has made its coarser runs; nothing where it has
+/// not completed, has none or a file of them is damaged.
+std::optional<forming::FinishedRun> run_with_coarser(const std::string& folder);
+
+/// Gives the quantities of its summary.json the errors by the coarser runs, where the run itself has estimated none.
+void add_errors(const forming::FinishedRun& run, nlohmann::ordered_json& summary);
 
 /// The wall of a run that has ended; both have a column `error_mm`, not a number where no bar is known.
 struct WallTables {
@@ -16,8 +23,7 @@ struct WallTables {
 };
 
 /// The error bar at a place of the outer side is the largest of those within a hundredth of its length: that of
-/// the run and the coarser ones that completed, as the bars of the quantities are (forming::bar_of_values).
-WallTables wall_tables(const std::string& folder, const nlohmann::ordered_json& summary,
-                       const std::optional<forming::Scene>& scene);
+/// the run and its coarser ones, as the bars of the quantities are (forming::bar_of_values).
+WallTables wall_tables(const std::string& folder, const std::optional<forming::FinishedRun>& run);
 
 }  // namespace parison::tools

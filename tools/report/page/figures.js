@@ -149,7 +149,7 @@ function wallPart(runs, charts) {
   const hasErrors = heights.some((one) => one.error);
   const note = hasErrors
     ? "band and bars: estimated error by the coarser runs"
-    : "no error bars: `parison run --error-bars` estimates them";
+    : "no error bars, since no coarser run is there: `parison resume DIR --error-bars` makes them";
   const sides = runs.flatMap((run) =>
     [
       ["outer", 0],
