@@ -9,6 +9,7 @@
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/container/figures.hpp"
 #include "forming/report/error_bars.hpp"
+#include "forming/report/quantity_labels.hpp"
 #include "forming/report/summary.hpp"
 #include "thermal/properties.hpp"
 
@@ -132,7 +133,7 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
 }
 
 std::string percent_line(const char* label, double fraction) {
-  return std::isfinite(fraction) ? fmt::format("  {:<30}{:>14.2g} %\n", label, 100 * fraction) : "";
+  return std::isfinite(fraction) ? fmt::format("  {:<42}{:>14.2g} %\n", label, 100 * fraction) : "";
 }
 
 std::string error_text(const Quantity& quantity) {
@@ -173,9 +174,9 @@ std::string control_lines(const AccuracyRecord& control) {
 }  // namespace
 
 std::string error_table(const ErrorBars& bars) {
-  std::string text = fmt::format("\n  {:<30}{:>14}{:>16}\n", "quantity", "value", "estimated error");
+  std::string text = fmt::format("\n  {:<42}{:>14}{:>16}\n", "quantity", "value", "estimated error");
   for (const Quantity& quantity : bars.quantities.values)
-    text += fmt::format("  {:<30}{:>14.5g}{:>16} {}\n", quantity.name, quantity.value, error_text(quantity),
+    text += fmt::format("  {:<42}{:>14.5g}{:>16} {}\n", quantity_label(quantity.name), quantity.value, error_text(quantity),
                         quantity.place.allFinite() ? quantity.unit + ", at " + at(quantity.place) : quantity.unit);
   text += percent_line("wall thickness, mean error", bars.profile_mean);
   text += percent_line("wall thickness, largest error", bars.profile_max);

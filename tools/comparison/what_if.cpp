@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/case/case_error.hpp"
+#include "forming/report/quantity_labels.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/study/comparison/comparison.hpp"
@@ -130,8 +131,8 @@ int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::st
     const Round round = run_round(asked, request.jobs, control.rounds() == 0);
     if (!round.comparison) return failed(round);
     control.add(*round.comparison);
-    fmt::print("  the error bars of {} are up to {:.3g} {}, wanted is {:.3g}\n", control.quantity(), control.bar(),
-               control.unit(), control.target());
+    fmt::print("  the error bars of {} are up to {:.3g} {}, wanted is {:.3g}\n",
+               forming::quantity_label(control.quantity()), control.bar(), control.unit(), control.target());
     std::fflush(stdout);
     if (!control.finished()) continue;
     WhatIfRequest shown = request;

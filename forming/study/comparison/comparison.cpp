@@ -10,6 +10,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
+#include "forming/report/quantity_labels.hpp"
 #include "forming/study/comparison/same_case.hpp"
 
 namespace parison::forming {
@@ -29,12 +30,19 @@ std::string number(double value, int digits, bool sign = false) {
   return sign ? fmt::format("{:+.{}f}", value, digits) : fmt::format("{:.{}f}", value, digits);
 }
 
-std::string quantity_row(const Difference& row) {
+/// Width of the column of labels.
+int label_width(const std::vector<Difference>& rows) {
+  std::size_t width = 22;
+  for (const Difference& row : rows) width = std::max(width, quantity_label(row.name).size());
+  return static_cast<int>(width);
+}
+
+std::string quantity_row(const Difference& row, int width) {
   const double fine = std::isfinite(row.bar) ? row.bar : 1e-4 * std::max(std::abs(row.base), std::abs(row.other));
   const int digits = digits_for(fine);
-  return fmt::format("  {:<22}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", row.name, number(row.base, digits),
-                     number(row.other, digits), number(row.difference, digits, true), number(row.bar, digits), row.unit,
-                     name_of(row.significance()));
+  return fmt::format("  {:<{}}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", quantity_label(row.name), width,
+                     number(row.base, digits), number(row.other, digits), number(row.difference, digits, true),
+                     number(row.bar, digits), row.unit, name_of(row.significance()));
 }
 
 std::string source_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other) {
@@ -140,9 +148,10 @@ std::string comparison_tables(const Comparison& comparison) {
   for (const ComparedRun& other : comparison.others) {
     text += heading(other, comparison.base);
     if (!other.result) continue;
-    text += fmt::format("  {:<22}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", "quantity", "base", "other", "difference",
-                        "error bar", "unit", "verdict");
-    for (const Difference& row : other.result->quantities) text += quantity_row(row);
+    const int width = label_width(other.result->quantities);
+    text += fmt::format("  {:<{}}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", "quantity", width, "base", "other",
+                        "difference", "error bar", "unit", "verdict");
+    for (const Difference& row : other.result->quantities) text += quantity_row(row, width);
     text += wall_line(other.result->profile) + source_line(*other.result, comparison.base, other.run);
   }
   return text + remark_lines(comparison);
@@ -155,7 +164,7 @@ std::string ranked_quantity(const Comparison& comparison) {
 
 std::string ranking_table(const Comparison& comparison, const std::string& quantity) {
   const Quantity* base = comparison.base.quantities.find(quantity);
-  if (!base) return fmt::format("\n{} has no {}\n", comparison.base.name, quantity);
+  if (!base) return fmt::format("\n{} has no {} ({})\n", comparison.base.name, quantity_label(quantity), quantity);
   std::vector<const ComparedRun*> order;
   std::size_t width = 8;
   for (const ComparedRun& other : comparison.others) {
@@ -167,8 +176,8 @@ std::string ranking_table(const Comparison& comparison, const std::string& quant
     return row ? row->difference : -std::numeric_limits<double>::infinity();
   };
   std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return change(a) > change(b); });
-  std::string text = fmt::format("\n{} is {:.5g} {} in {}; each change, the largest rise first:\n", quantity,
-                                 base->value, base->unit, comparison.base.name);
+  std::string text = fmt::format("\n{}: {:.5g} {} in {}; each change, the largest rise first:\n",
+                                 quantity_label(quantity), base->value, base->unit, comparison.base.name);
   for (const ComparedRun* run : order) {
     const Difference* row = find_row(*run, quantity);
     if (!row) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "forming/report/quantity_labels.hpp"
 #include "forming/study/audit.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
@@ -45,7 +46,7 @@ std::string row(const std::string& name, const AuditChange& change, const AuditC
       cell(100 * change.thickness, 100 * noise.thickness, " %"), cell(100 * change.heat, 100 * noise.heat, " %"),
       cell(change.mean_temperature, noise.mean_temperature, " K", true));
   if (change.most_change > above_noise * noise.most_change)
-    text += fmt::format("   {} {:.2g} %", change.most_changed, 100 * change.most_change);
+    text += fmt::format("   {} {:.2g} %", forming::quantity_label(change.most_changed), 100 * change.most_change);
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/files.hpp"
+#include "forming/report/quantity_labels.hpp"
 #include "forming/study/comparison/same_case.hpp"
 #include "tools/report/data/result_folder.hpp"
 #include "tools/report/data/run_names.hpp"
@@ -79,6 +80,15 @@ Json stages_of(const ResultFolder& folder, const std::optional<forming::Scene>& 
   return stages;
 }
 
+/// What the quantities of a summary are called.
+Json labels_of(const Json& summary) {
+  Json labels = Json::object();
+  const auto quantities = summary.is_object() ? summary.find("quantities") : summary.end();
+  if (!summary.is_object() || quantities == summary.end() || !quantities->is_object()) return labels;
+  for (const auto& quantity : quantities->items()) labels[quantity.key()] = forming::quantity_label(quantity.key());
+  return labels;
+}
+
 const SceneOfRun& scene_of(const std::string& folder, ReportCache& cache) {
   auto& [stamp, scene] = cache.scenes[folder];
   if (const std::string now = stamp_of_case(folder); stamp != now || (!scene.scene && scene.problem.empty())) {
@@ -103,6 +113,7 @@ Json run_json(const std::string& path, const std::string& name, std::size_t runs
            {"stages", stages_of(folder, scene.scene)},
            {"planar", scene.scene && scene.scene->geometry == core::Geometry::planar}};
   run["summary"] = folder.summary.empty() ? Json() : Json::parse(folder.summary, nullptr, false);
+  run["labels"] = labels_of(run["summary"]);
   run["history"] = pack_table(folder.history, runs, bytes);
   run["tools"] = pack_table(read_table(path + "/tools.csv"), runs, bytes);
   if (!folder.summary.empty()) {

@@ -1,22 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables and sentences of the report.
 
-const quantityWords = {
-  thickness_mean: "wall thickness, mean",
-  thickness_min: "wall thickness, least",
-  thickness_min_at: "thinnest place, share of the outer side",
-  glass_mean: "glass temperature, mean",
-  glass_skin: "glass temperature, outer surface",
-  extent_r_max: "largest radius",
-  extent_z_min: "lowest z",
-  extent_z_max: "highest z",
-};
-
-function quantityLabel(name) {
-  const match = /^(heat|time|peak_force)_(.*)$/.exec(name);
-  if (quantityWords[name] || !match) return quantityWords[name] || words(name);
-  return { heat: "heat into ", time: "duration of ", peak_force: "largest force of " }[match[1]] + words(match[2]);
-}
+/** What the program calls a quantity in tables for people. */
+const quantityLabel = (runs, name) => runs.map((run) => (run.labels || {})[name]).find((label) => label) || words(name);
 
 const unitText = (unit) => (unit === "degC" ? "°C" : unit === "of the arc" ? "" : unit);
 
@@ -41,7 +27,7 @@ function quantityPart(runs) {
       names.map((name) => {
         const known = runs.map((run) => of(run)[name]);
         return [
-          quantityLabel(name),
+          quantityLabel(runs, name),
           ...known.map((one) => number(one ? withError(one.value, one.error) : "-")),
           unitText((known.find((one) => one) || {}).unit),
         ];

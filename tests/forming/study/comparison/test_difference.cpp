@@ -172,7 +172,9 @@ TEST(Comparison, the_last_table_says_by_how_much_for_sure_and_a_run_that_failed_
   const std::string ranking = ranking_table(comparison, "thickness_min");
   EXPECT_NE(ranking.find("+0.100 mm +- 0.030: real, for sure more by at least 0.070 mm"), std::string::npos) << ranking;
   EXPECT_NE(ranking.find("broken    no result: blow at 0.1 s: the glass tore"), std::string::npos) << ranking;
+  EXPECT_EQ(ranking.find("\nwall thickness, least: 2 mm in run; each change"), 0u) << ranking;
   const std::string tables = comparison_tables(comparison);
+  EXPECT_NE(tables.find("  wall thickness, least         2.000"), std::string::npos) << tables;
   EXPECT_NE(tables.find("tool.blank.temperature: 460 degC -> 440 degC"), std::string::npos) << tables;
   EXPECT_NE(tables.find("no results: blow at 0.1 s"), std::string::npos) << tables;
 }
