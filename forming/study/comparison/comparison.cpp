@@ -12,6 +12,7 @@
 #include "core/case/case_file.hpp"
 #include "forming/report/quantity_labels.hpp"
 #include "forming/study/comparison/same_case.hpp"
+#include "forming/study/comparison/wrapped_text.hpp"
 
 namespace parison::forming {
 namespace {
@@ -48,7 +49,7 @@ std::string quantity_row(const Difference& row, int width) {
 std::string source_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other) {
   const std::string& stopped = base.coarser_stopped.empty() ? other.coarser_stopped : base.coarser_stopped;
   if (result.bars == BarSource::none && !stopped.empty())
-    return fmt::format("  no error bars: a coarser run stopped: {}; a finer accuracy helps\n", stopped);
+    return "  " + wrapped(fmt::format("no error bars: a coarser run stopped: {}; a finer accuracy helps", stopped), 4) + '\n';
   if (result.bars == BarSource::none)
     return "  no error bars: a run without coarser runs; `parison resume FOLDER --error-bars` makes them\n";
   const std::string scatter = result.scatter == ScatterSource::twins
@@ -86,7 +87,7 @@ std::string wall_line(const ProfileComparison& walls) {
 std::string heading(const ComparedRun& other, const FinishedRun& base) {
   std::string text = fmt::format("\n{} against {}, {} accuracy: {}\n", other.label, base.name, base.accuracy,
                                  settings_line(other.settings));
-  if (!other.result) return text + fmt::format("  no results: {}\n", other.reason);
+  if (!other.result) return text + "  " + wrapped("no results: " + other.reason, 4) + '\n';
   if (other.run.accuracy != base.accuracy)
     text += fmt::format("  {} itself is of {} accuracy\n", other.label, other.run.accuracy);
   for (const FinishedRun* run : {&base, &other.run})
@@ -181,8 +182,8 @@ std::string ranking_table(const Comparison& comparison, const std::string& quant
   for (const ComparedRun* run : order) {
     const Difference* row = find_row(*run, quantity);
     if (!row) {
-      text += fmt::format("  {:<{}}  no result: {}\n", run->label, width,
-                          run->reason.empty() ? "it does not have this quantity" : run->reason);
+      const std::string reason = run->reason.empty() ? "it does not have this quantity" : run->reason;
+      text += fmt::format("  {:<{}}  {}\n", run->label, width, wrapped("no result: " + reason, width + 4));
       continue;
     }
     const int digits = digits_for(row->bar);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "core/case/case_error.hpp"
 #include "core/io/json_read.hpp"
@@ -177,6 +178,22 @@ TEST(Comparison, the_last_table_says_by_how_much_for_sure_and_a_run_that_failed_
   EXPECT_NE(tables.find("  wall thickness, least         2.000"), std::string::npos) << tables;
   EXPECT_NE(tables.find("tool.blank.temperature: 460 degC -> 440 degC"), std::string::npos) << tables;
   EXPECT_NE(tables.find("no results: blow at 0.1 s"), std::string::npos) << tables;
+}
+
+TEST(Comparison, a_long_reason_of_a_run_that_failed_stays_in_its_column) {
+  Comparison comparison = compared(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1));
+  std::string reason = "stage blow at 0.1 s: ";
+  for (int i = 0; i < 40; ++i) reason += "no step of the time converges; ";
+  comparison.others[1].reason = reason;
+  const std::string ranking = ranking_table(comparison, "thickness_min");
+  std::istringstream lines(ranking.substr(ranking.find("  broken ")));
+  std::string line, joined;
+  for (int count = 0; std::getline(lines, line); ++count) {
+    EXPECT_LE(line.size(), 120u) << line;
+    EXPECT_EQ(line.substr(0, 12), count == 0 ? "  broken    " : "            ") << line;
+    joined += (count == 0 ? "" : " ") + line.substr(12);
+  }
+  EXPECT_EQ(joined, "no result: " + reason);
 }
 
 TEST(Comparison, flags_and_warnings_that_differ_and_every_failed_check_are_a_line_each) {
