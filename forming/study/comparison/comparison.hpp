@@ -35,7 +35,7 @@ void require_quantity(const std::string& quantity, const std::vector<Quantity>& 
 /// the thinnest wall, or to the quantity that is named.
 std::string comparison_tables(const Comparison& comparison);
 std::string ranking_table(const Comparison& comparison, const std::string& quantity);
-/// Of base and other runs the flags and warnings in which they differ, and all failed checks, a line each.
+/// The flags, warnings and failed checks of base and other runs, under the runs that have them: all, one or some.
 std::string remark_lines(const Comparison& comparison);
 /// The quantity of that table where none is named: the thinnest wall, else the first quantity.
 std::string ranked_quantity(const Comparison& comparison);

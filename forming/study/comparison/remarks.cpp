@@ -9,6 +9,7 @@
 
 #include "forming/report/checks/check.hpp"
 #include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/wrapped_text.hpp"
 
 namespace parison::forming {
 namespace {
@@ -48,19 +49,54 @@ Remark check_of(const core::JsonValue& check) {
               (is_severe ? ": not trustworthy" : "")};
 }
 
-/// Whether a remark of one run is worth a line beside those of another: a failed check always.
-bool is_shown(const Remark& remark, const std::vector<Remark>& beside) {
-  if (remark.kind == Remark::Kind::failed_check) return true;
-  const Remark* same = same_remark(beside, remark);
-  return !same || (remark.kind == Remark::Kind::flag && same->text != remark.text);
+/// A run that has come to its end, by the name that it has in the tables.
+struct NamedRun {
+  std::string name;
+  const std::vector<Remark>* remarks;
+};
+
+/// The base first.
+std::vector<NamedRun> runs_of(const Comparison& comparison) {
+  std::vector<NamedRun> runs{{comparison.base.name, &comparison.base.remarks}};
+  for (const ComparedRun& other : comparison.others)
+    if (other.result) runs.push_back({other.label, &other.run.remarks});
+  return runs;
 }
 
-/// The runs that have come to their end, by the name that they have in the tables.
-std::vector<std::pair<std::string, const FinishedRun*>> runs_of(const Comparison& comparison) {
-  std::vector<std::pair<std::string, const FinishedRun*>> runs;
-  for (const ComparedRun& other : comparison.others)
-    if (other.result) runs.emplace_back(other.label, &other.run);
-  return runs;
+/// The runs that say a remark and those that do not.
+struct Said {
+  std::vector<std::string> by, not_by;
+};
+
+Said said_by(const std::vector<NamedRun>& runs, const Remark& remark) {
+  Said said;
+  for (const NamedRun& run : runs) (same_remark(*run.remarks, remark) ? said.by : said.not_by).push_back(run.name);
+  return said;
+}
+
+std::string heading_of(const Said& said) {
+  if (said.not_by.empty()) return "  in all runs";
+  if (said.by.size() == 1) return fmt::format("  only in {}", said.by.front());
+  return fmt::format("  in {}, not in {}", fmt::join(said.by, ", "), fmt::join(said.not_by, ", "));
+}
+
+/// A line, or one for each run where a flag or a check has other values in them. Warnings are told as the first has
+/// them.
+std::string lines_of(const std::vector<NamedRun>& runs, const Remark& remark) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  bool differ = false;
+  for (const NamedRun& run : runs)
+    if (const Remark* same = same_remark(*run.remarks, remark)) {
+      texts.emplace_back(run.name, same->text);
+      differ = differ || (remark.kind != Remark::Kind::warning && same->text != remark.text);
+    }
+  const auto line = [&](const std::string& text) {
+    return "    " + wrapped(fmt::format("{} {}", name_of(remark.kind), text), 6) + '\n';
+  };
+  if (!differ) return line(remark.text);
+  std::string lines;
+  for (const auto& [run, text] : texts) lines += line(fmt::format("{} in {}", text, run));
+  return lines;
 }
 
 }  // namespace
@@ -87,25 +123,21 @@ const Remark* same_remark(const std::vector<Remark>& remarks, const Remark& rema
 
 std::string remark_lines(const Comparison& comparison) {
   const auto runs = runs_of(comparison);
-  std::size_t width = comparison.base.name.size();
-  for (const auto& run : runs) width = std::max(width, run.first.size());
-  std::string lines;
-  const auto add = [&](const std::string& run, const std::string& what) {
-    lines += fmt::format("  {:<{}}  {}\n", run, width, what);
-  };
-  for (const Remark& remark : comparison.base.remarks)
-    if (std::any_of(runs.begin(), runs.end(), [&](const auto& run) { return is_shown(remark, run.second->remarks); }))
-      add(comparison.base.name, fmt::format("{} {}", name_of(remark.kind), remark.text));
-  for (const auto& [label, run] : runs) {
-    for (const Remark& remark : run->remarks)
-      if (is_shown(remark, comparison.base.remarks))
-        add(label, fmt::format("{} {}", name_of(remark.kind), remark.text));
-    for (const Remark& remark : comparison.base.remarks)
-      if (!same_remark(run->remarks, remark))
-        add(label, fmt::format("without the {} of {}: {}", name_of(remark.kind), comparison.base.name, remark.text));
-  }
-  if (lines.empty()) return "\nflags and warnings: the same in all runs; no check failed\n";
-  return "\nflags and warnings that differ between the runs, and failed checks:\n" + lines;
+  std::vector<std::pair<std::string, std::string>> groups;  // heading and lines, in the order of their first remarks
+  std::vector<Remark> known;
+  for (const NamedRun& run : runs)
+    for (const Remark& remark : *run.remarks) {
+      if (same_remark(known, remark)) continue;
+      known.push_back(remark);
+      const std::string heading = heading_of(said_by(runs, remark));
+      auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& one) { return one.first == heading; });
+      if (group == groups.end()) group = groups.insert(groups.end(), {heading, ""});
+      group->second += lines_of(runs, remark);
+    }
+  if (groups.empty()) return "\nflags and warnings: none in any run; no check failed\n";
+  std::string text = "\nflags, warnings and failed checks:\n";
+  for (const auto& [heading, lines] : groups) text += heading + '\n' + lines;
+  return text;
 }
 
 }  // namespace parison::forming

@@ -196,7 +196,7 @@ TEST(Comparison, a_long_reason_of_a_run_that_failed_stays_in_its_column) {
   EXPECT_EQ(joined, "no result: " + reason);
 }
 
-TEST(Comparison, flags_and_warnings_that_differ_and_every_failed_check_are_a_line_each) {
+TEST(Comparison, flags_warnings_and_failed_checks_are_told_with_the_runs_that_have_them) {
   const auto remarks = [](const std::string& flags, const std::string& warnings, const std::string& checks) {
     return read_remarks(core::read_json(
         fmt::format(R"({{"flags": [{}], "warnings": [{}], "checks": [{}]}})", flags, warnings, checks), "summary"));
@@ -209,20 +209,37 @@ TEST(Comparison, flags_and_warnings_that_differ_and_every_failed_check_are_a_lin
   };
   FinishedRun base = run_with(2), other = run_with(2.1);
   Comparison comparison = compared(base, other);
-  EXPECT_NE(comparison_tables(comparison).find("flags and warnings: the same in all runs; no check failed"),
+  EXPECT_NE(comparison_tables(comparison).find("flags and warnings: none in any run; no check failed"),
             std::string::npos);
   comparison.base.remarks = remarks(hot, R"("1 fold of 2 mm3 was closed; look there")", check("inside"));
   comparison.others[0].run.remarks = remarks(
       thin, R"("1 fold of 3 mm3 was closed; look there", "the ring still moves at 0.2 s")", check("not trustworthy"));
   EXPECT_EQ(remark_lines(comparison),
-            "\nflags and warnings that differ between the runs, and failed checks:\n"
-            "  run      flag tool_surface_above of ring: 612 degC, limit 600 degC\n"
-            "  thicker  flag wall_below: 1.42 mm, limit 1.5 mm\n"
-            "  thicker  warning the ring still moves at 0.2 s\n"
-            "  thicker  failed check work_balance is 2.1 %, the limit is 1 %: not trustworthy\n"
-            "  thicker  without the flag of run: tool_surface_above of ring: 612 degC, limit 600 degC\n");
+            "\nflags, warnings and failed checks:\n"
+            "  only in run\n"
+            "    flag tool_surface_above of ring: 612 degC, limit 600 degC\n"
+            "  in all runs\n"
+            "    warning 1 fold of 2 mm3 was closed\n"
+            "  only in thicker\n"
+            "    flag wall_below: 1.42 mm, limit 1.5 mm\n"
+            "    warning the ring still moves at 0.2 s\n"
+            "    failed check work_balance is 2.1 %, the limit is 1 %: not trustworthy\n");
+  comparison.others.push_back({"third", {}, "", comparison.others[0].result});
+  comparison.others.back().run.remarks =
+      remarks(R"({"name": "wall_below", "unit": "mm", "limit": 1.5, "value": 1.3})", "", check("beyond"));
+  EXPECT_NE(remark_lines(comparison)
+                .find("  in thicker, third, not in run\n"
+                      "    flag wall_below: 1.42 mm, limit 1.5 mm in thicker\n"
+                      "    flag wall_below: 1.3 mm, limit 1.5 mm in third\n"),
+            std::string::npos)
+      << remark_lines(comparison);
+  comparison.others.pop_back();
   comparison.others[0].run.remarks = comparison.base.remarks;
-  EXPECT_NE(remark_lines(comparison).find("the same in all runs"), std::string::npos);
+  EXPECT_EQ(remark_lines(comparison),
+            "\nflags, warnings and failed checks:\n"
+            "  in all runs\n"
+            "    flag tool_surface_above of ring: 612 degC, limit 600 degC\n"
+            "    warning 1 fold of 2 mm3 was closed\n");
 }
 
 TEST(Comparison, a_quantity_that_is_not_there_is_refused_with_the_nearest) {
