@@ -44,12 +44,14 @@ Comparison compare_variants(const WhatIf& asked, const std::vector<QueuedRun>& r
   const auto repeats = asked.twice ? forming::Repeats::averaged : forming::Repeats::ignored;
   Comparison comparison = forming::compare_folders(folder(forming::base_name), {});
   for (const auto& variant : asked.variants) {
-    if (run_of(variant.name)->status == QueuedRun::Status::done) {
+    const auto run = run_of(variant.name);
+    if (run == runs.end()) {
+      comparison.others.push_back({variant.name, {}, forming::nothing_changed(asked, variant), {}, {}, true});
+    } else if (run->status == QueuedRun::Status::done) {
       Comparison one = forming::compare_folders(folder(forming::base_name), {folder(variant.name)}, repeats);
       comparison.others.push_back(std::move(one.others.front()));
     } else {
-      comparison.others.push_back(
-          {variant.name, forming::settings_of(asked, variant), run_of(variant.name)->reason, {}});
+      comparison.others.push_back({variant.name, forming::settings_of(asked, variant), run->reason, {}});
     }
   }
   return comparison;
@@ -69,7 +71,7 @@ void print_notes(const WhatIf& asked) {
         fmt::print("unusual in variant {}, is it meant? {}\n", variant.name, note);
     for (const std::string& note : forming::settled_replaced(asked, variant)) fmt::print("{}\n", note);
     if (const std::string nothing = forming::nothing_changed(asked, variant); !nothing.empty())
-      fmt::print("{}\n", nothing);
+      fmt::print("{}; it is not run\n", nothing);
   }
 }
 
@@ -110,7 +112,7 @@ int report(const Comparison& comparison, const WhatIfRequest& request, const std
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
   fmt::print("\n  {}; {:.1f} s of CPU time\n", forming::write_comparison(comparison, output), cpu_of_children());
   const bool all = std::all_of(comparison.others.begin(), comparison.others.end(),
-                               [](const forming::ComparedRun& other) { return other.result.has_value(); });
+                               [](const forming::ComparedRun& other) { return other.result || other.unchanged; });
   return all && has_quantity(comparison.base, quantity) ? 0 : run_failed;
 }
 

@@ -16,6 +16,7 @@ struct ComparedRun {
   std::string reason;                    ///< why it has no results; empty with them
   std::optional<RunComparison> result;
   FinishedRun run = {};
+  bool unchanged = false;  ///< it has the values of the base, and was not run
 };
 
 struct Comparison {

@@ -43,12 +43,17 @@ Production production_of(const CycleRequest& request, const CyclePlan& plan, con
   }
 }
 
-/// The base first.
+/// The base first. A variant that changes nothing is told and left out.
 std::vector<Production> read_all(const CycleRequest& request, const CyclePlan& plan) {
-  // What `what-if` refuses is refused here too.
-  forming::plan_runs({request.case_path, request.accuracy, request.output, request.overrides, request.variants});
+  const forming::WhatIf asked{request.case_path, request.accuracy, request.output, request.overrides, request.variants};
+  forming::plan_runs(asked);  // what `what-if` refuses is refused here too
   std::vector<Production> all{production_of(request, plan, {forming::base_name, {}})};
-  for (const forming::WhatIfVariant& variant : request.variants) all.push_back(production_of(request, plan, variant));
+  for (const forming::WhatIfVariant& variant : request.variants) {
+    if (const std::string nothing = forming::nothing_changed(asked, variant); !nothing.empty())
+      fmt::print("{}; it is not run\n", nothing);
+    else
+      all.push_back(production_of(request, plan, variant));
+  }
   return all;
 }
 

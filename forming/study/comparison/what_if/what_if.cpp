@@ -55,6 +55,31 @@ Scene checked_variant(const WhatIf& what_if, const Scene& base, const WhatIfVari
   }
 }
 
+/// A variant that runs, and the last stage that it has in common with the base.
+struct PlannedVariant {
+  std::string name;
+  Scene scene;
+  std::optional<std::string> stage;
+};
+
+/// The variants that change something; one of them at least has to.
+std::vector<PlannedVariant> checked_variants(const WhatIf& what_if, const Scene& base) {
+  std::vector<PlannedVariant> variants;
+  std::string nothing;
+  for (const WhatIfVariant& variant : what_if.variants) {
+    Scene scene = checked_variant(what_if, base, variant);
+    if (const std::string unchanged = nothing_changed(what_if, variant); !unchanged.empty()) {
+      nothing += (nothing.empty() ? "" : "; ") + unchanged;
+      continue;
+    }
+    auto stage = last_common_stage(base, scene);
+    variants.push_back({variant.name, std::move(scene), std::move(stage)});
+  }
+  if (variants.empty())
+    throw core::CaseError(fmt::format("{}; allowed is at least one variant with a value of its own", nothing));
+  return variants;
+}
+
 /// Two assignments to one key, of which the last would count, were meant as two variants.
 void require_keys_once(const WhatIfVariant& variant) {
   std::set<std::string> keys;
@@ -238,20 +263,17 @@ std::vector<PlannedRun> plan_runs(const WhatIf& what_if) {
   const Scene base = checked_scene(what_if, what_if.overrides);
   std::vector<PlannedRun> runs;
   add_runs(what_if, base_name, base, std::nullopt, runs);
-  std::vector<Scene> scenes;
+  const std::vector<PlannedVariant> variants = checked_variants(what_if, base);
   std::set<std::optional<std::string>> stages;
-  for (const WhatIfVariant& variant : what_if.variants) {
-    scenes.push_back(checked_variant(what_if, base, variant));
-    const auto stage = last_common_stage(base, scenes.back());
-    if (stage && !what_if.base_results.empty())
-      find_stage_end(what_if.base_results, *stage);  // refuses where it is gone
-    stages.insert(stage);
+  for (const PlannedVariant& variant : variants) {
+    if (variant.stage && !what_if.base_results.empty())
+      find_stage_end(what_if.base_results, *variant.stage);  // refuses where it is gone
+    stages.insert(variant.stage);
   }
   add_base_twins(what_if, base, stages, runs);
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const auto stage = last_common_stage(base, scenes[i]);
-    add_runs(what_if, what_if.variants[i].name, scenes[i], stage, runs);
-    if (what_if.twice) add_variant_twins(what_if, what_if.variants[i].name, scenes[i], stage, runs);
+  for (const PlannedVariant& variant : variants) {
+    add_runs(what_if, variant.name, variant.scene, variant.stage, runs);
+    if (what_if.twice) add_variant_twins(what_if, variant.name, variant.scene, variant.stage, runs);
   }
   return runs;
 }
