@@ -124,6 +124,25 @@ int failed(const Round& round) {
   return run_failed;
 }
 
+/// Which variants have no bar in the last round, as the end of a sentence; empty where all have.
+std::string without_bar(const forming::ResolutionControl& control) {
+  const auto& names = control.without_bar();
+  if (names.empty()) return {};
+  return fmt::format(", without a bar of {}, which {} not have it or stopped", fmt::join(names, ", "),
+                     names.size() == 1 ? "does" : "do");
+}
+
+void print_bars(const forming::ResolutionControl& control) {
+  const std::string label = forming::quantity_label(control.quantity());
+  if (std::isfinite(control.bar()))
+    fmt::print("  the error bars of {} are up to {:.3g} {}, wanted is {:.3g}{}\n", label, control.bar(), control.unit(),
+               control.target(), without_bar(control));
+  else
+    fmt::print("  no variant has an error bar of {} yet, wanted is {:.3g} {}\n", label, control.target(),
+               control.unit());
+  std::fflush(stdout);
+}
+
 /// Finer and finer until the error bars let a difference of the size asked for be seen.
 int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::string& output,
                        forming::ResolutionControl control) {
@@ -133,16 +152,14 @@ int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::st
     const Round round = run_round(asked, request.jobs, control.rounds() == 0);
     if (!round.comparison) return failed(round);
     control.add(*round.comparison);
-    fmt::print("  the error bars of {} are up to {:.3g} {}, wanted is {:.3g}\n",
-               forming::quantity_label(control.quantity()), control.bar(), control.unit(), control.target());
-    std::fflush(stdout);
+    print_bars(control);
     if (!control.finished()) continue;
     WhatIfRequest shown = request;
     if (shown.quantity.empty()) shown.quantity = control.quantity();
     const int code = report(*round.comparison, shown, output);
     if (control.reached()) return code;
-    fmt::print(stderr, "parison: differences of {} are not resolved after {} rounds; the last is in {}\n",
-               request.resolve, control.rounds(), asked.directory);
+    fmt::print(stderr, "parison: differences of {} are not resolved after {} rounds{}; the last is in {}\n",
+               request.resolve, control.rounds(), without_bar(control), asked.directory);
     return run_failed;
   }
 }

@@ -60,6 +60,14 @@ double read_size(const std::string& size, const std::string& unit, const std::st
   return value;
 }
 
+/// The error bar of a quantity of a variant; NaN where it has none.
+double bar_of(const ComparedRun& other, const std::string& quantity) {
+  if (other.result)
+    for (const Difference& row : other.result->quantities)
+      if (row.name == quantity) return row.bar;
+  return none;
+}
+
 }  // namespace
 
 ResolutionControl::ResolutionControl(const std::string& wanted, const std::vector<Quantity>& possible)
@@ -80,24 +88,30 @@ std::string ResolutionControl::accuracy() const {
 void ResolutionControl::add(const Comparison& comparison) {
   if (const std::string problem = unknown_quantity(quantity_, comparison.base.quantities.values); !problem.empty())
     throw core::CaseError("--resolve: the run of the base has no such result: " + problem);
+  const std::vector<std::string> before = std::move(without_bar_);
+  without_bar_.clear();
   bar_ = none;
-  for (const ComparedRun& other : comparison.others)
-    if (other.result)
-      for (const Difference& row : other.result->quantities)
-        if (row.name == quantity_) bar_ = std::fmax(bar_, row.bar);
+  for (const ComparedRun& other : comparison.others) {
+    if (other.unchanged) continue;
+    const double bar = bar_of(other, quantity_);
+    if (!std::isfinite(bar)) without_bar_.push_back(other.label);
+    bar_ = std::fmax(bar_, bar);
+  }
   factor_ = next_factor_;
   ++rounds_;
+  // Runs that stop at coarse edges may end at finer ones, but hardly at those beyond draft where they stopped before.
+  out_of_reach_ = !without_bar_.empty() && without_bar_ == before && factor_ <= 1 && !(bar_ > target_);
   const double finer =
       std::isfinite(bar_) ? std::clamp(bar_ / (aim * target_), least_refinement, most_refinement) : most_refinement;
   next_factor_ = factor_ / finer;
 }
 
 bool ResolutionControl::reached() const {
-  return bar_ <= target_;
+  return bar_ <= target_ && without_bar_.empty();
 }
 
 bool ResolutionControl::finished() const {
-  return reached() || rounds_ >= most_rounds || next_factor_ < min_coarsening;
+  return reached() || out_of_reach_ || rounds_ >= most_rounds || next_factor_ < min_coarsening;
 }
 
 }  // namespace parison::forming

@@ -19,8 +19,9 @@ class ResolutionControl {
   std::string accuracy() const;
   /// The comparison of a round. Throws core::CaseError where its base does not have the quantity.
   void add(const Comparison& comparison);
+  /// Whether the bars of all variants are small enough, and each has one.
   bool reached() const;
-  /// Whether there is nothing more to run: reached, or out of reach.
+  /// Whether there is nothing more to run: reached, or out of reach, as where a variant stops again and again.
   bool finished() const;
 
   const std::string& quantity() const { return quantity_; }
@@ -28,11 +29,15 @@ class ResolutionControl {
   double target() const { return target_; }  ///< in that unit
   double bar() const { return bar_; }        ///< the largest of the last round
   int rounds() const { return rounds_; }
+  /// The variants that have no bar in the last round.
+  const std::vector<std::string>& without_bar() const { return without_bar_; }
 
  private:
   std::string wanted_, quantity_, unit_;
   double factor_, next_factor_;  ///< edges and steps of the last round and the next, in units of those of draft
   double target_, bar_;
+  std::vector<std::string> without_bar_;
+  bool out_of_reach_ = false;
   int rounds_ = 0;
 };
 

@@ -158,6 +158,13 @@ TEST(Difference, the_wall_is_compared_place_by_place) {
   EXPECT_LT(walls.bar[200], 0.01);
 }
 
+/// Without the run that is broken.
+Comparison compared_alone(const FinishedRun& base, const FinishedRun& other) {
+  Comparison comparison{base, {}};
+  comparison.others.push_back({"thicker", {}, "", compare_runs(base, other)});
+  return comparison;
+}
+
 Comparison compared(const FinishedRun& base, const FinishedRun& other) {
   Comparison comparison{base, {}};
   comparison.others.push_back(
@@ -275,7 +282,7 @@ TEST(Resolution, goes_finer_until_the_bars_are_as_small_as_asked_for) {
   for (int round = 0; !control.finished(); ++round) {
     ASSERT_LT(round, 8);
     const double off = 0.005 * factor;  // the bar goes with the edges
-    control.add(compared(run_with(2, 2, 2), run_with(2.1, 2.1 + off, 2.1 + off)));
+    control.add(compared_alone(run_with(2, 2, 2), run_with(2.1, 2.1 + off, 2.1 + off)));
     EXPECT_NEAR(control.bar(), std::max(richardson(off, 1.5), 0.0146), 1e-4);
     factor = std::stod(control.accuracy().substr(14));
   }
@@ -289,6 +296,40 @@ TEST(Resolution, what_scatter_hides_at_any_accuracy_is_given_up) {
     control.add(compared(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1)));
   EXPECT_TRUE(control.finished());
   EXPECT_FALSE(control.reached());
+}
+
+TEST(Resolution, asks_for_small_bars_of_all_variants) {
+  const auto with_second = [](double off) {
+    Comparison comparison = compared_alone(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1));
+    comparison.others.push_back(
+        {"second", {}, "", compare_runs(run_with(2, 2, 2), run_with(2.1, 2.1 + off, 2.1 + off))});
+    return comparison;
+  };
+  ResolutionControl control("0.02 mm", possible());
+  control.add(with_second(0.1));
+  EXPECT_FALSE(control.reached());  // the bar of the first is small enough
+  EXPECT_NEAR(control.bar(), richardson(0.1, 1.5), 1e-9);
+  control.add(with_second(0));
+  EXPECT_TRUE(control.reached());
+}
+
+TEST(Resolution, is_not_reached_while_a_variant_has_no_bar_and_given_up_where_it_stops_twice_beyond_draft) {
+  const Comparison with_broken = compared(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1));
+  ResolutionControl control("0.02 mm", possible());
+  control.add(with_broken);
+  EXPECT_LT(control.bar(), 0.02);
+  EXPECT_FALSE(control.reached());
+  EXPECT_FALSE(control.finished());
+  EXPECT_EQ(control.without_bar(), std::vector<std::string>{"broken"});
+  while (!control.finished()) control.add(with_broken);
+  EXPECT_FALSE(control.reached());
+  EXPECT_EQ(control.rounds(), 4);
+  ResolutionControl cured("0.02 mm", possible());
+  cured.add(with_broken);
+  Comparison unchanged = with_broken;
+  unchanged.others[1].unchanged = true;  // nothing is asked of a variant that changes nothing
+  cured.add(unchanged);
+  EXPECT_TRUE(cured.reached());
 }
 
 TEST(Resolution, a_size_that_is_none_another_unit_and_an_unknown_quantity_are_refused_before_anything_runs) {
