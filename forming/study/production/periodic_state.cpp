@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -47,6 +48,12 @@ bool cycle_of(Search& search, const Scene& scene, const std::string& folder, Cyc
   search.result.failure = run.failure;
   if (run.failure.empty() && search.swab.exists()) run.end += search.swab.mean();
   return run.failure.empty();
+}
+
+/// To two figures that are not below it.
+double rounded_up(double value) {
+  const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return digit * std::ceil(value / digit * (1 - 1e-12));
 }
 
 std::string largest_text(const Scene& scene, const std::vector<double>& values) {
@@ -158,6 +165,18 @@ void measure_again(Search& search, const Eigen::VectorXd& state) {
     if (settle(search, search.estimates.mean())) judge(search, state);
 }
 
+/// What was reached when no more forming runs are allowed, and what to do.
+std::string limit_text(const Search& search) {
+  const double reached = search.estimates.uncertainty(), tolerance = search.request.tolerance;
+  const auto runs = search.estimates.runs().size();
+  return fmt::format(
+      "--max-runs {}: the search ended after {} forming run{}, as many as are allowed; the tool surfaces are known to "
+      "{:.3g} K of those to which production settles, where {:g} K is asked for; by the last run {} is still to go. A "
+      "larger --max-runs goes on longer, --tolerance \"{:.2g} K\" takes what was reached, each in a new --output",
+      search.request.max_runs, runs, runs == 1 ? "" : "s", reached, tolerance,
+      largest_text(search.scene, search.estimates.runs().back().distance), rounded_up(reached));
+}
+
 /// Looks for the periodic state until plain cycles confirm it or no more forming runs are allowed.
 Eigen::VectorXd search_for_state(Search& search) {
   auto& result = search.result;
@@ -168,8 +187,7 @@ Eigen::VectorXd search_for_state(Search& search) {
     if (!result.failure.empty()) break;
     if (!search.estimates.only_scatter() && search.estimates.uncertainty() > tolerance) {
       result.runs = static_cast<int>(search.estimates.runs().size());
-      result.failure = fmt::format("after {} forming runs the tool surfaces are settled to {:.3g} K only", result.runs,
-                                   search.estimates.uncertainty());
+      result.failure = limit_text(search);
       break;
     }
     state = search.estimates.mean();

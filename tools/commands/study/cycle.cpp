@@ -146,7 +146,7 @@ int cycle(const CycleRequest& request) {
     fmt::print(stderr, "parison: stopped on request before the coarser runs of the error bars had ended\n");
     return run_failed;
   }
-  const std::string doubt = not_confirmed(state, asked.tolerance);
+  const std::string doubt = not_confirmed(state, asked);
   if (doubt.empty()) return 0;
   fmt::print(stderr, "parison: {}\n", doubt);
   return run_failed;

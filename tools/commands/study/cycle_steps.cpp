@@ -31,12 +31,14 @@ forming::PeriodicState find_settled(const forming::Scene& scene, const forming::
   return state;
 }
 
-std::string not_confirmed(const forming::PeriodicState& state, double tolerance) {
-  if (state.is_confirmed(tolerance)) return {};
+std::string not_confirmed(const forming::PeriodicState& state, const forming::PeriodicRequest& asked) {
+  if (state.is_confirmed(asked.tolerance)) return {};
   return fmt::format(
-      "the plain cycles do not confirm the tool surfaces to {:g} K: known to {:.2g} K, {:.2g} K from the state found; "
-      "a finer accuracy scatters less",
-      tolerance, state.uncertainty, state.offset);
+      "--max-runs {}: the search ended after {} forming runs, before two plain cycles confirmed the tool surfaces to "
+      "{:g} K: they are known to {:.2g} K, and {:.2g} K from the state found, whose results are there. A finer accuracy "
+      "scatters less, a larger --max-runs goes on longer, a wider --tolerance takes what was reached, each in a new "
+      "--output",
+      asked.max_runs, state.search.size(), asked.tolerance, state.uncertainty, state.offset);
 }
 
 bool make_coarser_runs(const std::string& case_path, const std::vector<std::string>& containers, int jobs) {

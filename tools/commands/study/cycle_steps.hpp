@@ -15,7 +15,7 @@ forming::PeriodicState find_settled(const forming::Scene& scene, const forming::
                                     const forming::PeriodicRequest& asked);
 
 /// Why the two plain cycles do not confirm a state that was found; empty where they do.
-std::string not_confirmed(const forming::PeriodicState& state, double tolerance);
+std::string not_confirmed(const forming::PeriodicState& state, const forming::PeriodicRequest& asked);
 
 /// The coarser runs of containers in their folders, with the first of which the others are compared; false where they
 /// were stopped.

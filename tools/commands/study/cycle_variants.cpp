@@ -70,7 +70,7 @@ bool settle(const CycleRequest& request, const CyclePlan& plan, const std::strin
   std::fflush(stdout);
   const forming::PeriodicState state = find_settled(one.scene, one.machine, asked);
   one.uncertainty = std::max(state.uncertainty, state.offset);
-  one.failure = !state.failure.empty() ? state.failure : not_confirmed(state, plan.tolerance);
+  one.failure = !state.failure.empty() ? state.failure : not_confirmed(state, asked);
   if (!state.start_up.empty()) one.warming = state.start_up.front().distance;
   if (state.failure.empty()) fmt::print("{}", forming::periodic_table(one.scene, state));
   if (!one.failure.empty()) fmt::print(stderr, "parison: {}: {}\n", one.name, one.failure);
