@@ -7,39 +7,43 @@
 #include <set>
 
 #include "forming/scene/read/tolerances.hpp"
+#include "forming/study/comparison/what_if/overlap_on_the_way.hpp"
 
 namespace parison::forming {
 namespace {
 
-struct Overlap {
-  double depth = 0;  ///< m
-  core::Point at = core::Point::Zero();
-};
-
-/// Of the outline of `inner` inside `outer`, each where it starts.
-Overlap deepest_inside(const Tool& inner, const Tool& outer, double touching) {
-  const core::Point shift = (inner.position - outer.position) * core::axis_direction();
+/// Of the outline of `inner` inside `outer`.
+Overlap deepest_inside(const PlacedTool& placed, const PlacedTool& around, double touching) {
+  const Tool &inner = placed.tool, &outer = around.tool;
+  const core::Point shift = (placed.offset - around.offset) * core::axis_direction();
   const double step = core::size(inner.profile) / 500;
   Overlap deepest;
   for (const core::Point& x : core::polyline(inner.profile, step, touching / 2)) {
     if (!core::contains(outer.profile, x + shift)) continue;
     const double depth = core::distance(outer.profile, x + shift);
-    if (depth > deepest.depth) deepest = {depth, x + inner.position * core::axis_direction()};
+    if (depth > deepest.depth) deepest = {depth, x + placed.offset * core::axis_direction()};
   }
   return deepest;
 }
+
+}  // namespace
 
 double touching_of(const Tool& a, const Tool& b) {
   return tolerance::initial_overlap * std::max(core::size(a.profile), core::size(b.profile));
 }
 
-/// What counts as no more than contact is no overlap.
-Overlap overlap_of(const Scene& scene, Index a, Index b) {
-  const Tool &first = scene.tools[a], &second = scene.tools[b];
-  const double touching = touching_of(first, second);
+Overlap overlap_of(const PlacedTool& first, const PlacedTool& second, double touching) {
   const Overlap one = deepest_inside(first, second, touching), other = deepest_inside(second, first, touching);
   const Overlap& deepest = one.depth > other.depth ? one : other;
   return deepest.depth > touching ? deepest : Overlap{};
+}
+
+namespace {
+
+/// Where both start.
+Overlap overlap_of(const Scene& scene, Index a, Index b) {
+  const Tool &first = scene.tools[a], &second = scene.tools[b];
+  return parison::forming::overlap_of({first, first.position}, {second, second.position}, touching_of(first, second));
 }
 
 /// Whether both tools work together in a stage.
@@ -53,9 +57,8 @@ bool are_together(const Scene& scene, Index a, Index b) {
   });
 }
 
-}  // namespace
-
-std::string new_tool_overlap(const Scene& base, const Scene& changed) {
+/// Tools that overlap where they stand, as new_tool_overlap.
+std::string rest_overlap(const Scene& base, const Scene& changed) {
   std::set<Index> moved;
   std::set<std::pair<Index, Index>> seen;
   for (const Stage& stage : changed.stages) {
@@ -76,6 +79,13 @@ std::string new_tool_overlap(const Scene& base, const Scene& changed) {
       }
   }
   return {};
+}
+
+}  // namespace
+
+std::string new_tool_overlap(const Scene& base, const Scene& changed) {
+  const std::string found = rest_overlap(base, changed);
+  return found.empty() ? new_overlap_on_the_way(base, changed) : found;
 }
 
 }  // namespace parison::forming

@@ -263,6 +263,20 @@ TEST_F(WhatIfTest, tools_that_a_variant_makes_overlap_are_refused_and_those_that
   EXPECT_EQ(overlap(std::string(PARISON_SOURCE_DIR) + "/cases/tumbler", {"tool.ring.position=-1 mm"}), "");
 }
 
+TEST_F(WhatIfTest, a_given_motion_that_drives_tools_through_each_other_is_refused_before_anything_runs) {
+  const auto overlap = [](const std::string& path, const std::vector<std::string>& overrides) {
+    const std::string whole = std::string(PARISON_SOURCE_DIR) + '/' + path;
+    return new_tool_overlap(read_scene(whole, "draft"), read_scene(whole, "draft", overrides));
+  };
+  const std::string cup = "tests/bars/scenes/cup.toml", motion = "stage.press.motion.plunger.offset=";
+  const std::string found = overlap(cup, {motion + R"([["0 s", "34 mm"], ["0.4 s", "-2 mm"], ["0.5 s", "6 mm"]])"});
+  EXPECT_NE(found.find("tools \"plunger\" and \"mould\" overlap by 2 mm"), std::string::npos) << found;
+  EXPECT_NE(found.find("in stage press, where the motion of \"plunger\" has it at -2 mm after 0.4 s"), std::string::npos)
+      << found;
+  EXPECT_EQ(overlap(cup, {motion + R"([["0 s", "34 mm"], ["0.4 s", "4 mm"]])"}), "");
+  EXPECT_EQ(overlap(cup, {"stage.press.duration=0.7 s"}), "");
+}
+
 TEST_F(WhatIfTest, results_of_another_case_are_refused_and_those_of_other_settings_are_not) {
   const auto copy = [&](const std::string& name, const std::string& text, const std::vector<std::string>& overrides) {
     fs::create_directories(in(name) + "/case");
