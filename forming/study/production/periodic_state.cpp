@@ -167,14 +167,17 @@ void measure_again(Search& search, const Eigen::VectorXd& state) {
 
 /// What was reached when no more forming runs are allowed, and what to do.
 std::string limit_text(const Search& search) {
+  constexpr double near = 5;  // times the tolerance: what is worth to be taken as it is
   const double reached = search.estimates.uncertainty(), tolerance = search.request.tolerance;
   const auto runs = search.estimates.runs().size();
-  return fmt::format(
+  std::string text = fmt::format(
       "--max-runs {}: the search ended after {} forming run{}, as many as are allowed; the tool surfaces are known to "
-      "{:.3g} K of those to which production settles, where {:g} K is asked for; by the last run {} is still to go. A "
-      "larger --max-runs goes on longer, --tolerance \"{:.2g} K\" takes what was reached, each in a new --output",
+      "within {:.3g} K of those to which production settles, where {:g} K is asked for; the last run had {} to go. A "
+      "larger --max-runs goes on longer",
       search.request.max_runs, runs, runs == 1 ? "" : "s", reached, tolerance,
-      largest_text(search.scene, search.estimates.runs().back().distance), rounded_up(reached));
+      largest_text(search.scene, search.estimates.runs().back().distance));
+  if (reached <= near * tolerance) text += fmt::format(", --tolerance \"{:g} K\" takes what was reached", rounded_up(reached));
+  return text + "; each into a new --output";
 }
 
 /// Looks for the periodic state until plain cycles confirm it or no more forming runs are allowed.
