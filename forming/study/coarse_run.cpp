@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/study/coarse_run.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <utility>
 
@@ -46,6 +48,18 @@ bool finish(const CoarseCase& coarse, const Observers& observers, const StopRequ
                                       : run_in_folder(scene, folder, observers, stop, remesh::triangulate, files);
   write_summary(folder, scene, outcome.state, outcome.facts);
   return !outcome.facts.stopped;
+}
+
+std::vector<std::string> failed_coarse_runs(const std::vector<CoarseCase>& coarse) {
+  std::vector<std::string> failed;
+  for (const CoarseCase& one : coarse) {
+    const std::string path = summary_path(one);
+    const core::JsonValue summary = core::read_json(core::read_text(path), path);
+    if (!summary.flag_of("completed"))
+      failed.push_back(
+          fmt::format("the run {:g} times coarser stopped in {} ({})", one.factor, summary.text_of("reason"), path));
+  }
+  return failed;
 }
 
 ErrorBars estimate_errors(const Quantities& run, const std::vector<CoarseCase>& coarse) {

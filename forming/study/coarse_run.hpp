@@ -40,6 +40,9 @@ bool has_ended(const CoarseCase& coarse);
 /// Runs it, or continues it where it was stopped; whether it has ended then.
 bool finish(const CoarseCase& coarse, const Observers& observers, const StopRequest& stop, const RunFiles& files = {});
 
+/// A sentence for each that failed on its way, with its reason.
+std::vector<std::string> failed_coarse_runs(const std::vector<CoarseCase>& coarse);
+
 /// Error bars of the quantities of a run by those of its coarser runs that came to their end.
 ErrorBars estimate_errors(const Quantities& run, const std::vector<CoarseCase>& coarse);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/commands/run/run_command.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -47,15 +47,27 @@ bool finish_coarser_runs(const std::vector<forming::CoarseCase>& cases) {
 int report_errors(const Scene& scene, const RunOutcome& outcome, const std::string& output, CoarseRuns& beside,
                   forming::Summary& summary) {
   beside.wait();
+  if (beside.cases().empty()) {
+    fmt::print(stderr,
+               "parison: no error bars: at {} accuracy a run {:g} times coarser would be coarser than \"draft coarser "
+               "{:g}\", the coarsest allowed; a finer --accuracy has them\n",
+               scene.accuracy_name, forming::coarser_factors.front(), forming::max_coarsening);
+    return run_failed;
+  }
   if (!finish_coarser_runs(beside.cases())) {
     fmt::print(stderr, "parison: a coarser run has not ended; `parison resume {} --error-bars` continues it\n", output);
     return run_failed;
   }
   const forming::ErrorBars bars = forming::estimate_errors(summary.quantities, beside.cases());
+  const std::vector<std::string> failed = forming::failed_coarse_runs(beside.cases());
   if (bars.coarser.empty()) {
-    fmt::print(stderr, "parison: no error bars: all coarser runs of {} stopped before their end\n", scene.name);
+    fmt::print(stderr,
+               "parison: no error bars: all coarser runs of {} stopped before their end: {}; a finer --accuracy, whose "
+               "coarser runs are finer too, may have them\n",
+               scene.name, fmt::join(failed, "; "));
     return run_failed;
   }
+  for (const std::string& reason : failed) fmt::print("  the error bars rest on one coarser run alone: {}\n", reason);
   add_error_bars(output, scene, outcome.state, bars, summary);
   fmt::print("{}", error_table(bars));
   return 0;
@@ -74,6 +86,8 @@ int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& requ
   const int code = facts.completed && coarser ? report_errors(scene, outcome, output, *coarser, summary) : 0;
   fmt::print("{}", verdict_line(summary));
   std::fflush(stdout);
+  if (!facts.completed && !facts.stopped && coarser)
+    fmt::print(stderr, "parison: no error bars: only a run that has completed can have them\n");
   if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
   if (!facts.completed) return run_failed;
   return code != 0 ? code : code_of(facts, request.keep_going);
