@@ -176,8 +176,9 @@ std::string control_lines(const AccuracyRecord& control) {
 std::string error_table(const ErrorBars& bars) {
   std::string text = fmt::format("\n  {:<42}{:>14}{:>16}\n", "quantity", "value", "estimated error");
   for (const Quantity& quantity : bars.quantities.values)
-    text += fmt::format("  {:<42}{:>14.5g}{:>16} {}\n", quantity_label(quantity.name), quantity.value, error_text(quantity),
-                        quantity.place.allFinite() ? quantity.unit + ", at " + at(quantity.place) : quantity.unit);
+    text +=
+        fmt::format("  {:<42}{:>14.5g}{:>16} {}\n", quantity_label(quantity.name), quantity.value, error_text(quantity),
+                    quantity.place.allFinite() ? quantity.unit + ", at " + at(quantity.place) : quantity.unit);
   text += percent_line("wall thickness, mean error", bars.profile_mean);
   text += percent_line("wall thickness, largest error", bars.profile_max);
   text += percent_line("heat into tools, error", bars.heat);

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "core/case/case_error.hpp"
-#include "forming/report/quantity_labels.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/study/comparison/comparison.hpp"
@@ -80,9 +79,10 @@ Round run_round(const WhatIf& asked, int jobs, bool is_first = true) {
   std::vector<QueuedRun> runs;
   for (auto& plan : forming::plan_runs(asked)) runs.push_back({std::move(plan)});
   if (is_first) print_notes(asked);
-  fmt::print("{} at {} accuracy: {} variant{}, {} run{} in {}\n", asked.case_path, asked.accuracy,
-             asked.variants.size(), asked.variants.size() == 1 ? "" : "s", runs.size(), runs.size() == 1 ? "" : "s",
-             asked.directory);
+  const auto variants =
+      std::count_if(runs.begin() + 1, runs.end(), [](const QueuedRun& run) { return run.plan.inside.empty(); });
+  fmt::print("{} at {} accuracy: {} variant{}, {} run{} in {}\n", asked.case_path, asked.accuracy, variants,
+             variants == 1 ? "" : "s", runs.size(), runs.size() == 1 ? "" : "s", asked.directory);
   std::fflush(stdout);
   Round round;
   round.stopped = !run_all(runs, asked.case_path, jobs);
@@ -133,7 +133,7 @@ std::string without_bar(const forming::ResolutionControl& control) {
 }
 
 void print_bars(const forming::ResolutionControl& control) {
-  const std::string label = forming::quantity_label(control.quantity());
+  const std::string label = control.label();
   if (std::isfinite(control.bar()))
     fmt::print("  the error bars of {} are up to {:.3g} {}, wanted is {:.3g}{}\n", label, control.bar(), control.unit(),
                control.target(), without_bar(control));

@@ -49,7 +49,8 @@ std::string quantity_row(const Difference& row, int width) {
 std::string source_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other) {
   const std::string& stopped = base.coarser_stopped.empty() ? other.coarser_stopped : base.coarser_stopped;
   if (result.bars == BarSource::none && !stopped.empty())
-    return "  " + wrapped(fmt::format("no error bars: a coarser run stopped: {}; a finer accuracy helps", stopped), 4) + '\n';
+    return "  " + wrapped(fmt::format("no error bars: a coarser run stopped: {}; a finer accuracy helps", stopped), 4) +
+           '\n';
   if (result.bars == BarSource::none)
     return "  no error bars: a run without coarser runs; `parison resume FOLDER --error-bars` makes them\n";
   const std::string scatter = result.scatter == ScatterSource::twins

@@ -176,7 +176,8 @@ std::string limit_text(const Search& search) {
       "larger --max-runs goes on longer",
       search.request.max_runs, runs, runs == 1 ? "" : "s", reached, tolerance,
       largest_text(search.scene, search.estimates.runs().back().distance));
-  if (reached <= near * tolerance) text += fmt::format(", --tolerance \"{:g} K\" takes what was reached", rounded_up(reached));
+  if (reached <= near * tolerance)
+    text += fmt::format(", --tolerance \"{:g} K\" takes what was reached", rounded_up(reached));
   return text + "; each into a new --output";
 }
 

@@ -35,7 +35,8 @@ std::string not_confirmed(const forming::PeriodicState& state, const forming::Pe
   if (state.is_confirmed(asked.tolerance)) return {};
   return fmt::format(
       "--max-runs {}: the search ended after {} forming runs, before two plain cycles confirmed the tool surfaces to "
-      "{:g} K: they are known to {:.2g} K, and {:.2g} K from the state found, whose results are there. A finer accuracy "
+      "{:g} K: they are known to {:.2g} K, and {:.2g} K from the state found, whose results are there. A finer "
+      "accuracy "
       "scatters less, a larger --max-runs goes on longer, a wider --tolerance takes what was reached, each in a new "
       "--output",
       asked.max_runs, state.search.size(), asked.tolerance, state.uncertainty, state.offset);

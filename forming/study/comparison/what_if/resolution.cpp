@@ -9,6 +9,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
+#include "forming/report/quantity_labels.hpp"
 #include "forming/scene/accuracy.hpp"
 
 namespace parison::forming {
@@ -104,6 +105,10 @@ void ResolutionControl::add(const Comparison& comparison) {
   const double finer =
       std::isfinite(bar_) ? std::clamp(bar_ / (aim * target_), least_refinement, most_refinement) : most_refinement;
   next_factor_ = factor_ / finer;
+}
+
+std::string ResolutionControl::label() const {
+  return quantity_label(quantity_);
 }
 
 bool ResolutionControl::reached() const {

@@ -25,6 +25,7 @@ class ResolutionControl {
   bool finished() const;
 
   const std::string& quantity() const { return quantity_; }
+  std::string label() const;  ///< of the quantity, for people
   const std::string& unit() const { return unit_; }
   double target() const { return target_; }  ///< in that unit
   double bar() const { return bar_; }        ///< the largest of the last round

@@ -51,9 +51,9 @@ struct PlannedRun {
 std::optional<std::string> last_common_stage(const Scene& base, const Scene& changed);
 
 /// The runs of a what-if, those that others need before them: base and variants, a coarser run of each for the error
-/// bars, twins of the coarser runs of the base. A variant that changes nothing has none. Throws core::CaseError where no
-/// variant is left, and where the base or a variant is refused, with the name of the variant before the sentence: all is
-/// read, and the first stage tried, before anything runs.
+/// bars, twins of the coarser runs of the base. A variant that changes nothing has none. Throws core::CaseError where
+/// no variant is left, and where the base or a variant is refused, with the name of the variant before the sentence:
+/// all is read, and the first stage tried, before anything runs.
 std::vector<PlannedRun> plan_runs(const WhatIf& what_if);
 
 /// The coarser runs for the error bars of differences between runs of a case that have come to their end in these

@@ -271,7 +271,8 @@ TEST_F(WhatIfTest, a_given_motion_that_drives_tools_through_each_other_is_refuse
   const std::string cup = "tests/bars/scenes/cup.toml", motion = "stage.press.motion.plunger.offset=";
   const std::string found = overlap(cup, {motion + R"([["0 s", "34 mm"], ["0.4 s", "-2 mm"], ["0.5 s", "6 mm"]])"});
   EXPECT_NE(found.find("tools \"plunger\" and \"mould\" overlap by 2 mm"), std::string::npos) << found;
-  EXPECT_NE(found.find("in stage press, where the motion of \"plunger\" has it at -2 mm after 0.4 s"), std::string::npos)
+  EXPECT_NE(found.find("in stage press, where the motion of \"plunger\" has it at -2 mm after 0.4 s"),
+            std::string::npos)
       << found;
   EXPECT_EQ(overlap(cup, {motion + R"([["0 s", "34 mm"], ["0.4 s", "4 mm"]])"}), "");
   EXPECT_EQ(overlap(cup, {"stage.press.duration=0.7 s"}), "");
