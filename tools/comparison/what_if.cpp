@@ -128,8 +128,8 @@ int failed(const Round& round) {
 std::string without_bar(const forming::ResolutionControl& control) {
   const auto& names = control.without_bar();
   if (names.empty()) return {};
-  return fmt::format(", without a bar of {}, which {} not have it or stopped", fmt::join(names, ", "),
-                     names.size() == 1 ? "does" : "do");
+  return fmt::format("; {} without a bar: a run of it, or a coarser one, stopped, or has no such result",
+                     fmt::join(names, ", "));
 }
 
 void print_bars(const forming::ResolutionControl& control) {

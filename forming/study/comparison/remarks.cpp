@@ -95,7 +95,7 @@ std::string lines_of(const std::vector<NamedRun>& runs, const Remark& remark) {
   };
   if (!differ) return line(remark.text);
   std::string lines;
-  for (const auto& [run, text] : texts) lines += line(fmt::format("{} in {}", text, run));
+  for (const auto& [run, text] : texts) lines += line(fmt::format("{} ({})", text, run));
   return lines;
 }
 

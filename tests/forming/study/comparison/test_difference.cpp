@@ -236,8 +236,8 @@ TEST(Comparison, flags_warnings_and_failed_checks_are_told_with_the_runs_that_ha
       remarks(R"({"name": "wall_below", "unit": "mm", "limit": 1.5, "value": 1.3})", "", check("beyond"));
   EXPECT_NE(remark_lines(comparison)
                 .find("  in thicker, third, not in run\n"
-                      "    flag wall_below: 1.42 mm, limit 1.5 mm in thicker\n"
-                      "    flag wall_below: 1.3 mm, limit 1.5 mm in third\n"),
+                      "    flag wall_below: 1.42 mm, limit 1.5 mm (thicker)\n"
+                      "    flag wall_below: 1.3 mm, limit 1.5 mm (third)\n"),
             std::string::npos)
       << remark_lines(comparison);
   comparison.others.pop_back();
