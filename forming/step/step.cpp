@@ -96,6 +96,15 @@ bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& 
   return outcome.converged;
 }
 
+/// Whether no edge of the glass has come deeper into a tool than its correction leaves one that it can move: where a
+/// cell has become too flat to let its edge out, shorter steps give it a new mesh before.
+bool has_no_edge_in_tools(const StepStart& start, StepResult& result) {
+  if (start.dt <= min_step_ratio * start.scene.accuracy.initial_step) return true;
+  const double depth = edge_depth_gained(start.scene, start.state, result.state);
+  if (depth > 0) result.reason = fmt::format("the step moves an edge of the glass {:.2g} um into a tool", 1e6 * depth);
+  return depth == 0;
+}
+
 /// Flow, half the motion, heat, the other half.
 bool pass_once(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace, StepResult& result) {
   const Scene& scene = start.scene;
@@ -136,7 +145,10 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
         unforeseen_work(scene.glass.flow->viscosity, state.glass.mesh, result.dissipation, predictor.temperature,
                         state.glass.temperature, after.glass.temperature, dt);
   if (scene.has_flow()) update_rates(state, dt, after);
-  if (scene.has_flow() && !workspace.static_stage) correct_edges(scene, after);
+  if (scene.has_flow() && !workspace.static_stage) {
+    correct_edges(scene, after);
+    if (!has_no_edge_in_tools(start, result)) return result;
+  }
   advance_openings(scene, state, dt, after);
   after.time += dt;
   after.stage_time += dt;

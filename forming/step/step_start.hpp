@@ -10,6 +10,9 @@
 
 namespace parison::forming {
 
+/// Steps no longer than this share of a stage's first step are accepted whatever the penetration.
+inline constexpr double min_step_ratio = 0.1;
+
 /// The start of a step, with what all its coupling iterations ask of the glass there, computed once. Refers to the
 /// scene and the state.
 struct StepStart {

@@ -8,6 +8,7 @@
 #include "contact/unilateral/tool_gap.hpp"
 #include "core/mesh/element.hpp"
 #include "core/mesh/profile.hpp"
+#include "core/mesh/tolerances.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/placed_tools.hpp"
@@ -79,6 +80,13 @@ double max_edge_penetration(const Scene& scene, const State& state, double known
     }
   }
   return known;
+}
+
+double edge_depth_gained(const Scene& scene, const State& before, const State& after) {
+  // An edge may stay as deep as a node at the tool, or as its ends, which a step may leave a little deeper.
+  const double left = (core::tolerance::at_tool + core::tolerance::penetration) * core::size(scene.glass.profile);
+  const double depth = max_edge_penetration(scene, after, left);
+  return depth > left && depth > max_edge_penetration(scene, before, left) ? depth : 0;
 }
 
 void note_penetration(const Scene& scene, State& state) {

@@ -29,6 +29,10 @@ std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Prof
 /// tool's outline, in an active tool, m, or `known`: between nodes, a corner or a small radius of a tool can be deeper.
 double max_edge_penetration(const Scene& scene, const State& state, double known = 0);
 
+/// Depth of the deepest edge of `after` in a tool, m, where it is deeper than the correction of edges leaves one that
+/// it can move and deeper than any of `before`; else 0.
+double edge_depth_gained(const Scene& scene, const State& before, const State& after);
+
 /// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then.
 void note_penetration(const Scene& scene, State& state);
 

@@ -56,9 +56,6 @@ struct DepthLimits {
         reject(core::tolerance::rejected_penetration * core::size(scene.glass.profile)) {}
 };
 
-/// Steps no longer than this share of a stage's first step are accepted whatever the penetration.
-constexpr double min_step_ratio = 0.1;
-
 void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt,
                        State& state) {
   std::vector<std::size_t> inside;

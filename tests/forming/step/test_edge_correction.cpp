@@ -83,6 +83,18 @@ TEST(EdgeCorrection, edges_outside_the_tools_and_edges_that_touch_none_stay_to_t
   EXPECT_EQ(mesh.nodes, lifted.nodes);
 }
 
+TEST(EdgeCorrection, a_step_that_leaves_an_edge_deep_in_a_tool_is_told_from_one_that_found_it_there) {
+  OnRidge glass;
+  State outside = glass.state, corrected = glass.state;
+  for (Point& node : outside.glass.mesh.nodes) node[1] += 10e-6;
+  move_edges_out(glass.scene, corrected, corrected.glass.contact_tool, corrected.glass.mesh);
+  const double depth = max_edge_penetration(glass.scene, glass.state);
+  EXPECT_EQ(edge_depth_gained(glass.scene, outside, glass.state), depth);
+  EXPECT_EQ(edge_depth_gained(glass.scene, glass.state, glass.state), 0) << "it was there before";
+  EXPECT_GT(max_edge_penetration(glass.scene, corrected), 0);
+  EXPECT_EQ(edge_depth_gained(glass.scene, outside, corrected), 0) << "no deeper than a corrected edge";
+}
+
 TEST(EdgeCorrection, the_flow_does_not_press_an_edge_back_that_was_moved_out) {
   OnRidge glass;
   const core::Mesh before = glass.state.glass.mesh;
