@@ -50,7 +50,7 @@ def rows(scene, accuracy, summary, reference):
     def add(name, kind, bar, error, resolution=RESOLUTION):
         if bar is not None and math.isfinite(bar):
             found.append({"scene": scene, "accuracy": accuracy, "name": name, "kind": kind, "bar": bar, "error": error,
-                          "resolution": resolution})
+                          "resolution": resolution, "cpu_seconds": summary["cpu_seconds"]})
 
     truth, quantities = reference["quantities"], summary["quantities"]
     for name, quantity in quantities.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the true errors of scenes without contact fall from preset to preset."""
+"""How the true errors of scenes without contact, and of all walls, fall from preset to preset."""
 import math
 
 FREE = {"ring": "planar ring", "sphere": "thick sphere", "filament": "filament", "drop": "drop", "plane_drop": "plane drop"}
@@ -21,3 +21,15 @@ def table(compared):
         if all(math.isfinite(e) and e > 0 for e in errors):
             result.append({"scene": what, "errors": errors, "order": math.log(errors[0] / errors[2]) / math.log(REFINED)})
     return result
+
+
+def walls(compared):
+    """Rows of scene and, for each preset it was run at, true errors of the mean wall and of the wall at its places
+    (mean), shares, and CPU seconds."""
+    found = {}
+    for row in compared:
+        if row["name"] in ("thickness_mean", "profile, mean"):
+            run = found.setdefault(row["scene"], {}).setdefault(
+                row["accuracy"], {"mean": math.nan, "places": math.nan, "cpu_seconds": row["cpu_seconds"]})
+            run["mean" if row["name"] == "thickness_mean" else "places"] = row["error"]
+    return [{"scene": scene, **found[scene]} for scene in found]
