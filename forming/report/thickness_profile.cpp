@@ -118,9 +118,15 @@ std::vector<bool> rows_beside_rim(const std::vector<bool>& on_rim, const std::ve
   return beside;
 }
 
-/// Rows whose ray ends on the other side become wall, those between the sides rim, all others foot.
-void mark_rows(const core::Mesh& mesh, const WallSides& sides, const std::vector<Ray>& rays,
-               const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
+/// Cosine of the angle between a ray and the normal where it ends, and the least one of a wall.
+struct Facing {
+  double least = none, is = none;
+};
+
+/// Rows whose ray ends on the other side become wall, those between the sides rim, all others foot. Returned is for
+/// each row what its ray has to face the other side by, and faces it by; NaN where something else decides.
+std::vector<Facing> mark_rows(const core::Mesh& mesh, const WallSides& sides, const std::vector<Ray>& rays,
+                              const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
   const std::vector<bool> both = edges_of(sides, {SurfacePart::outer, SurfacePart::inner});
   const SurfacePart far_part = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
   std::vector<bool> on_rim(mesh.nodes.size(), false);
@@ -128,18 +134,20 @@ void mark_rows(const core::Mesh& mesh, const WallSides& sides, const std::vector
     for (const Index node : mesh.boundary_edges()[edge].nodes)
       on_rim[node] = on_rim[node] || sides.part[edge] == SurfacePart::rim;
   const std::vector<bool> beside_rim = rows_beside_rim(on_rim, sides.paired, nodes);
+  std::vector<Facing> facing(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Ray& ray = rays[nodes[i]];
     rows[i].mark = on_rim[nodes[i]] ? WallMark::rim : WallMark::foot;
-    if (on_rim[nodes[i]] || !ray.ends() || sides.part[ray.edge] != far_part ||
-        ray.facing < (beside_rim[i] ? facing_at_rim : facing_sides))
-      continue;
+    if (on_rim[nodes[i]] || !ray.ends() || sides.part[ray.edge] != far_part) continue;
     if (sides.is_mirrored && ray.reflections % 2 == 0) continue;
     if (2 * distance_to_edges(mesh, both, ray.middle) < least_room * ray.length) continue;
+    facing[i] = {beside_rim[i] ? facing_at_rim : facing_sides, ray.facing};
+    if (facing[i].is < facing[i].least) continue;
     rows[i].mark = WallMark::wall;
     rows[i].thickness = ray.length;
     rows[i].inner_position = ray.end;
   }
+  return facing;
 }
 
 /// Whether the surface goes on, as its mirror image, beyond each node.
@@ -195,6 +203,31 @@ void clean_marks(const core::Mesh& mesh, const std::vector<Index>& nodes, std::v
   };
   for (std::size_t i = 1; i < rows.size(); ++i) spread(i - 1, i);
   for (std::size_t i = rows.size(); i-- > 1;) spread(i, i - 1);
+}
+
+/// Moves area from a row that is no wall to the row of the wall beside it, or back, so that the wall ends where the
+/// facing of the rays between them passes what a wall must have: as areas are by node, it would end by chance of the
+/// mesh.
+void end_wall_between_rows(const core::Mesh& mesh, core::Geometry geometry, const std::vector<Index>& nodes,
+                           const std::vector<Facing>& facing, std::vector<ThicknessRow>& rows) {
+  constexpr double of_middle = 2.0 / 3;  // of half an edge; the rest is that of its end
+  std::vector<bool> is_middle(mesh.nodes.size(), false);
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) is_middle[edge.nodes[2]] = true;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::size_t wall = rows[i].is_wall() ? i : i - 1, other = rows[i].is_wall() ? i - 1 : i;
+    const double length = rows[i].arc - rows[i - 1].arc;
+    const bool are_neighbours = is_middle[nodes[i]] != is_middle[nodes[i - 1]] && length > 0 &&
+                                (rows[i].position - rows[i - 1].position).norm() < 1.01 * length;
+    if (!rows[wall].is_wall() || rows[other].is_wall() || !are_neighbours) continue;
+    const double above = facing[wall].is - facing[wall].least, below = facing[wall].least - facing[other].is;
+    if (!(above >= 0 && below > 0)) continue;
+    const double share = above / (above + below);
+    const double counted = is_middle[nodes[wall]] ? of_middle : 1 - of_middle;
+    const double moved =
+        (share - counted) * length * core::depth(geometry, 0.5 * (rows[i].position + rows[i - 1].position));
+    rows[wall].area += moved;
+    rows[other].area -= moved;
+  }
 }
 
 double area_of(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& edges) {
@@ -263,8 +296,9 @@ ThicknessProfile profile_by_rays(const core::Mesh& mesh, core::Geometry geometry
   std::vector<Index>& nodes = profile.nodes;
   if (profile.no_wall.empty()) {
     profile.rows = make_rows(mesh, geometry, wanted, nodes);
-    mark_rows(mesh, sides, rays, nodes, profile.rows);
+    const std::vector<Facing> facing = mark_rows(mesh, sides, rays, nodes, profile.rows);
     clean_marks(mesh, nodes, profile.rows);
+    end_wall_between_rows(mesh, geometry, nodes, facing, profile.rows);
     profile.no_wall = objection(mesh, geometry, sides, nodes, profile.rows);
   }
   if (!profile.no_wall.empty()) {

@@ -60,6 +60,40 @@ TEST(ThicknessProfile, only_rows_of_the_wall_count_and_the_extremes_have_places)
   EXPECT_NEAR(range.mean, 3.5e-3, 1e-15);
 }
 
+/// The height up to which a solid of revolution is wall by its area, mm: from 20 mm radius inwards to a cylinder of 18
+/// mm up to the height of 10 mm, then to an arc that turns away from there.
+double wall_height(const std::string& edge) {
+  const Scene scene = scene_of(R"(case = "heel"
+geometry = "axisymmetric"
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e4 Pa.s" }
+[glass]
+material = "liquid"
+mesh = { size = ")" + edge + R"(", contact_size = ")" +
+                               edge + R"(" }
+boundary = [
+  { name = "bottom", condition = "symmetry", path = "(18, 0) (20, 0) mm" },
+  { name = "outer", condition = "contact", path = "(20, 30) mm" },
+  { name = "top", condition = "fixed", path = "(8, 30) mm" },
+  { name = "inner", condition = "contact", path = [
+    "(8, 20) mm", "arc centre (8, 10) mm radius 10 mm from 90 deg to 0 deg", "(18, 0) mm"] } ]
+[[stage]]
+name = "rest"
+duration = "1 s"
+gravity = "-9.81 m/s2"
+)");
+  double area = 0;
+  for (const ThicknessRow& row : thickness_profile(initial_state(scene).glass.mesh, scene.geometry).rows)
+    if (row.is_wall()) area += row.area;
+  return 1e6 * area / (2 * M_PI * 20);
+}
+
+TEST(ThicknessProfile, the_wall_ends_where_its_sides_face_away_whatever_the_mesh) {
+  // The sides make an angle of cosine 0.8 there, 6 mm up the arc.
+  for (const char* edge : {"1.6 mm", "1.5 mm", "1.3 mm", "1.1 mm"}) EXPECT_NEAR(wall_height(edge), 16, 0.05) << edge;
+}
+
 TEST(ThicknessProfile, an_end_face_looks_along_the_wall_and_does_not_count) {
   std::string text =
       replaced("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\" },",
