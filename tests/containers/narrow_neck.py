@@ -59,6 +59,12 @@ def gob(wanted, start, clearance, blank, length):
     return (made(end), end) if end else (None, 0)
 
 
+def fits(inner, outer):
+    """Whether one line of points lies inside another: neither its points nor the other's corners beyond it."""
+    corners = [(r, z) for r, z in outer if inner[0][1] < z < inner[-1][1]]
+    return gap_within(inner, outer) >= 0 and all(radius_at(inner, z) <= r for r, z in corners)
+
+
 def draw_shape(draw, tip=None, clearance=None):
     """Shapes that suit each other; None where the drawn numbers make no container."""
     finish, height, total, mould = container(draw)
@@ -75,7 +81,7 @@ def draw_shape(draw, tip=None, clearance=None):
     start = rounded(draw, 0.5 * height, height, 1)
     shape = Shape(finish, height, total, wall, mould, length, blank, plunger, full, start, Path())
     shape.glass, _ = gob(shape.cavity(), start, clearance or draw.uniform(0.6, 1.3), blank, length)
-    if shape.glass is None or gap_within(blank.points(), mould.points()) < 0:
+    if shape.glass is None or not fits(blank.points(), mould.points()):
         return None
     return shape if gap_within(shape.glass.points(), [(finish, 0), *blank.points()]) >= 0.4 else None
 
