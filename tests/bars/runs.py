@@ -12,7 +12,7 @@ from .exact import SOLUTIONS
 HERE = Path(__file__).resolve().parent
 SCENES, REFERENCES, MEASURED = HERE / "scenes", HERE / "references.json", HERE / "measured.json"
 # References are far finer than fine: edges and steps in units of its; what a scene costs decides.
-FINER = {"bottle_blow": 0.6, "vial": 0.6, "neck_press": 0.65, "slab_press": 0.65, "tube": 0.45, "gob": 0.45,
+FINER = {"bottle_blow": 0.6, "vial": 0.6, "neck_press": 0.65, "slab_press": 0.65, "tube": 0.3, "gob": 0.45,
          "plate_over_ring": 0.45, "cup": 0.45, "squash": 0.45, "punch": 0.45, "bar_press": 0.45,
          "cup_force": 0.5, "dish": 0.45, "lens": 0.45, "pestle": 0.4, "bar_stroke": 0.5, "pad": 0.4}
 FINEST = 0.3
