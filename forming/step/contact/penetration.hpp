@@ -30,7 +30,7 @@ std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Prof
 double max_edge_penetration(const Scene& scene, const State& state, double known = 0);
 
 /// Depth of the deepest edge of `after` in a tool, m, where it is deeper than the correction of edges leaves one that
-/// it can move and deeper than any of `before`; else 0.
+/// it can move and deeper than any of `before` by more than a step may move a node into a tool; else 0.
 double edge_depth_gained(const Scene& scene, const State& before, const State& after);
 
 /// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then.

@@ -91,6 +91,11 @@ TEST(EdgeCorrection, a_step_that_leaves_an_edge_deep_in_a_tool_is_told_from_one_
   const double depth = max_edge_penetration(glass.scene, glass.state);
   EXPECT_EQ(edge_depth_gained(glass.scene, outside, glass.state), depth);
   EXPECT_EQ(edge_depth_gained(glass.scene, glass.state, glass.state), 0) << "it was there before";
+  State creeping = glass.state;
+  for (Point& node : creeping.glass.mesh.nodes)
+    node[1] -= 0.1 * core::tolerance::penetration * core::size(glass.scene.glass.profile);
+  EXPECT_GT(max_edge_penetration(glass.scene, creeping), depth);
+  EXPECT_EQ(edge_depth_gained(glass.scene, glass.state, creeping), 0) << "shorter steps would not end";
   EXPECT_GT(max_edge_penetration(glass.scene, corrected), 0);
   EXPECT_EQ(edge_depth_gained(glass.scene, outside, corrected), 0) << "no deeper than a corrected edge";
 }
