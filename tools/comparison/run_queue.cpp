@@ -161,6 +161,21 @@ void start_partner(Queue& queue, QueuedRun& run, const std::string& what) {
   queue.say(run, what);
 }
 
+/// Refuses a folder that holds something and is none of a run: what a run has left before its first checkpoint is
+/// removed, what somebody else has put there is not.
+void require_folder_of_run(const PlannedRun& plan) {
+  std::error_code error;
+  const fs::path folder = plan.directory;
+  if (!fs::exists(folder, error) || fs::exists(summary_path(plan), error) ||
+      fs::exists(folder / "case/command.txt", error))
+    return;
+  if (!fs::is_directory(folder, error) || !fs::is_empty(folder, error))
+    throw core::CaseError(fmt::format(
+        "{}: a file or a folder that holds something other than a run was found, allowed is a new folder here or "
+        "another --output",
+        plan.directory));
+}
+
 void start(Queue& queue, QueuedRun& run) {
   const PlannedRun& plan = run.plan;
   const bool is_copied = !plan.copy_of.empty() && !fs::exists(summary_path(plan));
@@ -211,6 +226,7 @@ int count(const Queue& queue, Status status) {
 
 bool run_all(std::vector<QueuedRun>& runs, const std::string& case_path, int jobs) {
   Queue queue{runs, case_path};
+  for (const QueuedRun& run : runs) require_folder_of_run(run.plan);
   bool requested = false;
   for (;;) {
     for (QueuedRun& run : runs)

@@ -73,6 +73,7 @@ class Case:
     def __setitem__(self, key: str, value: Any) -> None:
         """Changes the value of a key or of a named dimension; one that the case refuses leaves it as it was."""
         before = dict(self._changes), self._scene
+        self._changes.pop(key, None)  # the last assignment counts, also where it overlaps with others
         self._changes[key], self._scene = _as_toml(value), None
         try:
             self._read()
@@ -148,9 +149,11 @@ class Case:
     def _run(self, output: Optional[PathLike], callback: Optional[StepCallback], resume: bool) -> Result:
         if callback is not None and not callable(callback):
             raise TypeError(f"callback: a {type(callback).__name__} was found, allowed is a function of the State")
+        if output is not None and not os.fspath(output):
+            raise ValueError("output: an empty path was found, allowed is a folder")
         scene = self._read()
         kept = tempfile.TemporaryDirectory(prefix="parison-") if output is None else None
-        folder = os.path.join(kept.name, "run") if kept else os.fspath(output or "")
+        folder = os.path.join(kept.name, "run") if kept else os.fspath(output)
         state, facts = _core.run(scene, folder, callback, resume)
         result = Result(folder, state=state, kept=kept)
         if facts["completed"] or facts["stopped"]:
