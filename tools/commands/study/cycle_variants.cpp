@@ -57,6 +57,16 @@ std::vector<Production> read_all(const CycleRequest& request, const CyclePlan& p
   return all;
 }
 
+/// A tool of another shape than that of the base takes no temperatures from it: the search then starts from the case.
+forming::PeriodicState find_settled_from(const Production& one, forming::PeriodicRequest asked) {
+  if (!asked.changed_from.empty()) try {
+      return find_settled(one.scene, one.machine, asked);
+    } catch (const core::CaseError&) {
+      asked.changed_from.clear();
+    }
+  return find_settled(one.scene, one.machine, asked);
+}
+
 /// `base`: folder of the production that this one is a change of; empty for the base itself. False where it was stopped
 /// on request.
 bool settle(const CycleRequest& request, const CyclePlan& plan, const std::string& base, Production& one) {
@@ -68,7 +78,7 @@ bool settle(const CycleRequest& request, const CyclePlan& plan, const std::strin
   fmt::print("\n{} at {} accuracy: a machine cycle of {:.4g} s\n", one.name, one.scene.accuracy_name,
              one.machine.seconds);
   std::fflush(stdout);
-  const forming::PeriodicState state = find_settled(one.scene, one.machine, asked);
+  const forming::PeriodicState state = find_settled_from(one, asked);
   one.uncertainty = std::max(state.uncertainty, state.offset);
   one.failure = !state.failure.empty() ? state.failure : not_confirmed(state, asked);
   if (!state.start_up.empty()) one.warming = state.start_up.front().distance;
