@@ -46,18 +46,16 @@ def run(command, log):
                               check=False).returncode
 
 
-def make_reference(parison, scene, name, folder):
-    """The quantities at fine of a scene with a change, None where the run did not complete; a run that is there is taken."""
-    case, _, changes = SCENE[scene]
-    summary = folder / "summary.json"
-    if not summary.is_file():
-        change = () if name == "base" else ("--set", changes[name])
-        run([parison, "run", case, "--accuracy", "fine", "--output", folder, "--keep-going", *QUIET, *change],
-            folder.with_suffix(".log"))
-    found = json.loads(summary.read_text(encoding="utf-8")) if summary.is_file() else {"completed": False}
-    if not found["completed"]:
-        return None
-    return {name: rounded(quantity["value"], 9) for name, quantity in found["quantities"].items()}
+def make_references(parison, scene, folder):
+    """The quantities at fine of the base of a scene and of each of its changes, by name; changes that did not complete are missing.
+
+    Each change begins where it can first have an effect, so that what lies before is exactly that of the base.
+    """
+    made = what_if(parison, scene, "fine", {name: [change] for name, change in SCENE[scene][2].items()}, folder, 1)
+    made = {name: one["quantities"] for name, one in made.items() if one.get("quantities")}
+    found = {name: {quantity: rounded(row["other"], 9) for quantity, row in rows.items()} for name, rows in made.items()}
+    base = {quantity: rounded(row["base"], 9) for rows in made.values() for quantity, row in rows.items()}
+    return {"base": base, **found} if base else {}
 
 
 def references():
