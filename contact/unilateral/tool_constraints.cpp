@@ -88,6 +88,7 @@ struct ToolConstraints::Query {
     return (next(i) == j && segments[i].reentrant_after) || (next(j) == i && segments[j].reentrant_after);
   }
   bool projects_on(Index i) const;
+  double distance(Index i) const;
   bool hidden(Index i, const Point& closest_point) const;
   void add_segment(Index i, std::vector<GapConstraint>& found) const;
   void add_joint(Index i, std::vector<GapConstraint>& found) const;
@@ -161,6 +162,13 @@ void ToolConstraints::Query::add_tip(Index i, std::vector<GapConstraint>& found)
   found.push_back({distance, distance > 1e-3 * coincident ? Point(arm / distance) : axial, face.index});
 }
 
+/// Distance of x from segment i itself, m: a segment that is extended past a re-entrant corner can have a small gap far
+/// from it.
+double ToolConstraints::Query::distance(Index i) const {
+  const double t = std::clamp(core::projected_parameter(segment(i), x), 0.0, 1.0);
+  return (x - core::point_at(segment(i), t)).norm();
+}
+
 /// A point inside the tool is projected to the closest point of the outline: of the segments with negative gaps only
 /// the nearest one is kept, and its neighbour at a re-entrant corner. At a convex corner one of the two segments is
 /// kept.
@@ -171,8 +179,9 @@ void ToolConstraints::Query::keep_closest_exterior(std::vector<GapConstraint>& f
     while (segments[i].index != c.segment) ++i;
     return i;
   };
-  const Index nearest = place(*std::min_element(
-      found.begin(), found.end(), [](const auto& a, const auto& b) { return std::abs(a.gap) < std::abs(b.gap); }));
+  const Index nearest = place(*std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+    return distance(place(a)) < distance(place(b));
+  }));
   const auto needless = [&](const GapConstraint& c) {
     const Index i = place(c);
     if (i == nearest || joined_at_reentrant_corner(i, nearest)) return false;

@@ -86,6 +86,28 @@ TEST(ToolGap, both_sides_of_a_re_entrant_corner_constrain_even_behind_them) {
     }
 }
 
+TEST(ToolGap, a_point_at_the_foot_of_a_rib_has_the_sides_of_its_corner_and_not_the_other_side_of_the_rib) {
+  const Outline ribbed = Pen({0, -0.02})
+                             .free({0.02, -0.02})
+                             .free({0.02, 0})
+                             .contact({0.012, 0})
+                             .contact({0.0115, 0.0015})
+                             .contact({0.0105, 0.0015})
+                             .contact({0.010, 0})
+                             .contact({0, 0})
+                             .close();
+  const Point side = Point(-3, 1).normalized();  // of the rib, towards the corner at x = 10 mm
+  for (const double depth : {1e-7, 1e-9, 0.0, -1e-9, -1e-7}) {
+    const auto found = gaps(ribbed, 0.010, -depth, 3e-3);
+    ASSERT_EQ(found.size(), 2u) << depth;
+    for (const GapConstraint& c : found) {
+      const Point normal = c.normal[0] < -0.5 ? side : Point(0, 1);
+      EXPECT_NEAR((c.normal - normal).norm(), 0, 1e-12) << depth;
+      EXPECT_NEAR(c.gap, -depth * normal[1], 1e-15) << depth;
+    }
+  }
+}
+
 TEST(ToolGap, a_fold_of_micrometres_as_rounded_coordinates_leave_it_is_not_felt_beside_it) {
   for (const double fold : {1e-6, 2.5e-6}) {
     const Point joint(0.01, 0), back(0.01 + fold, fold);

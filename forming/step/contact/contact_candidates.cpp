@@ -39,13 +39,14 @@ double fraction_in_contact(double gap, double motion, double coincident) {
 /// The unit normal of the straight path of a node that touches a tool at both ends of it, on the side of the tool's
 /// normals there; none where the node rests or the normal is not between these. On a smooth outline their mean is
 /// perpendicular to the path up to third order and does not depend on how long the path is; a corner is passed on a
-/// path of its own. None either where the path stays on the face touched at the start, so that the other is one ahead
-/// in a re-entrant corner, or is nearly perpendicular to a face: along its normal the gap would be many times as large,
-/// up to infinity.
-std::optional<Point> path_normal(const Point& path, const Point& at_start, const Point& at_end) {
+/// path of its own. None either where the path does not come to the other face, `gap_at_end`, m, or stays on the face
+/// touched at the start: the other is one ahead in a re-entrant corner, where both bound the node and a normal between
+/// them, next to that of one, would wedge it. None where the path is nearly perpendicular to a face: along its normal
+/// the gap would be many times as large, up to infinity.
+std::optional<Point> path_normal(const Point& path, const Point& at_start, const Point& at_end, double gap_at_end) {
   const double between = at_start.dot(at_end);
   if (between >= contact::smooth_cosine) return (at_start + at_end).normalized();
-  if (path.isZero(0)) return std::nullopt;
+  if (std::abs(gap_at_end) > path.norm()) return std::nullopt;
   Point normal = Point(-path[1], path[0]).normalized();
   if (normal.dot(at_end) < 0) normal = -normal;
   if (normal.dot(at_start) > same_direction) return std::nullopt;
@@ -63,7 +64,7 @@ contact::GapConstraint along_path(const contact::GapConstraint& at_end, const Po
   const auto start = std::max_element(at_start.begin(), at_start.end(),
                                       [&](const auto& a, const auto& b) { return closeness(a) < closeness(b); });
   if (start == at_start.end()) return at_end;
-  const auto normal = path_normal(path, start->normal, at_end.normal);
+  const auto normal = path_normal(path, start->normal, at_end.normal, at_end.gap);
   return normal ? contact::GapConstraint{at_end.gap / normal->dot(at_end.normal), *normal, at_end.segment} : at_end;
 }
 

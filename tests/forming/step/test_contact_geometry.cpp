@@ -78,6 +78,25 @@ TEST(ContactCandidate, of_a_node_that_slides_along_the_bottom_keeps_the_wall_ahe
   }
 }
 
+TEST(ContactCandidate, of_a_node_that_creeps_on_the_bottom_is_not_wedged_by_the_wall_far_ahead) {
+  const Scene scene = scene_of(pot_with(R"("(12, 20) (12, 0) (0, 0) mm")"));
+  for (const double angle : {-8, -5, -4, 4, 5, 8}) {  // degrees, off the bottom
+    State state = initial_state(scene);
+    const Index node = contact_nodes(state.glass.mesh).front();
+    state.glass.mesh.nodes[node] = {11.8e-3, 0};
+    state.glass.contact_tool[node] = 0;
+    Eigen::VectorXd velocity = Eigen::VectorXd::Zero(core::dim * state.glass.mesh.node_count());
+    velocity.segment<core::dim>(core::dim * node) =
+        1e-3 * Point(std::cos(angle * M_PI / 180), std::sin(angle * M_PI / 180));
+    std::vector<Point> normals;
+    for (const auto& candidate : contact_candidates(scene, state, velocity, 1e-3))
+      if (candidate.node == node && candidate.tool == 0) normals.push_back(candidate.normal);
+    for (const Point& normal : normals)
+      EXPECT_NEAR(normal.cwiseAbs().maxCoeff(), 1, 1e-12) << angle << ": neither bottom nor wall";
+    EXPECT_FALSE(normals.empty());
+  }
+}
+
 TEST(ContactCandidate, of_a_node_that_lands_has_the_normal_where_it_lands) {
   const Scene scene = scene_of(round_pot);
   State state = initial_state(scene);
