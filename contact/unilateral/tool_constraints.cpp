@@ -84,6 +84,7 @@ struct ToolConstraints::Query {
   Index next(Index i) const { return i + 1 < count() ? i + 1 : 0; }
   Index previous(Index i) const { return i > 0 ? i - 1 : count() - 1; }
   bool joined(Index i, Index j) const { return next(i) == j || next(j) == i; }
+  bool ends_in_reentrant_tip(Index i, bool at_end) const;
   bool joined_at_reentrant_corner(Index i, Index j) const {
     return (next(i) == j && segments[i].reentrant_after) || (next(j) == i && segments[j].reentrant_after);
   }
@@ -96,17 +97,28 @@ struct ToolConstraints::Query {
   void keep_closest_exterior(std::vector<GapConstraint>& found) const;
 };
 
+/// Whether segment i ends, or begins, on the axis as a hollow cone does: with its mirror image beyond the axis it is a
+/// re-entrant corner.
+bool ToolConstraints::Query::ends_in_reentrant_tip(Index i, bool at_end) const {
+  const BoundedSegment& beside = segments[at_end ? next(i) : previous(i)];
+  if (beside.in_contact) return false;
+  return std::abs(beside.segment->start[0]) <= coincident && std::abs(beside.segment->end[0]) <= coincident &&
+         core::normal_at(segment(i), at_end ? 1 : 0)[0] < 0;
+}
+
 /// Whether x projects onto segment i. Beyond an end at a re-entrant corner, as far as `reach`, it also does, as long as
-/// it is not beyond the far end of the neighbouring segment there.
+/// it is not beyond the far end of the neighbouring segment there; beyond a re-entrant tip on the axis always.
 bool ToolConstraints::Query::projects_on(Index i) const {
   const double slack = segments[i].slack;
   const double before = core::beyond_start(segment(i), x), past = core::beyond_end(segment(i), x);
   if (before <= slack && past <= slack) return true;
   if (past > slack) {
+    if (past <= reach && ends_in_reentrant_tip(i, true)) return true;
     const Index j = next(i);
     return past <= reach && segments[j].in_contact && segments[i].reentrant_after &&
            core::beyond_end(segment(j), x) <= 0 && core::beyond_start(segment(j), x) <= reach;
   }
+  if (before <= reach && ends_in_reentrant_tip(i, false)) return true;
   const Index j = previous(i);
   return before <= reach && segments[j].in_contact && segments[j].reentrant_after &&
          core::beyond_start(segment(j), x) <= 0 && core::beyond_end(segment(j), x) <= reach;

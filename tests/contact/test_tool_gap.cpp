@@ -251,5 +251,19 @@ TEST(ToolGap, a_tip_on_the_axis_is_met_by_a_point_that_projects_onto_no_face) {
   EXPECT_LT(cup[0].gap, 1e-4);
 }
 
+TEST(ToolGap, the_deepest_point_of_a_cup_on_the_axis_holds_a_point_below_it_too) {
+  const Outline above = Pen({0, 0}).contact({10e-3, -3e-3}).free({10e-3, 10e-3}).free({0, 10e-3}).close();
+  for (const double depth : {0.0, 1e-9, 1e-6, 1e-4}) {
+    const Point normal = Point(-0.3, 1).normalized();
+    const auto below_cup = gaps(cone(0.3), 0, -depth, 1e-3), over_cup = gaps(above, 0, depth, 1e-3);
+    ASSERT_EQ(below_cup.size(), 1u) << depth;
+    ASSERT_EQ(over_cup.size(), 1u) << depth;
+    EXPECT_NEAR(below_cup[0].gap, -depth * normal[1], 1e-15);
+    EXPECT_NEAR(over_cup[0].gap, -depth * normal[1], 1e-15);
+    EXPECT_NEAR((below_cup[0].normal - normal).norm(), 0, 1e-12);
+    EXPECT_NEAR((over_cup[0].normal - Point(normal[0], -normal[1])).norm(), 0, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace parison::contact::testing
