@@ -3,8 +3,10 @@
 import json
 import math
 import os
+import resource
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from .exact import SOLUTIONS
@@ -23,15 +25,30 @@ def scene_names():
     return sorted(path.stem for path in SCENES.glob("*.toml"))
 
 
+def run(command, log):
+    """Runs a command on one thread, waits for it and returns its exit code."""
+    log.parent.mkdir(parents=True, exist_ok=True)
+    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    with open(log, "w", encoding="utf-8") as file:
+        return subprocess.run([str(word) for word in command], stdout=file, stderr=subprocess.STDOUT, env=environment,
+                              check=False).returncode
+
+
+def cpu_of(command, log):
+    """CPU time of a command and of what it starts, s; the end of the program where the command fails."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    code = run(command, log)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if code != 0:
+        sys.exit(f"{Path(sys.argv[0]).name}: exit code {code}, see {log}")
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
 def run_scene(parison, name, accuracy, folder, error_bars=True):
     """The summary of a run, None where it did not complete."""
     shutil.rmtree(folder, ignore_errors=True)
-    folder.parent.mkdir(parents=True, exist_ok=True)
     command = [parison, "run", SCENES / f"{name}.toml", "--accuracy", accuracy, "--output", folder, *QUIET]
-    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    with open(folder.with_suffix(".log"), "w", encoding="utf-8") as log:
-        code = subprocess.run(command + ["--error-bars"] * error_bars, stdout=log, stderr=subprocess.STDOUT, env=environment,
-                              check=False).returncode
+    code = run(command + ["--error-bars"] * error_bars, folder.with_suffix(".log"))
     return json.loads((folder / "summary.json").read_text(encoding="utf-8")) if code == 0 else None
 
 

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Changes of four scenes whose effect is known from fine runs, and the runs that show it."""
 import json
-import os
-import subprocess
 from pathlib import Path
 
-from .runs import HERE, QUIET, SCENES, rounded
+from .runs import HERE, QUIET, SCENES, rounded, run
 
 CASES = HERE.parents[1] / "cases"
 REFERENCES, MEASURED = HERE / "what_ifs.json", HERE / "what_ifs_measured.json"
@@ -35,15 +33,6 @@ SCENE = {
         "mould_20": "tool.blow_mould.temperature=430 degC"}),
 }
 TWINS, WARMER = 3, 0.01  # K from one to the next
-
-
-def run(command, log):
-    """Runs a command, waits for it and returns its exit code."""
-    log.parent.mkdir(parents=True, exist_ok=True)
-    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    with open(log, "w", encoding="utf-8") as file:
-        return subprocess.run([str(word) for word in command], stdout=file, stderr=subprocess.STDOUT, env=environment,
-                              check=False).returncode
 
 
 def make_references(parison, scene, folder):

@@ -75,6 +75,11 @@ def difference_costs():
     return table(["what", "measured"], [[line["what"], line["measured"]] for line in found])
 
 
+def production_costs():
+    found = store.read(store.PRODUCTION_COSTS, "tests/production_costs --store")
+    return table(["what", "measured"], [[line["what"], line["measured"]] for line in found])
+
+
 def sweep_costs():
     found = store.read(store.SWEEP_COSTS, "tests/sweep_costs --store")
     return table(["what", "wanted", "measured"], [[line["what"], line["wanted"], line["measured"]] for line in found])
@@ -388,5 +393,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, production_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, perfect, press, laps, sagging, shell, bands)}
