@@ -78,15 +78,6 @@ bool compare_containers(const CycleRequest& request, const forming::Scene& scene
   return ended;
 }
 
-/// How long production takes from its start to the settled state, as far as it was followed.
-std::string start_up_text(const PeriodicState& state, double tolerance) {
-  const std::size_t cycles = state.start_up.size() - 1;
-  const double distance = state.start_up.back().distance;
-  if (distance <= tolerance) return fmt::format("production reaches it {} cycles after its start", cycles);
-  return fmt::format("{} cycles after its start production is still {:.3g} K from it: start_up.csv ends there", cycles,
-                     distance);
-}
-
 /// The options by which `parison run` of the case begins with the tools of a folder, as they are pasted into a shell.
 std::string start_from_tools(const forming::Scene& scene, const PeriodicState& state, const std::string& folder) {
   std::vector<std::string> options;
@@ -103,10 +94,7 @@ std::string start_from_tools(const forming::Scene& scene, const PeriodicState& s
 bool print_result(const CycleRequest& request, const forming::Scene& scene, const forming::PeriodicRequest& asked,
                   const PeriodicState& state) {
   fmt::print("{}", forming::periodic_table(scene, state));
-  fmt::print("\n  {} forming runs to the settled state, 2 more to confirm it; {}\n", state.runs,
-             start_up_text(state, asked.tolerance));
-  fmt::print("  with the plain cycles the tool surfaces are known to {:.2g} K, and are {:.2g} K from those above\n",
-             state.uncertainty, state.offset);
+  fmt::print("\n{}", search_lines(state, asked));
   const bool ended = compare_containers(request, scene, asked.directory, state);
   fmt::print("\n  results in {}; a run starts from these tools with\n    {}\n", asked.directory,
              start_from_tools(scene, state, fs::absolute(asked.directory + "/tools").lexically_normal().string()));

@@ -12,6 +12,20 @@
 #include "tools/program/stop_request.hpp"
 
 namespace parison::tools {
+namespace {
+
+/// How long production takes to the settled state, as far as it was followed.
+std::string start_up_text(const forming::PeriodicState& state, const forming::PeriodicRequest& asked) {
+  if (state.start_up.empty()) return "how long production takes to it is not known";
+  const char* start = asked.changed_from.empty() ? "its start" : "the change";
+  const std::size_t cycles = state.start_up.size() - 1;
+  const double distance = state.start_up.back().distance;
+  if (distance <= asked.tolerance) return fmt::format("production reaches it {} cycles after {}", cycles, start);
+  return fmt::format("{} cycles after {} production is still {:.3g} K from it: start_up.csv ends there", cycles, start,
+                     distance);
+}
+
+}  // namespace
 
 void print_notes_on_cycle(const forming::Scene& scene, const forming::MachineCycle& machine, const std::string& whose) {
   for (const std::string& note : forming::unusual_values(scene))
@@ -29,6 +43,13 @@ forming::PeriodicState find_settled(const forming::Scene& scene, const forming::
       });
   forming::write_periodic_state(scene, asked, state);
   return state;
+}
+
+std::string search_lines(const forming::PeriodicState& state, const forming::PeriodicRequest& asked) {
+  return fmt::format(
+      "  {} forming runs to the settled state, 2 more to confirm it; {}\n"
+      "  with the plain cycles the tool surfaces are known to {:.2g} K, and are {:.2g} K from those above\n",
+      state.runs, start_up_text(state, asked), state.uncertainty, state.offset);
 }
 
 std::string not_confirmed(const forming::PeriodicState& state, const forming::PeriodicRequest& asked) {

@@ -14,6 +14,9 @@ void print_notes_on_cycle(const forming::Scene& scene, const forming::MachineCyc
 forming::PeriodicState find_settled(const forming::Scene& scene, const forming::MachineCycle& machine,
                                     const forming::PeriodicRequest& asked);
 
+/// How many runs the search took, how long production takes to the state found, and how well that is known, as lines.
+std::string search_lines(const forming::PeriodicState& state, const forming::PeriodicRequest& asked);
+
 /// Why the two plain cycles do not confirm a state that was found; empty where they do.
 std::string not_confirmed(const forming::PeriodicState& state, const forming::PeriodicRequest& asked);
 

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
+#include <optional>
 #include <vector>
 
 #include "core/case/case_error.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/finished_run.hpp"
 #include "forming/study/production/cycle_files.hpp"
+#include "forming/study/production/lost_changes.hpp"
 #include "tools/commands/study/cycle_steps.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
@@ -24,6 +27,7 @@ struct Production {
   std::string name, folder;
   forming::Scene scene;
   forming::MachineCycle machine;
+  std::vector<forming::CaseDifference> settings = {};  ///< in which it differs from the base
   std::string failure = {};  ///< why it did not settle, empty where it did
   double uncertainty = 0;    ///< of the tool surfaces, K
   double warming = 0;        ///< of a tool surface from the first container to the settled one, the largest, K
@@ -43,28 +47,58 @@ Production production_of(const CycleRequest& request, const CyclePlan& plan, con
   }
 }
 
+/// Refuses a variant all of whose changes settled production loses; tells those of another one.
+void check_lost_changes(const forming::WhatIf& asked, const forming::WhatIfVariant& variant,
+                        const forming::Scene& scene) {
+  const auto settings = forming::changed_settings(asked, variant);
+  const std::vector<std::string> lost = forming::lost_changes(scene, settings);
+  if (lost.empty()) return;
+  const std::string found =
+      fmt::format("{}: {} was found, but production settles to the same tool temperatures from wherever it starts",
+                  forming::variant_text(variant), fmt::join(lost, ", "));
+  const std::string allowed = forming::what_settled_tools_depend_on(lost.front());
+  if (lost.size() == settings.size()) throw core::CaseError(fmt::format("{}; allowed are {}", found, allowed));
+  fmt::print("{}: what is compared is the effect of its other changes; a change of tool temperatures takes {}\n", found,
+             allowed);
+}
+
 /// The base first. A variant that changes nothing is told and left out.
 std::vector<Production> read_all(const CycleRequest& request, const CyclePlan& plan) {
   const forming::WhatIf asked{request.case_path, request.accuracy, request.output, request.overrides, request.variants};
   forming::plan_runs(asked);  // what `what-if` refuses is refused here too
   std::vector<Production> all{production_of(request, plan, {forming::base_name, {}})};
   for (const forming::WhatIfVariant& variant : request.variants) {
-    if (const std::string nothing = forming::nothing_changed(asked, variant); !nothing.empty())
+    check_lost_changes(asked, variant, all.front().scene);
+    if (const std::string nothing = forming::nothing_changed(asked, variant); !nothing.empty()) {
       fmt::print("{}; it is not run\n", nothing);
-    else
-      all.push_back(production_of(request, plan, variant));
+      continue;
+    }
+    all.push_back(production_of(request, plan, variant));
+    all.back().settings = forming::settings_of(asked, variant);
   }
   return all;
 }
 
 /// A tool of another shape than that of the base takes no temperatures from it: the search then starts from the case.
-forming::PeriodicState find_settled_from(const Production& one, forming::PeriodicRequest asked) {
+forming::PeriodicState find_settled_from(const Production& one, forming::PeriodicRequest& asked) {
   if (!asked.changed_from.empty()) try {
       return find_settled(one.scene, one.machine, asked);
     } catch (const core::CaseError&) {
       asked.changed_from.clear();
     }
   return find_settled(one.scene, one.machine, asked);
+}
+
+/// What was found of the production; nothing where a variant cannot be followed, which is its failure alone.
+std::optional<forming::PeriodicState> try_to_settle(Production& one, forming::PeriodicRequest& asked, bool is_base) {
+  try {
+    return find_settled_from(one, asked);
+  } catch (const std::exception& error) {
+    if (is_base) throw;
+    one.failure = error.what();
+    fmt::print(stderr, "parison: {}: {}\n", one.name, one.failure);
+    return std::nullopt;
+  }
 }
 
 /// `base`: folder of the production that this one is a change of; empty for the base itself. False where it was stopped
@@ -78,11 +112,14 @@ bool settle(const CycleRequest& request, const CyclePlan& plan, const std::strin
   fmt::print("\n{} at {} accuracy: a machine cycle of {:.4g} s\n", one.name, one.scene.accuracy_name,
              one.machine.seconds);
   std::fflush(stdout);
-  const forming::PeriodicState state = find_settled_from(one, asked);
+  const std::optional<forming::PeriodicState> found = try_to_settle(one, asked, base.empty());
+  if (!found) return true;
+  const forming::PeriodicState& state = *found;
   one.uncertainty = std::max(state.uncertainty, state.offset);
   one.failure = !state.failure.empty() ? state.failure : not_confirmed(state, asked);
   if (!state.start_up.empty()) one.warming = state.start_up.front().distance;
-  if (state.failure.empty()) fmt::print("{}", forming::periodic_table(one.scene, state));
+  if (state.failure.empty())
+    fmt::print("{}\n{}", forming::periodic_table(one.scene, state), search_lines(state, asked));
   if (!one.failure.empty()) fmt::print(stderr, "parison: {}: {}\n", one.name, one.failure);
   return !state.stopped;
 }
@@ -94,7 +131,7 @@ forming::Comparison compare_settled(const std::vector<Production>& all) {
     if (all[i].failure.empty()) others.push_back(all[i].container());
   forming::Comparison comparison = forming::compare_folders(all.front().container(), others);
   for (const Production& one : all)
-    if (!one.failure.empty()) comparison.others.push_back({one.name, {}, one.failure, {}});
+    if (!one.failure.empty()) comparison.others.push_back({one.name, one.settings, one.failure, {}});
   return comparison;
 }
 

@@ -50,8 +50,7 @@ Scene checked_variant(const WhatIf& what_if, const Scene& base, const WhatIfVari
     if (const std::string overlap = new_tool_overlap(base, scene); !overlap.empty()) throw core::CaseError(overlap);
     return scene;
   } catch (const core::CaseError& error) {
-    throw core::CaseError(
-        fmt::format("variant {} ({}): {}", variant.name, fmt::join(variant.overrides, ", "), error.what()));
+    throw core::CaseError(fmt::format("{}: {}", variant_text(variant), error.what()));
   }
 }
 
@@ -299,6 +298,16 @@ std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVaria
                           joined(what_if.overrides, variant.overrides));
 }
 
+std::vector<CaseDifference> changed_settings(const WhatIf& what_if, const WhatIfVariant& variant) {
+  auto settings = settings_of(what_if, variant);
+  settings.erase(std::remove_if(settings.begin(), settings.end(), is_same_value), settings.end());
+  return settings;
+}
+
+std::string variant_text(const WhatIfVariant& variant) {
+  return fmt::format("variant {} ({})", variant.name, fmt::join(variant.overrides, ", "));
+}
+
 std::vector<std::string> settled_replaced(const WhatIf& what_if, const WhatIfVariant& variant) {
   const Scene base = read_scene(what_if.case_path, what_if.accuracy, what_if.overrides);
   const Scene scene = read_scene(what_if.case_path, what_if.accuracy, joined(what_if.overrides, variant.overrides));
@@ -313,8 +322,7 @@ std::vector<std::string> settled_replaced(const WhatIf& what_if, const WhatIfVar
 }
 
 std::string nothing_changed(const WhatIf& what_if, const WhatIfVariant& variant) {
-  const auto settings = settings_of(what_if, variant);
-  if (!std::all_of(settings.begin(), settings.end(), is_same_value)) return {};
+  if (!changed_settings(what_if, variant).empty()) return {};
   return fmt::format("variant {} changes nothing: the base has {} already", variant.name,
                      fmt::join(variant.overrides, ", "));
 }

@@ -60,8 +60,13 @@ std::vector<PlannedRun> plan_runs(const WhatIf& what_if);
 /// folders, and twins of those of the first, which the others are compared with.
 std::vector<PlannedRun> plan_partner_runs(const std::string& case_path, const std::vector<std::string>& folders);
 
-/// What a variant changes against the base, value by value.
+/// What a variant changes against the base, value by value; the second leaves out values that are only written
+/// otherwise.
 std::vector<CaseDifference> settings_of(const WhatIf& what_if, const WhatIfVariant& variant);
+std::vector<CaseDifference> changed_settings(const WhatIf& what_if, const WhatIfVariant& variant);
+
+/// A variant in a sentence: its name and what it assigns.
+std::string variant_text(const WhatIfVariant& variant);
 
 /// A sentence for each tool that a variant starts at one temperature, where the base has a field that an earlier run or
 /// settled production has left in it.
