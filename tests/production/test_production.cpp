@@ -208,6 +208,22 @@ TEST(MachineCycle, shorter_than_the_use_of_a_tool_is_refused) {
   EXPECT_NE(refusal(slab, 0.9).find("uses the tool \"plate\" for 1 s"), std::string::npos);
 }
 
+TEST(MachineCycle, that_no_machine_has_is_refused_and_an_unusual_one_is_told) {
+  EXPECT_NE(refusal(slab, 1e6).find("--cycle-time: a machine cycle of 1e+06 s was found, where a container takes 2 s"),
+            std::string::npos)
+      << refusal(slab, 1e6);
+  const std::string hours =
+      with(slab, "[material.glass]", "[timing]\ncuts = \"0.01 1/min\"\nevent = { gob = \"0 deg\" }\n[material.glass]");
+  EXPECT_NE(refusal(hours, std::nullopt).find("timing.cuts: a machine cycle of 6000 s was found"), std::string::npos);
+  const Scene scene = scene_of(slab);
+  EXPECT_THROW(machine_cycle(scene, 0.019, {{"plate", 100}}), core::CaseError);
+  EXPECT_NO_THROW(machine_cycle(scene, 0.021, {{"plate", 100}}));
+  const auto notes = [&](double seconds) { return notes_on_cycle(scene, machine_cycle(scene, seconds)); };
+  EXPECT_TRUE(notes(100).empty());
+  ASSERT_EQ(notes(300).size(), 1u);
+  EXPECT_EQ(notes(300)[0].rfind("unusual, is it meant? --cycle-time: a machine cycle of 300 s", 0), 0u);
+}
+
 /// The same slab, which comes to the plate two seconds after the start of its container and loses nothing until then.
 const std::string late = with(
     slab, R"(stage = [)",

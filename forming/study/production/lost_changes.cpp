@@ -28,7 +28,8 @@ std::string what_settled_tools_depend_on(const std::string& key) {
   const std::string tool = key.substr(0, key.find(".temperature"));
   return fmt::format(
       "changes of what heats and cools a tool, such as {0}.boundary.NAME.condition, {0}.swab, air, the glass or the "
-      "stages; --cycle-time and --sets hold for all variants, and another of these is a cycle in an --output of its own",
+      "stages; --cycle-time and --sets hold for all variants, and another of these is a cycle in an --output of its "
+      "own",
       tool);
 }
 

@@ -34,6 +34,13 @@ ToolUse use_of(const Scene& scene, std::size_t tool) {
   return use;
 }
 
+/// From the gob to the end of the last stage.
+double forming_time(const Scene& scene) {
+  double time = 0;
+  for (const Stage& stage : scene.stages) time += stage.duration;
+  return time;
+}
+
 double time_of(const Scene& scene, const std::optional<double>& seconds) {
   if (seconds) return *seconds;
   if (scene.timing) return scene.timing->cycle;
@@ -65,6 +72,18 @@ void require_tool(const Scene& scene, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw core::CaseError(fmt::format("--sets: \"{}\" was found{}, allowed are the tools {}", name,
                                       core::did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+/// No machine makes containers so slowly, or has so many on their way at once.
+void refuse_impossible(const Scene& scene, const MachineCycle& cycle) {
+  constexpr double most_at_once = 100, hour = 3600, most_waiting = 10;
+  const double forming = forming_time(scene), least = forming / most_at_once,
+               longest = std::max(hour, most_waiting * forming);
+  if (cycle.seconds >= least && cycle.seconds <= longest) return;
+  throw core::CaseError(fmt::format(
+      "{}: a machine cycle of {:.4g} s was found, where a container takes {:.4g} s from its gob to the end of its last "
+      "stage; allowed are {:.4g} s to {:.4g} s from one container to the next",
+      cycle.key, cycle.seconds, forming, least, longest));
 }
 
 void refuse_short(const Scene& scene, const MachineCycle& cycle) {
@@ -99,20 +118,28 @@ MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seco
         fmt::format("{}: a cycle of production was asked for, allowed only for a case whose glass and tools carry heat",
                     scene.file));
   for (const auto& one : sets) require_tool(scene, one.first);
-  MachineCycle cycle{time_of(scene, seconds), {}, {}};
+  MachineCycle cycle{time_of(scene, seconds), {}, {}, seconds ? "--cycle-time" : scene.file + ": timing.cuts"};
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     cycle.uses.push_back(use_of(scene, t));
     const auto known = sets.find(scene.tools[t].name);
     cycle.sets.push_back(known == sets.end() ? 1 : known->second);
   }
+  refuse_impossible(scene, cycle);
   refuse_short(scene, cycle);
   refuse_uncooled(scene, cycle);
   return cycle;
 }
 
-std::vector<std::string> notes_on_cooling(const Scene& scene, const MachineCycle& cycle) {
+std::vector<std::string> notes_on_cycle(const Scene& scene, const MachineCycle& cycle) {
+  constexpr double usual_at_once = 10, longest_usual = 120, usual_waiting = 3;
   State state = initial_state(scene);
   std::vector<std::string> notes;
+  const double forming = forming_time(scene);
+  if (cycle.seconds < forming / usual_at_once || cycle.seconds > std::max(longest_usual, usual_waiting * forming))
+    notes.push_back(
+        fmt::format("unusual, is it meant? {}: a machine cycle of {:.4g} s, where a container takes {:.4g} s from its "
+                    "gob to the end of its last stage",
+                    cycle.key, cycle.seconds, forming));
   for (std::size_t t = 0; t < scene.tools.size(); ++t)
     if (cycle.uses[t].end > 0 && !is_cooled(scene, state, static_cast<Index>(t), false))
       notes.push_back(

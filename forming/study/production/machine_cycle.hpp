@@ -22,19 +22,21 @@ struct MachineCycle {
   double seconds;
   std::vector<ToolUse> uses;  ///< by tool
   std::vector<int> sets;      ///< of each tool, that take turns; each set has a cycle so many times as long
+  std::string key = {};       ///< the option or the key of the case that says `seconds`
 
   double seconds_of(std::size_t tool) const { return seconds * sets[tool]; }
   bool overlaps(std::size_t tool) const { return uses[tool].end > seconds_of(tool) * (1 + 1e-9); }
 };
 
 /// The cycle of a scene, of the time given or else that of its [timing]; `sets` of tools by name, one of each other.
-/// Throws core::CaseError where there is no time, where it is too short for a tool, and where the state of the tools
-/// cannot be periodic.
+/// Throws core::CaseError where there is no time, where it is too short for a tool or one that no machine has, and
+/// where the state of the tools cannot be periodic.
 MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seconds,
                            const std::map<std::string, int>& sets = {});
 
-/// A sentence for each tool from which nothing but air at its contact surface takes heat.
-std::vector<std::string> notes_on_cooling(const Scene& scene, const MachineCycle& cycle);
+/// A sentence where the cycle is unusually long or short, and for each tool from which nothing but air at its contact
+/// surface takes heat.
+std::vector<std::string> notes_on_cycle(const Scene& scene, const MachineCycle& cycle);
 
 /// The case as each container of the cycle goes through it: tools that still serve the container before at its start
 /// have their temperatures at their first use.

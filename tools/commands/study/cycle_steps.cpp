@@ -30,7 +30,7 @@ std::string start_up_text(const forming::PeriodicState& state, const forming::Pe
 void print_notes_on_cycle(const forming::Scene& scene, const forming::MachineCycle& machine, const std::string& whose) {
   for (const std::string& note : forming::unusual_values(scene))
     fmt::print("{}unusual, is it meant? {}\n", whose, note);
-  for (const std::string& note : forming::notes_on_cooling(scene, machine)) fmt::print("{}{}\n", whose, note);
+  for (const std::string& note : forming::notes_on_cycle(scene, machine)) fmt::print("{}{}\n", whose, note);
   std::fflush(stdout);
 }
 

@@ -28,9 +28,9 @@ struct Production {
   forming::Scene scene;
   forming::MachineCycle machine;
   std::vector<forming::CaseDifference> settings = {};  ///< in which it differs from the base
-  std::string failure = {};  ///< why it did not settle, empty where it did
-  double uncertainty = 0;    ///< of the tool surfaces, K
-  double warming = 0;        ///< of a tool surface from the first container to the settled one, the largest, K
+  std::string failure = {};                            ///< why it did not settle, empty where it did
+  double uncertainty = 0;                              ///< of the tool surfaces, K
+  double warming = 0;  ///< of a tool surface from the first container to the settled one, the largest, K
 
   std::string container() const { return folder + "/settled"; }
 };
