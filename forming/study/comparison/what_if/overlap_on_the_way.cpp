@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -71,10 +72,11 @@ std::vector<StageCourses> courses_of(const Scene& scene) {
   return courses;
 }
 
-/// An overlap on the way, and when.
+/// An overlap on the way, and when; and how deep the tools lie in each other in the base, m.
 struct Meeting {
   Overlap overlap;
   double time = 0;
+  double in_base = 0;
 };
 
 /// The deepest overlap of two tools that go their ways at the same time.
@@ -83,38 +85,43 @@ Meeting deepest(const PlacedTool& a, const Course& of_a, const PlacedTool& b, co
   for (const Course* course : {&of_a, &of_b})
     for (const double time : course->times) {
       const Overlap now = overlap_of({a.tool, of_a.offset(time)}, {b.tool, of_b.offset(time)}, touching);
-      if (now.depth > found.overlap.depth) found = {now, time};
+      if (now.depth > found.overlap.depth) found = {now, time, 0};
     }
   return found;
 }
 
-/// Whether a plunger that a force drives overlaps another tool on its way to its stop; also where its stop is unknown.
-bool overlap_on_stroke(const Scene& scene, Index a, Index b) {
+/// How deep a plunger that a force drives lies in another tool on its way to its stop; infinite where that is unknown.
+double overlap_on_stroke(const Scene& scene, Index a, Index b) {
   const auto plan = container_plan(scene);
-  if (!plan || !plan->press || (plan->press->tool != a && plan->press->tool != b)) return true;
+  if (!plan || !plan->press || (plan->press->tool != a && plan->press->tool != b))
+    return std::numeric_limits<double>::infinity();
   const Tool& plunger = tool_of(scene, plan->press->tool);
   const Tool& other = tool_of(scene, plan->press->tool == a ? b : a);
+  double deepest = 0;
   for (int i = 0; i <= of_stroke; ++i) {
     const double offset = plunger.position + (plan->press->stop - plunger.position) * i / of_stroke;
-    if (overlap_of({plunger, offset}, {other, other.position}, touching_of(plunger, other)).depth > 0) return true;
+    deepest =
+        std::max(deepest, overlap_of({plunger, offset}, {other, other.position}, touching_of(plunger, other)).depth);
   }
-  return false;
+  return deepest;
 }
 
-/// Whether two tools lie in each other in a stage of a case, as far as that can be told before a run.
-bool may_overlap(const Scene& scene, const std::vector<StageCourses>& courses, Index a, Index b) {
+/// How deep two tools lie in each other in any stage of a case, m, as far as that can be told before a run; infinite
+/// where it cannot.
+double most_overlap(const Scene& scene, const std::vector<StageCourses>& courses, Index a, Index b) {
   const Tool &first = tool_of(scene, a), &second = tool_of(scene, b);
   const double touching = touching_of(first, second);
   bool is_driven = false;
+  double most = 0;
   for (const StageCourses& stage : courses) {
     const auto one = stage.find(a), other = stage.find(b);
     if (one == stage.end() || other == stage.end()) continue;
     if (!one->second || !other->second)
       is_driven = true;
-    else if (deepest({first, 0}, *one->second, {second, 0}, *other->second, touching).overlap.depth > 0)
-      return true;
+    else
+      most = std::max(most, deepest({first, 0}, *one->second, {second, 0}, *other->second, touching).overlap.depth);
   }
-  return is_driven && overlap_on_stroke(scene, a, b);
+  return is_driven ? std::max(most, overlap_on_stroke(scene, a, b)) : most;
 }
 
 std::string sentence(const Scene& scene, const Stage& stage, const std::pair<Index, Course>& moved, Index other,
@@ -122,10 +129,10 @@ std::string sentence(const Scene& scene, const Stage& stage, const std::pair<Ind
   const std::string& name = tool_of(scene, moved.first).name;
   return fmt::format(
       "tools \"{}\" and \"{}\" overlap by {:.3g} mm, near ({:.4g}, {:.4g}) mm, in stage {}, where the motion of "
-      "\"{}\" has it at {:.4g} mm after {:.3g} s; those of the base do not; allowed is a motion that keeps them apart, "
-      "to within {:.2g} mm",
+      "\"{}\" has it at {:.4g} mm after {:.3g} s; {}; allowed is a motion that keeps them apart, to within {:.2g} mm{}",
       name, tool_of(scene, other).name, 1e3 * met.overlap.depth, 1e3 * met.overlap.at[0], 1e3 * met.overlap.at[1],
-      stage.name, name, 1e3 * moved.second.offset(met.time), met.time, 1e3 * clearance);
+      stage.name, name, 1e3 * moved.second.offset(met.time), met.time, overlap_in_base(met.in_base), 1e3 * clearance,
+      met.in_base > 0 ? ", or no deeper than in the base" : "");
 }
 
 }  // namespace
@@ -139,8 +146,10 @@ std::string new_overlap_on_the_way(const Scene& base, const Scene& changed) {
         if (a == b || !of_a || !of_b || !of_a->is_motion || (of_b->is_motion && b < a)) continue;
         const Tool &moved = tool_of(changed, a), &other = tool_of(changed, b);
         const double clearance = std::max(sealed, touching_of(moved, other));
-        const Meeting met = deepest({moved, 0}, *of_a, {other, 0}, *of_b, clearance);
-        if (met.overlap.depth > 0 && !may_overlap(base, before, a, b))
+        Meeting met = deepest({moved, 0}, *of_a, {other, 0}, *of_b, clearance);
+        if (!(met.overlap.depth > 0)) continue;
+        met.in_base = most_overlap(base, before, a, b);
+        if (is_new_overlap(met.overlap.depth, met.in_base, clearance))
           return sentence(changed, changed.stages[s], {a, *of_a}, b, met, clearance);
       }
   return {};

@@ -38,6 +38,15 @@ Overlap overlap_of(const PlacedTool& first, const PlacedTool& second, double tou
   return deepest.depth > touching ? deepest : Overlap{};
 }
 
+bool is_new_overlap(double changed, double base, double clearance) {
+  constexpr double notably = 1.5;
+  return changed > (base > 0 ? notably * base + clearance : 0);
+}
+
+std::string overlap_in_base(double base) {
+  return base > 0 ? fmt::format("those of the base do by {:.3g} mm", 1e3 * base) : "those of the base do not";
+}
+
 namespace {
 
 /// Where both start.
@@ -68,14 +77,16 @@ std::string rest_overlap(const Scene& base, const Scene& changed) {
       for (const StageTool& other : stage.tools) {
         const Index a = one.tool, b = other.tool;
         if (a >= b || moved.count(a) + moved.count(b) > 0 || !seen.insert({a, b}).second) continue;
+        const double touching = touching_of(changed.tools[a], changed.tools[b]);
         const Overlap found = overlap_of(changed, a, b);
-        if (found.depth > 0 && !(are_together(base, a, b) && overlap_of(base, a, b).depth > 0))
+        const double before = are_together(base, a, b) ? overlap_of(base, a, b).depth : 0;
+        if (is_new_overlap(found.depth, before, touching))
           return fmt::format(
-              "tools \"{}\" and \"{}\" overlap by {:.3g} mm, near ({:g}, {:g}) mm, in stage {}, where those of the "
-              "base do "
-              "not; allowed is contact to within {:.2g} mm",
+              "tools \"{}\" and \"{}\" overlap by {:.3g} mm, near ({:g}, {:g}) mm, in stage {}, where {}; allowed is "
+              "contact to within {:.2g} mm{}",
               changed.tools[a].name, changed.tools[b].name, 1e3 * found.depth, 1e3 * found.at[0], 1e3 * found.at[1],
-              stage.name, 1e3 * touching_of(changed.tools[a], changed.tools[b]));
+              stage.name, overlap_in_base(before), 1e3 * touching,
+              before > 0 ? ", or about the overlap of the base" : "");
       }
   }
   return {};

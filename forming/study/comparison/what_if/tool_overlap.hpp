@@ -24,9 +24,15 @@ Overlap overlap_of(const PlacedTool& first, const PlacedTool& second, double tou
 /// What counts as contact of two tools that stand, m.
 double touching_of(const Tool& a, const Tool& b);
 
+/// Whether tools overlap in a changed case, m, where those of the base do not, or by notably less: by more than half
+/// again and a clearance, m.
+bool is_new_overlap(double changed, double base, double clearance);
+/// What the base has instead, as the end of a sentence: "those of the base do not", or by how much.
+std::string overlap_in_base(double base);
+
 /// Tools of a changed case that overlap where they stand, in a stage in which both are active and rest, or on the way
-/// of a given motion, while those of the base do not, as a sentence; empty where there are none. Tools that overlap in
-/// a stage of the base too are meant to: their union counts.
+/// of a given motion, while those of the base do not or notably less, as a sentence; empty where there are none. Tools
+/// that overlap in a stage of the base too are meant to: their union counts.
 std::string new_tool_overlap(const Scene& base, const Scene& changed);
 
 }  // namespace parison::forming

@@ -259,8 +259,11 @@ TEST_F(WhatIfTest, tools_that_a_variant_makes_overlap_are_refused_and_those_that
   EXPECT_NE(overlap(jar, {R"(stage.hold.tools=["ring", "plate", "blow_mould", "blank"])"}).find("in stage hold"),
             std::string::npos);  // tools that overlap as drawn, but never work together in the base
   EXPECT_EQ(overlap(jar, {"tool.blank.temperature=440 degC"}), "");
-  EXPECT_EQ(overlap(jar, {"tool.plunger.position=19 mm"}), "");  // slides through the plate
-  EXPECT_EQ(overlap(std::string(PARISON_SOURCE_DIR) + "/cases/tumbler", {"tool.ring.position=-1 mm"}), "");
+  EXPECT_EQ(overlap(jar, {"tool.plunger.position=19 mm"}), "");                    // slides through the plate
+  const std::string tumbler = std::string(PARISON_SOURCE_DIR) + "/cases/tumbler";  // its ring lies 3 mm in the mould
+  EXPECT_EQ(overlap(tumbler, {"tool.ring.position=-1 mm"}), "");
+  const std::string deeper = overlap(tumbler, {"tool.ring.position=-5 mm"});
+  EXPECT_NE(deeper.find("in stage settle, where those of the base do by 3 mm"), std::string::npos) << deeper;
 }
 
 TEST_F(WhatIfTest, a_given_motion_that_drives_tools_through_each_other_is_refused_before_anything_runs) {
@@ -276,6 +279,19 @@ TEST_F(WhatIfTest, a_given_motion_that_drives_tools_through_each_other_is_refuse
       << found;
   EXPECT_EQ(overlap(cup, {motion + R"([["0 s", "34 mm"], ["0.4 s", "4 mm"]])"}), "");
   EXPECT_EQ(overlap(cup, {"stage.press.duration=0.7 s"}), "");
+
+  // What slides a little into another tool in the base does not excuse what goes right through it.
+  const auto moved = [&](const std::string& end) {
+    return motion + "[[\"0 s\", \"34 mm\"], [\"0.4 s\", \"" + end + "\"]]";
+  };
+  const Scene slides = read_scene(std::string(PARISON_SOURCE_DIR) + '/' + cup, "draft", {moved("-1 mm")});
+  const auto from_there = [&](const std::string& end) {
+    return new_tool_overlap(slides, read_scene(slides.file, "draft", {moved(end)}));
+  };
+  EXPECT_EQ(from_there("-1.2 mm"), "");
+  const std::string through = from_there("-4 mm");
+  EXPECT_NE(through.find("overlap by 4 mm"), std::string::npos) << through;
+  EXPECT_NE(through.find("those of the base do by 1 mm; allowed is a motion"), std::string::npos) << through;
 }
 
 TEST_F(WhatIfTest, results_of_another_case_are_refused_and_those_of_other_settings_are_not) {
