@@ -47,6 +47,13 @@ void require_accuracy(const std::string& found, const PlannedRun& plan) {
                   plan.directory, found, plan.accuracy));
 }
 
+[[noreturn]] void refuse_other_settings(const PlannedRun& plan) {
+  throw core::CaseError(
+      fmt::format("{}: a run of another case or with other settings was found, allowed is a name of its own for each "
+                  "variant, or another --output",
+                  plan.directory));
+}
+
 /// A summary made with other settings says that the folder belongs to something else.
 void require_same(const core::JsonValue& summary, const PlannedRun& plan, const std::string& case_path) {
   const forming::Scene scene = forming::read_scene(case_path, plan.accuracy, plan.overrides);
@@ -56,11 +63,17 @@ void require_same(const core::JsonValue& summary, const PlannedRun& plan, const 
                     "numbers; allowed is another --output",
                     plan.directory));
   require_accuracy(summary.text_of("accuracy"), plan);
-  if (summary.text_of("case_fingerprint") == core::fingerprint_text(scene.fingerprint)) return;
-  throw core::CaseError(
-      fmt::format("{}: a run of another case or with other settings was found, allowed is a name of its own for each "
-                  "variant, or another --output",
-                  plan.directory));
+  if (summary.text_of("case_fingerprint") != core::fingerprint_text(scene.fingerprint)) refuse_other_settings(plan);
+}
+
+/// The same of a run that has not ended: it has the assignments of the planned one, or the first of them where it was
+/// branched off and has not begun.
+void require_same_origin(const PlannedRun& plan) {
+  const forming::CaseOrigin origin = forming::read_origin(forming::find_checkpoint(plan.directory));
+  require_accuracy(origin.accuracy, plan);
+  const auto &found = origin.overrides, &planned = plan.overrides;
+  if (found.size() > planned.size() || !std::equal(found.begin(), found.end(), planned.begin()))
+    refuse_other_settings(plan);
 }
 
 std::string last_line(const std::string& path) {
@@ -176,19 +189,26 @@ void require_folder_of_run(const PlannedRun& plan) {
         plan.directory));
 }
 
+/// What is in the folder of a planned run may be that run, whole or in part, and nothing else.
+void require_folder_for(const PlannedRun& plan, const std::string& case_path) {
+  require_folder_of_run(plan);
+  if (fs::exists(summary_path(plan)))
+    require_same(core::read_json(core::read_text(summary_path(plan)), summary_path(plan)), plan, case_path);
+  else if (forming::has_checkpoint(plan.directory))
+    require_same_origin(plan);
+}
+
 void start(Queue& queue, QueuedRun& run) {
   const PlannedRun& plan = run.plan;
   const bool is_copied = !plan.copy_of.empty() && !fs::exists(summary_path(plan));
   if (is_copied) forming::copy_results(plan);
-  if (fs::exists(summary_path(plan))) {
-    require_same(core::read_json(core::read_text(summary_path(plan)), summary_path(plan)), plan, queue.case_path);
-    if (end_by_summary(queue, run, is_copied ? ", from " + plan.copy_of : ", from before")) return;
-  }
+  require_folder_for(plan, queue.case_path);
+  if (fs::exists(summary_path(plan)) &&
+      end_by_summary(queue, run, is_copied ? ", from " + plan.copy_of : ", from before"))
+    return;
   const bool is_partner = !plan.inside.empty();
-  if (forming::has_checkpoint(plan.directory)) {
-    require_accuracy(forming::read_origin(forming::find_checkpoint(plan.directory)).accuracy, plan);
+  if (forming::has_checkpoint(plan.directory))
     return is_partner ? start_partner(queue, run, "goes on") : resume(queue, run, "goes on");
-  }
   fs::remove_all(plan.directory);  // what was killed before its first checkpoint
   fs::remove(log_path(plan));
   if (plan.branch) {
@@ -226,7 +246,7 @@ int count(const Queue& queue, Status status) {
 
 bool run_all(std::vector<QueuedRun>& runs, const std::string& case_path, int jobs) {
   Queue queue{runs, case_path};
-  for (const QueuedRun& run : runs) require_folder_of_run(run.plan);
+  for (const QueuedRun& run : runs) require_folder_for(run.plan, case_path);
   bool requested = false;
   for (;;) {
     for (QueuedRun& run : runs)

@@ -18,7 +18,7 @@ struct QueuedRun {
 
 /// Runs what is planned as processes of their own, so many at once, each as soon as what it needs is there. A run that
 /// is in its folder already is taken as it is, a stopped one goes on. False where stopped on request. Throws
-/// core::CaseError where a folder has a run of another case or of other settings.
+/// core::CaseError before anything runs where a folder has a run of another case or of other settings.
 bool run_all(std::vector<QueuedRun>& runs, const std::string& case_path, int jobs);
 
 /// CPU time of all processes that this one started and that have ended, s.
