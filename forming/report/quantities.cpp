@@ -8,6 +8,7 @@
 
 #include "core/case/case_file.hpp"
 #include "forming/report/summary.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "thermal/properties.hpp"
 
@@ -122,6 +123,14 @@ void add_tools(const Scene& scene, const State& state, const Summary& summary, Q
       found.values.push_back({force_prefix + scene.tools[i].name, "N", peak, peak});
 }
 
+/// The larger of width and height that the glass has at least, whatever its shape, mm: that of a full cylinder as wide
+/// as high. NaN where the scene has no axis.
+double least_extent(const Scene& scene) {
+  if (scene.geometry != core::Geometry::axisymmetric) return none;
+  constexpr double pi = 3.14159265358979323846;
+  return 1e3 * std::cbrt(dimensionless_numbers(scene).volume / pi);
+}
+
 /// Whether a stage moves a tool.
 bool is_moved(const Scene& scene, std::size_t tool) {
   return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
@@ -152,12 +161,15 @@ Quantities quantities(const Scene& scene, const State& state, const Summary& sum
 
 std::vector<Quantity> possible_quantities(const Scene& scene) {
   std::vector<Quantity> possible;
-  const auto add = [&](const std::string& name, const char* unit) { possible.push_back({name, unit, none, none}); };
+  const auto add = [&](const std::string& name, const char* unit, double scale = none) {
+    possible.push_back({name, unit, none, scale});
+  };
   if (scene.has_flow()) {
-    add("thickness_mean", "mm"), add("thickness_min", "mm"), add("thickness_min_at", "of the arc");
-    add("extent_r_max", "mm"), add("extent_z_min", "mm"), add("extent_z_max", "mm");
+    add("thickness_mean", "mm"), add("thickness_min", "mm"), add("thickness_min_at", "of the arc", 1);
+    for (const char* extent : {"extent_r_max", "extent_z_min", "extent_z_max"}) add(extent, "mm", least_extent(scene));
   }
-  if (scene.has_heat()) add("glass_mean", "degC"), add("glass_skin", "degC");
+  const double span = scene.has_heat() ? temperature_range(scene).span() : none;
+  if (scene.has_heat()) add("glass_mean", "degC", span), add("glass_skin", "degC", span);
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     if (scene.has_heat()) add(heat_prefix + scene.tools[i].name, "J");
     if (scene.has_flow() && is_moved(scene, i)) add(force_prefix + scene.tools[i].name, "N");

@@ -36,7 +36,8 @@ struct Quantities {
 Quantities quantities(const Scene& scene, const State& state, const Summary& summary,
                       const std::vector<ThicknessRow>& rows);
 
-/// The quantities that a run of a scene may have, with their units and without values. Some are there only where the
+/// The quantities that a run of a scene may have, with their units and without values; with the scale where that is
+/// known before the run, or at least so large. Some are there only where the
 /// run makes them: of the wall where the glass has become one, the heat of a tool that took up some, a peak force of
 /// one that was pressed on.
 std::vector<Quantity> possible_quantities(const Scene& scene);

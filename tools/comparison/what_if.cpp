@@ -158,6 +158,10 @@ int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::st
     if (shown.quantity.empty()) shown.quantity = control.quantity();
     const int code = report(*round.comparison, shown, output);
     if (control.reached()) return code;
+    if (const std::string problem = control.too_small(); !problem.empty()) {
+      fmt::print(stderr, "parison: --resolve: {}; the runs so far are in {}\n", problem, asked.directory);
+      return run_failed;
+    }
     fmt::print(stderr, "parison: differences of {} are not resolved after {} rounds{}; the last is in {}\n",
                request.resolve, control.rounds(), without_bar(control), asked.directory);
     return run_failed;

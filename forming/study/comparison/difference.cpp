@@ -18,9 +18,6 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double confidence = 0.9;
-/// No bar is narrower: share of a quantity's scale, as for a single run. Below it coarse runs agree on what none of
-/// them resolves, such as a rim some micrometres high.
-constexpr double resolution = 1e-4;
 /// A bar of the profile is that of the places around it, so many to each side.
 constexpr int neighbours = 8;
 
@@ -193,7 +190,7 @@ Difference compare_quantity(const Evidence& evidence, const Quantity& base, cons
   const double error = comparison.bars == BarSource::differences && !jumps(base.name)
                            ? error_by_partners(evidence, value, result.difference)
                            : result.added;
-  if (std::isfinite(error)) result.bar = std::max({error, result.scatter, resolution * base.scale});
+  if (std::isfinite(error)) result.bar = std::max({error, result.scatter, least_bar * base.scale});
   return result;
 }
 
@@ -231,7 +228,7 @@ ProfileComparison compare_walls(const Evidence& evidence, const RunComparison& c
     const double by_twins = scatter_by_twins(evidence, value);
     const double scatter = std::isfinite(by_twins) ? by_twins : stated_scatter("thickness_profile") * base[i];
     const double error = error_by_partners(evidence, value, difference);
-    if (std::isfinite(error)) walls.bar[i] = std::max({error, scatter, resolution * base[i]});
+    if (std::isfinite(error)) walls.bar[i] = std::max({error, scatter, least_bar * base[i]});
   }
   walls.bar = with_neighbours(walls.bar);
   return walls;

@@ -11,6 +11,10 @@ namespace parison::forming {
 /// The order of the error bars of differences (richardson_estimate). tests/difference_bars says how well it does.
 inline constexpr double difference_order = 0.7;
 
+/// No error bar is narrower: share of a quantity's scale, as for a single run. Below it coarse runs agree on what none
+/// of them resolves, such as a rim some micrometres high.
+inline constexpr double least_bar = 1e-4;
+
 /// Whether a difference is larger than its error bar.
 enum class Significance { real, within_error, unknown };
 /// "real", "within its error" or "no error bar".

@@ -21,6 +21,7 @@ constexpr double first_factor = 2;  ///< of the draft preset's edges and steps
 /// Bars shrink like edges and steps, as far as scatter lets them; the next round aims below the target.
 constexpr double aim = 0.75, least_refinement = 1.3, most_refinement = 2.5;
 constexpr int most_rounds = 6;
+constexpr double round_off = 1e-9;
 
 /// Size of the units of quantities, SI, and their dimensions.
 struct QuantityUnit {
@@ -61,12 +62,18 @@ double read_size(const std::string& size, const std::string& unit, const std::st
   return value;
 }
 
-/// The error bar of a quantity of a variant; NaN where it has none.
-double bar_of(const ComparedRun& other, const std::string& quantity) {
+/// The row of a quantity of a variant; null where it has none.
+const Difference* row_of(const ComparedRun& other, const std::string& quantity) {
   if (other.result)
     for (const Difference& row : other.result->quantities)
-      if (row.name == quantity) return row.bar;
-  return none;
+      if (row.name == quantity) return &row;
+  return nullptr;
+}
+
+/// To two figures that are not below it.
+double rounded_up(double value) {
+  const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return digit * std::ceil(value / digit * (1 - 1e-12));
 }
 
 }  // namespace
@@ -78,8 +85,9 @@ ResolutionControl::ResolutionControl(const std::string& wanted, const std::vecto
   if (const std::string problem = unknown_quantity(quantity_, possible); !problem.empty())
     throw core::CaseError("--resolve: " + problem);
   for (const Quantity& one : possible)
-    if (one.name == quantity_) unit_ = one.unit;
+    if (one.name == quantity_) unit_ = one.unit, least_ = std::fmax(0, least_bar * one.scale);
   target_ = read_size(equals == wanted.npos ? wanted : wanted.substr(equals + 1), unit_, wanted_);
+  if (const std::string problem = too_small(); !problem.empty()) throw core::CaseError("--resolve: " + problem);
 }
 
 std::string ResolutionControl::accuracy() const {
@@ -94,14 +102,17 @@ void ResolutionControl::add(const Comparison& comparison) {
   bar_ = none;
   for (const ComparedRun& other : comparison.others) {
     if (other.unchanged) continue;
-    const double bar = bar_of(other, quantity_);
+    const Difference* row = row_of(other, quantity_);
+    const double bar = row ? row->bar : none;
+    if (row) least_ = std::max(least_, least_bar * row->scale);
     if (!std::isfinite(bar)) without_bar_.push_back(other.label);
     bar_ = std::fmax(bar_, bar);
   }
   factor_ = next_factor_;
   ++rounds_;
   // Runs that stop at coarse edges may end at finer ones, but hardly at those beyond draft where they stopped before.
-  out_of_reach_ = !without_bar_.empty() && without_bar_ == before && factor_ <= 1 && !(bar_ > target_);
+  const bool stop_again = !without_bar_.empty() && without_bar_ == before && factor_ <= 1 && !(bar_ > target_);
+  out_of_reach_ = stop_again || !too_small().empty();
   const double finer =
       std::isfinite(bar_) ? std::clamp(bar_ / (aim * target_), least_refinement, most_refinement) : most_refinement;
   next_factor_ = factor_ / finer;
@@ -111,8 +122,16 @@ std::string ResolutionControl::label() const {
   return quantity_label(quantity_);
 }
 
+std::string ResolutionControl::too_small() const {
+  if (!(target_ < least_ * (1 - round_off))) return {};
+  return fmt::format(
+      "\"{}\" was found, but no error bar of {} is below {:.2g} {}, {:g} of its scale; allowed are sizes "
+      "from there on",
+      wanted_, label(), rounded_up(least_), unit_, least_bar);
+}
+
 bool ResolutionControl::reached() const {
-  return bar_ <= target_ && without_bar_.empty();
+  return bar_ <= target_ * (1 + round_off) && without_bar_.empty();
 }
 
 bool ResolutionControl::finished() const {

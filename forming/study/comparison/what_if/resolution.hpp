@@ -12,7 +12,8 @@ namespace parison::forming {
 class ResolutionControl {
  public:
   /// "0.02mm" of the thinnest wall, or "heat_blank=50 J" of another quantity, of those that runs may have. Throws
-  /// core::CaseError where the quantity is none of them or the size is none in its unit.
+  /// core::CaseError where the quantity is none of them, the size is none in its unit, or no bar can be so small:
+  /// least_bar of the scale that is known before the runs.
   ResolutionControl(const std::string& wanted, const std::vector<Quantity>& possible);
 
   /// Of the next round.
@@ -21,7 +22,8 @@ class ResolutionControl {
   void add(const Comparison& comparison);
   /// Whether the bars of all variants are small enough, and each has one.
   bool reached() const;
-  /// Whether there is nothing more to run: reached, or out of reach, as where a variant stops again and again.
+  /// Whether there is nothing more to run: reached, or out of reach, as where a variant stops again and again, or below
+  /// what any bar can be.
   bool finished() const;
 
   const std::string& quantity() const { return quantity_; }
@@ -30,6 +32,9 @@ class ResolutionControl {
   double target() const { return target_; }  ///< in that unit
   double bar() const { return bar_; }        ///< the largest of the last round
   int rounds() const { return rounds_; }
+  /// The smallest size that can be asked for, where more than the size that is; as a sentence with that size, else
+  /// empty.
+  std::string too_small() const;
   /// The variants that have no bar in the last round.
   const std::vector<std::string>& without_bar() const { return without_bar_; }
 
@@ -37,6 +42,7 @@ class ResolutionControl {
   std::string wanted_, quantity_, unit_;
   double factor_, next_factor_;  ///< edges and steps of the last round and the next, in units of those of draft
   double target_, bar_;
+  double least_ = 0;  ///< that a bar can be, as far as is known
   std::vector<std::string> without_bar_;
   bool out_of_reach_ = false;
   int rounds_ = 0;

@@ -298,6 +298,24 @@ TEST(Resolution, what_scatter_hides_at_any_accuracy_is_given_up) {
   EXPECT_FALSE(control.reached());
 }
 
+TEST(Resolution, below_what_any_bar_can_be_is_refused_before_the_runs_or_given_up_after_the_first) {
+  std::vector<Quantity> known = possible();
+  known[0].scale = 3;
+  try {
+    ResolutionControl("0.0002 mm", known);
+    ADD_FAILURE();
+  } catch (const core::CaseError& error) {
+    EXPECT_NE(std::string(error.what()).find("is below 0.0003 mm"), std::string::npos) << error.what();
+  }
+  EXPECT_NO_THROW(ResolutionControl("0.0003 mm", known));
+  ResolutionControl control("0.0001 mm", possible());  // of a wall of 2 mm
+  EXPECT_EQ(control.too_small(), "");
+  control.add(compared_alone(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1)));
+  EXPECT_TRUE(control.finished());
+  EXPECT_FALSE(control.reached());
+  EXPECT_NE(control.too_small().find("is below 0.0002 mm"), std::string::npos) << control.too_small();
+}
+
 TEST(Resolution, asks_for_small_bars_of_all_variants) {
   const auto with_second = [](double off) {
     Comparison comparison = compared_alone(run_with(2, 2, 2), run_with(2.1, 2.1, 2.1));

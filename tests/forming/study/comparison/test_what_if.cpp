@@ -199,6 +199,13 @@ TEST_F(WhatIfTest, what_a_run_has_of_quantities_is_known_before_it_with_the_unit
     for (const Quantity& one : possible)
       if (one.name == quantity.name) EXPECT_EQ(one.unit, quantity.unit) << one.name;
   }
+  for (const Quantity& one : possible) {
+    if (one.name.rfind("glass_", 0) == 0) EXPECT_DOUBLE_EQ(one.scale, made.find(one.name)->scale) << one.name;
+    if (one.name.rfind("extent_", 0) == 0) {
+      EXPECT_LT(one.scale, made.find(one.name)->scale) << one.name;
+      EXPECT_GT(one.scale, 0.3 * made.find(one.name)->scale) << one.name;
+    }
+  }
   EXPECT_NE(unknown_quantity("heat_pott", possible).find("did you mean \"heat_pot\"?"), std::string::npos);
 }
 
