@@ -38,15 +38,24 @@ int label_width(const std::vector<Difference>& rows) {
   return static_cast<int>(width);
 }
 
-std::string quantity_row(const Difference& row, int width) {
-  const double fine = std::isfinite(row.bar) ? row.bar : 1e-4 * std::max(std::abs(row.base), std::abs(row.other));
-  const int digits = digits_for(fine);
-  return fmt::format("  {:<{}}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", quantity_label(row.name), width,
-                     number(row.base, digits), number(row.other, digits), number(row.difference, digits, true),
-                     number(row.bar, digits), row.unit, name_of(row.significance()));
+std::string quantity_row(const Difference& difference, int width) {
+  const ShownDifference row = shown(difference);
+  return fmt::format("  {:<{}}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", row.label, width, row.base, row.other,
+                     row.difference, row.bar, row.unit, row.verdict);
 }
 
-std::string source_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other) {
+}  // namespace
+
+ShownDifference shown(const Difference& row) {
+  const double fine = std::isfinite(row.bar) ? row.bar : 1e-4 * std::max(std::abs(row.base), std::abs(row.other));
+  const int digits = digits_for(fine);
+  return {quantity_label(row.name),   number(row.base, digits),
+          number(row.other, digits),  number(row.difference, digits, true),
+          number(row.bar, digits),    row.unit,
+          name_of(row.significance())};
+}
+
+std::string bars_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other) {
   const std::string& stopped = base.coarser_stopped.empty() ? other.coarser_stopped : base.coarser_stopped;
   if (result.bars == BarSource::none && !stopped.empty())
     return "  " + wrapped(fmt::format("no error bars: a coarser run stopped: {}; a finer accuracy helps", stopped), 4) +
@@ -66,6 +75,8 @@ std::string source_line(const RunComparison& result, const FinishedRun& base, co
                                  : "those of both runs added, since no coarser runs near enough are common to both",
                              scatter);
 }
+
+namespace {
 
 /// Where the wall differs for sure, and most.
 std::string wall_line(const ProfileComparison& walls) {
@@ -154,7 +165,7 @@ std::string comparison_tables(const Comparison& comparison) {
     text += fmt::format("  {:<{}}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", "quantity", width, "base", "other",
                         "difference", "error bar", "unit", "verdict");
     for (const Difference& row : other.result->quantities) text += quantity_row(row, width);
-    text += wall_line(other.result->profile) + source_line(*other.result, comparison.base, other.run);
+    text += wall_line(other.result->profile) + bars_line(*other.result, comparison.base, other.run);
   }
   return text + remark_lines(comparison);
 }

@@ -29,6 +29,15 @@ struct Comparison {
 Comparison compare_folders(const std::string& base, const std::vector<std::string>& others,
                            Repeats repeats = Repeats::averaged);
 
+/// A row of a table of differences, as people read it: so many digits that the bar shows two.
+struct ShownDifference {
+  std::string label, base, other, difference, bar, unit, verdict;
+};
+ShownDifference shown(const Difference& row);
+
+/// Where the bars of a comparison come from, or why there are none, as lines.
+std::string bars_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other);
+
 /// Throws core::CaseError where a quantity that was named by --quantity is none of the known ones, with their names.
 void require_quantity(const std::string& quantity, const std::vector<Quantity>& known);
 

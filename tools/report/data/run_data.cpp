@@ -11,6 +11,7 @@
 #include "core/io/files.hpp"
 #include "forming/report/quantity_labels.hpp"
 #include "forming/study/comparison/same_case.hpp"
+#include "tools/report/data/differences.hpp"
 #include "tools/report/data/result_folder.hpp"
 #include "tools/report/data/run_names.hpp"
 #include "tools/report/data/wall_bars.hpp"
@@ -167,6 +168,7 @@ std::string report_data(const std::vector<std::string>& folders, bool live, Repo
   Json page{{"program", PARISON_VERSION},
             {"live", live},
             {"mixed_cases", mixed_cases(folders, cache)},
+            {"differences", differences_of(folders, names)},
             {"runs", std::move(runs)},
             {"bytes", bytes.text()}};
   if (!search.empty()) page["search"] = Json::parse(search);

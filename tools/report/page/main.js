@@ -60,6 +60,7 @@ function show(runs, program) {
     toolsPart(runs, charts),
     balancePart(runs, charts),
     quantityPart(runs),
+    differencePart(state.differences),
     checkPart(runs),
     scenePart(runs),
   ].filter((one) => one);
@@ -77,6 +78,7 @@ function show(runs, program) {
 async function take(page) {
   const buffer = await unpacked(page.bytes);
   state.search = page.search || null;
+  state.differences = page.differences || null;
   const runs = page.runs.map((run, i) => new Run(run, buffer, i));
   const film = shown && shown.film,
     atEnd = !film || film.state.index >= film.times.length - 1;

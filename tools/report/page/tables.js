@@ -37,6 +37,36 @@ function quantityPart(runs) {
   );
 }
 
+/** What `parison compare` says of the other runs beside the first. */
+function differencePart(differences) {
+  if (!differences) return null;
+  const { base, others } = differences,
+    verdictClass = { real: "good", "within its error": "soft" };
+  const tableOf = (one) => [
+    element("h3", {}, `${one.run} against ${base}`),
+    element("p", { class: "soft" }, one.settings),
+    table(
+      ["quantity", ...[base, one.run, "difference", "error bar"].map(number), "unit", "verdict"],
+      one.rows.map((row) => [
+        row.quantity,
+        ...[row.base, row.other, row.difference, row.bar].map(number),
+        unitText(row.unit),
+        element("span", { class: verdictClass[row.verdict] || "warn" }, row.verdict),
+      ]),
+    ),
+    element("p", {}, element("small", {}, one.bars)),
+  ];
+  const reasonOf = (one) => [
+    element("h3", {}, `${one.run} against ${base}`),
+    element("p", { class: "warn" }, `The runs are not compared: ${one.reason}`),
+  ];
+  return part(
+    "differences",
+    "Differences",
+    ...others.flatMap((one) => (one.rows ? tableOf(one) : reasonOf(one))),
+  );
+}
+
 function factsOf(run) {
   const { glass, thickness, container, flags, complete } = run.summary,
     times = run.column("history", "time_s"),
