@@ -50,7 +50,9 @@ void add_report(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<ReportRequest>();
   auto* command =
       add_command(app, "report", "write one HTML page on the runs of some result folders", chosen, request, report);
-  command->add_option("results", request->folders, "folders with the results of runs, shown over each other")
+  command
+      ->add_option("results", request->folders,
+                   "folders with the results of runs, shown over each other; of a what-if or a cycle its runs")
       ->required();
   command->add_option("--output", request->output, "HTML file for the page [report.html in the first folder]");
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/case/case_error.hpp"
+#include "forming/study/comparison/what_if/finished_base.hpp"
 #include "tools/commands/command_options.hpp"
 #include "tools/commands/study/fit_law.hpp"
 #include "tools/comparison/compare.hpp"
@@ -49,8 +50,11 @@ void add_compare(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<CompareRequest>();
   auto* command = add_command(app, "compare", "compare finished runs of a case: differences with their error bars",
                               chosen, request, compare);
-  command->add_option("base", request->base, "result folder that the others are compared with")->required();
-  command->add_option("others", request->others, "result folders of the same case with other settings")->required();
+  command
+      ->add_option("base", request->base,
+                   "result folder that the others are compared with; or the folder of a what-if or a cycle alone")
+      ->required();
+  command->add_option("others", request->others, "result folders of the same case with other settings");
   command->add_option("--quantity", request->quantity, "by which the last table ranks the runs [thickness_min]");
   command->add_option("--output", request->output, "folder for comparison.csv and .json, profiles.csv and .svg");
 }
@@ -63,7 +67,7 @@ void add_what_if(CLI::App& app, Command& chosen) {
       ->add_option("case", asked.case_path,
                    std::string(what_a_case_is) + "; or the result folder of a finished run, which then is the base")
       ->required()
-      ->transform(find_case);
+      ->transform([](const std::string& given) { return forming::is_result_folder(given) ? given : find_case(given); });
   const auto* variant = command->add_option("--variant", "name of a variant; the --set behind it belong to it")
                             ->type_name("NAME")
                             ->take_all()

@@ -8,6 +8,7 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/study/comparison/comparison.hpp"
+#include "forming/study/comparison/study_folder.hpp"
 #include "forming/study/comparison/what_if/what_if.hpp"
 
 namespace parison::tools {
@@ -23,11 +24,31 @@ void refuse_folder_of_others(const std::string& output) {
           output));
 }
 
+/// The folders to compare: those given, or of the folder of a what-if or a cycle the runs that its table has.
+std::vector<std::string> folders_of(const CompareRequest& request) {
+  std::vector<std::string> folders{request.base};
+  folders.insert(folders.end(), request.others.begin(), request.others.end());
+  if (request.others.empty())
+    if (auto study = forming::study_folder(request.base); study && study.runs.size() > 1) return std::move(study.runs);
+  for (const std::string& folder : folders)
+    if (const auto study = forming::study_folder(folder))
+      throw core::CaseError(fmt::format("{}: it {}, allowed are result folders, such as {}, or such a folder alone",
+                                        folder, forming::study_text(study), fmt::join(study.runs, " and ")));
+  if (request.others.empty())
+    throw core::CaseError(
+        fmt::format("compare: {} alone was found, allowed are at least two result folders, the first one the base, or "
+                    "the folder of a what-if or a cycle",
+                    request.base));
+  return folders;
+}
+
 }  // namespace
 
 int compare(const CompareRequest& request) {
   if (!request.output.empty()) refuse_folder_of_others(request.output);
-  const forming::Comparison comparison = forming::compare_folders(request.base, request.others);
+  const std::vector<std::string> folders = folders_of(request);
+  const forming::Comparison comparison =
+      forming::compare_folders(folders.front(), {folders.begin() + 1, folders.end()});
   if (!request.quantity.empty()) forming::require_quantity(request.quantity, comparison.base.quantities.values);
   const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));

@@ -8,6 +8,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
+#include "forming/study/comparison/study_folder.hpp"
 #include "tools/report/data/result_folder.hpp"
 #include "tools/report/data/run_data.hpp"
 #include "tools/report/data/run_names.hpp"
@@ -24,8 +25,8 @@ constexpr double megabyte = 1e6;
 
 void check(const ReportRequest& request) {
   if (request.folders.size() > most_folders)
-    throw core::CaseError(fmt::format("report: {} folders were found, allowed are up to {} on one page",
-                                      request.folders.size(), most_folders));
+    throw core::CaseError(fmt::format("report: {} folders were found, allowed are up to {} on one page; found were {}",
+                                      request.folders.size(), most_folders, fmt::join(request.folders, ", ")));
   for (auto folder = request.folders.begin(); folder != request.folders.end(); ++folder)
     if (std::find(request.folders.begin(), folder, *folder) != folder)
       throw core::CaseError(fmt::format("report: {} was given twice", *folder));
@@ -34,9 +35,24 @@ void check(const ReportRequest& request) {
     throw core::CaseError(fmt::format("--output: \"{}\" was found, allowed is a file named .html", request.output));
 }
 
+/// The folders of runs: those given, and the runs of a folder of a what-if or a cycle in its place.
+std::vector<std::string> run_folders(const std::vector<std::string>& given) {
+  std::vector<std::string> folders;
+  for (const std::string& folder : given) {
+    const auto study = forming::study_folder(folder);
+    if (study)
+      folders.insert(folders.end(), study.runs.begin(), study.runs.end());
+    else
+      folders.push_back(folder);
+  }
+  return folders;
+}
+
 }  // namespace
 
-int report(const ReportRequest& request) {
+int report(const ReportRequest& given) {
+  ReportRequest request = given;
+  request.folders = run_folders(given.folders);
   check(request);
   for (const std::string& path : request.folders)
     if (const ResultFolder folder = read_folder(path); !folder.told.empty()) fmt::print("{}: {}\n", path, folder.told);
@@ -46,7 +62,7 @@ int report(const ReportRequest& request) {
     fmt::print(stderr, "parison: {}\n", mixed);
   const std::string page = page_text(title, report_data(request.folders, false, cache, request.search));
   const std::string output =
-      request.output.empty() ? (fs::path(request.folders[0]) / "report.html").string() : request.output;
+      request.output.empty() ? (fs::path(given.folders[0]) / "report.html").string() : request.output;
   core::replace_file(output, page);
   fmt::print("{}: {:.1f} MB, open it in a browser\n", output, static_cast<double>(page.size()) / megabyte);
   return 0;

@@ -1,0 +1,29 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+namespace parison::forming {
+
+/// The folder of a what-if or a cycle, by what lies in it: the result folders below that its table compares, the base
+/// first.
+struct StudyFolder {
+  enum class Kind { none, what_if, cycle };
+  Kind kind = Kind::none;
+  std::vector<std::string> runs = {};
+
+  explicit operator bool() const { return kind != Kind::none; }
+};
+
+/// Of a what-if that looked for an accuracy the runs at the finest one; of a cycle the container of the first gob and
+/// the settled one, or with variants the settled ones. Those that have begun count.
+StudyFolder study_folder(const std::string& folder);
+
+/// "is the folder of a what-if", or of a cycle.
+std::string study_text(const StudyFolder& study);
+
+/// Where a folder that was given as a case is one of results and holds no case, a sentence that says what can be given
+/// in its place; else empty.
+std::string results_as_case(const std::string& folder);
+
+}  // namespace parison::forming
