@@ -7,26 +7,44 @@
 #include <regex>
 #include <set>
 
+#include "core/case/given_file.hpp"
 #include "core/io/files.hpp"
 #include "core/process/run_error.hpp"
+#include "forming/scene/kept_results.hpp"
 
 namespace parison::forming {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The regular files below the folder of a case that its text, or an assignment, has in quotes, by their relative
-/// paths.
-std::set<fs::path> named_files(const std::string& text, const fs::path& folder) {
-  std::set<fs::path> found;
+/// All that a text has in quotes.
+std::set<std::string> quoted_words(const std::string& text) {
+  std::set<std::string> found;
   const std::regex quoted("\"([^\"\n]+)\"|'([^'\n]+)'");
-  for (auto match = std::sregex_iterator(text.begin(), text.end(), quoted); match != std::sregex_iterator(); ++match) {
-    const fs::path named = fs::path((*match)[1].matched ? (*match)[1].str() : (*match)[2].str()).lexically_normal();
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), quoted); match != std::sregex_iterator(); ++match)
+    found.insert((*match)[1].matched ? (*match)[1].str() : (*match)[2].str());
+  return found;
+}
+
+/// The regular files below the folder of a case among them, by their relative paths.
+std::set<fs::path> named_files(const std::set<std::string>& words, const fs::path& folder) {
+  std::set<fs::path> found;
+  for (const std::string& word : words) {
+    const fs::path named = fs::path(word).lexically_normal();
     std::error_code unreadable;
     const bool is_below = named.is_relative() && !named.empty() && *named.begin() != "..";
     if (is_below && fs::is_regular_file(folder / named, unreadable)) found.insert(named);
   }
   return found;
+}
+
+/// The checkpoint of a result folder that is named, kept beside this copy of the case already, beside the case or in
+/// the working folder; empty where the word names none.
+fs::path named_checkpoint(const std::string& word, const std::string& folder) {
+  std::error_code unreadable;
+  for (const fs::path& place : {fs::path(kept_results(folder, word)), fs::path(folder) / word, fs::path(word)})
+    if (const fs::path file = place / "checkpoint.h5"; fs::is_regular_file(file, unreadable)) return file;
+  return {};
 }
 
 void copy_to(const fs::path& from, const fs::path& to) {
@@ -60,8 +78,14 @@ void copy_case(const Scene& scene, const std::string& directory) {
     naming += '\n' + assignment;
   }
   copy_to(scene.file, folder / "case.toml");
-  for (const fs::path& named : named_files(naming, scene.directory))
+  std::set<std::string> words = quoted_words(naming);
+  for (const std::string& assignment : scene.overrides)  // a value may stand there without quotes
+    words.insert(std::string(core::trimmed(assignment.substr(assignment.find('=') + 1))));
+  for (const fs::path& named : named_files(words, scene.directory))
     copy_to(fs::path(scene.directory) / named, folder / named);
+  for (const std::string& word : words)
+    if (const fs::path checkpoint = named_checkpoint(word, scene.directory); !checkpoint.empty())
+      copy_to(checkpoint, fs::path(kept_results(folder.string(), word)) / "checkpoint.h5");
   core::replace_file((folder / "command.txt").string(), command + '\n');
 }
 

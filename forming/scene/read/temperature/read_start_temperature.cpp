@@ -9,6 +9,7 @@
 #include "core/io/hdf5.hpp"
 #include "core/io/mesh_hdf5.hpp"
 #include "core/mesh/element.hpp"
+#include "forming/scene/kept_results.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/temperature/temperature_table.hpp"
 
@@ -108,7 +109,10 @@ void refuse_other_shape(const CaseNode& node, const core::Profile& profile, cons
 
 StartField read_result(const CaseTable& table, const BodyContext& context, const Body& body) {
   const CaseNode& from = *table.find("from");
-  const std::string folder = result_folder(from, context.directory), path = folder + "/checkpoint.h5";
+  const std::string folder = result_folder(from, context.directory);
+  const std::string kept = kept_results(context.directory, core::text(from));
+  std::error_code unreadable;
+  const std::string path = (std::filesystem::exists(kept, unreadable) ? kept : folder) + "/checkpoint.h5";
   const auto* name = table.find("body");
   if (const std::string problem = core::read_hdf5(path).problem; !problem.empty())
     core::refuse(from, fmt::format("{} {}; allowed is the folder of a result", path, problem));
