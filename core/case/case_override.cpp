@@ -121,6 +121,21 @@ void override_value(CaseFile& file, const std::string& assignment) {
   file.overrides.push_back(assignment);
 }
 
+std::string numbered_key(CaseFile file, const std::string& key) {
+  CaseNode place;
+  place.file = "--set";
+  place.key = key;
+  CaseNode* at = &file.root;
+  std::string numbered;
+  for (const std::string& word : split(key)) {
+    CaseNode& next = step_down(*at, word, place, true);
+    const bool is_entry = at->kind == CaseNode::Kind::list;
+    numbered += (numbered.empty() ? "" : ".") + (is_entry ? fmt::format("{}", &next - at->items.data()) : word);
+    at = &next;
+  }
+  return numbered;
+}
+
 CaseNode value_of(CaseFile file, const std::string& key) {
   CaseNode place;
   place.file = file.path;

@@ -10,6 +10,10 @@ namespace parison::core {
 /// Refuses a key that no value of the case leads to.
 CaseNode value_of(CaseFile file, const std::string& key);
 
+/// A key as override_value takes it with the entries of lists by their numbers, the same for each way to write it.
+/// Refuses one that no value of the case leads to.
+std::string numbered_key(CaseFile file, const std::string& key);
+
 /// The values below a table as TOML that reads back as the same case; comments and layout are its own.
 std::string case_text(const CaseNode& root);
 

@@ -11,6 +11,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/given_file.hpp"
+#include "core/case/text/case_text.hpp"
 #include "core/case/units.hpp"
 #include "forming/run/resume/case_change.hpp"
 #include "forming/run/resume/checkpoint_files.hpp"
@@ -38,9 +39,34 @@ Scene checked_scene(const WhatIf& what_if, const std::vector<std::string>& overr
   return scene;
 }
 
+/// Whether an assignment to one key leaves nothing of an earlier one to another key: to the same, or to what it is in.
+bool replaces(const std::string& now, const std::string& before) {
+  return now == before || before.rfind(now + '.', 0) == 0;
+}
+
+/// Two assignments to one key, of which the last would count, were meant as two variants.
+void require_keys_once(const WhatIf& what_if, const WhatIfVariant& variant) {
+  core::CaseFile file = core::read_case_file(what_if.case_path);
+  for (const std::string& assignment : what_if.overrides) core::override_value(file, assignment);
+  std::vector<std::pair<std::string, std::string>> found;  // as given, and with numbers for names
+  for (const std::string& assignment : variant.overrides) {
+    const std::string given(core::trimmed(assignment.substr(0, assignment.find('='))));
+    core::override_value(file, assignment);
+    const std::string key = core::numbered_key(file, given);
+    for (const auto& [before, numbered] : found)
+      if (replaces(key, numbered))
+        throw core::CaseError(fmt::format(
+            "{} was found{}, of which the last would count alone; allowed is one of them, another --variant NAME goes "
+            "before the second",
+            given, before == given ? " twice" : fmt::format(" after {}, which it replaces", before)));
+    found.emplace_back(given, key);
+  }
+}
+
 /// The same of a variant, whose tools must not overlap anew; what is refused carries its name.
 Scene checked_variant(const WhatIf& what_if, const Scene& base, const WhatIfVariant& variant) {
   try {
+    require_keys_once(what_if, variant);
     Scene scene = checked_scene(what_if, joined(what_if.overrides, variant.overrides));
     if (const auto other = other_case(base, scene))
       throw core::CaseError(
@@ -79,16 +105,6 @@ std::vector<PlannedVariant> checked_variants(const WhatIf& what_if, const Scene&
   return variants;
 }
 
-/// Two assignments to one key, of which the last would count, were meant as two variants.
-void require_keys_once(const WhatIfVariant& variant) {
-  std::set<std::string> keys;
-  for (const std::string& assignment : variant.overrides)
-    if (const std::string key = assignment.substr(0, assignment.find('=')); !keys.insert(key).second)
-      throw core::CaseError(
-          fmt::format("variant {}: {} was found twice, allowed is once; another --variant NAME goes before the second",
-                      variant.name, key));
-}
-
 void require_names(const std::vector<WhatIfVariant>& variants) {
   if (variants.empty()) throw core::CaseError("what-if: no variant was found, allowed is at least one --set KEY=VALUE");
   std::set<std::string> names{base_name};
@@ -109,7 +125,6 @@ void require_names(const std::vector<WhatIfVariant>& variants) {
           fmt::format("variant {}: nothing that it changes was found, allowed is at least one --set KEY=VALUE after "
                       "--variant {}",
                       variant.name, variant.name));
-    require_keys_once(variant);
   }
 }
 

@@ -237,8 +237,19 @@ TEST_F(WhatIfTest, what_is_wrong_with_a_variant_is_said_with_its_name_before_any
   EXPECT_NE(refusal({{"empty", {}}}).find("nothing that it changes"), std::string::npos);
   EXPECT_NE(refusal({{"a/b", {longer}}}).find("allowed are letters"), std::string::npos);
   EXPECT_NE(refusal({{"base", {longer}}}).find("found twice"), std::string::npos);
-  EXPECT_NE(refusal({{"two", {longer, colder, longer}}}).find("variant two: stage.rest.duration was found twice"),
-            std::string::npos);
+  const auto refused = [&](const std::vector<std::string>& overrides, const std::string& sentence) {
+    const std::string found = refusal({{"two", overrides}});
+    EXPECT_EQ(found.rfind("variant two (", 0), 0u) << found;
+    EXPECT_NE(found.find("): " + sentence), std::string::npos) << found;
+  };
+  refused({longer, colder, longer}, "stage.rest.duration was found twice");
+  refused({longer, colder, "stage.1.duration=0.2 s"},
+          "stage.1.duration was found after stage.rest.duration, which it replaces");
+  refused({colder, " tool . 0 . temperature =470 degC"}, "tool . 0 . temperature was found after tool.pot.temperature");
+  refused({longer, "stage=[]"}, "stage was found after stage.rest.duration, which it replaces");
+  const std::string of_pot = "interface.pot.h0=600 W/m2/K", of_plunger = "interface.plunger.h0=700 W/m2/K";
+  refused({of_pot, of_plunger, "interface.1.h0=5 W/m2/K"}, "interface.1.h0 was found after interface.pot.h0");
+  EXPECT_EQ(refusal({{"both", {of_pot, of_plunger, longer, "stage.press.duration=0.11 s"}}}), "");
   EXPECT_NE(refusal({{"a", {longer}}, {"a", {colder}}}).find("found twice"), std::string::npos);
   EXPECT_EQ(refusal({variant_of(longer)}), "");
   EXPECT_EQ(variant_of(longer).name, "stage.rest.duration_0.15_s");
