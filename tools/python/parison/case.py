@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cases: read, changed, run."""
+import copy
 import numbers
 import os
 import tempfile
@@ -48,6 +49,62 @@ def _as_toml(value: Any) -> str:
     raise TypeError(f"a {type(value).__name__} was found, allowed are numbers, texts, lists and dictionaries of these")
 
 
+def _position(entries: list[Any], word: str) -> Optional[int]:
+    """Of the entry that a word picks: its number, its name, or without one a tool that it is for. None where there is none."""
+    if word.isdecimal() and int(word) < len(entries):
+        return int(word)
+    for i, entry in enumerate(entries):
+        if isinstance(entry, dict) and (entry["name"] == word if "name" in entry else word in entry.get("tools", [])):
+            return i
+    return None
+
+
+def _step(found: Any, word: str) -> Optional[Union[int, str]]:
+    """The key or number of what a word picks; None where it picks nothing."""
+    if isinstance(found, list):
+        return _position(found, word)
+    return word if isinstance(found, dict) and word in found else None
+
+
+def _path(tree: Any, key: str) -> Optional[list[Union[int, str]]]:
+    """The keys and numbers that lead to a value, the same for each way to write its key; None where it has none."""
+    path: list[Union[int, str]] = []
+    for word in key.split("."):
+        step = _step(tree, word.strip())
+        if step is None:
+            return None
+        path.append(step)
+        tree = tree[step]
+    return path
+
+
+def _own_step(tree: Any, word: str) -> Union[int, str]:
+    """The same where a value is set: one of several tools that an entry is for gets an entry of its own, a table may be new."""
+    step = _step(tree, word)
+    if step is None:
+        tree[word] = {}
+        return word
+    if not isinstance(tree, list) or word.isdecimal() or "name" in tree[step] or len(tree[step]["tools"]) == 1:
+        return step
+    tree.append({**copy.deepcopy(tree[step]), "tools": [word]})
+    tree[step]["tools"].remove(word)
+    return len(tree) - 1
+
+
+def _assign(tree: Any, key: str, text: str) -> None:
+    """Sets a value as `--set` does."""
+    import tomllib
+
+    *words, last = (word.strip() for word in key.split("."))
+    for word in words:
+        tree = tree[_own_step(tree, word)]
+    try:
+        value = tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        value = text
+    tree[_own_step(tree, last)] = value
+
+
 class Case:
     """A case file with changes.
 
@@ -82,23 +139,26 @@ class Case:
             raise
 
     def __getitem__(self, key: str) -> Any:
-        """The value of a key: the change made to it, as text, or what the case file has. KeyError where neither says it."""
-        if key in self._changes:
-            return self._changes[key]
+        """The value of a key, however it is written: the change made to it, as text, or what the case has with all changes.
+        KeyError where neither says it."""
         import tomllib
 
-        path = Path(self._path)
-        found: Any = tomllib.loads((path / "case.toml" if path.is_dir() else path).read_text(encoding="utf-8"))
-        for word in key.split("."):
-            if isinstance(found, list) and word.isdecimal():
-                found = found[int(word)] if int(word) < len(found) else None
-            elif isinstance(found, list):
-                found = next((table for table in found if isinstance(table, dict) and table.get("name") == word), None)
-            else:
-                found = found.get(word) if isinstance(found, dict) else None
-            if found is None:
-                raise KeyError(key)
-        return found
+        place = Path(self._path)
+        tree: Any = tomllib.loads((place / "case.toml" if place.is_dir() else place).read_text(encoding="utf-8"))
+        for changed, text in self._changes.items():
+            _assign(tree, changed, text)
+        path = _path(tree, key)
+        if path is None:
+            raise KeyError(key)
+        for changed, text in reversed(self._changes.items()):
+            other = _path(tree, changed)
+            if other == path:
+                return text
+            if other is not None and other[: len(path)] == path[: len(other)]:
+                break  # a value in it, or what it is in, was changed later
+        for step in path:
+            tree = tree[step]
+        return tree
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (os.path.abspath(self._path), self._accuracy, dict(self._changes))
