@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/commands/command_options.hpp"
 
+#include "core/case/case_error.hpp"
+#include "forming/study/comparison/study_folder.hpp"
+#include "tools/program/bundled_cases.hpp"
+
 namespace parison::tools {
+
+std::string case_of(const std::string& given) {
+  if (const std::string problem = forming::results_as_case(given); !problem.empty()) throw core::CaseError(problem);
+  return find_case(given);
+}
 
 GivenSets given_sets(const CLI::App& command, const CLI::Option* variant, const CLI::Option* set) {
   GivenSets given;

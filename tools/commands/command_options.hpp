@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
 
 #include "forming/study/comparison/what_if/what_if.hpp"
 #include "tools/commands/commands.hpp"
@@ -10,6 +11,10 @@ namespace parison::tools {
 
 inline constexpr const char* what_a_case_is =
     "folder that holds a case.toml, a case file, or the name of a bundled case";
+
+/// The case that is given on the command line (find_case). A folder of results in its place is refused with what can be
+/// given instead.
+std::string case_of(const std::string& given);
 
 /// Adds a command whose options fill a request, with what is to be done with that.
 template <typename Request>

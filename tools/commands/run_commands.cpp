@@ -7,13 +7,12 @@
 #include "tools/commands/run/run_command.hpp"
 #include "tools/commands/study/audit.hpp"
 #include "tools/commands/study/cycle.hpp"
-#include "tools/program/bundled_cases.hpp"
 
 namespace parison::tools {
 namespace {
 
 void add_case_options(CLI::App& command, RunRequest& request) {
-  command.add_option("case", request.case_path, what_a_case_is)->required()->transform(find_case);
+  command.add_option("case", request.case_path, what_a_case_is)->required()->transform(case_of);
   command.add_option("--accuracy", request.accuracy, "draft, standard, fine, or an error such as 0.5%")
       ->capture_default_str();
   command.add_option("--set", request.overrides, "KEY=VALUE that replaces the value in the case file; may be repeated")
@@ -37,7 +36,7 @@ void add_resume(CLI::App& app, Command& chosen) {
   auto* command = add_command(app, "resume", "continue a run from its last checkpoint", chosen, request, resume);
   command->add_option("results", request->output, "folder with the results of the run")->required();
   command->add_option("--case", request->case_path, "the case, where it has moved or a corrected one is wanted")
-      ->transform(find_case);
+      ->transform(case_of);
   command->add_option("--after", request->after, "name of a stage: from its end instead of the last checkpoint");
   command
       ->add_option("--set", request->overrides, "KEY=VALUE as for run, in stages that are still to come or in output")
@@ -67,7 +66,7 @@ void add_audit(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<AuditRequest>();
   auto* command =
       add_command(app, "audit", "run a case coarsely with each part of its model in and out", chosen, request, audit);
-  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(case_of);
   command->add_option("--accuracy", request->accuracy, "of all runs; coarse ones take seconds")->capture_default_str();
   command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
 }
@@ -76,7 +75,7 @@ void add_cycle(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<CycleRequest>();
   auto* command = add_command(app, "cycle", "find the tool temperatures to which production settles, and its container",
                               chosen, request, cycle);
-  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(case_of);
   command->add_option("--accuracy", request->accuracy, "of all runs")->capture_default_str();
   command->add_option("--cycle-time", request->cycle_time,
                       "time from one container to the next, \"12 s\" [that of the case's timing]");

@@ -9,7 +9,6 @@
 #include "tools/commands/command_options.hpp"
 #include "tools/commands/study/fit_law.hpp"
 #include "tools/comparison/compare.hpp"
-#include "tools/program/bundled_cases.hpp"
 #include "tools/search/calibrate.hpp"
 #include "tools/search/optimise.hpp"
 #include "tools/sweep/sweep.hpp"
@@ -25,7 +24,7 @@ void add_tradeoff(CLI::App& app, Command& chosen) {
   auto* command =
       add_command(app, "tradeoff", "run a convergence study of settings and model parts: error against CPU time",
                   chosen, request, tradeoff);
-  command->add_option("case", trade.case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("case", trade.case_path, what_a_case_is)->required()->transform(case_of);
   command->add_option("--output", trade.output,
                       "folder of the study; variants that have run there are not run again [results/tradeoff_NAME]");
   command->add_option("--reference", trade.reference,
@@ -67,7 +66,7 @@ void add_what_if(CLI::App& app, Command& chosen) {
       ->add_option("case", asked.case_path,
                    std::string(what_a_case_is) + "; or the result folder of a finished run, which then is the base")
       ->required()
-      ->transform([](const std::string& given) { return forming::is_result_folder(given) ? given : find_case(given); });
+      ->transform([](const std::string& given) { return forming::is_result_folder(given) ? given : case_of(given); });
   const auto* variant = command->add_option("--variant", "name of a variant; the --set behind it belong to it")
                             ->type_name("NAME")
                             ->take_all()
@@ -154,7 +153,7 @@ void add_calibrate(CLI::App& app, Command& chosen) {
   auto* command =
       add_command(app, "calibrate", "fit constants of a case to measured temperatures, strokes, forces and walls",
                   chosen, request, calibrate);
-  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(case_of);
   command
       ->add_option("data", request->data,
                    "CSV files: time_s and PROBE_degC, TOOL_position_mm, TOOL_force_N; thickness_mm and arc_mm or z_mm")
@@ -187,7 +186,7 @@ void add_uncertainty(CLI::App& app, Command& chosen) {
   auto* command =
       add_command(app, "uncertainty", "run a case with values drawn from its tolerances: bars, Sobol indices", chosen,
                   request, uncertainty);
-  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(find_case);
+  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(case_of);
   command->add_option("--accuracy", request->accuracy, "draft, standard or fine")->capture_default_str();
   command->add_option("--set", request->overrides, "KEY=VALUE, also with a tolerance; may be repeated")
       ->take_all()
@@ -211,7 +210,7 @@ void add_fit_law(CLI::App& app, Command& chosen) {
       ->take_all()
       ->allow_extra_args(false);
   command->add_option("--case", request->case_path, "case whose glass gives the viscosity at T_glass")
-      ->transform(find_case);
+      ->transform(case_of);
   command->add_flag("--relative", request->relative,
                     "weigh residuals as shares: for scatter that grows with the value");
 }

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "core/case/case_error.hpp"
-#include "forming/study/comparison/study_folder.hpp"
 
 namespace parison::tools {
 namespace {
@@ -55,7 +54,6 @@ fs::path shared_file(const std::string& name) {
 }
 
 std::string find_case(const std::string& given) {
-  if (const std::string problem = forming::results_as_case(given); !problem.empty()) throw core::CaseError(problem);
   std::error_code unknown;  // as of a loop of links: the reading says what it is
   if (fs::exists(given, unknown) || unknown || fs::path(given).has_parent_path() ||
       fs::path(given).extension() == ".toml")

@@ -10,7 +10,7 @@ namespace parison::tools {
 std::filesystem::path shared_file(const std::string& name);
 
 /// The path as given where it exists or is more than a name, else that of the bundled case of this name.
-/// A folder of results is refused with what can be given in its place, a name of neither with the names there are.
+/// A name of neither is refused with the names there are.
 std::string find_case(const std::string& given);
 
 /// A line for each bundled case, its name and the title of its README, and their folder.
