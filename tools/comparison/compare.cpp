@@ -9,6 +9,7 @@
 #include "core/case/case_error.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/study_folder.hpp"
+#include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/what_if.hpp"
 
 namespace parison::tools {
@@ -24,12 +25,24 @@ void refuse_folder_of_others(const std::string& output) {
           output));
 }
 
+/// The runs of a what-if or a cycle that have ended; the others are told.
+std::vector<std::string> ended_runs(const forming::StudyFolder& study) {
+  std::vector<std::string> ended;
+  for (const std::string& folder : study.runs)
+    if (forming::is_result_folder(folder))
+      ended.push_back(folder);
+    else
+      fmt::print("{}: a run that has not ended, it is left out\n", folder);
+  return ended;
+}
+
 /// The folders to compare: those given, or of the folder of a what-if or a cycle the runs that its table has.
 std::vector<std::string> folders_of(const CompareRequest& request) {
   std::vector<std::string> folders{request.base};
   folders.insert(folders.end(), request.others.begin(), request.others.end());
   if (request.others.empty())
-    if (auto study = forming::study_folder(request.base); study && study.runs.size() > 1) return std::move(study.runs);
+    if (const auto study = forming::study_folder(request.base); study.runs.size() > 1)
+      if (auto ended = ended_runs(study); ended.size() > 1 && ended.front() == study.runs.front()) return ended;
   for (const std::string& folder : folders)
     if (const auto study = forming::study_folder(folder))
       throw core::CaseError(fmt::format("{}: it {}, allowed are result folders, such as {}, or such a folder alone",
