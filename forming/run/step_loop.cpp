@@ -77,9 +77,29 @@ bool shorten_step(RunInProgress& run, const StepResult& result, const ProposedSt
   return true;
 }
 
+/// The steps of one moment that were refused because they move an edge into a tool. A shorter step does not help where
+/// the edge has slipped over a corner and its cell is too flat to let it out; a new mesh has a node at the corner.
+class RefusedEdges {
+ public:
+  /// True, once, where the step refused last is hardly less deep than a longer one before.
+  bool ask_for_mesh(const StepResult& refused) {
+    constexpr double hardly_less = 0.6;
+    const double before = std::exchange(depth_, refused.edge_depth);
+    if (asked_ || before == 0 || refused.edge_depth < hardly_less * before) return false;
+    asked_ = true;
+    return true;
+  }
+
+ private:
+  double depth_ = 0;  ///< of the last refused step, m
+  bool asked_ = false;
+};
+
 /// A step that converged and kept within its allowance; false when the smallest one did not.
 bool step_once(RunInProgress& run, AcceptedStep& step) {
   const State& state = run.outcome.state;
+  const double first_try = state.next_step;
+  RefusedEdges edges;
   double dt = clip_step_to_event(run.scene, state, state.next_step);
   auto limit = dt < state.next_step ? StepLimit::event : static_cast<StepLimit>(state.next_limit);
   for (;;) {
@@ -92,7 +112,8 @@ bool step_once(RunInProgress& run, AcceptedStep& step) {
       return true;
     }
     if (!shorten_step(run, result, proposed, dt) || stop_requested(run)) return false;
-    dt = state.next_step;
+    if (edges.ask_for_mesh(result) && remesh_glass(run, RemeshReason::quality)) run.outcome.state.next_step = first_try;
+    dt = clip_step_to_event(run.scene, state, state.next_step);
     limit = static_cast<StepLimit>(state.next_limit);
   }
 }

@@ -100,7 +100,7 @@ bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& 
 /// cell has become too flat to let its edge out, shorter steps give it a new mesh before.
 bool has_no_edge_in_tools(const StepStart& start, StepResult& result) {
   if (start.dt <= min_step_ratio * start.scene.accuracy.initial_step) return true;
-  const double depth = edge_depth_gained(start.scene, start.state, result.state);
+  const double depth = result.edge_depth = edge_depth_gained(start.scene, start.state, result.state);
   if (depth > 0) result.reason = fmt::format("the step moves an edge of the glass {:.2g} um into a tool", 1e6 * depth);
   return depth == 0;
 }

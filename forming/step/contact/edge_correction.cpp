@@ -126,25 +126,29 @@ void slide_middle(const core::BoundaryEdge& edge, double s, GlassState& glass) {
 }
 
 /// Slides the middle node of an edge on a rounding of a tool to where it is off the middle by no more than lets the
-/// edge cut it by `allowed`, m: off by a share d, an edge of length L on an arc of radius R cuts it by 0.4 d L^2/R. Not
-/// where its cell would be inverted, nor in a hollow, where the middle may be in its corner.
-bool centre_middle(const core::BoundaryEdge& edge, double allowed, GlassState& glass) {
+/// edge cut it by `placed.resting`, m: off by a share d, an edge of length L on an arc of radius R cuts it by 0.4 d
+/// L^2/R. Not where its cell would be inverted, nor in a hollow, where the middle may be in its corner, nor where the
+/// edge would cut the tool no less, as over a corner beside one of its ends.
+bool centre_middle(const PlacedTools& placed, const core::BoundaryEdge& edge, GlassState& glass) {
   constexpr double depth_of_share = 3.2;  // depth over the share that the middle is off and the height of the arc
   core::Mesh& mesh = glass.mesh;
   const Point along = mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]];
   const Point arm = mesh.nodes[edge.nodes[2]] - mesh.nodes[edge.nodes[0]];
   const double middle = arm.dot(along) / along.squaredNorm();
   const double height = (along[0] * arm[1] - along[1] * arm[0]) / along.norm();  // into the glass, above the chord
-  if (height <= allowed) return false;
-  const double most = allowed / (depth_of_share * height);
+  if (height <= placed.resting) return false;
+  const double most = placed.resting / (depth_of_share * height);
   const double wanted = std::clamp(middle, 0.5 - most, 0.5 + most), s = place_at(wanted, middle);
   if (wanted == middle) return false;
+  const PlacedTools::Tool& tool = placed.of(glass.contact_tool[edge.nodes[0]]);
+  const auto needed = [&] { return shift_of_middle(tool, local_nodes(edge, mesh, tool), placed.at_tool).norm(); };
   const Point before = mesh.nodes[edge.nodes[2]];
+  const double needed_before = needed();
   mesh.nodes[edge.nodes[2]] = place_on(edge, s, mesh.nodes);
-  const bool sound = remesh::cell_quality(mesh, edge.cell) > 0;
+  const bool helps = remesh::cell_quality(mesh, edge.cell) > 0 && needed() < needed_before;
   mesh.nodes[edge.nodes[2]] = before;
-  if (sound) slide_middle(edge, s, glass);
-  return sound;
+  if (helps) slide_middle(edge, s, glass);
+  return helps;
 }
 
 /// Where an edge that touches a tool with all its nodes lies in it between them.
@@ -170,7 +174,7 @@ bool centre_middles(const Scene& scene, State& state) {
   const double volume = core::volume(mass_mesh(state), scene.geometry);
   std::vector<Index> slid;
   for (const auto& edge : cut)
-    if (centre_middle(edge, placed.resting, glass)) slid.push_back(edge.nodes[2]);
+    if (centre_middle(placed, edge, glass)) slid.push_back(edge.nodes[2]);
   glass.density *= volume / core::volume(mass_mesh(state), scene.geometry);
   const auto warm = [&](double by) {
     for (const Index node : slid) glass.temperature[node] += by;
