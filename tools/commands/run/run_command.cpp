@@ -43,20 +43,21 @@ bool finish_coarser_runs(const std::vector<forming::CoarseCase>& cases) {
   return true;
 }
 
-/// Prints the error bars of a run that has completed, after running its coarser runs where they have not run yet.
-int report_errors(const Scene& scene, const RunOutcome& outcome, const std::string& output, CoarseRuns& beside,
-                  forming::Summary& summary) {
+/// Prints the error bars of a run that has completed, or why it has none, after running its coarser runs where they
+/// have not run yet; false where one of those was stopped on request.
+bool report_errors(const Scene& scene, const RunOutcome& outcome, const std::string& output, CoarseRuns& beside,
+                   forming::Summary& summary) {
   beside.wait();
   if (beside.cases().empty()) {
     fmt::print(stderr,
                "parison: no error bars: at {} accuracy a run {:g} times coarser would be coarser than \"draft coarser "
                "{:g}\", the coarsest allowed; a finer --accuracy has them\n",
                scene.accuracy_name, forming::coarser_factors.front(), forming::max_coarsening);
-    return run_failed;
+    return true;
   }
   if (!finish_coarser_runs(beside.cases())) {
     fmt::print(stderr, "parison: a coarser run has not ended; `parison resume {} --error-bars` continues it\n", output);
-    return run_failed;
+    return false;
   }
   const forming::ErrorBars bars = forming::estimate_errors(summary.quantities, beside.cases());
   const std::vector<std::string> failed = forming::failed_coarse_runs(beside.cases());
@@ -65,12 +66,12 @@ int report_errors(const Scene& scene, const RunOutcome& outcome, const std::stri
                "parison: no error bars: all coarser runs of {} stopped before their end: {}; a finer --accuracy, whose "
                "coarser runs are finer too, may have them\n",
                scene.name, fmt::join(failed, "; "));
-    return run_failed;
+    return true;
   }
   for (const std::string& reason : failed) fmt::print("  the error bars rest on one coarser run alone: {}\n", reason);
   add_error_bars(output, scene, outcome.state, bars, summary);
   fmt::print("{}", error_table(bars));
-  return 0;
+  return true;
 }
 
 /// Writes the summary of a run and prints how it ended; its coarser runs are null where no error bars are wanted.
@@ -83,14 +84,13 @@ int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& requ
   if (facts.completed && !coarser)
     fmt::print("  {:<22}not estimated; --error-bars runs the case twice more, coarser, for about half its CPU time\n",
                "errors");
-  const int code = facts.completed && coarser ? report_errors(scene, outcome, output, *coarser, summary) : 0;
+  const bool stopped = facts.completed && coarser && !report_errors(scene, outcome, output, *coarser, summary);
   fmt::print("{}", verdict_line(summary));
   std::fflush(stdout);
   if (!facts.completed && !facts.stopped && coarser)
     fmt::print(stderr, "parison: no error bars: only a run that has completed can have them\n");
   if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
-  if (!facts.completed) return run_failed;
-  return code != 0 ? code : code_of(facts, request.keep_going);
+  return facts.completed && !stopped ? code_of(facts, request.keep_going) : run_failed;
 }
 
 }  // namespace
