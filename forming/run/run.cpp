@@ -15,6 +15,7 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/state/interpolate.hpp"
 #include "forming/step/contact/film.hpp"
+#include "forming/step/contact/penetration.hpp"
 #include "forming/step/step_control.hpp"
 
 namespace parison::forming {
@@ -80,6 +81,8 @@ RunOutcome finish(RunInProgress& run, const Work& from_here) {
     end_stage(run, false);
   }
   const std::string& stage = run.scene.stages[state.stage].name;
+  const std::string entered = entered_face_sentence(run.scene, state);
+  if (!entered.empty() && !facts.stopped) facts.reason = fmt::format("{} (numerics: {})", entered, facts.reason);
   facts.reason = facts.completed ? "" : fmt::format("stage {} at {:.5f} s: {}", stage, state.time, facts.reason);
   if (facts.reason.find(facts.unfilled) == std::string::npos) add_warnings({facts.unfilled}, facts);
   add_warnings(remeshing_warnings(state), facts);

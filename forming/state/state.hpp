@@ -129,7 +129,9 @@ struct Totals {
   double max_penetration = 0;       ///< max penetration of a glass node into a tool at any step, m
   double max_edge_penetration = 0;  ///< the same of a point on an edge in contact, m
   double penetration_share = 0, edge_penetration_share = 0;  ///< both over the mean wall of the glass at that step
-  double max_drift = 0;  ///< of the glass volume at any step, relative to the start, without sign
+  Index entered_tool = -1,
+        entered_boundary = -1;  ///< where glass first came into a tool through a face without contact
+  double max_drift = 0;         ///< of the glass volume at any step, relative to the start, without sign
   double max_reynolds = 0;
   double overshoot = 0;        ///< of any temperature above the hottest of the scene at any step, K
   double viscous_heating = 0;  ///< by which dissipation can at most have heated a point of the glass, K

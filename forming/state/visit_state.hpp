@@ -120,6 +120,8 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("max_edge_penetration", totals.max_edge_penetration);
   visit("penetration_share", totals.penetration_share);
   visit("edge_penetration_share", totals.edge_penetration_share);
+  visit("entered_tool", totals.entered_tool);
+  visit("entered_boundary", totals.entered_boundary);
   visit("max_drift", totals.max_drift);
   visit("max_reynolds", totals.max_reynolds);
   visit("overshoot", totals.overshoot);

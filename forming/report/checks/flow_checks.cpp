@@ -7,6 +7,7 @@
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/summary_parts.hpp"
 #include "forming/step/balance/work.hpp"
+#include "forming/step/contact/penetration.hpp"
 
 namespace parison::forming {
 
@@ -19,13 +20,15 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
                     "the glass had so much more or less volume than at its start, and its wall is wrong by about as "
                     "much; a smaller numerics.strain_per_step helps"});
   if (!scene.tools.empty()) {
+    const std::string entered = entered_face_sentence(scene, state);
+    const auto sentence = [&](const char* on_steps) { return entered.empty() ? on_steps : entered; };
     checks.push_back({"penetration", std::max(totals.penetration_share, totals.max_penetration / wall), 1e-2, 0.1, "%",
-                      "a node of the glass was inside a tool by so much of the mean wall, then or at the end; a "
-                      "smaller numerics.strain_per_step or numerics.surface_size helps"});
+                      sentence("a node of the glass was inside a tool by so much of the mean wall, then or at the end; "
+                               "a smaller numerics.strain_per_step or numerics.surface_size helps")});
     checks.push_back({"edge_penetration", std::max(totals.edge_penetration_share, totals.max_edge_penetration / wall),
                       5e-2, 0.25, "%",
-                      "an edge of the glass cut into a tool by so much of the mean wall, then or at the end; a "
-                      "smaller numerics.surface_size, or a finer --accuracy, helps"});
+                      sentence("an edge of the glass cut into a tool by so much of the mean wall, then or at the end; "
+                               "a smaller numerics.surface_size, or a finer --accuracy, helps")});
   }
   const auto is_symmetry = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::symmetry; };
   if (scene.geometry == core::Geometry::axisymmetric ||

@@ -111,6 +111,7 @@ std::vector<std::string> unusual_values(const Scene& scene) {
   if (is_gob) add_durations(scene, notes);
   add_pressures(scene, notes);
   for (auto& note : unusual_forces(scene)) notes.push_back(std::move(note));
+  for (auto& note : faces_without_contact(scene)) notes.push_back(std::move(note));
   if (const auto plan = container_plan(scene)) {
     add_wall(*plan, notes);
     add_fill_level(scene, *plan, notes);

@@ -15,6 +15,9 @@ std::vector<std::string> unusual_values(const Scene& scene);
 /// The same of a force that drives a tool away from the glass, or presses much more or less than is usual.
 std::vector<std::string> unusual_forces(const Scene& scene);
 
+/// A tool of the first stage whose face at the glass has no contact: the glass would enter the tool there.
+std::vector<std::string> faces_without_contact(const Scene& scene);
+
 /// Whether a stage before this one has moved a tool.
 bool has_moved_before(const Scene& scene, Index stage, Index tool);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/step/contact/penetration.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -90,6 +92,41 @@ double edge_depth_gained(const Scene& scene, const State& before, const State& a
   return depth > left && depth > max_edge_penetration(scene, before, left) + step ? depth : 0;
 }
 
+namespace {
+
+/// Depth of a node, of the mean wall, from which it counts as come into a tool.
+constexpr double entered = 0.01;
+
+/// The segment of an outline that is closest to a point, symmetry left out, and its distance, m.
+std::pair<const core::Segment*, double> closest_face(const Body& body, const Point& x) {
+  std::pair<const core::Segment*, double> closest{nullptr, std::numeric_limits<double>::infinity()};
+  for (const core::Segment& segment : body.profile.segments) {
+    if (body.boundaries[segment.boundary_id].kind == BoundaryKind::symmetry) continue;
+    const double distance = core::distance(segment, x, closest.second);
+    if (distance < closest.second) closest = {&segment, distance};
+  }
+  return closest;
+}
+
+}  // namespace
+
+std::optional<ToolFace> entered_face(const Scene& scene, const State& state) {
+  const core::Mesh& glass = state.glass.mesh;
+  const double allowed = entered * core::mean_wall(glass);
+  for (const Index tool : active_tools(scene, state)) {
+    const Tool& body = scene.tools[tool];
+    const Point offset = state.tools[tool].offset * core::axis_direction();
+    for (const Index node : surface_nodes(glass)) {
+      const Point local = glass.nodes[node] - offset;
+      if (!core::contains(body.profile, local)) continue;
+      const auto [face, depth] = closest_face(body, local);
+      if (face && depth > allowed && body.boundaries[face->boundary_id].kind != BoundaryKind::contact)
+        return ToolFace{tool, face->boundary_id};
+    }
+  }
+  return {};
+}
+
 void note_penetration(const Scene& scene, State& state) {
   Totals& totals = state.totals;
   const double wall = core::mean_wall(state.glass.mesh);
@@ -100,6 +137,23 @@ void note_penetration(const Scene& scene, State& state) {
   };
   note(max_penetration, totals.max_penetration, totals.penetration_share);
   note(max_edge_penetration, totals.max_edge_penetration, totals.edge_penetration_share);
+  if (totals.max_penetration <= entered * wall || totals.entered_tool >= 0) return;
+  if (const auto face = entered_face(scene, state)) {
+    totals.entered_tool = face->tool;
+    totals.entered_boundary = face->boundary;
+  }
+}
+
+std::string entered_face_sentence(const Scene& scene, const State& state) {
+  const Totals& totals = state.totals;
+  if (totals.entered_tool < 0) return "";
+  const Tool& tool = scene.tools[totals.entered_tool];
+  return fmt::format(
+      "glass has entered tool {0} through its boundary {1}, which has no contact: only boundaries with condition = "
+      "\"contact\" keep glass out. Where glass may touch {1}, give it that condition in the case; smaller steps or "
+      "edges "
+      "do not help",
+      tool.name, tool.boundaries[totals.entered_boundary].name);
 }
 
 }  // namespace parison::forming

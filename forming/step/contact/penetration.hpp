@@ -1,6 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "forming/scene/scene.hpp"
@@ -33,7 +35,19 @@ double max_edge_penetration(const Scene& scene, const State& state, double known
 /// it can move and deeper than any of `before` by more than a step may move a node into a tool; else 0.
 double edge_depth_gained(const Scene& scene, const State& before, const State& after);
 
-/// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then.
+/// A boundary of a tool.
+struct ToolFace {
+  Index tool, boundary;
+};
+/// The face without contact, but no symmetry, through which a node of the glass has come into an active tool: it lies
+/// deeper in the tool than 1 % of the mean wall, and that face is the closest.
+std::optional<ToolFace> entered_face(const Scene& scene, const State& state);
+
+/// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then,
+/// and stores the first face without contact through which glass has come.
 void note_penetration(const Scene& scene, State& state);
+
+/// That glass has come into a tool through a face without contact, and what to do; empty where it has not.
+std::string entered_face_sentence(const Scene& scene, const State& state);
 
 }  // namespace parison::forming

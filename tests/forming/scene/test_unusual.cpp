@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../bundled_scene.hpp"
+#include "../scene_text.hpp"
 #include "forming/scene/describe/unusual.hpp"
 
 namespace parison::forming {
@@ -105,6 +106,15 @@ TEST(Unusual, a_parison_longer_than_the_mould_is_told) {
                        "would reach 7 mm into that tool near ("),
             notes.npos)
       << notes;
+}
+
+TEST(Unusual, glass_that_lies_at_a_face_without_contact_is_told_with_tool_and_boundary) {
+  const auto notes = [](const std::string& text) { return describe_unusual(scene_of(text)); };
+  const std::string said = notes(replaced("(0, 0) mm\", condition = \"contact\"",
+                                          "(15, 0) mm\", condition = \"contact\" },\n  { name = \"middle\", path = "
+                                          "\"(0, 0) mm\", condition = \"insulated\""));
+  EXPECT_NE(said.find("the glass lies at boundary \"middle\" of \"plate\", which has no contact"), said.npos) << said;
+  EXPECT_EQ(notes(small_scene).find("no contact"), std::string::npos) << notes(small_scene);
 }
 
 }  // namespace

@@ -135,5 +135,60 @@ TEST(Checks, glass_stiffer_than_the_cap_of_the_viscosity_that_is_made_to_flow_is
   EXPECT_EQ(stiff[0].rfind("viscosity_cap is 1e+02 %", 0), 0u) << stiff[0];
 }
 
+/// A puddle of glass on a plate whose face ends below it, at a ring without contact.
+const std::string puddle_on_ledge = R"(case = "ledge"
+geometry = "axisymmetric"
+[material.soft]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e3 Pa.s" }
+[glass]
+material = "soft"
+boundary = [
+  { name = "bottom", path = "(0, 0) (20, 0) (20, 10) mm", condition = "contact" },
+  { name = "top", path = "(0, 10) mm", condition = "air" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" } ]
+[[tool]]
+name = "plate"
+friction = "stick"
+boundary = [
+  { name = "rest", path = "(0, -10) (40, -10) mm", condition = "insulated" },
+  { name = "ledge", path = "(40, 0) (10, 0) mm", condition = "insulated" },
+  { name = "face", path = "(0, 0) mm", condition = "contact" },
+  { name = "axis", path = "(0, -10) mm", condition = "symmetry" } ]
+[[stage]]
+name = "rest"
+duration = "0.2 s"
+gravity = "-9.81 m/s2"
+tools = ["plate"]
+)";
+
+TEST(Checks, glass_that_enters_a_tool_through_a_face_without_contact_is_told_with_tool_and_boundary) {
+  const auto told = [](const std::string& text) {
+    const Scene scene = scene_of(text);
+    std::string all;
+    for (const std::string& sentence : complaints(run(scene).facts.checks)) all += sentence + "\n";
+    return all;
+  };
+  const std::string said = told(puddle_on_ledge);
+  EXPECT_NE(said.find("penetration is "), said.npos) << said;
+  EXPECT_NE(said.find("glass has entered tool plate through its boundary ledge, which has no contact"), said.npos)
+      << said;
+  EXPECT_EQ(said.find("strain_per_step"), said.npos) << said;
+  const std::string held = told(
+      replaced("(10, 0) mm\", condition = \"insulated\"", "(10, 0) mm\", condition = \"contact\"", puddle_on_ledge));
+  EXPECT_EQ(held.find("penetration"), held.npos) << held;
+}
+
+TEST(Checks, a_run_that_stops_after_glass_has_entered_a_tool_says_that_first) {
+  const Scene scene =
+      scene_of(puddle_on_ledge + "[[stage]]\nname = \"cool\"\nduration = \"1 s\"\ntools = [\"plate\"]\n");
+  const RunOutcome outcome = run(scene);
+  EXPECT_FALSE(outcome.facts.completed);
+  EXPECT_NE(outcome.facts.reason.find("s: glass has entered tool plate through"), std::string::npos)
+      << outcome.facts.reason;
+  EXPECT_NE(outcome.facts.reason.find("(numerics: active tool plate overlaps"), std::string::npos)
+      << outcome.facts.reason;
+}
+
 }  // namespace
 }  // namespace parison::forming
