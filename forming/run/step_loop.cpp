@@ -41,9 +41,29 @@ void accept(RunInProgress& run, StepResult& result, const ProposedStep& proposed
   run.outcome.facts.reason.clear();
 }
 
+/// Whether it is gravity that moves the glass: no stage so far has a pressure, and in the present one gravity has done
+/// most of the work.
+bool gravity_alone_moves(const RunInProgress& run) {
+  constexpr double most = 0.8;
+  const State& state = run.outcome.state;
+  const auto has_pressure = [](const Stage& stage) {
+    return std::any_of(stage.pressure.begin(), stage.pressure.end(),
+                       [](const auto& pressure) { return pressure.second.max_size() > 0; });
+  };
+  const auto& stages = run.scene.stages;
+  if (std::any_of(stages.begin(), stages.begin() + state.stage + 1, has_pressure)) return false;
+  const auto& ended = run.outcome.facts.stages;
+  const Work before = ended.empty() ? Work{} : ended.back().work, &now = state.totals.work;
+  const double gravity = now.gravity - before.gravity, tools = now.tools - before.tools;
+  return gravity > most * (gravity + std::max(0.0, tools));
+}
+
 /// Where glass moves faster than any forming does, as a sentence: without inertia nothing else limits a film that the
-/// air blows up. Empty where none does.
-std::string bursting_film(const core::Mesh& glass, const Eigen::VectorXd& velocity) {
+/// air blows up or glass that stretches under its weight. Empty where none does.
+std::string bursting_film(const RunInProgress& run) {
+  const State& state = run.outcome.state;
+  const core::Mesh& glass = state.glass.mesh;
+  const Eigen::VectorXd& velocity = state.glass.velocity;
   constexpr double bursting = 20;  // m/s
   Index fastest = 0;
   for (Index n = 0; n < velocity.size() / core::dim; ++n)
@@ -51,6 +71,12 @@ std::string bursting_film(const core::Mesh& glass, const Eigen::VectorXd& veloci
   const double speed = velocity.size() > 0 ? flow::node_velocity(velocity, fastest).norm() : 0;
   if (speed < bursting) return "";
   const Point& x = glass.nodes[fastest];
+  if (gravity_alone_moves(run))
+    return fmt::format(
+        "the glass stretches under its weight alone until it falls, near ({:.1f}, {:.1f}) mm at {:.0f} m/s, where no "
+        "pressure has acted: a shorter time before something holds or shapes it, colder glass, or a tool that carries "
+        "it keeps it together",
+        1e3 * x[0], 1e3 * x[1], speed);
   return fmt::format(
       "a film of glass bursts near ({:.1f}, {:.1f}) mm, where it moves at {:.0f} m/s: less pressure, or glass that is "
       "thicker or colder there, may keep it whole",
@@ -67,7 +93,7 @@ bool shorten_step(RunInProgress& run, const StepResult& result, const ProposedSt
   const double next = result.converged ? std::clamp(proposed.dt, shorten * dt, longest_retry * dt) : shorten * dt;
   if (result.unrecoverable) return false;
   if (next < run.scene.accuracy.min_step) {
-    const std::string film = bursting_film(state.glass.mesh, state.glass.velocity);
+    const std::string film = bursting_film(run);
     reason += fmt::format("; steps below {:g} s, numerics.min_step, would be needed", run.scene.accuracy.min_step);
     if (!film.empty()) reason = fmt::format("{} (numerics: {})", film, reason);
     return false;

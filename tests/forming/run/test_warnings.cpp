@@ -4,6 +4,7 @@
 #include "../pot_scene.hpp"
 #include "../scene_text.hpp"
 #include "forming/run/folder_run.hpp"
+#include "forming/run/run.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/run/warnings.hpp"
 #include "forming/state/initial_state.hpp"
@@ -163,6 +164,32 @@ pressure.inner = "10 bar"
   EXPECT_NE(film, reason.npos) << reason;
   EXPECT_NE(numerics, reason.npos) << reason;
   EXPECT_LT(film, numerics) << reason;
+}
+
+TEST(Warnings, glass_that_stretches_under_gravity_alone_is_not_told_as_a_film_nor_advised_less_pressure) {
+  const std::string rod = R"(case = "rod"
+geometry = "axisymmetric"
+[material.soft]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "100 Pa.s" }
+[glass]
+material = "soft"
+boundary = [
+  { name = "axis", path = "(0, 20) (0, 0) mm", condition = "symmetry" },
+  { name = "outer", path = "(4, 0) (4, 20) mm", condition = "air" },
+  { name = "top", path = "(0, 20) mm", condition = "fixed" },
+]
+[[stage]]
+name = "hang"
+duration = "30 s"
+gravity = "-9.81 m/s2"
+[numerics]
+min_step = "1 ms"
+)";
+  const std::string reason = run(scene_of(rod)).facts.reason;
+  EXPECT_NE(reason.find("s: the glass stretches under its weight alone until it falls, near ("), reason.npos) << reason;
+  EXPECT_NE(reason.find("(numerics: "), reason.npos) << reason;
+  EXPECT_EQ(reason.find("less pressure"), reason.npos) << reason;
 }
 
 }  // namespace
