@@ -61,7 +61,7 @@ void widen_place_of_min(Quantities& run) {
     const int at = static_cast<int>(std::lround(quantity.value / spacing));
     int farthest = 0;
     for (int i = 0; i < profile_points; ++i)
-      if (run.profile[i] <= run.profile[at] + thickness->error) farthest = std::max(farthest, std::abs(i - at));
+      if (run.profile[i] <= thickness->value + thickness->error) farthest = std::max(farthest, std::abs(i - at));
     quantity.error = std::max(quantity.error, (farthest + 1) * spacing);
   }
 }

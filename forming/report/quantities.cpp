@@ -29,11 +29,9 @@ bool has_wall(const Scene& scene, const std::vector<ThicknessRow>& rows) {
          std::any_of(rows.begin(), rows.end(), [](const ThicknessRow& row) { return row.is_wall(); });
 }
 
-/// Thickness, mm, at even shares of the arc and the places there, m, linear between the rows; NaN beside one that is no
-/// wall.
-std::vector<double> sample_profile(const std::vector<ThicknessRow>& rows, std::vector<Point>& positions) {
+/// Thickness, mm, at even shares of the arc, linear between the rows; NaN beside one that is no wall.
+std::vector<double> sample_profile(const std::vector<ThicknessRow>& rows) {
   std::vector<double> profile(profile_points, none);
-  positions.assign(profile_points, Point::Constant(none));
   const double first = rows.front().arc, whole = rows.back().arc - first;
   std::size_t after = 1;
   for (int i = 0; i < profile_points; ++i) {
@@ -43,7 +41,6 @@ std::vector<double> sample_profile(const std::vector<ThicknessRow>& rows, std::v
     if (!a.is_wall() || !b.is_wall() || b.arc <= a.arc) continue;
     const double t = (arc - a.arc) / (b.arc - a.arc);
     profile[i] = 1e3 * ((1 - t) * a.thickness + t * b.thickness);
-    positions[i] = (1 - t) * a.position + t * b.position;
   }
   return profile;
 }
@@ -62,19 +59,15 @@ std::vector<int> inner_places(const std::vector<double>& profile) {
   return places;
 }
 
+/// Of the rows, whose lowest is lower than that of the profile where a corner lies between the even shares.
 void add_wall(const std::vector<ThicknessRow>& rows, Quantities& found) {
-  std::vector<Point> positions;
-  found.profile = sample_profile(rows, positions);
-  const std::vector<int> places = inner_places(found.profile);
-  if (places.empty()) return;
-  int min_index = places.front();
-  for (const int i : places)
-    if (found.profile[i] < found.profile[min_index]) min_index = i;
-  const double mean = 1e3 * thickness_range(rows).mean, lowest = found.profile[min_index];
+  found.profile = sample_profile(rows);
+  const ThicknessRange range = thickness_range(rows);
+  const double mean = 1e3 * range.mean, lowest = 1e3 * range.lowest;
+  const double at = (range.lowest_arc - rows.front().arc) / (rows.back().arc - rows.front().arc);
   found.values.push_back({"thickness_mean", "mm", mean, mean});
   found.values.push_back({"thickness_min", "mm", lowest, lowest});
-  found.values.push_back(
-      {"thickness_min_at", "of the arc", double(min_index) / (profile_points - 1), 1, none, positions[min_index]});
+  found.values.push_back({"thickness_min_at", "of the arc", at, 1, none, range.lowest_at});
 }
 
 /// Of the outer surface, by area; the wall's where there is one.

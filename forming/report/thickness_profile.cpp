@@ -329,7 +329,8 @@ ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows) {
   double sum = 0, area = 0;
   for (const ThicknessRow& row : rows) {
     if (!row.is_wall()) continue;
-    if (row.thickness < range.lowest) range.lowest = row.thickness, range.lowest_at = row.position;
+    if (row.thickness < range.lowest)
+      range.lowest = row.thickness, range.lowest_at = row.position, range.lowest_arc = row.arc;
     if (row.thickness > range.highest) range.highest = row.thickness, range.highest_at = row.position;
     sum += row.area * row.thickness;
     area += row.area;

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -59,10 +60,12 @@ ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geomet
 /// The same for the glass of a state, with temperatures where the scene has heat.
 ThicknessProfile thickness_profile(const Scene& scene, const State& state);
 
-/// Over the rows that are wall; the mean is weighted by area, m. Not a number where none is.
+/// Over the rows that are wall, which are all nodes of the outer side; the mean is weighted by area, m. Not a number
+/// where none is.
 struct ThicknessRange {
   double lowest, mean, highest;
-  Point lowest_at, highest_at;  ///< on the outer side, m
+  Point lowest_at, highest_at;                                   ///< on the outer side, m
+  double lowest_arc = std::numeric_limits<double>::quiet_NaN();  ///< where the lowest is along the outer surface, m
 };
 ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows);
 
