@@ -66,12 +66,21 @@ void widen_place_of_min(Quantities& run) {
   }
 }
 
+/// The largest of the estimates by the coarser runs, wider where only one is finite; NaN where none is.
+double largest(const std::vector<double>& estimates) {
+  double bar = none;
+  for (const double estimate : estimates) bar = std::fmax(bar, estimate);
+  const auto finite = std::count_if(estimates.begin(), estimates.end(), [](double e) { return std::isfinite(e); });
+  return finite == 1 ? single_run_factor * bar : bar;
+}
+
 /// The bar of a measure of difference; NaN where no coarser run has it.
 template <typename Difference>
 double bar_by(const Quantities& run, const std::vector<CoarserRun>& coarser, const Difference& difference) {
-  double bar = none;
+  std::vector<double> estimates;
   for (const CoarserRun& one : coarser)
-    bar = std::fmax(bar, richardson_estimate(difference(one.quantities, run), 1, one.factor));
+    estimates.push_back(richardson_estimate(difference(one.quantities, run), 1, one.factor));
+  const double bar = largest(estimates);
   return std::isfinite(bar) ? std::max(bar, resolution) : none;
 }
 
@@ -82,11 +91,13 @@ double richardson_estimate(double difference, double fine, double coarse, double
 }
 
 double bar_of_values(const std::vector<ValueOfRun>& values) {
-  double bar = none;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const ValueOfRun &run = values.front(), &one = values[i];
-    bar = std::fmax(bar, richardson_estimate(one.value - run.value, run.factor, one.factor));
-    if (i == 1) continue;
+  std::vector<double> estimates;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    estimates.push_back(
+        richardson_estimate(values[i].value - values.front().value, values.front().factor, values[i].factor));
+  double bar = largest(estimates);
+  for (std::size_t i = 2; i < values.size(); ++i) {
+    const ValueOfRun& one = values[i];
     const ValueOfRun &before = values[i - 1], &earlier = values[i - 2];
     const bool turns = (one.value - before.value) * (before.value - earlier.value) < 0;
     if (turns) bar = std::fmax(bar, richardson_estimate(one.value - before.value, before.factor, one.factor));

@@ -16,6 +16,11 @@ inline constexpr std::array coarser_factors{1.5, 3.0};
 /// out. It is below the order of the method, because runs agree by chance and because contact comes in jumps.
 inline constexpr double bar_order = 0.65;
 
+/// How much wider a bar is that rests on one coarser run: with two, a second difference shows where the first is small
+/// by chance. It is that of the grid convergence index, whose factor of safety is 3 with two grids and 1.25 with three
+/// (P. J. Roache, J. Fluids Eng. 116 (1994) 405-413; Annu. Rev. Fluid Mech. 29 (1997) 123-160).
+inline constexpr double single_run_factor = 3 / 1.25;
+
 /// A run of the same scene with edges and steps `factor` times as long.
 struct CoarserRun {
   double factor;
@@ -63,7 +68,8 @@ struct ValueOfRun {
 
 /// The error bar of the first value by those of ever coarser runs of the same scene: the largest estimate that its
 /// differences from them make and, where the values do not go one way with the edges, those of the coarser runs beside
-/// the turn: there the first may agree with the next by chance. NaN where the first or all others are not finite.
+/// the turn: there the first may agree with the next by chance. Where only one other is finite, single_run_factor times
+/// its estimate. NaN where the first or all others are not finite.
 double bar_of_values(const std::vector<ValueOfRun>& values);
 
 /// The bars of a kind are alike as shares of this. Heats: between its own, of which the mesh and the steps get a

@@ -21,7 +21,8 @@ constexpr double refinement = 1.4;
 constexpr double aim = 0.95;  ///< of the target
 constexpr double most_refinement = 3, least_refinement = 1.1;
 constexpr std::size_t most_runs = 8;
-constexpr double most_coarser = 4;  ///< of a run whose difference takes part in the error bars
+constexpr double most_coarser = 4;  ///< of a run whose difference takes part in the error bars, where two others do
+constexpr std::size_t least_coarser = 2;
 
 // The errors of single runs scatter about error = constant h^order by some 40 %, so neither an order that three runs
 // show nor the difference of two of them can be trusted: the order is given and the constant is a mean over all pairs
@@ -90,7 +91,7 @@ std::vector<CoarserRun> AccuracyControl::coarser() const {
   if (completed_.empty()) return runs;
   const double last = completed_.back().factor;
   for (std::size_t i = completed_.size() - 1; i-- > 0;)
-    if (CoarserRun run = completed_[i]; runs.empty() || run.factor <= most_coarser * last) {
+    if (CoarserRun run = completed_[i]; runs.size() < least_coarser || run.factor <= most_coarser * last) {
       run.factor /= last;
       runs.push_back(std::move(run));
     }

@@ -29,7 +29,8 @@ class AccuracyControl {
   /// Whether there is nothing more to run: the accuracy is reached or out of reach.
   bool finished() const;
   const AccuracyRecord& record() const { return record_; }
-  /// The completed runs before the last one that are not many times as coarse, for its error bars.
+  /// The completed runs before the last one that are not many times as coarse, but at least two where there are two,
+  /// for its error bars.
   std::vector<CoarserRun> coarser() const;
 
  private:

@@ -68,10 +68,23 @@ TEST(Accuracy, a_run_that_agrees_with_a_coarser_one_by_chance_gets_the_bar_of_th
   const double coarse = richardson_estimate(0.2, 1.5, 3), fine = richardson_estimate(0.1, 1, 1.5);
   EXPECT_NEAR(bar_of_values({{1, 5}, {1.5, 4.99}, {3, 5.19}}), coarse, 1e-12);  // goes down and up
   EXPECT_NEAR(bar_of_values({{1, 5}, {1.5, 5.1}, {3, 5.3}}), fine, 1e-12);      // goes one way
-  EXPECT_NEAR(bar_of_values({{1, 5}, {3, 5.1}}), richardson_estimate(0.1, 1, 3), 1e-12);
-  EXPECT_NEAR(bar_of_values({{1, 5}, {1.5, NAN}, {3, 5.1}}), richardson_estimate(0.1, 1, 3), 1e-12);
   EXPECT_TRUE(std::isnan(bar_of_values({{1, 5}})));
   EXPECT_TRUE(std::isnan(bar_of_values({{1, 5}, {3, NAN}})));
+}
+
+TEST(Accuracy, a_bar_by_one_coarser_run_alone_is_wider_as_that_of_two_grids_is) {
+  const double alone = 2.4 * richardson_estimate(0.1, 1, 3);
+  EXPECT_NEAR(bar_of_values({{1, 5}, {3, 5.1}}), alone, 1e-12);
+  EXPECT_NEAR(bar_of_values({{1, 5}, {1.5, NAN}, {3, 5.1}}), alone, 1e-12);
+  EXPECT_LT(bar_of_values({{1, 5}, {1.5, 5}, {3, 5.1}}), alone);
+  const auto run = [](double heat, double wall) {
+    return Quantities{{{"heat_a", "J", heat, heat}}, std::vector<double>(profile_points, wall)};
+  };
+  const ErrorBars bars = error_bars(run(100, 2), {{3, run(101, 2.02)}});
+  EXPECT_NEAR(bars.quantities.values[0].error, 10 * alone, 1e-9);
+  EXPECT_NEAR(bars.profile_mean, 0.1 * alone, 1e-9);
+  EXPECT_NEAR(bars.profile_max, 0.1 * alone, 1e-9);
+  EXPECT_NEAR(bars.heat, 0.1 * alone, 1e-9);
 }
 
 }  // namespace

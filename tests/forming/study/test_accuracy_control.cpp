@@ -94,6 +94,21 @@ TEST(AccuracyControl, two_runs_that_agree_by_chance_are_not_enough) {
   EXPECT_FALSE(control.record().reached()) << "the third is far from both";
 }
 
+TEST(AccuracyControl, error_bars_are_by_two_coarser_runs_also_where_the_second_is_many_times_as_coarse) {
+  AccuracyControl control(0.01);
+  const double first = control.factor();
+  control.add(off_by(0.05, 1, 1), 1);
+  EXPECT_TRUE(control.coarser().empty());
+  control.add(off_by(0.05, 1, 0.5), 1);  // far off: the next is as much finer as any
+  EXPECT_EQ(control.coarser().size(), 1u);
+  const double last = control.factor();
+  control.add(off_by(0.05, 1, 0.1), 1);
+  const std::vector<CoarserRun> coarser = control.coarser();
+  ASSERT_EQ(coarser.size(), 2u);
+  EXPECT_GT(coarser[1].factor, 4) << "the limit of further runs";
+  EXPECT_NEAR(coarser[1].factor, first / last, 1e-12);
+}
+
 TEST(AccuracyControl, refines_after_a_run_that_stopped_and_gives_up_after_eight) {
   AccuracyControl control(0.01);
   double last = 2 * control.factor();

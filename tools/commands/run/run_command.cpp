@@ -68,7 +68,9 @@ bool report_errors(const Scene& scene, const RunOutcome& outcome, const std::str
                scene.name, fmt::join(failed, "; "));
     return true;
   }
-  for (const std::string& reason : failed) fmt::print("  the error bars rest on one coarser run alone: {}\n", reason);
+  for (const std::string& reason : failed)
+    fmt::print("  the error bars rest on one coarser run alone, {:g} times as wide for that: {}\n",
+               forming::single_run_factor, reason);
   add_error_bars(output, scene, outcome.state, bars, summary);
   fmt::print("{}", error_table(bars));
   return true;
