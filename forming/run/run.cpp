@@ -82,7 +82,7 @@ RunOutcome finish(RunInProgress& run, const Work& from_here) {
   }
   const std::string& stage = run.scene.stages[state.stage].name;
   const std::string entered = entered_face_sentence(run.scene, state);
-  if (!entered.empty() && !facts.stopped) facts.reason = fmt::format("{} (numerics: {})", entered, facts.reason);
+  if (!entered.empty() && !facts.stopped) facts.reason = fmt::format("{} (what stopped it: {})", entered, facts.reason);
   facts.reason = facts.completed ? "" : fmt::format("stage {} at {:.5f} s: {}", stage, state.time, facts.reason);
   if (facts.reason.find(facts.unfilled) == std::string::npos) add_warnings({facts.unfilled}, facts);
   add_warnings(remeshing_warnings(state), facts);
