@@ -165,6 +165,17 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
   return bounds;
 }
 
+/// Whether the face of a constraint, in which a node would be at the step's end, is one that it does not pass on its way:
+/// it would come into the tool through another face, which is not a contact face. The plane of the face lies farther
+/// behind the node at the step's start than the way is long, and the node is outside there.
+bool comes_through_another_face(const StepPath& step, Index node, const Bound& bound) {
+  if (bound.at_end.gap >= 0 || bound.at_end.segment < 0 || bound.of_edge) return false;
+  const Point& x = step.state.glass.mesh.nodes[node];
+  const Point way = step.end_of(node) - x - step.dt * step.tool_speed[bound.tool] * core::axis_direction();
+  return bound.at_end.gap - bound.at_end.normal.dot(way) < -way.norm() - step.placed.resting &&
+         step.placed.depth_inside(step.state, bound.tool, x) == 0;
+}
+
 flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Bound& bound) {
   const auto& [scene, state, placed, velocity, tool_speed, dt, contacts] = step;
   const Index tool = bound.tool;
@@ -223,7 +234,7 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
       fastest = std::max({fastest, std::abs(speed[tool]), motions[tool].force ? motions[tool].speed_limit : 0.0});
     const double reach = placed.near + 2 * dt * fastest;
     for (const Bound& bound : bounds_of_node(step, node, edge_of[node], reach))
-      candidates.push_back(candidate_of(step, node, bound));
+      if (!comes_through_another_face(step, node, bound)) candidates.push_back(candidate_of(step, node, bound));
   }
   return candidates;
 }

@@ -97,6 +97,22 @@ TEST(ContactCandidate, of_a_node_that_creeps_on_the_bottom_is_not_wedged_by_the_
   }
 }
 
+TEST(ContactCandidate, none_of_a_node_that_enters_a_tool_through_a_face_without_contact) {
+  const Scene scene = scene_of(pot_with(R"("(12, 20) (12, 0) (0, 0) mm")"));
+  const auto candidates_from = [&](const Point& from, const Point& to) {
+    State state = initial_state(scene);
+    const Index node = contact_nodes(state.glass.mesh).front();
+    state.glass.mesh.nodes[node] = from;
+    state.glass.contact_tool[node] = 0;
+    Eigen::VectorXd velocity = Eigen::VectorXd::Zero(core::dim * state.glass.mesh.node_count());
+    velocity.segment<core::dim>(core::dim * node) = (to - from) / 1e-3;
+    const auto found = contact_candidates(scene, state, velocity, 1e-3);
+    return std::count_if(found.begin(), found.end(), [&](const auto& c) { return c.node == node && c.tool == 0; });
+  };
+  EXPECT_EQ(candidates_from({12.1e-3, 20.01e-3}, {12.1e-3, 19.99e-3}), 0) << "from above, through the rim of the pot";
+  EXPECT_EQ(candidates_from({11.99e-3, 19.9e-3}, {12.01e-3, 19.9e-3}), 1) << "through the wall";
+}
+
 TEST(ContactCandidate, of_a_node_that_lands_has_the_normal_where_it_lands) {
   const Scene scene = scene_of(round_pot);
   State state = initial_state(scene);
