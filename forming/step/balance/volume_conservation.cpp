@@ -89,13 +89,13 @@ std::vector<Point> shift_directions(const core::Mesh& mesh) {
   return directions;
 }
 
-/// The active tool that each surface node touches, -1 for none.
+/// The active tool that each surface node touches or is inside, -1 for none.
 std::vector<Index> touched_tools(const Scene& scene, const State& state, const core::Mesh& mesh) {
-  const double touching = core::tolerance::at_tool * core::size(scene.glass.profile);
+  const double touching = core::tolerance::at_tool * core::size(scene.glass.profile), deepest = 100 * touching;
   std::vector<Index> touched(mesh.nodes.size(), -1);
   for (const auto& place : scene.stages[state.stage].tools) {
     const Body& body = scene.tools[place.tool];
-    const contact::ToolGap gap(body.profile, contact_boundaries(body), touching);
+    const contact::ToolGap gap(body.profile, contact_boundaries(body), deepest);
     const Point offset = state.tools[place.tool].offset * core::axis_direction();
     for (const Index node : surface_nodes(mesh))
       if (gap(mesh.nodes[node] - offset) < touching) touched[node] = place.tool;
