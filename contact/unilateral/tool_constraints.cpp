@@ -183,7 +183,8 @@ double ToolConstraints::Query::distance(Index i) const {
 
 /// A point inside the tool is projected to the closest point of the outline: of the segments with negative gaps only
 /// the nearest one is kept, and its neighbour at a re-entrant corner. At a convex corner one of the two segments is
-/// kept.
+/// kept. None is where the point lies nearer to a segment that it does not project onto, past the end of the contact
+/// boundaries: what it is behind is on the other side of the tool.
 void ToolConstraints::Query::keep_closest_exterior(std::vector<GapConstraint>& found) const {
   if (found.empty()) return;
   const auto place = [&](const GapConstraint& c) {
@@ -191,9 +192,14 @@ void ToolConstraints::Query::keep_closest_exterior(std::vector<GapConstraint>& f
     while (segments[i].index != c.segment) ++i;
     return i;
   };
-  const Index nearest = place(*std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+  Index nearest = place(*std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
     return distance(place(a)) < distance(place(b));
   }));
+  double least = distance(nearest) - coincident;
+  for (Index i = 0; i < count(); ++i) {
+    if (!segments[i].in_contact || !is_near(x, segments[i].bounds, least)) continue;
+    if (const double here = distance(i); here < least) nearest = i, least = here;
+  }
   const auto needless = [&](const GapConstraint& c) {
     const Index i = place(c);
     if (i == nearest || joined_at_reentrant_corner(i, nearest)) return false;

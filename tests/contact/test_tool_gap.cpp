@@ -108,6 +108,16 @@ TEST(ToolGap, a_point_at_the_foot_of_a_rib_has_the_sides_of_its_corner_and_not_t
   }
 }
 
+TEST(ToolGap, a_point_past_the_end_of_a_face_is_not_held_by_the_other_side_of_the_tool) {
+  const Outline ring = Pen({0.010, 0.030}).contact({0.010, 0}).contact({0.020, 0}).free({0.020, 0.030}).close();
+  for (const double depth : {1e-9, 1e-7, 1e-5}) {
+    EXPECT_TRUE(gaps(ring, 0.020 + depth, depth, 20e-3).empty()) << depth;
+    const auto before_the_end = gaps(ring, 0.020 - depth, depth, 20e-3);
+    ASSERT_EQ(before_the_end.size(), 1u) << depth;
+    EXPECT_NEAR(before_the_end[0].gap, -depth, 1e-15);
+  }
+}
+
 TEST(ToolGap, a_fold_of_micrometres_as_rounded_coordinates_leave_it_is_not_felt_beside_it) {
   for (const double fold : {1e-6, 2.5e-6}) {
     const Point joint(0.01, 0), back(0.01 + fold, fold);
