@@ -57,7 +57,7 @@ PeriodicState periodic(const Scene& scene, const std::string& folder, double tol
   request.tolerance = tolerance;
   request.directory = (tests::folder_of_test("result") / folder).string();
   PeriodicState state = find_periodic_state(scene, machine_cycle(scene, 8.0), request, never, silent);
-  write_periodic_state(scene, request, state);
+  write_periodic_state(scene, request, state, state.failure);
   return state;
 }
 

@@ -36,13 +36,20 @@ std::vector<std::string> ended_runs(const forming::StudyFolder& study) {
   return ended;
 }
 
-/// The folders to compare: those given, or of the folder of a what-if or a cycle the runs that its table has.
-std::vector<std::string> folders_of(const CompareRequest& request) {
+/// What is compared: the folders given, or of the folder of a what-if or a cycle what its table has.
+struct Compared {
+  std::vector<std::string> folders;                 ///< the base first
+  std::vector<forming::FailedVariant> failed = {};  ///< rows without a folder to compare
+};
+
+Compared compared_of(const CompareRequest& request) {
   std::vector<std::string> folders{request.base};
   folders.insert(folders.end(), request.others.begin(), request.others.end());
   if (request.others.empty())
-    if (const auto study = forming::study_folder(request.base); study.runs.size() > 1)
-      if (auto ended = ended_runs(study); ended.size() > 1 && ended.front() == study.runs.front()) return ended;
+    if (const auto study = forming::study_folder(request.base); study.runs.size() + study.failed.size() > 1)
+      if (auto ended = ended_runs(study);
+          ended.size() + study.failed.size() > 1 && !ended.empty() && ended.front() == study.runs.front())
+        return {std::move(ended), study.failed};
   for (const std::string& folder : folders)
     if (const auto study = forming::study_folder(folder))
       throw core::CaseError(fmt::format("{}: it {}, allowed are result folders, such as {}, or such a folder alone",
@@ -52,16 +59,17 @@ std::vector<std::string> folders_of(const CompareRequest& request) {
         fmt::format("compare: {} alone was found, allowed are at least two result folders, the first one the base, or "
                     "the folder of a what-if or a cycle",
                     request.base));
-  return folders;
+  return {folders};
 }
 
 }  // namespace
 
 int compare(const CompareRequest& request) {
   if (!request.output.empty()) refuse_folder_of_others(request.output);
-  const std::vector<std::string> folders = folders_of(request);
-  const forming::Comparison comparison =
-      forming::compare_folders(folders.front(), {folders.begin() + 1, folders.end()});
+  const auto [folders, failed] = compared_of(request);
+  forming::Comparison comparison = forming::compare_folders(folders.front(), {folders.begin() + 1, folders.end()});
+  for (const forming::FailedVariant& one : failed)
+    comparison.others.push_back({one.name, one.settings, one.reason, {}});
   if (!request.quantity.empty()) forming::require_quantity(request.quantity, comparison.base.quantities.values);
   const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));

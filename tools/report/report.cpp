@@ -35,24 +35,33 @@ void check(const ReportRequest& request) {
     throw core::CaseError(fmt::format("--output: \"{}\" was found, allowed is a file named .html", request.output));
 }
 
-/// The folders of runs: those given, and the runs of a folder of a what-if or a cycle in its place.
-std::vector<std::string> run_folders(const std::vector<std::string>& given) {
-  std::vector<std::string> folders;
+/// The folders of runs: those given, and the runs of a folder of a what-if or a cycle in its place, with its variants
+/// that did not settle.
+struct ReportedRuns {
+  std::vector<std::string> folders = {};
+  std::vector<forming::FailedVariant> failed = {};
+};
+
+ReportedRuns reported_runs(const std::vector<std::string>& given) {
+  auto runs = ReportedRuns();
+  auto& [folders, failed] = runs;
   for (const std::string& folder : given) {
     const auto study = forming::study_folder(folder);
+    failed.insert(failed.end(), study.failed.begin(), study.failed.end());
     if (study)
       folders.insert(folders.end(), study.runs.begin(), study.runs.end());
     else
       folders.push_back(folder);
   }
-  return folders;
+  return runs;
 }
 
 }  // namespace
 
 int report(const ReportRequest& given) {
   ReportRequest request = given;
-  request.folders = run_folders(given.folders);
+  const ReportedRuns runs = reported_runs(given.folders);
+  request.folders = runs.folders;
   check(request);
   for (const std::string& path : request.folders)
     if (const ResultFolder folder = read_folder(path); !folder.told.empty()) fmt::print("{}: {}\n", path, folder.told);
@@ -60,7 +69,7 @@ int report(const ReportRequest& given) {
   const std::string title = fmt::format("{}", fmt::join(run_names(request.folders), ", "));
   if (const std::string mixed = mixed_cases(request.folders, cache); !mixed.empty())
     fmt::print(stderr, "parison: {}\n", mixed);
-  const std::string page = page_text(title, report_data(request.folders, false, cache, request.search));
+  const std::string page = page_text(title, report_data(request.folders, false, cache, request.search, runs.failed));
   const std::string output =
       request.output.empty() ? (fs::path(given.folders[0]) / "report.html").string() : request.output;
   core::replace_file(output, page);

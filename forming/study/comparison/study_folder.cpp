@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "forming/study/comparison/cycle_result.hpp"
 #include "forming/study/comparison/what_if/what_if.hpp"
 
 namespace parison::forming {
@@ -42,6 +43,18 @@ std::vector<std::string> base_and_others(const std::string& folder, const std::s
   return runs;
 }
 
+/// Takes the variants of a cycle that did not settle out of the runs.
+StudyFolder with_failed(StudyFolder study, const std::string& folder) {
+  for (const std::string& name : folders_in(folder)) {
+    const auto result = name == base_name ? std::nullopt : read_cycle_result(folder + '/' + name);
+    if (!result || result->reason.empty()) continue;
+    study.failed.push_back({name, result->changes, result->reason});
+    const auto run = std::find(study.runs.begin(), study.runs.end(), folder + '/' + name + '/' + settled);
+    if (run != study.runs.end()) study.runs.erase(run);
+  }
+  return study;
+}
+
 /// The folder of the finest accuracy among those that --resolve has made; nothing without one.
 std::optional<std::string> finest_round(const std::string& folder) {
   const std::string prefix = "at_draft_coarser_";
@@ -63,7 +76,7 @@ StudyFolder study_folder(const std::string& given) {
   if (has_run(folder)) return {};
   if (auto runs = base_and_others(folder, ""); !runs.empty()) return {StudyFolder::Kind::what_if, std::move(runs)};
   if (auto runs = base_and_others(folder, std::string("/") + settled); !runs.empty())
-    return {StudyFolder::Kind::cycle, std::move(runs)};
+    return with_failed({StudyFolder::Kind::cycle, std::move(runs)}, folder);
   if (has_run(folder + '/' + first_gob)) {
     StudyFolder study{StudyFolder::Kind::cycle, {folder + '/' + first_gob}};
     for (const char* name : {settled, "just_swabbed"})

@@ -3,7 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "forming/run/resume/case_differences.hpp"
+
 namespace parison::forming {
+
+/// A variant of a cycle whose production did not settle.
+struct FailedVariant {
+  std::string name;
+  std::vector<CaseDifference> settings;  ///< in which it differs from the base
+  std::string reason;
+};
 
 /// The folder of a what-if or a cycle, by what lies in it: the result folders below that its table compares, the base
 /// first.
@@ -11,6 +20,7 @@ struct StudyFolder {
   enum class Kind { none, what_if, cycle };
   Kind kind = Kind::none;
   std::vector<std::string> runs = {};
+  std::vector<FailedVariant> failed = {};  ///< rows of its table without a run in `runs`
 
   explicit operator bool() const { return kind != Kind::none; }
 };

@@ -79,7 +79,20 @@ void add_tool(core::JsonWriter& json, const Scene& scene, const PeriodicState& s
   json.close();
 }
 
-std::string json_text(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state) {
+void add_changes(core::JsonWriter& json, const std::vector<CaseDifference>& changes) {
+  json.open_list("changes");
+  for (const CaseDifference& change : changes) {
+    json.open_object("");
+    json.add("key", change.key);
+    json.add("base", change.before);
+    json.add("other", change.now);
+    json.close();
+  }
+  json.close();
+}
+
+std::string json_text(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state,
+                      const std::string& reason) {
   core::JsonWriter json;
   json.add("case", scene.name);
   json.add("accuracy", scene.accuracy_name);
@@ -89,7 +102,8 @@ std::string json_text(const Scene& scene, const PeriodicRequest& request, const 
   json.add("confirmed", state.is_confirmed(request.tolerance));
   json.add("uncertainty_K", state.uncertainty);
   json.add("offset_K", state.offset);
-  json.add("reason", state.failure);
+  json.add("reason", reason);
+  add_changes(json, request.changes);
   add_search(json, scene, state);
   json.add("start_up_cycles", static_cast<long>(std::max<std::size_t>(state.start_up.size(), 1) - 1));
   if (!state.start_up.empty()) json.add("start_up_end_distance_K", state.start_up.back().distance);
@@ -135,8 +149,9 @@ std::string cycles_text(const Scene& scene, const std::vector<StartUpCycle>& cyc
 
 }  // namespace
 
-void write_periodic_state(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state) {
-  core::write_text(request.directory + "/cycle.json", json_text(scene, request, state));
+void write_periodic_state(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state,
+                          const std::string& reason) {
+  core::write_text(request.directory + "/cycle.json", json_text(scene, request, state, reason));
   const std::string& folder = request.directory;
   if (!state.start_up.empty()) core::write_text(folder + "/start_up.csv", cycles_text(scene, state.start_up));
   if (!state.since_swab.empty()) core::write_text(folder + "/swab.csv", cycles_text(scene, state.since_swab));

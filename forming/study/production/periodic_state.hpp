@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "forming/run/resume/case_differences.hpp"
 #include "forming/study/production/cycle_run.hpp"
 
 namespace parison::forming {
@@ -17,6 +18,7 @@ struct PeriodicRequest {
   /// Folder of the tools of another production that the case changes; the first run is then the first container after
   /// the change. Empty: the search starts from the tools as the case has them.
   std::string changed_from = {};
+  std::vector<CaseDifference> changes = {};  ///< in which the case differs from that of the other production
 };
 
 /// A forming run of the search.

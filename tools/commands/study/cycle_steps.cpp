@@ -41,7 +41,8 @@ forming::PeriodicState find_settled(const forming::Scene& scene, const forming::
         fmt::print("  {}\n", text);
         std::fflush(stdout);
       });
-  forming::write_periodic_state(scene, asked, state);
+  forming::write_periodic_state(scene, asked, state,
+                                state.failure.empty() ? not_confirmed(state, asked) : state.failure);
   return state;
 }
 

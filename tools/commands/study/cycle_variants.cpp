@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -89,6 +90,16 @@ forming::PeriodicState find_settled_from(const Production& one, forming::Periodi
   return find_settled(one.scene, one.machine, asked);
 }
 
+/// What later comparisons of the folder need of a variant that cannot be followed.
+void write_failure(const Production& one, const forming::PeriodicRequest& asked) {
+  std::error_code error;
+  std::filesystem::create_directories(one.folder, error);
+  if (!std::filesystem::is_directory(one.folder, error)) return;
+  forming::PeriodicState nothing;
+  nothing.cycle = one.machine;
+  forming::write_periodic_state(one.scene, asked, nothing, one.failure);
+}
+
 /// What was found of the production; nothing where a variant cannot be followed, which is its failure alone.
 std::optional<forming::PeriodicState> try_to_settle(Production& one, forming::PeriodicRequest& asked, bool is_base) {
   try {
@@ -97,6 +108,7 @@ std::optional<forming::PeriodicState> try_to_settle(Production& one, forming::Pe
     if (is_base) throw;
     one.failure = error.what();
     fmt::print(stderr, "parison: {}: {}\n", one.name, one.failure);
+    write_failure(one, asked);
     return std::nullopt;
   }
 }
@@ -109,6 +121,7 @@ bool settle(const CycleRequest& request, const CyclePlan& plan, const std::strin
   asked.tolerance = plan.tolerance;
   asked.max_runs = request.max_runs;
   asked.directory = one.folder;
+  asked.changes = one.settings;
   fmt::print("\n{} at {} accuracy: a machine cycle of {:.4g} s\n", one.name, one.scene.accuracy_name,
              one.machine.seconds);
   std::fflush(stdout);

@@ -52,14 +52,17 @@ Json against(const std::string& base, const std::string& folder) {
 
 }  // namespace
 
-Json differences_of(const std::vector<std::string>& folders, const std::vector<std::string>& names) {
-  if (folders.size() < 2) return {};
+Json differences_of(const std::vector<std::string>& folders, const std::vector<std::string>& names,
+                    const std::vector<forming::FailedVariant>& failed) {
+  if (folders.size() + failed.size() < 2) return {};
   Json others = Json::array();
   for (std::size_t i = 1; i < folders.size(); ++i) {
     Json other = against(folders.front(), folders[i]);
     other["run"] = names[i];
     others.push_back(std::move(other));
   }
+  for (const forming::FailedVariant& one : failed)
+    others.push_back({{"run", one.name}, {"reason", "no results: " + one.reason}});
   return {{"base", names.front()}, {"others", std::move(others)}};
 }
 

@@ -159,7 +159,7 @@ std::string mixed_cases(const std::vector<std::string>& folders, ReportCache& ca
 }
 
 std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache,
-                        const std::string& search) {
+                        const std::string& search, const std::vector<forming::FailedVariant>& failed) {
   Json runs = Json::array();
   PackedBytes bytes;
   const std::vector<std::string> names = run_names(folders);
@@ -168,7 +168,7 @@ std::string report_data(const std::vector<std::string>& folders, bool live, Repo
   Json page{{"program", PARISON_VERSION},
             {"live", live},
             {"mixed_cases", mixed_cases(folders, cache)},
-            {"differences", differences_of(folders, names)},
+            {"differences", differences_of(folders, names, failed)},
             {"runs", std::move(runs)},
             {"bytes", bytes.text()}};
   if (!search.empty()) page["search"] = Json::parse(search);

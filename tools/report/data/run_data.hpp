@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "forming/study/comparison/study_folder.hpp"
 #include "tools/report/data/scene_text.hpp"
 #include "tools/report/film/film.hpp"
 
@@ -20,9 +21,9 @@ struct ReportCache {
 std::string mixed_cases(const std::vector<std::string>& folders, ReportCache& cache);
 
 /// The data of a page on some result folders as a JSON text without any character that ends or opens a tag; `live`
-/// says that the page is to ask for more; `search` is the course of a search as JSON, or empty. Throws core::CaseError
-/// where one of them is no result folder.
+/// says that the page is to ask for more; `search` is the course of a search as JSON, or empty; `failed` are variants
+/// of the first run that did not settle. Throws core::CaseError where one of the folders is no result folder.
 std::string report_data(const std::vector<std::string>& folders, bool live, ReportCache& cache,
-                        const std::string& search = {});
+                        const std::string& search = {}, const std::vector<forming::FailedVariant>& failed = {});
 
 }  // namespace parison::tools
