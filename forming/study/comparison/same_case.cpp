@@ -47,6 +47,21 @@ std::vector<std::pair<std::string, std::string>> identity_of(const Scene& scene)
           {"stages", names_of(stages)}};
 }
 
+bool is_same_field(const StartField& a, const StartField& b) {
+  return !a.at && !b.at && a.temperature.size() == b.temperature.size() && a.temperature == b.temperature &&
+         a.mesh.nodes == b.mesh.nodes;
+}
+
+/// Whether a setting is the name of the results that a tool starts from, and both runs found the same state there.
+bool names_same_field(const CaseDifference& setting, const Scene& a, const Scene& b) {
+  for (std::size_t t = 0; t < std::min(a.tools.size(), b.tools.size()); ++t) {
+    const auto &one = a.tools[t].start_field, &other = b.tools[t].start_field;
+    if (setting.key == fmt::format("tool.{}.temperature.from", a.tools[t].name))
+      return one && other && is_same_field(*one, *other);
+  }
+  return false;
+}
+
 /// Whether both runs start a tool from what another run or production has left in it, and not from the same.
 bool is_field_of_tool(const CaseDifference& setting) {
   const std::string ending = ".temperature.from";
@@ -75,6 +90,9 @@ std::vector<CaseDifference> settings_that_differ(const FinishedRun& base, const 
                                    other.overrides);
   if (settings.empty() && scene_in(base, {}).fingerprint != scene_in(other, {}).fingerprint)
     settings.push_back({"a drawing or the text of the case", "", ""});
+  settings.erase(std::remove_if(settings.begin(), settings.end(),
+                                [&](const CaseDifference& setting) { return names_same_field(setting, a, b); }),
+                 settings.end());
   return settings;
 }
 

@@ -48,17 +48,19 @@ forming::PeriodicState find_settled(const forming::Scene& scene, const forming::
 
 std::string search_lines(const forming::PeriodicState& state, const forming::PeriodicRequest& asked) {
   return fmt::format(
-      "  {} forming runs to the settled state, 2 more to confirm it; {}\n"
-      "  with the plain cycles the tool surfaces are known to {:.2g} K, and are {:.2g} K from those above\n",
-      state.runs, start_up_text(state, asked), state.uncertainty, state.offset);
+      "  {} forming run{} to the settled state, 2 more to confirm it; {}\n"
+      "  all runs together give the tool surfaces of settled production to within {:.2g} K; those in {}/tools,\n"
+      "  on which the settled container is made, differ from that by {:.2g} K\n",
+      state.runs, state.runs == 1 ? "" : "s", start_up_text(state, asked), state.uncertainty, asked.directory,
+      state.offset);
 }
 
 std::string not_confirmed(const forming::PeriodicState& state, const forming::PeriodicRequest& asked) {
   if (state.is_confirmed(asked.tolerance)) return {};
   return fmt::format(
       "--max-runs {}: the search ended after {} forming runs, before two plain cycles confirmed the tool surfaces to "
-      "{:g} K: they are known to {:.2g} K, and {:.2g} K from the state found, whose results are there. A finer "
-      "accuracy "
+      "{:g} K: all runs together give them to within {:.2g} K, and those on which the settled container is made, whose "
+      "results are there, differ from that by {:.2g} K. A finer accuracy "
       "scatters less, a larger --max-runs goes on longer, a wider --tolerance takes what was reached, each in a new "
       "--output",
       asked.max_runs, state.search.size(), asked.tolerance, state.uncertainty, state.offset);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -13,7 +12,6 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/study/comparison/comparison.hpp"
-#include "forming/study/comparison/finished_run.hpp"
 #include "forming/study/production/cycle_files.hpp"
 #include "forming/study/production/lost_changes.hpp"
 #include "tools/commands/study/cycle_steps.hpp"
@@ -31,7 +29,6 @@ struct Production {
   std::vector<forming::CaseDifference> settings = {};  ///< in which it differs from the base
   std::string failure = {};                            ///< why it did not settle, empty where it did
   double uncertainty = 0;                              ///< of the tool surfaces, K
-  double warming = 0;  ///< of a tool surface from the first container to the settled one, the largest, K
 
   std::string container() const { return folder + "/settled"; }
 };
@@ -130,7 +127,6 @@ bool settle(const CycleRequest& request, const CyclePlan& plan, const std::strin
   const forming::PeriodicState& state = *found;
   one.uncertainty = std::max(state.uncertainty, state.offset);
   one.failure = !state.failure.empty() ? state.failure : not_confirmed(state, asked);
-  if (!state.start_up.empty()) one.warming = state.start_up.front().distance;
   if (state.failure.empty())
     fmt::print("{}\n{}", forming::periodic_table(one.scene, state), search_lines(state, asked));
   if (!one.failure.empty()) fmt::print(stderr, "parison: {}: {}\n", one.name, one.failure);
@@ -146,20 +142,6 @@ forming::Comparison compare_settled(const std::vector<Production>& all) {
   for (const Production& one : all)
     if (!one.failure.empty()) comparison.others.push_back({one.name, one.settings, one.failure, {}});
   return comparison;
-}
-
-/// What is open of a quantity while the tool surfaces are known to so many K, in words: by its change from the first
-/// gob of the base to its settled container. Empty where that is not known.
-std::string left_open(const Production& base, const std::string& quantity, double uncertainty) {
-  const auto settled = forming::read_finished_run(base.container()).quantities,
-             first = forming::read_finished_run(base.folder + "/first_gob").quantities;
-  const forming::Quantity *after = settled.find(quantity), *before = first.find(quantity);
-  if (!after || !before || !(base.warming > 0)) return {};
-  return fmt::format(
-      "; from the first gob to settled production {} changed by {:.2g} {} for {:.3g} K, so that leaves "
-      "some {:.2g} {} open",
-      quantity, after->value - before->value, after->unit, base.warming,
-      std::abs(after->value - before->value) * uncertainty / base.warming, after->unit);
 }
 
 }  // namespace
@@ -182,10 +164,12 @@ int cycle_variants(const CycleRequest& request, const CyclePlan& plan) {
     return run_failed;
   }
   const forming::Comparison comparison = compare_settled(all);
-  const std::string ranked = forming::ranked_quantity(comparison);
-  fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, ranked));
-  fmt::print("  each on the tools to which its own production settles, whose surfaces are known to {:.2g} K{}\n",
-             uncertainty, left_open(all.front(), ranked, uncertainty));
+  fmt::print("{}{}", forming::comparison_tables(comparison),
+             forming::ranking_table(comparison, forming::ranked_quantity(comparison)));
+  fmt::print(
+      "  each on the tools to which its own production settles; their surfaces are known to {:.2g} K, and what that\n"
+      "  leaves open in the containers is not in the error bars\n",
+      uncertainty);
   fmt::print("\n  {}\n", forming::write_comparison(comparison, request.output));
   return containers.size() == all.size() ? 0 : run_failed;
 }

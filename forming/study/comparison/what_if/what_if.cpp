@@ -107,7 +107,7 @@ std::vector<PlannedVariant> checked_variants(const WhatIf& what_if, const Scene&
 
 void require_names(const std::vector<WhatIfVariant>& variants) {
   if (variants.empty()) throw core::CaseError("what-if: no variant was found, allowed is at least one --set KEY=VALUE");
-  std::set<std::string> names{base_name};
+  std::set<std::string> names;
   for (const WhatIfVariant& variant : variants) {
     const bool is_plain = !variant.name.empty() && variant.name[0] != '.' &&
                           std::all_of(variant.name.begin(), variant.name.end(), [](unsigned char c) {
@@ -116,10 +116,13 @@ void require_names(const std::vector<WhatIfVariant>& variants) {
     if (!is_plain)
       throw core::CaseError(fmt::format(
           "--variant: \"{}\" was found, allowed are letters, digits, '_', '-', '+' and '.' inside", variant.name));
+    if (variant.name == base_name)
+      throw core::CaseError(fmt::format(
+          "--variant: \"{}\" was found, which is the name of the case without changes; allowed is another name",
+          variant.name));
     if (!names.insert(variant.name).second)
       throw core::CaseError(
-          fmt::format("--variant: \"{}\" was found twice, allowed are names of their own, none of them \"{}\"",
-                      variant.name, base_name));
+          fmt::format("--variant: \"{}\" was found twice, allowed are names of their own", variant.name));
     if (variant.overrides.empty())
       throw core::CaseError(
           fmt::format("variant {}: nothing that it changes was found, allowed is at least one --set KEY=VALUE after "

@@ -236,7 +236,8 @@ TEST_F(WhatIfTest, what_is_wrong_with_a_variant_is_said_with_its_name_before_any
   EXPECT_NE(refusal({}).find("no variant was found"), std::string::npos);
   EXPECT_NE(refusal({{"empty", {}}}).find("nothing that it changes"), std::string::npos);
   EXPECT_NE(refusal({{"a/b", {longer}}}).find("allowed are letters"), std::string::npos);
-  EXPECT_NE(refusal({{"base", {longer}}}).find("found twice"), std::string::npos);
+  EXPECT_NE(refusal({{"base", {longer}}}).find("the name of the case without changes"), std::string::npos);
+  EXPECT_NE(refusal({{"a", {longer}}, {"a", {longer}}}).find("found twice"), std::string::npos);
   const auto refused = [&](const std::vector<std::string>& overrides, const std::string& sentence) {
     const std::string found = refusal({{"two", overrides}});
     EXPECT_EQ(found.rfind("variant two (", 0), 0u) << found;
