@@ -349,6 +349,14 @@ TEST(PeriodicState, with_swabs_is_that_of_plain_cycles_with_a_swab_in_every_four
   }
 }
 
+TEST(MachineCycle, whose_cooling_is_hotter_than_the_glass_is_refused) {
+  const std::string hot =
+      with(slab, R"(h = "400 W/m2/K", temperature = "50 degC")", R"(h = "400 W/m2/K", temperature = "1300 degC")");
+  EXPECT_NE(
+      refusal(hot, 8.0).find("what cools the tool \"plate\" has 1300 degC and more, but the glass starts at 1000"),
+      std::string::npos);
+}
+
 TEST(MachineCycle, of_a_tool_that_nothing_cools_is_refused) {
   const std::string insulated = with(
       with(slab, R"(condition.cooled = { h = "400 W/m2/K", temperature = "50 degC" })", R"(condition = "insulated")"),

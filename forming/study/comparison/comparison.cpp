@@ -106,6 +106,8 @@ std::string heading(const ComparedRun& other, const FinishedRun& base) {
     if (!run->trustworthy)
       text += fmt::format("  {} is not trustworthy: checks of it are far beyond their limits, see {}/summary.json\n",
                           run->name, run->directory);
+  for (const auto& [name, why] : {std::pair{base.name, base.not_possible}, {other.label, other.run.not_possible}})
+    if (!why.empty()) text += "  " + wrapped(fmt::format("{} is no possible production: {}", name, why), 4) + '\n';
   if (other.result->in_common > 0)
     text += fmt::format("  the same run up to the end of stage {}\n", base.stages[other.result->in_common - 1].name);
   return text;
@@ -191,6 +193,12 @@ std::string ranking_table(const Comparison& comparison, const std::string& quant
   std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return change(a) > change(b); });
   std::string text = fmt::format("\n{}: {:.5g} {} in {}; each change, the largest rise first:\n",
                                  quantity_label(quantity), base->value, base->unit, comparison.base.name);
+  if (const std::string& why = comparison.base.not_possible; !why.empty())
+    text += "  " +
+            wrapped(fmt::format("no possible production in {}, what changes against it is of no use: {}",
+                                comparison.base.name, why),
+                    4) +
+            '\n';
   for (const ComparedRun* run : order) {
     const Difference* row = find_row(*run, quantity);
     if (!row) {
@@ -206,6 +214,9 @@ std::string ranking_table(const Comparison& comparison, const std::string& quant
       text += fmt::format(", for sure {} by at least {} {}", row->difference > 0 ? "more" : "less",
                           number(std::abs(row->difference) - row->bar, digits), row->unit);
     text += '\n';
+    if (!run->run.not_possible.empty())
+      text += fmt::format("  {:<{}}  {}\n", "", width,
+                          wrapped("no possible production: " + run->run.not_possible, width + 4));
   }
   return text;
 }

@@ -65,6 +65,7 @@ void add_run(core::JsonWriter& json, const ComparedRun& other, const FinishedRun
   json.add("reason", other.reason);
   if (other.result) {
     json.add("trustworthy", other.run.trustworthy);
+    json.add("not_possible", other.run.not_possible);
     add_remarks(json, other.run.remarks, base.remarks);
     json.add("stages_in_common", static_cast<long>(other.result->in_common));
     json.add("twins", static_cast<long>(other.result->twins));
@@ -94,6 +95,7 @@ std::string comparison_json(const Comparison& comparison) {
   json.add("base", comparison.base.directory);
   json.add("accuracy", comparison.base.accuracy);
   json.add("trustworthy", comparison.base.trustworthy);
+  json.add("not_possible", comparison.base.not_possible);
   add_remarks(json, comparison.base.remarks, comparison.base.remarks);
   json.open_list("runs");
   for (const ComparedRun& other : comparison.others) add_run(json, other, comparison.base);

@@ -12,6 +12,7 @@ namespace parison::forming {
 struct CycleResult {
   std::string reason;                   ///< why there is no settled container; empty where there is
   std::vector<CaseDifference> changes;  ///< in which its case differs from that of the base
+  std::string not_possible;             ///< why no machine can have such tools; empty where one can
 };
 
 /// Reads cycle.json of the folder of a cycle, or of a variant of one; nothing where there is none.

@@ -12,6 +12,7 @@
 #include "core/io/json_read.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/coarse_run.hpp"
+#include "forming/study/comparison/cycle_result.hpp"
 
 namespace parison::forming {
 namespace {
@@ -119,6 +120,8 @@ FinishedRun read_finished_run(const std::string& directory) {
     run->coarser.push_back(std::move(*coarser));
   }
   if (!run->coarser.empty()) add_errors(*run);
+  if (run->name == "settled" || run->name == "just_swabbed")
+    if (const auto cycle = read_cycle_result(directory + "/..")) run->not_possible = cycle->not_possible;
   return *run;
 }
 

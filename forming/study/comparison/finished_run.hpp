@@ -44,6 +44,7 @@ struct FinishedRun {
   std::vector<Twin> twins;
   double factor = 1;                 ///< edges and steps over those of the run that this is a coarser one of
   std::vector<FinishedRun> coarser;  ///< its coarser runs that came to their end
+  std::string not_possible;          ///< of a container of settled production: CycleResult::not_possible
   std::string coarser_stopped;       ///< why the first of those that did not stopped; empty where all did
 };
 

@@ -4,38 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
+#include "forming/study/production/surface_range.hpp"
 
 namespace parison::forming {
 namespace {
 
 constexpr double zero_celsius = 273.15;
-
-/// Temperatures of the surface of a tool over a machine cycle, K.
-struct SurfaceRange {
-  double min = std::numeric_limits<double>::infinity(), mean = 0, max = 0;  ///< of its mean
-  double hottest = 0;                                                       ///< point
-};
-
-SurfaceRange range_of(const std::vector<CycleSample>& samples, std::size_t tool) {
-  SurfaceRange range;
-  double time = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const ToolTemperatures& now = samples[i].tools[tool];
-    range.min = std::min(range.min, now.surface_mean);
-    range.max = std::max(range.max, now.surface_mean);
-    range.hottest = std::max(range.hottest, now.surface_max);
-    if (i == 0) continue;
-    const double dt = samples[i].time - samples[i - 1].time;
-    range.mean += 0.5 * dt * (now.surface_mean + samples[i - 1].tools[tool].surface_mean);
-    time += dt;
-  }
-  range.mean = time > 0 ? range.mean / time : range.max;
-  return range;
-}
 
 void add_search(core::JsonWriter& json, const Scene& scene, const PeriodicState& state) {
   json.open_list("forming_runs");
@@ -103,6 +80,9 @@ std::string json_text(const Scene& scene, const PeriodicRequest& request, const 
   json.add("uncertainty_K", state.uncertainty);
   json.add("offset_K", state.offset);
   json.add("reason", reason);
+  json.open_list("not_possible");
+  for (const std::string& sentence : why_not_possible(scene, state.settled.samples)) json.add("", sentence);
+  json.close();
   add_changes(json, request.changes);
   add_search(json, scene, state);
   json.add("start_up_cycles", static_cast<long>(std::max<std::size_t>(state.start_up.size(), 1) - 1));
@@ -176,6 +156,8 @@ std::string periodic_table(const Scene& scene, const PeriodicState& state) {
   text +=
       "  surface: the mean over it, the lowest, mean and highest in the cycle; hottest: of any place and time;\n"
       "  cooling: through the boundaries that no glass touches, what the contact surface loses to air is not in it\n";
+  for (const std::string& sentence : why_not_possible(scene, state.settled.samples))
+    text += fmt::format("\n  no possible production: {}\n", sentence);
   return text;
 }
 

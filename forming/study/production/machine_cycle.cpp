@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
@@ -66,6 +67,26 @@ bool is_cooled(const Scene& scene, State& state, Index tool, bool contact_counts
   return false;
 }
 
+/// The lowest temperature that what cools a tool has in any stage, K: of its boundaries that no glass touches, or of
+/// all where those give nothing off. Infinity where nothing cools it.
+double coldest_cooling(const Scene& scene, State& state, Index tool) {
+  double coldest = std::numeric_limits<double>::infinity(), at_contact = coldest;
+  const core::Mesh& mesh = state.tools[tool].mesh;
+  const auto& boundaries = scene.tools[tool].boundaries;
+  for (const Boundary& boundary : boundaries)
+    if (boundary.kind == BoundaryKind::temperature) coldest = std::min(coldest, boundary.temperature.min());
+  for (state.stage = 0; state.stage < static_cast<Index>(scene.stages.size()); ++state.stage) {
+    const auto exchanges = surroundings(scene, state, body_of_tool(tool), mesh);
+    for (std::size_t b = 0; b < boundaries.size(); ++b) {
+      double& lowest = boundaries[b].kind == BoundaryKind::contact ? at_contact : coldest;
+      if (exchanges[b] && exchanges[b]->h.max() > 0) lowest = std::min(lowest, exchanges[b]->air_temperature.min());
+      if (exchanges[b] && exchanges[b]->emissivity > 0)
+        lowest = std::min(lowest, exchanges[b]->ambient_temperature.min());
+    }
+  }
+  return std::isfinite(coldest) ? coldest : at_contact;
+}
+
 void require_tool(const Scene& scene, const std::string& name) {
   std::vector<std::string> names;
   for (const Tool& tool : scene.tools) names.push_back(tool.name);
@@ -99,6 +120,22 @@ void refuse_short(const Scene& scene, const MachineCycle& cycle) {
   }
 }
 
+/// What is as hot as the glass takes no heat from a tool that glass heats.
+void refuse_hot_cooling(const Scene& scene, const MachineCycle& cycle) {
+  constexpr double zero_celsius = 273.15;
+  State state = initial_state(scene);
+  const double glass = state.glass.temperature.maxCoeff();
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    if (cycle.uses[t].end == 0) continue;
+    const double coldest = coldest_cooling(scene, state, static_cast<Index>(t));
+    if (coldest >= glass)
+      throw core::CaseError(
+          fmt::format("{}: what cools the tool \"{}\" has {:.4g} degC and more, but the glass starts at {:.4g} degC: "
+                      "allowed are tools that something colder than the glass cools",
+                      scene.file, scene.tools[t].name, coldest - zero_celsius, glass - zero_celsius));
+  }
+}
+
 void refuse_uncooled(const Scene& scene, const MachineCycle& cycle) {
   State state = initial_state(scene);
   for (std::size_t t = 0; t < scene.tools.size(); ++t)
@@ -127,6 +164,7 @@ MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seco
   refuse_impossible(scene, cycle);
   refuse_short(scene, cycle);
   refuse_uncooled(scene, cycle);
+  refuse_hot_cooling(scene, cycle);
   return cycle;
 }
 
