@@ -12,6 +12,8 @@
 #include "forming/report/quantity_labels.hpp"
 #include "forming/study/comparison/same_case.hpp"
 #include "tools/report/data/differences.hpp"
+#include "tools/report/data/packed_table.hpp"
+#include "tools/report/data/production.hpp"
 #include "tools/report/data/result_folder.hpp"
 #include "tools/report/data/run_names.hpp"
 #include "tools/report/data/wall_bars.hpp"
@@ -23,34 +25,6 @@ using Json = nlohmann::ordered_json;
 
 /// Bytes of all films of a page before compression; with the rest a page stays below 5 MB.
 constexpr std::size_t film_budget = 4'500'000;
-/// Rows of a table, over all runs of a page, beyond which only every so many are shown.
-constexpr std::size_t most_rows = 3000;
-
-bool is_drawn(const ResultTable& table, std::size_t column) {
-  const std::string& name = table.names[column];
-  return table.texts[column].empty() && name.rfind("cavity_", 0) != 0;
-}
-
-/// The rows of a table that are shown, the last one always.
-std::vector<std::size_t> shown_rows(const ResultTable& table, std::size_t runs) {
-  const std::size_t stride = table.rows() * runs / most_rows + 1;
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < table.rows(); i += stride) rows.push_back(i);
-  if (!rows.empty() && rows.back() + 1 != table.rows()) rows.push_back(table.rows() - 1);
-  return rows;
-}
-
-Json pack_table(const ResultTable& table, std::size_t runs, PackedBytes& bytes) {
-  const std::vector<std::size_t> rows = shown_rows(table, runs);
-  Json names = Json::array();
-  std::vector<double> numbers;
-  for (std::size_t c = 0; c < table.names.size(); ++c) {
-    if (!is_drawn(table, c)) continue;
-    names.push_back(table.names[c]);
-    for (const std::size_t row : rows) numbers.push_back(table.numbers[c][row]);
-  }
-  return {{"names", std::move(names)}, {"rows", rows.size()}, {"at", bytes.add_numbers(numbers)}};
-}
 
 /// Single precision could not tell a volume from the one before: its relative change takes its place.
 void replace_volume(ResultTable& history) {
@@ -165,10 +139,12 @@ std::string report_data(const std::vector<std::string>& folders, bool live, Repo
   const std::vector<std::string> names = run_names(folders);
   for (std::size_t i = 0; i < folders.size(); ++i)
     runs.push_back(run_json(folders[i], names[i], folders.size(), cache, bytes));
+  Json productions = productions_of(folders, bytes);
   Json page{{"program", PARISON_VERSION},
             {"live", live},
             {"mixed_cases", mixed_cases(folders, cache)},
             {"differences", differences_of(folders, names, failed)},
+            {"productions", std::move(productions)},
             {"runs", std::move(runs)},
             {"bytes", bytes.text()}};
   if (!search.empty()) page["search"] = Json::parse(search);

@@ -26,6 +26,12 @@ function readSummary(given) {
   return summary;
 }
 
+/** A column of a packed table; null where there is none. */
+function columnOf(table, buffer, name) {
+  const at = table ? table.names.indexOf(name) : -1;
+  return at < 0 ? null : new Float32Array(buffer, table.at + 4 * at * table.rows, table.rows);
+}
+
 /** A run with its numbers. */
 class Run {
   constructor(json, buffer, index) {
@@ -38,9 +44,7 @@ class Run {
 
   /** A column of one of the tables; null where there is none. */
   column(tableName, name) {
-    const table = this[tableName],
-      at = table ? table.names.indexOf(name) : -1;
-    return at < 0 ? null : new Float32Array(this.buffer, table.at + 4 * at * table.rows, table.rows);
+    return columnOf(this[tableName], this.buffer, name);
   }
 
   /** Names of the tools that have a column with this ending. */

@@ -58,6 +58,7 @@ function show(runs, program) {
     wallPart(runs, charts),
     machinePart(runs, charts),
     toolsPart(runs, charts),
+    productionPart(state.productions, charts),
     balancePart(runs, charts),
     quantityPart(runs),
     differencePart(state.differences),
@@ -79,6 +80,7 @@ async function take(page) {
   const buffer = await unpacked(page.bytes);
   state.search = page.search || null;
   state.differences = page.differences || null;
+  state.productions = (page.productions || []).map((one, i) => new Production(one, buffer, i));
   const runs = page.runs.map((run, i) => new Run(run, buffer, i));
   const film = shown && shown.film,
     atEnd = !film || film.state.index >= film.times.length - 1;
