@@ -165,9 +165,9 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
   return bounds;
 }
 
-/// Whether the face of a constraint, in which a node would be at the step's end, is one that it does not pass on its way:
-/// it would come into the tool through another face, which is not a contact face. The plane of the face lies farther
-/// behind the node at the step's start than the way is long, and the node is outside there.
+/// Whether the face of a constraint, in which a node would be at the step's end, is one that it does not pass on its
+/// way: it would come into the tool through another face, which is not a contact face. The plane of the face lies
+/// farther behind the node at the step's start than the way is long, and the node is outside there.
 bool comes_through_another_face(const StepPath& step, Index node, const Bound& bound) {
   if (bound.at_end.gap >= 0 || bound.at_end.segment < 0 || bound.of_edge) return false;
   const Point& x = step.state.glass.mesh.nodes[node];
