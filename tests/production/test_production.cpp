@@ -355,6 +355,16 @@ TEST(MachineCycle, whose_cooling_is_hotter_than_the_glass_is_refused) {
   EXPECT_NE(
       refusal(hot, 8.0).find("what cools the tool \"plate\" has 1300 degC and more, but the glass starts at 1000"),
       std::string::npos);
+  const std::string partly =
+      with(hot, R"(path = "(5, 0) mm", condition = "symmetry" }]
+)",
+           R"(path = "(5, 0) mm", condition.cooled = { h = "400 W/m2/K", temperature = "50 degC" } }]
+)");
+  const Scene scene = scene_of(partly);
+  const auto notes = notes_on_cycle(scene, machine_cycle(scene, 8.0));
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes.front().find("the boundary \"back\" of the tool \"plate\" is `cooled` by what is hotter"),
+            std::string::npos);
 }
 
 TEST(MachineCycle, of_a_tool_that_nothing_cools_is_refused) {

@@ -184,6 +184,13 @@ std::vector<std::string> notes_on_cycle(const Scene& scene, const MachineCycle& 
           fmt::format("the tool \"{}\" is cooled by nothing but air at its contact surface, and may settle "
                       "far hotter than glass allows; is a boundary `cooled` on the machine?",
                       scene.tools[t].name));
+  const double glass = state.glass.temperature.maxCoeff();
+  for (const Tool& tool : scene.tools)
+    for (const Boundary& boundary : tool.boundaries)
+      if (boundary.kind == BoundaryKind::cooled && boundary.cooling.air_temperature.min() >= glass)
+        notes.push_back(fmt::format(
+            "unusual, is it meant? the boundary \"{}\" of the tool \"{}\" is `cooled` by what is hotter than the glass",
+            boundary.name, tool.name));
   return notes;
 }
 

@@ -35,7 +35,7 @@ MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seco
                            const std::map<std::string, int>& sets = {});
 
 /// A sentence where the cycle is unusually long or short, and for each tool from which nothing but air at its contact
-/// surface takes heat.
+/// surface takes heat, and each boundary that is cooled by what is hotter than the glass.
 std::vector<std::string> notes_on_cycle(const Scene& scene, const MachineCycle& cycle);
 
 /// The case as each container of the cycle goes through it: tools that still serve the container before at its start
