@@ -212,7 +212,7 @@ void start(Queue& queue, QueuedRun& run) {
   fs::remove_all(plan.directory);  // what was killed before its first checkpoint
   fs::remove(log_path(plan));
   if (plan.branch) {
-    forming::make_branch(plan);
+    forming::make_branch(plan, queue.case_path);
     const std::string how = fmt::format("starts after {}", plan.branch->stage);
     return is_partner ? start_partner(queue, run, how) : resume(queue, run, how);
   }
@@ -222,6 +222,15 @@ void start(Queue& queue, QueuedRun& run) {
                                      "--output", plan.directory,  "--keep-going"};
   for (const std::string& assignment : plan.overrides) arguments.insert(arguments.end(), {"--set", assignment});
   start_child(queue, run, arguments, "starts");
+}
+
+/// Starts what is ready; what is refused now, after others have run, is a run without results.
+void start_or_fail(Queue& queue, QueuedRun& run) {
+  try {
+    start(queue, run);
+  } catch (const core::CaseError& error) {
+    queue.end(run, Status::failed, error.what());
+  }
 }
 
 void collect_ended(Queue& queue) {
@@ -252,7 +261,7 @@ bool run_all(std::vector<QueuedRun>& runs, const std::string& case_path, int job
     for (QueuedRun& run : runs)
       if (!stop_requested() && count(queue, Status::running) < jobs && run.status == Status::waiting &&
           is_ready(queue, run))
-        start(queue, run);
+        start_or_fail(queue, run);
     if (stop_requested() && !std::exchange(requested, true))
       for (const QueuedRun& run : runs)
         if (run.status == Status::running) request_stop(run.child);

@@ -34,7 +34,7 @@ void take_over(const SweepPlan& plan, const SweepRun& run, const CoarseCase& one
   const std::string source = plan.folder(plan.runs[run.start->run]) + below, &stage = run.start->stage;
   fs::remove_all(one.directory);
   if (fs::exists(source + "/checkpoint_after_" + stage + ".h5"))
-    make_branch({run.name, one.directory, one.accuracy, one.overrides, BranchPoint{source, stage}, ""});
+    make_branch({run.name, one.directory, one.accuracy, one.overrides, BranchPoint{source, stage}, ""}, one.file);
 }
 
 /// Only what is kept of the run, or what others take over.

@@ -22,10 +22,11 @@ bool is_taken_over(const std::string& name, const std::string& stage) {
   return !is_checkpoint || name == fmt::format("checkpoint_after_{}.h5", stage);
 }
 
-/// Writes the checkpoint again with the tools warmer.
-void warm_tools(const PlannedRun& run) {
+/// Writes the checkpoint again with the tools warmer. The case that the run was made of may be gone, or start from
+/// results that are: the one given is as it was.
+void warm_tools(const PlannedRun& run, const std::string& case_path) {
   const CaseOrigin origin = read_origin(find_checkpoint(run.directory));
-  const Scene scene = read_scene(origin.file, origin.accuracy, origin.overrides);
+  const Scene scene = read_scene(case_path, origin.accuracy, origin.overrides);
   Checkpoint checkpoint = read_checkpoint(find_checkpoint(run.directory), scene);
   for (ToolState& tool : checkpoint.outcome.state.tools) tool.temperature.array() += twin_warmer;
   write_checkpoint(run.directory, scene, checkpoint);
@@ -39,7 +40,7 @@ bool is_run_folder(const std::string& name) {
          std::any_of(partner_folders.begin(), partner_folders.end(), begins_with);
 }
 
-void make_branch(const PlannedRun& run) {
+void make_branch(const PlannedRun& run, const std::string& case_path) {
   const BranchPoint& from = *run.branch;
   std::error_code error;
   fs::create_directories(run.directory, error);
@@ -50,7 +51,7 @@ void make_branch(const PlannedRun& run) {
   }
   if (error) throw core::RunError(fmt::format("{}: cannot be made: {}", run.directory, error.message()));
   return_to_stage_end(run.directory, from.stage);
-  if (from.warmer_tools) warm_tools(run);
+  if (from.warmer_tools) warm_tools(run, case_path);
 }
 
 }  // namespace parison::forming

@@ -79,7 +79,8 @@ std::string nothing_changed(const WhatIf& what_if, const WhatIfVariant& variant)
 /// Whether a file or folder of a result folder is that of another run: a coarser one or a twin.
 bool is_run_folder(const std::string& name);
 
-/// Makes the folder of a run that begins at a branch point: a checkpoint to resume from, and the files up to there.
-void make_branch(const PlannedRun& run);
+/// Makes the folder of a run of a case that begins at a branch point: a checkpoint to resume from, and the files up to
+/// there.
+void make_branch(const PlannedRun& run, const std::string& case_path);
 
 }  // namespace parison::forming

@@ -129,7 +129,7 @@ TEST_F(WhatIfTest, runs_that_are_there_get_their_coarser_runs_and_the_first_of_t
 TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last_bit) {
   const RunOutcome base = run_whole("base");
   const Scene changed = scene({longer});
-  make_branch({"longer", in("longer"), coarse, changed.overrides, BranchPoint{in("base"), "press"}, ""});
+  make_branch({"longer", in("longer"), coarse, changed.overrides, BranchPoint{in("base"), "press"}, ""}, folder);
   const RunOutcome branch = resume_in_folder(changed, in("longer"));
   write_summary(in("longer"), changed, branch.state, branch.facts);
   const RunOutcome whole = run_whole("whole", {longer});
@@ -175,7 +175,7 @@ TEST_F(WhatIfTest, a_tool_that_was_not_used_yet_may_be_another_one) {
   // A thicker and colder one stands there as it would in a run from the start.
   const std::vector<std::string> other{"dimension.depth=12 mm", "tool.sleeve.temperature=430 degC"};
   const Scene changed = scene(other);
-  make_branch({"other", in("other"), coarse, other, BranchPoint{in("base"), "press"}, ""});
+  make_branch({"other", in("other"), coarse, other, BranchPoint{in("base"), "press"}, ""}, folder);
   const RunOutcome branch = resume_in_folder(changed, in("other")), whole = run_whole("whole", other);
   ASSERT_TRUE(branch.facts.completed) << branch.facts.reason;
   const ToolState &sleeve = branch.state.tools[2], &expected = whole.state.tools[2], &before = base.state.tools[2];
@@ -211,7 +211,7 @@ TEST_F(WhatIfTest, what_a_run_has_of_quantities_is_known_before_it_with_the_unit
 
 TEST_F(WhatIfTest, a_twin_has_tools_a_little_warmer_and_nothing_else) {
   run_whole("base");
-  make_branch({"twin", in("base/twin_after_press"), coarse, {}, BranchPoint{in("base"), "press", true}, in("base")});
+  make_branch({"twin", in("base/twin_after_press"), coarse, {}, BranchPoint{in("base"), "press", true}, in("base")}, folder);
   const auto at = [&](const std::string& path) { return read_checkpoint(path, scene()).outcome.state; };
   const State before = at(find_stage_end(in("base"), "press")), twin = at(find_checkpoint(in("base/twin_after_press")));
   EXPECT_NEAR((twin.tools[0].temperature - before.tools[0].temperature).minCoeff(), twin_warmer, 1e-9);
