@@ -136,6 +136,24 @@ std::string numbered_key(CaseFile file, const std::string& key) {
   return numbered;
 }
 
+std::string repeated_key(CaseFile file, const std::vector<std::string>& assignments) {
+  const auto replaces = [](const std::string& now, const std::string& before) {
+    return now == before || before.rfind(now + '.', 0) == 0;
+  };
+  std::vector<std::pair<std::string, std::string>> found;  // as given, and with numbers for names
+  for (const std::string& assignment : assignments) {
+    const std::string given = trimmed(assignment.substr(0, assignment.find('=')));
+    override_value(file, assignment);
+    const std::string key = numbered_key(file, given);
+    for (const auto& [before, numbered] : found)
+      if (replaces(key, numbered))
+        return fmt::format("{} was found{}, of which the last would count alone", given,
+                           before == given ? " twice" : fmt::format(" after {}, which it replaces", before));
+    found.emplace_back(given, key);
+  }
+  return {};
+}
+
 CaseNode value_of(CaseFile file, const std::string& key) {
   CaseNode place;
   place.file = file.path;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/commands/command_options.hpp"
 
+#include <fmt/format.h>
+
 #include "core/case/case_error.hpp"
+#include "core/case/text/case_text.hpp"
 #include "forming/study/comparison/study_folder.hpp"
 #include "tools/program/bundled_cases.hpp"
 
@@ -10,6 +13,15 @@ namespace parison::tools {
 std::string case_of(const std::string& given) {
   if (const std::string problem = forming::results_as_case(given); !problem.empty()) throw core::CaseError(problem);
   return find_case(given);
+}
+
+void require_keys_once(const std::string& case_path, const std::vector<std::string>& before,
+                       const std::vector<std::string>& assignments) {
+  if (assignments.size() < 2) return;
+  core::CaseFile file = core::read_case_file(case_path);
+  for (const std::string& assignment : before) core::override_value(file, assignment);
+  if (const std::string repeated = core::repeated_key(file, assignments); !repeated.empty())
+    throw core::CaseError(fmt::format("--set: {}; allowed is one of them", repeated));
 }
 
 GivenSets given_sets(const CLI::App& command, const CLI::Option* variant, const CLI::Option* set) {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "forming/study/comparison/what_if/what_if.hpp"
 #include "tools/commands/commands.hpp"
@@ -23,6 +24,17 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* what, Command
   auto* command = app.add_subcommand(name, what);
   command->callback([&chosen, request, work] { chosen = [request, work] { return work(*request); }; });
   return command;
+}
+
+/// Refuses two --set of a command line, of which the last would count alone; `before` has what the case has already.
+void require_keys_once(const std::string& case_path, const std::vector<std::string>& before,
+                       const std::vector<std::string>& assignments);
+
+/// The work of a command, each --set of which counts.
+template <typename Request, int (*work)(const Request&)>
+int with_keys_once(const Request& request) {
+  require_keys_once(request.case_path, {}, request.overrides);
+  return work(request);
 }
 
 /// Each --set of a command line belongs to the --variant before it.

@@ -20,13 +20,19 @@ void add_case_options(CLI::App& command, RunRequest& request) {
       ->allow_extra_args(false);
 }
 
+int run_given(const RunRequest& request) {
+  return request.later_counts ? run(request) : with_keys_once<RunRequest, run>(request);
+}
+
 void add_run(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<RunRequest>();
-  auto* command = add_command(app, "run", "run a case", chosen, request, run);
+  auto* command = add_command(app, "run", "run a case", chosen, request, run_given);
   add_case_options(*command, *request);
   command->add_option("--output", request->output, "new folder for the results [results/NAME]");
   command->add_flag("--keep-going", request->keep_going,
                     "exit code 0 also where a check is far beyond its limit: results not trustworthy");
+  command->add_flag("--later-counts", request->later_counts, "of several --set of one value the last one counts")
+      ->group("");  // for runs that other commands start
   command->add_flag("-v,--verbose", request->verbose, "first say all that `parison check` says");
   command->add_flag("--error-bars", request->error_bars, "estimate the error of each result by two coarser runs");
 }
@@ -49,7 +55,8 @@ void add_resume(CLI::App& app, Command& chosen) {
 
 void add_check(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<RunRequest>();
-  auto* command = add_command(app, "check", "read a case and say what it needs", chosen, request, check);
+  auto* command = add_command(app, "check", "read a case and say what it needs", chosen, request,
+                              with_keys_once<RunRequest, check>);
   add_case_options(*command, *request);
   command->add_option("--picture", request->picture,
                       "SVG file for the section with tools, glass and axis; FILE_timing.svg gets the timing");
@@ -64,8 +71,8 @@ void add_new(CLI::App& app, Command& chosen) {
 
 void add_audit(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<AuditRequest>();
-  auto* command =
-      add_command(app, "audit", "run a case coarsely with each part of its model in and out", chosen, request, audit);
+  auto* command = add_command(app, "audit", "run a case coarsely with each part of its model in and out", chosen,
+                              request, with_keys_once<AuditRequest, audit>);
   command->add_option("case", request->case_path, what_a_case_is)->required()->transform(case_of);
   command->add_option("--accuracy", request->accuracy, "of all runs; coarse ones take seconds")->capture_default_str();
   command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
@@ -109,7 +116,7 @@ void add_cycle(CLI::App& app, Command& chosen) {
     GivenSets given = given_sets(*command, variant, set);
     request->overrides = std::move(given.before);
     request->variants = std::move(given.variants);
-    chosen = [request] { return cycle(*request); };
+    chosen = [request] { return with_keys_once<CycleRequest, cycle>(*request); };
   });
 }
 

@@ -23,7 +23,7 @@ void add_tradeoff(CLI::App& app, Command& chosen) {
   TradeoffRequest& trade = *request;
   auto* command =
       add_command(app, "tradeoff", "run a convergence study of settings and model parts: error against CPU time",
-                  chosen, request, tradeoff);
+                  chosen, request, with_keys_once<TradeoffRequest, tradeoff>);
   command->add_option("case", trade.case_path, what_a_case_is)->required()->transform(case_of);
   command->add_option("--output", trade.output,
                       "folder of the study; variants that have run there are not run again [results/tradeoff_NAME]");
@@ -152,7 +152,7 @@ void add_calibrate(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<CalibrateRequest>();
   auto* command =
       add_command(app, "calibrate", "fit constants of a case to measured temperatures, strokes, forces and walls",
-                  chosen, request, calibrate);
+                  chosen, request, with_keys_once<CalibrateRequest, calibrate>);
   command->add_option("case", request->case_path, what_a_case_is)->required()->transform(case_of);
   command
       ->add_option("data", request->data,
@@ -185,7 +185,7 @@ void add_uncertainty(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<UncertaintyRequest>();
   auto* command =
       add_command(app, "uncertainty", "run a case with values drawn from its tolerances: bars, Sobol indices", chosen,
-                  request, uncertainty);
+                  request, with_keys_once<UncertaintyRequest, uncertainty>);
   command->add_option("case", request->case_path, what_a_case_is)->required()->transform(case_of);
   command->add_option("--accuracy", request->accuracy, "draft, standard or fine")->capture_default_str();
   command->add_option("--set", request->overrides, "KEY=VALUE, also with a tolerance; may be repeated")

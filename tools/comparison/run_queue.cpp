@@ -218,8 +218,8 @@ void start(Queue& queue, QueuedRun& run) {
   }
   if (is_partner) return start_partner(queue, run, "starts");
   fs::create_directories(fs::path(plan.directory).parent_path());
-  std::vector<std::string> arguments{"run",      queue.case_path, "--accuracy",  plan.accuracy,
-                                     "--output", plan.directory,  "--keep-going"};
+  std::vector<std::string> arguments{"run",      queue.case_path, "--accuracy",   plan.accuracy,
+                                     "--output", plan.directory,  "--keep-going", "--later-counts"};
   for (const std::string& assignment : plan.overrides) arguments.insert(arguments.end(), {"--set", assignment});
   start_child(queue, run, arguments, "starts");
 }

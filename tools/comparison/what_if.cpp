@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/case/case_error.hpp"
+#include "core/case/text/case_text.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/study/comparison/comparison.hpp"
@@ -180,6 +181,9 @@ WhatIf asked_of_case(const WhatIfRequest& request) {
 /// The case of all runs; a mistake in what --base sets is told as one of that option.
 forming::Scene read_base(const WhatIf& asked) {
   try {
+    if (const auto repeated = core::repeated_key(core::read_case_file(asked.case_path), asked.overrides);
+        asked.base_results.empty() && !repeated.empty())
+      throw core::CaseError(fmt::format("--base: {}; allowed is one of them", repeated));
     return forming::read_scene(asked.case_path, "draft", asked.overrides);
   } catch (const core::CaseError& error) {
     throw core::CaseError(forming::refusal_text(error, "--base", asked.overrides));

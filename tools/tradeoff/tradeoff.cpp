@@ -105,8 +105,8 @@ std::string result_line(const Study& study, const Variant& variant) {
 }
 
 std::vector<std::string> run_arguments(const Study& study, const Variant& variant, const std::string& folder) {
-  std::vector<std::string> arguments = {"run", study.request.case_path, "--accuracy", variant.accuracy, "--output",
-                                        folder};
+  std::vector<std::string> arguments = {"run",  study.request.case_path, "--accuracy", variant.accuracy, "--output",
+                                        folder, "--later-counts"};
   for (const std::string& assignment : variant.overrides) arguments.insert(arguments.end(), {"--set", assignment});
   return arguments;
 }

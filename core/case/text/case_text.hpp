@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
+#include <vector>
 
 #include "core/case/case_file.hpp"
 
@@ -13,6 +14,10 @@ CaseNode value_of(CaseFile file, const std::string& key);
 /// A key as override_value takes it with the entries of lists by their numbers, the same for each way to write it.
 /// Refuses one that no value of the case leads to.
 std::string numbered_key(CaseFile file, const std::string& key);
+
+/// Of assignments as override_value takes them, one that leaves nothing of an earlier one, however the keys are
+/// written, or of what it is in: both keys, as the begin of a sentence; empty where each counts.
+std::string repeated_key(CaseFile file, const std::vector<std::string>& assignments);
 
 /// The values below a table as TOML that reads back as the same case; comments and layout are its own.
 std::string case_text(const CaseNode& root);

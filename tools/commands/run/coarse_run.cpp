@@ -28,7 +28,8 @@ CoarseRuns::~CoarseRuns() {
 
 void CoarseRuns::start_next() {
   const forming::CoarseCase& next = cases_[started_++];
-  std::vector<std::string> arguments = {"run", next.file, "--accuracy", next.accuracy, "--output", next.directory};
+  std::vector<std::string> arguments = {"run",      next.file,      "--accuracy",    next.accuracy,
+                                        "--output", next.directory, "--later-counts"};
   for (const std::string& assignment : next.overrides) arguments.insert(arguments.end(), {"--set", assignment});
   child_ = start_self(arguments, next.directory + ".log");
 }

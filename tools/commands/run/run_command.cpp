@@ -17,6 +17,7 @@
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/study/coarse_run.hpp"
+#include "tools/commands/command_options.hpp"
 #include "tools/commands/run/coarse_run.hpp"
 #include "tools/commands/run/console.hpp"
 #include "tools/commands/run/controlled_run.hpp"
@@ -142,12 +143,13 @@ int resume(const RunRequest& request) {
   const std::string checkpoint =
       request.after.empty() ? forming::find_checkpoint(output) : forming::find_stage_end(output, request.after);
   forming::CaseOrigin origin = forming::read_origin(checkpoint);
-  origin.overrides.insert(origin.overrides.end(), request.overrides.begin(), request.overrides.end());
   if (request.case_path.empty() && !std::filesystem::exists(origin.file))
     throw core::CaseError(
         fmt::format("{}: its case \"{}\" no longer exists, give its new location with --case", output, origin.file));
-  const Scene scene = forming::read_scene(request.case_path.empty() ? origin.file : request.case_path, origin.accuracy,
-                                          origin.overrides);
+  const std::string& case_path = request.case_path.empty() ? origin.file : request.case_path;
+  require_keys_once(case_path, origin.overrides, request.overrides);
+  origin.overrides.insert(origin.overrides.end(), request.overrides.begin(), request.overrides.end());
+  const Scene scene = forming::read_scene(case_path, origin.accuracy, origin.overrides);
   forming::require_unchanged_copy(output, scene);
   forming::read_checkpoint(checkpoint, scene);  // refuses a changed case before anything is given up
   if (!request.after.empty()) forming::return_to_stage_end(output, request.after);

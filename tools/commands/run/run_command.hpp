@@ -17,7 +17,8 @@ struct RunRequest {
   std::string after;     ///< resume: the stage from whose end, empty for the last checkpoint
   bool verbose = false;  ///< first all that `parison check` says
   bool error_bars = false;
-  bool keep_going = false;  ///< exit code 0 also where the results are not trustworthy
+  bool later_counts = false;  ///< run: of several assignments of one value the last one
+  bool keep_going = false;    ///< exit code 0 also where the results are not trustworthy
 };
 
 /// Prints what a case needs. Like the others here it returns the exit code of the program.

@@ -39,28 +39,13 @@ Scene checked_scene(const WhatIf& what_if, const std::vector<std::string>& overr
   return scene;
 }
 
-/// Whether an assignment to one key leaves nothing of an earlier one to another key: to the same, or to what it is in.
-bool replaces(const std::string& now, const std::string& before) {
-  return now == before || before.rfind(now + '.', 0) == 0;
-}
-
 /// Two assignments to one key, of which the last would count, were meant as two variants.
 void require_keys_once(const WhatIf& what_if, const WhatIfVariant& variant) {
   core::CaseFile file = core::read_case_file(what_if.case_path);
   for (const std::string& assignment : what_if.overrides) core::override_value(file, assignment);
-  std::vector<std::pair<std::string, std::string>> found;  // as given, and with numbers for names
-  for (const std::string& assignment : variant.overrides) {
-    const std::string given(core::trimmed(assignment.substr(0, assignment.find('='))));
-    core::override_value(file, assignment);
-    const std::string key = core::numbered_key(file, given);
-    for (const auto& [before, numbered] : found)
-      if (replaces(key, numbered))
-        throw core::CaseError(fmt::format(
-            "{} was found{}, of which the last would count alone; allowed is one of them, another --variant NAME goes "
-            "before the second",
-            given, before == given ? " twice" : fmt::format(" after {}, which it replaces", before)));
-    found.emplace_back(given, key);
-  }
+  if (const std::string repeated = core::repeated_key(file, variant.overrides); !repeated.empty())
+    throw core::CaseError(
+        fmt::format("{}; allowed is one of them, another --variant NAME goes before the second", repeated));
 }
 
 /// The same of a variant, whose tools must not overlap anew; what is refused carries its name.
