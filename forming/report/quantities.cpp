@@ -124,6 +124,9 @@ double least_extent(const Scene& scene) {
   return 1e3 * std::cbrt(dimensionless_numbers(scene).volume / pi);
 }
 
+/// No wall that a mesh can have is thinner: share of the least extent of the glass.
+constexpr double thinnest_wall = 1e-4;
+
 /// Whether a stage moves a tool.
 bool is_moved(const Scene& scene, std::size_t tool) {
   return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
@@ -158,7 +161,8 @@ std::vector<Quantity> possible_quantities(const Scene& scene) {
     possible.push_back({name, unit, none, scale});
   };
   if (scene.has_flow()) {
-    add("thickness_mean", "mm"), add("thickness_min", "mm"), add("thickness_min_at", "of the arc", 1);
+    for (const char* wall : {"thickness_mean", "thickness_min"}) add(wall, "mm", thinnest_wall * least_extent(scene));
+    add("thickness_min_at", "of the arc", 1);
     for (const char* extent : {"extent_r_max", "extent_z_min", "extent_z_max"}) add(extent, "mm", least_extent(scene));
   }
   const double span = scene.has_heat() ? temperature_range(scene).span() : none;

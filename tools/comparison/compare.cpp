@@ -28,6 +28,8 @@ void refuse_folder_of_others(const std::string& output) {
 /// The runs of a what-if or a cycle that have ended; the others are told.
 std::vector<std::string> ended_runs(const forming::StudyFolder& study) {
   std::vector<std::string> ended;
+  if (!study.unfinished.empty())
+    fmt::print("{}: a round that has not ended, it is left out; the last one that has is shown\n", study.unfinished);
   for (const std::string& folder : study.runs)
     if (forming::is_result_folder(folder))
       ended.push_back(folder);

@@ -9,6 +9,8 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/text/case_text.hpp"
+#include "core/io/files.hpp"
+#include "core/io/json_read.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/study/comparison/comparison.hpp"
@@ -31,7 +33,27 @@ struct Round {
   bool stopped = false;
   std::string base_failed;  ///< why; empty where the base completed
   std::optional<Comparison> comparison;
+  double cpu_seconds = 0;  ///< of its runs
 };
+
+/// Of the runs of a round: as measured where all were made now, else as their summaries have it.
+double cpu_of(const std::vector<QueuedRun>& runs, double measured) {
+  if (std::all_of(runs.begin(), runs.end(), [](const QueuedRun& run) { return run.child != 0; })) return measured;
+  double seconds = 0;
+  for (const QueuedRun& run : runs)
+    if (const std::string path = run.plan.directory + "/summary.json"; fs::exists(path))
+      seconds += core::read_json(core::read_text(path), path).number_of("cpu_seconds");
+  return seconds;
+}
+
+/// An accuracy with what its factor means: one below 1 makes edges and steps finer.
+std::string accuracy_text(const std::string& accuracy) {
+  const double factor = forming::read_accuracy(accuracy).coarsening_factor;
+  if (factor == 1) return accuracy + " accuracy";
+  const std::string preset = accuracy.substr(0, accuracy.find(' '));
+  return fmt::format("{} accuracy ({:.2g} times {} than {})", accuracy, std::max(factor, 1 / factor),
+                     factor < 1 ? "finer" : "coarser", preset);
+}
 
 /// The comparison of the variants; one without results is a row with its reason.
 Comparison compare_variants(const WhatIf& asked, const std::vector<QueuedRun>& runs) {
@@ -82,12 +104,14 @@ Round run_round(const WhatIf& asked, int jobs, bool is_first = true) {
   if (is_first) print_notes(asked);
   const auto variants =
       std::count_if(runs.begin() + 1, runs.end(), [](const QueuedRun& run) { return run.plan.inside.empty(); });
-  fmt::print("{} at {} accuracy: {} variant{}, {} run{} in {}\n", asked.case_path, asked.accuracy, variants,
+  fmt::print("{} at {}: {} variant{}, {} run{} in {}\n", asked.case_path, accuracy_text(asked.accuracy), variants,
              variants == 1 ? "" : "s", runs.size(), runs.size() == 1 ? "" : "s", asked.directory);
   std::fflush(stdout);
   Round round;
+  const double before = cpu_of_children();
   round.stopped = !run_all(runs, asked.case_path, jobs);
   if (round.stopped) return round;
+  round.cpu_seconds = cpu_of(runs, cpu_of_children() - before);
   if (runs.front().status == QueuedRun::Status::failed)
     round.base_failed = runs.front().reason;
   else
@@ -144,6 +168,22 @@ void print_bars(const forming::ResolutionControl& control) {
   std::fflush(stdout);
 }
 
+std::string duration_text(double seconds) {
+  constexpr double minute = 60, hour = 3600;
+  if (seconds < 2 * minute) return fmt::format("{:.2g} s", std::max(1.0, seconds));
+  return seconds < 2 * hour ? fmt::format("{:.0f} min", seconds / minute) : fmt::format("{:.1f} h", seconds / hour);
+}
+
+/// What the next round is and costs, before it begins.
+void print_next(const forming::ResolutionControl& control) {
+  fmt::print("  next: {}; about {} of CPU time, by that of this round", accuracy_text(control.accuracy()),
+             duration_text(control.expected_cpu()));
+  if (std::isfinite(control.expected_bar()))
+    fmt::print("; bars of up to {:.3g} {} are expected", control.expected_bar(), control.unit());
+  fmt::print("\n");
+  std::fflush(stdout);
+}
+
 /// Finer and finer until the error bars let a difference of the size asked for be seen.
 int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::string& output,
                        forming::ResolutionControl control) {
@@ -152,15 +192,26 @@ int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::st
     asked.directory = output + '/' + folder_name(asked.accuracy);
     const Round round = run_round(asked, request.jobs, control.rounds() == 0);
     if (!round.comparison) return failed(round);
-    control.add(*round.comparison);
+    control.add(*round.comparison, round.cpu_seconds);
+    forming::write_comparison(*round.comparison, asked.directory);  // also says that the round has come to its end
     print_bars(control);
-    if (!control.finished()) continue;
+    if (!control.finished()) {
+      print_next(control);
+      continue;
+    }
     WhatIfRequest shown = request;
     if (shown.quantity.empty()) shown.quantity = control.quantity();
     const int code = report(*round.comparison, shown, output);
     if (control.reached()) return code;
     if (const std::string problem = control.too_small(); !problem.empty()) {
       fmt::print(stderr, "parison: --resolve: {}; the runs so far are in {}\n", problem, asked.directory);
+      return run_failed;
+    }
+    if (const std::string why = control.gives_up(); !why.empty()) {
+      fmt::print(stderr,
+                 "parison: differences of {} are not resolved, those of {:.3g} {} are: {}. The last round is in {}; "
+                 "--accuracy \"{}\" makes a finer one all the same\n",
+                 request.resolve, control.bar(), control.unit(), why, asked.directory, control.accuracy());
       return run_failed;
     }
     fmt::print(stderr, "parison: differences of {} are not resolved after {} rounds{}; the last is in {}\n",

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "forming/study/comparison/cycle_result.hpp"
 #include "forming/study/comparison/what_if/what_if.hpp"
@@ -55,17 +56,33 @@ StudyFolder with_failed(StudyFolder study, const std::string& folder) {
   return study;
 }
 
-/// The folder of the finest accuracy among those that --resolve has made; nothing without one.
-std::optional<std::string> finest_round(const std::string& folder) {
+/// The folders of the accuracies that --resolve has made, the finest first.
+std::vector<std::string> rounds_in(const std::string& folder) {
   const std::string prefix = "at_draft_coarser_";
-  std::optional<std::string> finest;
-  double least = 0;
-  for (const std::string& name : folders_in(folder)) {
-    if (name.rfind(prefix, 0) != 0) continue;
-    const double factor = std::strtod(name.c_str() + prefix.size(), nullptr);
-    if (factor > 0 && (!finest || factor < least)) finest = folder + '/' + name, least = factor;
-  }
-  return finest;
+  std::vector<std::pair<double, std::string>> found;
+  for (const std::string& name : folders_in(folder))
+    if (const double factor = name.rfind(prefix, 0) == 0 ? std::strtod(name.c_str() + prefix.size(), nullptr) : 0;
+        factor > 0)
+      found.emplace_back(factor, folder + '/' + name);
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> rounds;
+  for (auto& [factor, round] : found) rounds.push_back(std::move(round));
+  return rounds;
+}
+
+/// The runs of the finest round that has a table, which is written at its end; of the finest where none has.
+StudyFolder resolved_study(const std::string& folder) {
+  const std::vector<std::string> rounds = rounds_in(folder);
+  if (rounds.empty()) return {};
+  const auto has_table = [](const std::string& round) {
+    std::error_code unreadable;
+    return fs::exists(round + "/comparison.json", unreadable);
+  };
+  auto chosen = std::find_if(rounds.begin(), rounds.end(), has_table);
+  if (chosen == rounds.end()) chosen = rounds.begin();
+  auto runs = base_and_others(*chosen, "");
+  if (runs.empty()) return {};
+  return {StudyFolder::Kind::what_if, std::move(runs), {}, chosen == rounds.begin() ? "" : rounds.front()};
 }
 
 }  // namespace
@@ -83,9 +100,7 @@ StudyFolder study_folder(const std::string& given) {
       if (has_run(folder + '/' + name)) study.runs.push_back(folder + '/' + name);
     return study;
   }
-  const auto round = finest_round(folder);
-  auto runs = round ? base_and_others(*round, "") : std::vector<std::string>{};
-  return runs.empty() ? StudyFolder{} : StudyFolder{StudyFolder::Kind::what_if, std::move(runs)};
+  return resolved_study(folder);
 }
 
 std::string study_text(const StudyFolder& study) {

@@ -21,12 +21,13 @@ struct StudyFolder {
   Kind kind = Kind::none;
   std::vector<std::string> runs = {};
   std::vector<FailedVariant> failed = {};  ///< rows of its table without a run in `runs`
+  std::string unfinished = {};  ///< folder of a finer round that has not come to its end; empty for none
 
   explicit operator bool() const { return kind != Kind::none; }
 };
 
-/// Of a what-if that looked for an accuracy the runs at the finest one; of a cycle the container of the first gob and
-/// the settled one, or with variants the settled ones. Those that have begun count.
+/// Of a what-if that looked for an accuracy the runs at the finest one at which all have come to their end; of a cycle
+/// the container of the first gob and the settled one, or with variants the settled ones. Those that have begun count.
 StudyFolder study_folder(const std::string& folder);
 
 /// "is the folder of a what-if", or of a cycle.

@@ -21,6 +21,12 @@ constexpr double first_factor = 2;  ///< of the draft preset's edges and steps
 /// Bars shrink like edges and steps, as far as scatter lets them; the next round aims below the target.
 constexpr double aim = 0.75, least_refinement = 1.3, most_refinement = 2.5;
 constexpr int most_rounds = 6;
+/// Bars that shrink with less than this power of edges and steps are held by something else, such as scatter.
+constexpr double least_order = 0.5;
+/// CPU time goes with such powers of one over edges and steps.
+constexpr double least_cost_order = 2, most_cost_order = 4;
+/// What is asked for may take so many times the CPU time of the last round, from the second on.
+constexpr double most_effort = 100;
 constexpr double round_off = 1e-9;
 
 /// Size of the units of quantities, SI, and their dimensions.
@@ -79,7 +85,7 @@ double rounded_up(double value) {
 }  // namespace
 
 ResolutionControl::ResolutionControl(const std::string& wanted, const std::vector<Quantity>& possible)
-    : wanted_(wanted), factor_(none), next_factor_(first_factor), target_(none), bar_(none) {
+    : wanted_(wanted), factor_(none), next_factor_(first_factor), target_(none), bar_(none), cpu_(none) {
   const auto equals = wanted.find('=');
   quantity_ = equals == wanted.npos ? usual_quantity : wanted.substr(0, equals);
   if (const std::string problem = unknown_quantity(quantity_, possible); !problem.empty())
@@ -94,10 +100,43 @@ std::string ResolutionControl::accuracy() const {
   return fmt::format("draft coarser {:.3g}", next_factor_);
 }
 
-void ResolutionControl::add(const Comparison& comparison) {
+double ResolutionControl::expected_bar() const {
+  return bar_ * std::pow(next_factor_ / factor_, order_);
+}
+
+double ResolutionControl::expected_cpu() const {
+  return cpu_ * std::pow(factor_ / next_factor_, cost_order_);
+}
+
+void ResolutionControl::learn_orders(double bar_before, double factor_before, double cpu_before) {
+  const double finer = std::log(factor_before / factor_);
+  if (const double order = std::log(bar_before / bar_) / finer; std::isfinite(order))
+    order_ = std::clamp(order, least_order, 1.0);
+  if (const double order = std::log(cpu_ / cpu_before) / finer; std::isfinite(order))
+    cost_order_ = std::clamp(order, least_cost_order, most_cost_order);
+}
+
+void ResolutionControl::judge_effort(double bar_before, double factor_before) {
+  const double finer = factor_before / factor_, order = std::log(bar_before / bar_) / std::log(finer);
+  const double effort = std::pow(bar_ / target_, cost_order_ / order_);
+  if (order < least_order)
+    gives_up_ = fmt::format(
+        "edges and steps {:.2g} times finer took the bars from {:.3g} to {:.3g} {}, where about {:.3g} was to be "
+        "expected: finer rounds are not likely to get to {:.3g}",
+        finer, bar_before, bar_, unit_, bar_before / finer, target_);
+  else if (effort > most_effort)
+    gives_up_ = fmt::format(
+        "as the bars went from {:.3g} to {:.3g} {}, {:.3g} would take some {:.2g} times the CPU time of the last "
+        "round, "
+        "more than {:g} times",
+        bar_before, bar_, unit_, target_, effort, most_effort);
+}
+
+void ResolutionControl::add(const Comparison& comparison, double cpu_seconds) {
   if (const std::string problem = unknown_quantity(quantity_, comparison.base.quantities.values); !problem.empty())
     throw core::CaseError("--resolve: the run of the base has no such result: " + problem);
   const std::vector<std::string> before = std::move(without_bar_);
+  const double bar_before = bar_, factor_before = factor_, cpu_before = cpu_;
   without_bar_.clear();
   bar_ = none;
   for (const ComparedRun& other : comparison.others) {
@@ -109,12 +148,17 @@ void ResolutionControl::add(const Comparison& comparison) {
     bar_ = std::fmax(bar_, bar);
   }
   factor_ = next_factor_;
+  cpu_ = cpu_seconds;
   ++rounds_;
+  learn_orders(bar_before, factor_before, cpu_before);
+  const bool are_known = std::isfinite(bar_before) && std::isfinite(bar_) && before.empty() && without_bar_.empty();
+  if (are_known && !reached()) judge_effort(bar_before, factor_before);
   // Runs that stop at coarse edges may end at finer ones, but hardly at those beyond draft where they stopped before.
   const bool stop_again = !without_bar_.empty() && without_bar_ == before && factor_ <= 1 && !(bar_ > target_);
-  out_of_reach_ = stop_again || !too_small().empty();
-  const double finer =
-      std::isfinite(bar_) ? std::clamp(bar_ / (aim * target_), least_refinement, most_refinement) : most_refinement;
+  out_of_reach_ = stop_again || !too_small().empty() || !gives_up_.empty();
+  const double finer = std::isfinite(bar_)
+                           ? std::clamp(std::pow(bar_ / (aim * target_), 1 / order_), least_refinement, most_refinement)
+                           : most_refinement;
   next_factor_ = factor_ / finer;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,12 @@ class ResolutionControl {
 
   /// Of the next round.
   std::string accuracy() const;
-  /// The comparison of a round. Throws core::CaseError where its base does not have the quantity.
-  void add(const Comparison& comparison);
+  /// The comparison of a round, and its CPU time, s. Throws core::CaseError where its base does not have the quantity.
+  void add(const Comparison& comparison, double cpu_seconds = std::numeric_limits<double>::quiet_NaN());
   /// Whether the bars of all variants are small enough, and each has one.
   bool reached() const;
-  /// Whether there is nothing more to run: reached, or out of reach, as where a variant stops again and again, or below
-  /// what any bar can be.
+  /// Whether there is nothing more to run: reached, or out of reach, as where a variant stops again and again, the size
+  /// is below what any bar can be, the bars do not shrink, or what they shrink to would cost too much.
   bool finished() const;
 
   const std::string& quantity() const { return quantity_; }
@@ -32,6 +33,10 @@ class ResolutionControl {
   double target() const { return target_; }  ///< in that unit
   double bar() const { return bar_; }        ///< the largest of the last round
   int rounds() const { return rounds_; }
+  double expected_bar() const;  ///< the largest of the next round; NaN where it is not known
+  double expected_cpu() const;  ///< of the next round, s; NaN where it is not known
+  /// Why the last two rounds say that finer ones will not reach the size; empty where they do not.
+  std::string gives_up() const { return gives_up_; }
   /// The smallest size that can be asked for, where more than the size that is; as a sentence with that size, else
   /// empty.
   std::string too_small() const;
@@ -45,6 +50,13 @@ class ResolutionControl {
   double least_ = 0;  ///< that a bar can be, as far as is known
   std::vector<std::string> without_bar_;
   bool out_of_reach_ = false;
+  double order_ = 1;         ///< with which the bars went with edges and steps in the last two rounds
+  double cost_order_ = 2.5;  ///< with which the CPU time went with one over them
+  double cpu_;               ///< of the last round, s
+  std::string gives_up_;
+
+  void learn_orders(double bar_before, double factor_before, double cpu_before);
+  void judge_effort(double bar_before, double factor_before);
   int rounds_ = 0;
 };
 

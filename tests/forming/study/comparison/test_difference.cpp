@@ -298,6 +298,36 @@ TEST(Resolution, what_scatter_hides_at_any_accuracy_is_given_up) {
   EXPECT_FALSE(control.reached());
 }
 
+/// A comparison whose bar of the thinnest wall goes with what the coarser runs differ by.
+Comparison off_by(double off) {
+  return compared_alone(run_with(2, 2, 2), run_with(2.1, 2.1 + off, 2.1 + off));
+}
+
+TEST(Resolution, bars_that_do_not_shrink_with_edges_and_steps_are_given_up_with_what_was_reached) {
+  ResolutionControl control("0.05 mm", possible());
+  control.add(off_by(0.2), 10);
+  EXPECT_EQ(control.gives_up(), "");
+  const double bar = control.bar(), finer = 2 / std::stod(control.accuracy().substr(14));
+  EXPECT_NEAR(control.expected_bar(), bar / finer, 1e-3 * bar);
+  EXPECT_NEAR(control.expected_cpu(), 10 * std::pow(finer, 2.5), 1);
+  control.add(off_by(0.18), 100);
+  EXPECT_TRUE(control.finished());
+  EXPECT_FALSE(control.reached());
+  EXPECT_NE(control.gives_up().find("was to be expected: finer rounds are not likely to get to 0.05"),
+            std::string::npos)
+      << control.gives_up();
+}
+
+TEST(Resolution, a_size_that_would_cost_many_times_the_last_round_is_given_up) {
+  ResolutionControl control("0.001 mm", possible());
+  control.add(off_by(0.5), 10);
+  EXPECT_FALSE(control.finished());
+  control.add(off_by(0.25), 100);
+  EXPECT_TRUE(control.finished());
+  EXPECT_NE(control.gives_up().find("times the CPU time of the last round, more than 100 times"), std::string::npos)
+      << control.gives_up();
+}
+
 TEST(Resolution, below_what_any_bar_can_be_is_refused_before_the_runs_or_given_up_after_the_first) {
   std::vector<Quantity> known = possible();
   known[0].scale = 3;
