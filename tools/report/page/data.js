@@ -60,6 +60,12 @@ class Run {
     return times && times.length ? times[times.length - 1] : 0;
   }
 
+  /** How far a run has come that has not completed: "at 0.51 s, stopped"; empty for one that has. */
+  get short() {
+    if (this.state === "completed") return "";
+    return `at ${figure(this.endTime)} s, ${this.state === "running" ? "still running" : "stopped"}`;
+  }
+
   stageAt(time) {
     return this.stages.find((stage) => time <= stage.end + 1e-9) || this.stages[this.stages.length - 1];
   }

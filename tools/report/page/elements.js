@@ -27,12 +27,18 @@ function figure(value, digits = 4) {
   return String(Number(value.toPrecision(digits)));
 }
 
+/** So many places behind the point, and no sign of a zero. */
+function fixed(value, places) {
+  const text = value.toFixed(places);
+  return Number(text) === 0 ? (0).toFixed(places) : text;
+}
+
 /** A value with its error, rounded where the error begins. */
 function withError(value, error) {
   if (typeof value !== "number" || !Number.isFinite(value)) return "-";
   if (!(error > 0)) return figure(value);
   const places = Math.min(8, Math.max(0, 1 - Math.floor(Math.log10(error))));
-  return `${value.toFixed(places)} ± ${error.toFixed(places)}`;
+  return `${fixed(value, places)} ± ${error.toFixed(places)}`;
 }
 
 const words = (name) => name.replace(/_/g, " ");

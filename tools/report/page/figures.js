@@ -112,7 +112,7 @@ function heatBars(runs) {
       "div",
       { class: "bars" },
       ...rows.flatMap(({ tool, run, heat, error }, i) => [
-        element("span", {}, runs.length > 1 ? `${words(tool)}, ${run.name}` : words(tool)),
+        element("span", {}, [words(tool), runs.length > 1 && run.name, run.short].filter(Boolean).join(", ")),
         element(
           "span",
           { class: "track" },
@@ -130,11 +130,15 @@ function heatBars(runs) {
   );
 }
 
-function wallPart(runs, charts) {
+function wallPart(all, charts) {
+  // The wall of a run that stopped on its way would stretch the scales of those that are whole.
+  const whole = all.filter((run) => !run.short),
+    runs = whole.length ? whole : all,
+    left = all.filter((run) => !runs.includes(run) && run.heights);
   const over = (tableName, x, y, error) =>
     runs
       .map((run) => ({
-        label: runs.length > 1 ? run.name : "wall",
+        label: all.length > 1 ? run.name : "wall",
         x: run.column(tableName, x),
         y: run.column(tableName, y),
         error:
@@ -155,7 +159,7 @@ function wallPart(runs, charts) {
       ["outer", 0],
       ["inner", 1],
     ].map(([side, dash]) => ({
-      label: `${runs.length > 1 ? run.name + ": " : ""}${side} side`,
+      label: `${all.length > 1 ? run.name + ": " : ""}${side} side`,
       x: run.column("profile", "arc_mm"),
       y: run.column("profile", `T_${side}_degC`),
       colour: runs.length > 1 ? run.index : dash,
@@ -192,8 +196,9 @@ function wallPart(runs, charts) {
       }),
     ),
   ];
+  const notes = left.map((run) => element("p", { class: "soft" }, `${run.name} is left out: its wall is that ${run.short}.`));
   return charted[0] || charted[1].childElementCount
-    ? part("wall", "Wall", element("div", { class: "charts" }, ...charted.filter((one) => one)))
+    ? part("wall", "Wall", element("div", { class: "charts" }, ...charted.filter((one) => one)), ...notes)
     : part("wall", "Wall", element("p", { class: "soft" }, wallAbsent(runs)));
 }
 

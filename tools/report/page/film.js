@@ -184,7 +184,11 @@ class FilmPart {
     this.slider.max = this.times.length - 1;
     this.slider.value = this.state.index;
     const stage = this.right.stageAt(time);
-    const sides = this.left === this.right || planar ? "" : `; left ${this.left.name}, right ${this.right.name}`;
+    const left = this.left.film.times,
+      end = left[left.length - 1],
+      ended = time > end + 1e-3 ? ` at its end, ${fixed(end, 2)} s` : "";
+    const sides =
+      this.left === this.right || planar ? "" : `; left ${this.left.name}${ended}, right ${this.right.name}`;
     this.label.textContent = `${time.toFixed(2)} s${stage ? ", " + words(stage.name) : ""}${sides}`;
     this.canvas.style.touchAction = (this.state.zoom || 1) > 1 ? "none" : "auto";
     this.scales.replaceChildren(...scaleBars(this.shown));

@@ -107,7 +107,9 @@ async function follow() {
         const page = await (await fetch("data", { cache: "no-store" })).json();
         if (page) await take(page);
         stamp = now;
-        if (page) say("soft", "live: the page follows the run");
+        const going = shown && shown.runs.some((run) => run.state === "running");
+        if (page && going) say("soft", "live: the page follows the run");
+        else if (page) say("soft", "The run has ended; the page follows it where it is resumed or begins anew.");
         else say("warn", "There is no run in this folder yet; the page waits for it.");
       }
     } catch (error) {

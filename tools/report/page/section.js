@@ -2,7 +2,7 @@
 // The section of glass and tools on a canvas.
 
 const fields = {
-  temperature: { label: "Temperature", unit: "°C", colours: "inferno", text: (value) => `${value.toFixed(0)} °C` },
+  temperature: { label: "Temperature", unit: "°C", colours: "inferno", text: (value) => `${fixed(value, 0)} °C` },
   viscosity: {
     label: "Viscosity, logarithmic",
     unit: "Pa s",
@@ -139,7 +139,7 @@ function readingAt(drawing, options, px, py) {
     const d = (x[node] - px) ** 2 + (y[node] - py) ** 2;
     if (d < distance) ((distance = d), (nearest = node));
   }
-  const place = `r ${body.places[nearest].toFixed(1)} mm, z ${body.places[body.mesh.nodes + nearest].toFixed(1)} mm`;
+  const place = `r ${fixed(body.places[nearest], 1)} mm, z ${fixed(body.places[body.mesh.nodes + nearest], 1)} mm`;
   const value = body.glass && field.onSurface ? body.values && body.values[nearest] : raster.values[at];
   const text = value === value && value != null ? (body.glass ? field : fields.temperature).text(value) : "";
   return `${names[number]}${text ? ", " + text : ""} (${place})`;

@@ -19,11 +19,12 @@ function quantityPart(runs) {
   const note = bars
     ? "The figure behind ± is an estimated error from coarser runs; about nine of ten true errors are smaller."
     : "Errors were not estimated: `parison resume DIR --error-bars` does it for a finished run.";
+  const headingOf = (run) => [runs.length > 1 ? run.name : "value", run.short].filter((text) => text).join(", ");
   return part(
     "quantities",
     "Quantities",
     table(
-      ["quantity", ...runs.map((run) => number(runs.length > 1 ? run.name : "value")), "unit"],
+      ["quantity", ...runs.map((run) => number(headingOf(run))), "unit"],
       names.map((name) => {
         const known = runs.map((run) => of(run)[name]);
         return [
