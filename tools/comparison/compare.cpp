@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -15,11 +16,13 @@
 namespace parison::tools {
 namespace {
 
+namespace fs = std::filesystem;
+
 /// The folder of a what-if or a cycle has a table of its own.
 void refuse_folder_of_others(const std::string& output) {
   std::error_code unreadable;
   for (const char* run : {forming::base_name, "first_gob"})
-    if (std::filesystem::exists(output + '/' + run, unreadable))
+    if (fs::exists(output + '/' + run, unreadable))
       throw core::CaseError(fmt::format(
           "--output: {} is the folder of a what-if or a cycle, whose table would be lost; allowed is another one",
           output));
@@ -64,6 +67,33 @@ Compared compared_of(const CompareRequest& request) {
   return {folders};
 }
 
+/// The folder of the what-if or cycle whose table has a run; one or two levels up.
+forming::StudyFolder study_of(const std::string& run) {
+  fs::path folder = fs::absolute(run).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();
+  for (int level = 0; level < 2; ++level) {
+    folder = folder.parent_path();
+    if (auto study = forming::study_folder(fs::proximate(folder).string())) return study;
+  }
+  return {};
+}
+
+/// Where variants of a what-if are compared with each other, that both are known better against its base, which has
+/// twins; else empty.
+std::string better_base(const std::vector<std::string>& folders) {
+  const forming::StudyFolder study = study_of(folders.front());
+  const auto is_variant = [&](const std::string& folder) {
+    return std::any_of(study.runs.begin() + 1, study.runs.end(), [&](const std::string& run) {
+      std::error_code unreadable;
+      return fs::equivalent(run, folder, unreadable);
+    });
+  };
+  if (study.runs.size() < 3 || !std::all_of(folders.begin(), folders.end(), is_variant)) return {};
+  return fmt::format(
+      "\n  these are variants of one base: against it their differences are known better, `parison compare {} {}`\n",
+      study.runs.front(), fmt::join(folders, " "));
+}
+
 }  // namespace
 
 int compare(const CompareRequest& request) {
@@ -75,6 +105,7 @@ int compare(const CompareRequest& request) {
   if (!request.quantity.empty()) forming::require_quantity(request.quantity, comparison.base.quantities.values);
   const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
+  fmt::print("{}", better_base(folders));
   if (!request.output.empty()) fmt::print("\n  {}\n", forming::write_comparison(comparison, request.output));
   return 0;
 }
