@@ -78,22 +78,24 @@ std::string bars_line(const RunComparison& result, const FinishedRun& base, cons
 
 namespace {
 
-/// Where the wall differs for sure, and most.
+/// Where the wall differs for sure, that is, by clearly more than its error, and where most clearly.
 std::string wall_line(const ProfileComparison& walls) {
-  std::size_t sure = 0, known = 0, most = walls.bar.size();
+  constexpr double clearly = 1.25;
+  const auto size = [&](std::size_t i) { return std::abs(walls.difference[i]); };
+  std::size_t sure = 0, known = 0, most = 0;
   for (std::size_t i = 0; i < walls.bar.size(); ++i) {
     if (!std::isfinite(walls.bar[i])) continue;
     ++known;
-    if (std::abs(walls.difference[i]) <= walls.bar[i]) continue;
-    ++sure;
-    if (most == walls.bar.size() || std::abs(walls.difference[i]) > std::abs(walls.difference[most])) most = i;
+    if (size(i) <= clearly * walls.bar[i]) continue;
+    if (sure++ == 0 || size(i) - walls.bar[i] > size(most) - walls.bar[most]) most = i;
   }
   if (known == 0) return "";
-  if (sure == 0) return "  wall: nowhere different by more than its error\n";
+  if (sure == 0) return "  wall: nowhere different by clearly more than its error\n";
+  const int digits = digits_for(walls.bar[most]);
   return fmt::format(
-      "  wall: different for sure at {:.0f} % of its places, most at {:.3f} of the arc: {:+.3f} mm, error {:.3f}\n",
-      100 * double(sure) / double(known), double(most) / double(walls.bar.size() - 1), walls.difference[most],
-      walls.bar[most]);
+      "  wall: different for sure at {:.0f} % of its places, most clearly at {:.3f} of the arc: {} mm, error {}\n",
+      100 * double(sure) / double(known), double(most) / double(walls.bar.size() - 1),
+      number(walls.difference[most], digits, true), number(walls.bar[most], digits));
 }
 
 std::string heading(const ComparedRun& other, const FinishedRun& base) {
@@ -138,9 +140,7 @@ void tell_apart(Comparison& comparison) {
 
 Comparison compare_folders(const std::string& base, const std::vector<std::string>& others, Repeats repeats) {
   Comparison comparison{read_finished_run(base), {}};
-  if (!comparison.base.completed)
-    throw core::CaseError(fmt::format("{}: a run that stopped in {} was found, allowed as the base is a completed one",
-                                      base, comparison.base.reason));
+  if (!comparison.base.completed) throw core::CaseError(no_base(base, comparison.base.reason));
   for (const std::string& folder : others) {
     FinishedRun run = read_finished_run(folder);
     ComparedRun other{run.name, settings_that_differ(comparison.base, run), run.reason, {}};
@@ -151,6 +151,13 @@ Comparison compare_folders(const std::string& base, const std::vector<std::strin
   }
   tell_apart(comparison);
   return comparison;
+}
+
+std::string no_base(const std::string& folder, const std::string& reason) {
+  return fmt::format(
+      "{}: this run did not come to its end and cannot be the base; allowed is one that has completed. It stopped in "
+      "{}",
+      folder, reason);
 }
 
 void require_quantity(const std::string& quantity, const std::vector<Quantity>& known) {

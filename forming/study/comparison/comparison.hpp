@@ -29,6 +29,9 @@ struct Comparison {
 Comparison compare_folders(const std::string& base, const std::vector<std::string>& others,
                            Repeats repeats = Repeats::averaged);
 
+/// Refuses a run that stopped as the base, with its reason.
+std::string no_base(const std::string& folder, const std::string& reason);
+
 /// A row of a table of differences, as people read it: so many digits that the bar shows two.
 struct ShownDifference {
   std::string label, base, other, difference, bar, unit, verdict;

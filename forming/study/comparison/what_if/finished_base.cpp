@@ -12,6 +12,7 @@
 #include "core/process/run_error.hpp"
 #include "forming/report/files/case_copy.hpp"
 #include "forming/run/checkpoint.hpp"
+#include "forming/study/comparison/comparison.hpp"
 
 namespace parison::forming {
 namespace {
@@ -53,9 +54,7 @@ bool has_completed_here(const std::string& directory) {
 
 FinishedBase read_finished_base(const std::string& directory) {
   const core::JsonValue summary = read_summary(directory);
-  if (!summary.flag_of("completed"))
-    throw core::CaseError(fmt::format("{}: a run that stopped in {} was found, allowed as the base is a completed one",
-                                      directory, summary.text_of("reason")));
+  if (!summary.flag_of("completed")) throw core::CaseError(no_base(directory, summary.text_of("reason")));
   if (!is_of_this_build(summary))
     throw core::CaseError(
         fmt::format("{}: a run by another build of the program was found, which may differ from this one in its "
