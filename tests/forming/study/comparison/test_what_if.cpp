@@ -211,7 +211,8 @@ TEST_F(WhatIfTest, what_a_run_has_of_quantities_is_known_before_it_with_the_unit
 
 TEST_F(WhatIfTest, a_twin_has_tools_a_little_warmer_and_nothing_else) {
   run_whole("base");
-  make_branch({"twin", in("base/twin_after_press"), coarse, {}, BranchPoint{in("base"), "press", true}, in("base")}, folder);
+  make_branch({"twin", in("base/twin_after_press"), coarse, {}, BranchPoint{in("base"), "press", true}, in("base")},
+              folder);
   const auto at = [&](const std::string& path) { return read_checkpoint(path, scene()).outcome.state; };
   const State before = at(find_stage_end(in("base"), "press")), twin = at(find_checkpoint(in("base/twin_after_press")));
   EXPECT_NEAR((twin.tools[0].temperature - before.tools[0].temperature).minCoeff(), twin_warmer, 1e-9);
