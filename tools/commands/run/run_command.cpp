@@ -8,6 +8,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
+#include "forming/report/files/case_copy.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/run/folder_run.hpp"
@@ -138,6 +139,24 @@ int run(const RunRequest& request) {
   return report(scene, outcome, request, output, request.error_bars ? &coarser : nullptr);
 }
 
+namespace {
+
+/// The case that a run is taken up with where none is given: the one it was made of, or the copy in its folder where
+/// that one starts from results that are gone, which the copy keeps.
+std::string case_to_resume(const std::string& output, const forming::CaseOrigin& origin) {
+  try {
+    forming::read_scene(origin.file, origin.accuracy, origin.overrides);
+  } catch (const core::CaseError&) {
+    const std::string copy = forming::case_copy_folder(output), text = copy + "/case.toml";
+    if (!std::filesystem::exists(text) || core::read_text(text) != core::read_text(origin.file)) throw;
+    if (forming::read_scene(copy, origin.accuracy, origin.overrides).fingerprint == origin.fingerprint) return copy;
+    throw;
+  }
+  return origin.file;
+}
+
+}  // namespace
+
 int resume(const RunRequest& request) {
   const std::string& output = request.output;
   const std::string checkpoint =
@@ -146,7 +165,7 @@ int resume(const RunRequest& request) {
   if (request.case_path.empty() && !std::filesystem::exists(origin.file))
     throw core::CaseError(
         fmt::format("{}: its case \"{}\" no longer exists, give its new location with --case", output, origin.file));
-  const std::string& case_path = request.case_path.empty() ? origin.file : request.case_path;
+  const std::string case_path = request.case_path.empty() ? case_to_resume(output, origin) : request.case_path;
   require_keys_once(case_path, origin.overrides, request.overrides);
   origin.overrides.insert(origin.overrides.end(), request.overrides.begin(), request.overrides.end());
   const Scene scene = forming::read_scene(case_path, origin.accuracy, origin.overrides);
