@@ -21,7 +21,7 @@ struct StudyFolder {
   Kind kind = Kind::none;
   std::vector<std::string> runs = {};
   std::vector<FailedVariant> failed = {};  ///< rows of its table without a run in `runs`
-  std::string unfinished = {};  ///< folder of a finer round that has not come to its end; empty for none
+  std::string unfinished = {};             ///< folder of a finer round that has not come to its end; empty for none
 
   explicit operator bool() const { return kind != Kind::none; }
 };
