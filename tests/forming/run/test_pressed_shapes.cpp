@@ -75,5 +75,57 @@ TEST(SharpTools, a_lens_with_teeth_is_pressed_in_some_hundred_steps_and_stays_ou
   EXPECT_LT(totals.max_penetration, 10e-6);
 }
 
+/// A round pestle that comes to rest 0.1 mm before its film on the bottom would be too thin.
+const std::string pestle = R"(
+case = "pestle"
+geometry = "axisymmetric"
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "3e3 Pa.s" }
+surface_tension = "0.3 N/m"
+[glass]
+material = "liquid"
+boundary = [
+  { name = "surface", path = "(0, 0) (18, 0) (18, 16) (0, 16) mm", condition = "contact" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
+]
+[[tool]]
+name = "cup"
+friction = { law = "navier", coefficient = "2e5 Pa.s/m" }
+boundary = [
+  { name = "face", path = "(18, 60) (18, 0) (0, 0) mm", condition = "contact" },
+  { name = "axis", path = "(0, -10) mm", condition = "symmetry" },
+  { name = "rest", path = "(30, -10) (30, 60) (18, 60) mm", condition = "insulated" },
+]
+[[tool]]
+name = "pestle"
+friction = { law = "navier", coefficient = "1e5 Pa.s/m" }
+position = "16 mm"
+boundary = [
+  { name = "face", path = ["arc centre (0, 11) mm radius 11 mm from -90 deg to 0 deg", "(11, 60) mm"], condition = "contact" },
+  { name = "top", path = "(0, 60) mm", condition = "insulated" },
+  { name = "axis", path = "(0, 0) mm", condition = "symmetry" },
+]
+[[stage]]
+name = "press"
+duration = "2 s"
+tools = ["cup", "pestle"]
+motion.pestle = { force = "-18 N", speed_limit = "100 mm/s" }
+end_speed = "12 mm/s"
+)";
+
+TEST(Films, a_press_that_comes_to_rest_just_before_a_film_is_too_thin_is_not_stopped_by_a_long_step) {
+  const RunOutcome outcome = run(scene_of(pestle));
+  EXPECT_EQ(outcome.facts.reason, "");
+  EXPECT_NEAR(outcome.state.tools[1].offset, 0.43e-3, 0.06e-3) << "as at fine";
+}
+
+TEST(Films, a_press_that_goes_on_ends_with_the_film_and_hardly_below_its_limit) {
+  const RunOutcome outcome = run(scene_of(replaced("end_speed = \"12 mm/s\"", "", pestle)));
+  EXPECT_NE(outcome.facts.reason.find("allowed are films of at least 0.3 mm"), std::string::npos)
+      << outcome.facts.reason;
+  EXPECT_NEAR(outcome.state.tools[1].offset, 0.3e-3, 0.02e-3);
+}
+
 }  // namespace
 }  // namespace parison::forming
