@@ -122,11 +122,14 @@ class RefusedEdges {
   bool asked_ = false;
 };
 
-/// Whether a step ends with a film too thin to go on, and is so long that shorter ones may come to the end of the stage
-/// before that: a film closes with the speed of the tools, whatever the rest of the glass allows.
-bool closes_a_film_too_far(const Scene& scene, const StepResult& result, double dt) {
-  return result.converged && scene.has_flow() && dt > scene.accuracy.initial_step &&
-         !film_failure(scene, result.state).empty();
+/// Refuses a step that ends with a film too thin to go on and is so long that shorter ones may come to the end of the
+/// stage before that: a film closes with the speed of the tools, whatever the rest of the glass allows.
+void refuse_closed_film(const Scene& scene, double dt, StepResult& result) {
+  if (!result.converged || !scene.has_flow() || dt <= scene.accuracy.initial_step) return;
+  const std::string film = film_failure(scene, result.state);
+  if (film.empty()) return;
+  result.converged = false;
+  result.reason = film;
 }
 
 /// A step that converged and kept within its allowance; false when the smallest one did not.
@@ -138,10 +141,7 @@ bool step_once(RunInProgress& run, AcceptedStep& step) {
   auto limit = dt < state.next_step ? StepLimit::event : static_cast<StepLimit>(state.next_limit);
   for (;;) {
     StepResult result = try_step(run, dt, limit);
-    if (closes_a_film_too_far(run.scene, result, dt)) {
-      result.converged = false;
-      result.reason = film_failure(run.scene, result.state);
-    }
+    refuse_closed_film(run.scene, dt, result);
     const bool accepted = result.converged && !rejected_by_error_control(run.scene, result.report);
     add_step(result.report, accepted, run.outcome.facts.solver_statistics);
     const ProposedStep proposed = propose_step(run.scene, state, result.report, accepted ? state.next_step : dt);
