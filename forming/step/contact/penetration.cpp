@@ -87,9 +87,9 @@ double max_edge_penetration(const Scene& scene, const State& state, double known
 double edge_depth_gained(const Scene& scene, const State& before, const State& after) {
   // An edge may stay as deep as a node at the tool, or as its ends, which a step may leave a little deeper.
   const double size = core::size(scene.glass.profile), step = core::tolerance::penetration * size;
-  const double left = core::tolerance::at_tool * size + step;
+  const double at_tool = core::tolerance::at_tool * size, left = at_tool + step;
   const double depth = max_edge_penetration(scene, after, left);
-  return depth > left && depth > max_edge_penetration(scene, before, left) + step ? depth : 0;
+  return depth > left && depth > max_edge_penetration(scene, before, at_tool) + step ? depth : 0;
 }
 
 namespace {

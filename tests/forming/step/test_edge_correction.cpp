@@ -98,6 +98,10 @@ TEST(EdgeCorrection, a_step_that_leaves_an_edge_deep_in_a_tool_is_told_from_one_
   EXPECT_EQ(edge_depth_gained(glass.scene, glass.state, creeping), 0) << "shorter steps would not end";
   EXPECT_GT(max_edge_penetration(glass.scene, corrected), 0);
   EXPECT_EQ(edge_depth_gained(glass.scene, outside, corrected), 0) << "no deeper than a corrected edge";
+  const double size = core::size(glass.scene.glass.profile), step = core::tolerance::penetration * size;
+  State beyond = glass.state;
+  for (Point& node : beyond.glass.mesh.nodes) node[1] += depth - core::tolerance::at_tool * size - 1.5 * step;
+  EXPECT_GT(edge_depth_gained(glass.scene, outside, beyond), 0) << "deeper than a corrected edge by half a step";
 }
 
 TEST(EdgeCorrection, the_flow_does_not_press_an_edge_back_that_was_moved_out) {
