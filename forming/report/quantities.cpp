@@ -30,15 +30,15 @@ bool has_wall(const Scene& scene, const std::vector<ThicknessRow>& rows) {
 }
 
 /// Thickness, mm, at even shares of the arc, linear between the rows; NaN beside one that is no wall.
-std::vector<double> sample_profile(const std::vector<ThicknessRow>& rows) {
+std::vector<double> sample_profile(const ThicknessProfile& wall) {
+  const std::vector<ThicknessRow>& rows = wall.rows;
   std::vector<double> profile(profile_points, none);
-  const double first = rows.front().arc, whole = rows.back().arc - first;
   std::size_t after = 1;
   for (int i = 0; i < profile_points; ++i) {
-    const double arc = first + whole * i / (profile_points - 1);
+    const double arc = wall.first_arc + (wall.last_arc - wall.first_arc) * i / (profile_points - 1);
     while (after + 1 < rows.size() && rows[after].arc < arc) ++after;
     const ThicknessRow &a = rows[after - 1], &b = rows[after];
-    if (!a.is_wall() || !b.is_wall() || b.arc <= a.arc) continue;
+    if (!a.is_wall() || !b.is_wall() || b.arc <= a.arc || arc > b.arc) continue;
     const double t = (arc - a.arc) / (b.arc - a.arc);
     profile[i] = 1e3 * ((1 - t) * a.thickness + t * b.thickness);
   }
@@ -60,11 +60,11 @@ std::vector<int> inner_places(const std::vector<double>& profile) {
 }
 
 /// Of the rows, whose lowest is lower than that of the profile where a corner lies between the even shares.
-void add_wall(const std::vector<ThicknessRow>& rows, Quantities& found) {
-  found.profile = sample_profile(rows);
-  const ThicknessRange range = thickness_range(rows);
+void add_wall(const ThicknessProfile& wall, Quantities& found) {
+  found.profile = sample_profile(wall);
+  const ThicknessRange range = thickness_range(wall.rows);
   const double mean = 1e3 * range.mean, lowest = 1e3 * range.lowest;
-  const double at = (range.lowest_arc - rows.front().arc) / (rows.back().arc - rows.front().arc);
+  const double at = (range.lowest_arc - wall.first_arc) / (wall.last_arc - wall.first_arc);
   found.values.push_back({"thickness_mean", "mm", mean, mean});
   found.values.push_back({"thickness_min", "mm", lowest, lowest});
   found.values.push_back({"thickness_min_at", "of the arc", at, 1, none, range.lowest_at});
@@ -144,10 +144,10 @@ const Quantity* Quantities::find(const std::string& name) const {
   return nullptr;
 }
 
-Quantities quantities(const Scene& scene, const State& state, const Summary& summary,
-                      const std::vector<ThicknessRow>& rows) {
+Quantities quantities(const Scene& scene, const State& state, const Summary& summary, const ThicknessProfile& wall) {
   Quantities found;
-  if (has_wall(scene, rows) && rows.size() > 1) add_wall(rows, found);
+  const std::vector<ThicknessRow>& rows = wall.rows;
+  if (has_wall(scene, rows) && rows.size() > 1) add_wall(wall, found);
   if (scene.has_heat()) add_heat(scene, summary, rows, found);
   if (!scene.has_flow()) return found;
   add_extent(state, found);

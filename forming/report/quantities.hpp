@@ -21,7 +21,8 @@ struct Quantity {
   Point place = Point::Constant(std::numeric_limits<double>::quiet_NaN());  ///< that it stands for, m; NaN for none
 };
 
-/// Number of evenly spaced points of the wall-thickness profile along the outer arc, with both ends.
+/// Number of evenly spaced points of the wall-thickness profile along the outer arc, with both ends, from the axis, or
+/// the middle of a rim, to the middle of the rim.
 inline constexpr int profile_points = 401;
 
 /// The quantities of interest of a run.
@@ -33,8 +34,7 @@ struct Quantities {
 
   const Quantity* find(const std::string& name) const;
 };
-Quantities quantities(const Scene& scene, const State& state, const Summary& summary,
-                      const std::vector<ThicknessRow>& rows);
+Quantities quantities(const Scene& scene, const State& state, const Summary& summary, const ThicknessProfile& wall);
 
 /// The quantities that a run of a scene may have, with their units and without values; with the scale where that is
 /// known before the run, or at least so large. Some are there only where the

@@ -264,7 +264,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   }
   summary.flags = raised_flags(scene, run.extremes, state.time, summary.thickness);
   if (const auto flag = mould_not_filled(run.filling); flag && run.completed) summary.flags.push_back(*flag);
-  summary.quantities = quantities(scene, state, summary, profile.rows);
+  summary.quantities = quantities(scene, state, summary, profile);
   return summary;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/io/files.hpp"
 #include "core/mesh/element.hpp"
+#include "forming/report/wall/rim_middle.hpp"
 #include "forming/report/wall/surface_chain.hpp"
 #include "forming/state/sample.hpp"
 #include "thermal/properties.hpp"
@@ -103,25 +104,65 @@ std::vector<bool> edges_of(const WallSides& sides, std::initializer_list<Surface
   return edges;
 }
 
-/// Which rows lie between a rim and the nearest pair that tells the sides: a rim may be round there.
-std::vector<bool> rows_beside_rim(const std::vector<bool>& on_rim, const std::vector<bool>& paired,
-                                  const std::vector<Index>& nodes) {
-  std::vector<bool> beside(nodes.size(), false);
-  bool is_near = false;
-  const auto visit = [&](std::size_t i) {
-    is_near = on_rim[nodes[i]] || (is_near && !paired[nodes[i]]);
-    beside[i] = beside[i] || is_near;
-  };
-  for (std::size_t i = 0; i < nodes.size(); ++i) visit(i);
-  is_near = false;
-  for (std::size_t i = nodes.size(); i-- > 0;) visit(i);
-  return beside;
-}
+/// Which rows lie between a rim, where it may be round, and the first ray that meets the other side face to face; where
+/// none does so within one and a half times its length, as in a wall that tapers, up to the nearest pair that tells the
+/// sides.
+class RowsBesideRim {
+ public:
+  RowsBesideRim(const std::vector<ThicknessRow>& rows, const std::vector<Index>& nodes, const std::vector<Ray>& rays,
+                const std::vector<bool>& on_rim, const std::vector<bool>& paired)
+      : rows_(rows), nodes_(nodes), rays_(rays), on_rim_(on_rim), paired_(paired), beside_(rows.size(), false) {
+    const auto count = static_cast<Index>(rows.size());
+    for (Index i = 0; i < count; ++i) {
+      if (!on_rim_[nodes_[i]]) continue;
+      if (i + 1 < count && !on_rim_[nodes_[i + 1]]) mark(i, 1);
+      if (i > 0 && !on_rim_[nodes_[i - 1]]) mark(i, -1);
+    }
+  }
+  bool operator[](std::size_t row) const { return beside_[row]; }
+
+ private:
+  /// Marks rows from the last one of a rim on.
+  void mark(Index rim, Index step) {
+    constexpr double reach = 1.5;
+    const Index count = static_cast<Index>(rows_.size());
+    Index faces = rim + step, pair = -1;
+    for (; faces >= 0 && faces < count; faces += step) {
+      const Ray& ray = rays_[nodes_[faces]];
+      if (pair < 0 && paired_[nodes_[faces]]) pair = faces;
+      if (ray.ends() && ray.facing >= facing_at_rim) break;
+      if (ray.ends() && std::abs(rows_[faces].arc - rows_[rim].arc) > reach * ray.length && pair >= 0) {
+        faces = pair;
+        break;
+      }
+    }
+    for (Index i = rim; i != faces; i += step) beside_[i] = true;
+  }
+
+  const std::vector<ThicknessRow>& rows_;
+  const std::vector<Index>& nodes_;
+  const std::vector<Ray>& rays_;
+  const std::vector<bool>&on_rim_, &paired_;
+  std::vector<bool> beside_;
+};
 
 /// Cosine of the angle between a ray and the normal where it ends, and the least one of a wall.
 struct Facing {
   double least = none, is = none;
 };
+
+/// The nodes of rims, and those at which the two sides meet.
+std::vector<bool> nodes_on_rim(const core::Mesh& mesh, const WallSides& sides) {
+  std::vector<bool> on_rim(mesh.nodes.size(), false), outer = on_rim, inner = on_rim;
+  for (std::size_t edge = 0; edge < sides.part.size(); ++edge)
+    for (const Index node : mesh.boundary_edges()[edge].nodes) {
+      if (sides.part[edge] == SurfacePart::rim) on_rim[node] = true;
+      if (sides.part[edge] == SurfacePart::outer) outer[node] = true;
+      if (sides.part[edge] == SurfacePart::inner) inner[node] = true;
+    }
+  for (std::size_t node = 0; node < on_rim.size(); ++node) on_rim[node] = on_rim[node] || (outer[node] && inner[node]);
+  return on_rim;
+}
 
 /// Rows whose ray ends on the other side become wall, those between the sides rim, all others foot. Returned is for
 /// each row what its ray has to face the other side by, and faces it by; NaN where something else decides.
@@ -129,11 +170,8 @@ std::vector<Facing> mark_rows(const core::Mesh& mesh, const WallSides& sides, co
                               const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
   const std::vector<bool> both = edges_of(sides, {SurfacePart::outer, SurfacePart::inner});
   const SurfacePart far_part = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
-  std::vector<bool> on_rim(mesh.nodes.size(), false);
-  for (std::size_t edge = 0; edge < sides.part.size(); ++edge)
-    for (const Index node : mesh.boundary_edges()[edge].nodes)
-      on_rim[node] = on_rim[node] || sides.part[edge] == SurfacePart::rim;
-  const std::vector<bool> beside_rim = rows_beside_rim(on_rim, sides.paired, nodes);
+  const std::vector<bool> on_rim = nodes_on_rim(mesh, sides);
+  const RowsBesideRim beside_rim(rows, nodes, rays, on_rim, sides.paired);
   std::vector<Facing> facing(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Ray& ray = rays[nodes[i]];
@@ -205,9 +243,9 @@ void clean_marks(const core::Mesh& mesh, const std::vector<Index>& nodes, std::v
   for (std::size_t i = rows.size(); i-- > 1;) spread(i, i - 1);
 }
 
-/// Moves area from a row that is no wall to the row of the wall beside it, or back, so that the wall ends where the
-/// facing of the rays between them passes what a wall must have: as areas are by node, it would end by chance of the
-/// mesh.
+/// Moves area from a row that is no wall to the row of the wall beside it, or back, so that the wall ends at the corner
+/// where a rim begins, or where the facing of the rays between them passes what a wall must have: as areas are by node,
+/// it would end by chance of the mesh.
 void end_wall_between_rows(const core::Mesh& mesh, core::Geometry geometry, const std::vector<Index>& nodes,
                            const std::vector<Facing>& facing, std::vector<ThicknessRow>& rows) {
   constexpr double of_middle = 2.0 / 3;  // of half an edge; the rest is that of its end
@@ -219,15 +257,48 @@ void end_wall_between_rows(const core::Mesh& mesh, core::Geometry geometry, cons
     const bool are_neighbours = is_middle[nodes[i]] != is_middle[nodes[i - 1]] && length > 0 &&
                                 (rows[i].position - rows[i - 1].position).norm() < 1.01 * length;
     if (!rows[wall].is_wall() || rows[other].is_wall() || !are_neighbours) continue;
-    const double above = facing[wall].is - facing[wall].least, below = facing[wall].least - facing[other].is;
-    if (!(above >= 0 && below > 0)) continue;
-    const double share = above / (above + below);
+    const auto angle = [](double cosine) { return std::acos(std::min(cosine, 1.0)); };
+    const double here = angle(facing[wall].is), beyond = angle(facing[other].is);
+    const double most = std::fmin(angle(facing[wall].least), angle(facing[other].least));
+    const bool ends_at_corner = rows[other].mark == WallMark::rim && std::isnan(beyond);
+    if (!ends_at_corner && !(here <= most && most < beyond)) continue;
+    const double share = ends_at_corner ? 1 : (most - here) / (beyond - here);
     const double counted = is_middle[nodes[wall]] ? of_middle : 1 - of_middle;
     const double moved =
         (share - counted) * length * core::depth(geometry, 0.5 * (rows[i].position + rows[i - 1].position));
     rows[wall].area += moved;
     rows[other].area -= moved;
   }
+}
+
+/// The wall's direction at a row, m, towards higher rows: that of both its sides.
+Point direction_at(const std::vector<ThicknessRow>& rows, std::size_t row) {
+  const ThicknessRow &before = rows[row - 1], &after = rows[row + 1];
+  return (after.position - before.position).normalized() + (after.inner_position - before.inner_position).normalized();
+}
+
+/// The arc of the middle of the rim behind the last wall row (`step` 1), or before the first (-1), m; not a number
+/// where there is none.
+double middle_of_rim(const core::Mesh& mesh, const std::vector<Index>& nodes, const std::vector<ThicknessRow>& rows,
+                     int step) {
+  const auto count = static_cast<Index>(rows.size());
+  const Index end = step > 0 ? count - 1 : 0;
+  Index last = end;
+  while (last >= 0 && last < count && !rows[last].is_wall()) last -= step;
+  if (last == end || last < 0 || last >= count) return none;
+  const auto is_wall = [&](Index row) { return row >= 0 && row < count && rows[row].is_wall(); };
+  Index row = last - step;  // as far from the rim as the wall is thick, where the wall is so long
+  while (is_wall(row - step) && std::abs(rows[last].arc - rows[row].arc) < rows[row].thickness) row -= step;
+  if (!is_wall(row) || !is_wall(row - step)) return none;
+  const Point direction = step * direction_at(rows, static_cast<std::size_t>(row));
+  const auto& edges = mesh.boundary_edges();
+  for (Index edge = 0; edge < static_cast<Index>(edges.size()); ++edge) {
+    const auto [first, second, middle] = edges[edge].nodes;
+    const bool begins = nodes[row] == (step > 0 ? first : second);
+    if (!begins && nodes[row] != middle) continue;
+    return rim_middle(mesh, {edge, rows[begins ? row : row - step].arc, step > 0, direction.normalized()});
+  }
+  return none;
 }
 
 double area_of(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& edges) {
@@ -307,6 +378,12 @@ ThicknessProfile profile_by_rays(const core::Mesh& mesh, core::Geometry geometry
   }
   for (std::size_t edge = 0; edge < wanted.size(); ++edge)
     if (wanted[edge]) profile.outer_edges.push_back(static_cast<Index>(edge));
+  const auto end_of = [&](int step, double arc) {
+    const double middle = profile.no_wall.empty() ? middle_of_rim(mesh, nodes, profile.rows, step) : none;
+    return std::isnan(middle) ? arc : middle;
+  };
+  profile.first_arc = profile.rows.empty() ? 0 : end_of(-1, profile.rows.front().arc);
+  profile.last_arc = profile.rows.empty() ? 0 : end_of(1, profile.rows.back().arc);
   return profile;
 }
 

@@ -51,6 +51,8 @@ struct ThicknessProfile {
   std::string no_wall;             ///< why there is none, a sentence; empty with a wall
   std::vector<Ray> rays;           ///< through the glass, by node of the mesh
   WallSides sides;                 ///< all `none` without a wall
+  /// Arcs, m, from which and to which shares of the arc are counted: the ends of the rows, or the middles of the rims.
+  double first_arc, last_arc;
 };
 /// The sides are those of wall_sides. A fixed boundary is where glass is held, a rim; it counts as a side only where
 /// there is no wall otherwise. Glass is no wall where less than a quarter of its surface has the other side

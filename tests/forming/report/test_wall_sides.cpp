@@ -15,7 +15,7 @@ namespace {
 using core::Geometry;
 
 /// The mesh of a section; `boundaries` are entries of the case file's list.
-core::Mesh section(const std::string& geometry, const std::string& boundaries) {
+core::Mesh section(const std::string& geometry, const std::string& boundaries, const std::string& size = "1 mm") {
   return initial_state(scene_of("case = \"section\"\ngeometry = \"" + geometry + R"("
 stage = [{ name = "rest", duration = "1 s" }]
 [material.glass]
@@ -25,7 +25,7 @@ conductivity = "1.3 W/m/K"
 [glass]
 material = "glass"
 temperature = "1000 degC"
-mesh.size = "1 mm"
+mesh.size = ")" + size + R"("
 boundary = [)" + boundaries + "]\n"))
       .glass.mesh;
 }
@@ -267,6 +267,22 @@ TEST(WallSides, a_rounded_rim_is_rim_from_where_its_sides_bend_away) {
   for (const ThicknessRow& row : cup.rows) {
     if (row.position[1] > 41e-3) EXPECT_EQ(row.mark, WallMark::rim);
     if (row.position[0] > 20e-3 - 1e-9 && row.position[1] > 5e-3) EXPECT_EQ(row.mark, WallMark::wall);
+  }
+}
+
+TEST(WallSides, shares_of_the_arc_end_in_the_middle_of_a_rim_and_the_wall_beside_it_whatever_the_mesh) {
+  const std::string parts = boundary("end", "\"(16, 0) (20, 0) mm\"") + boundary("outer", "\"(20, 40) mm\"") +
+                            boundary("lip", "\"arc centre (18, 40) mm radius 2 mm from 0 deg to 180 deg\"") +
+                            boundary("inner", "\"(16, 0) mm\"");
+  for (const char* size : {"1.1 mm", "1 mm", "0.9 mm", "0.75 mm", "0.6 mm"}) {
+    const ThicknessProfile tube = thickness_profile(section("axisymmetric", parts, size), Geometry::axisymmetric);
+    EXPECT_NEAR(tube.last_arc - tube.first_arc, 2e-3 + 40e-3 + M_PI * 1e-3, 5e-6) << size;
+    double area = 0;
+    for (const ThicknessRow& row : tube.rows)
+      if (row.is_wall()) area += row.area;
+    // Rays that meet the inner side with a cosine of 0.97.
+    const double turned = std::acos(0.97), lip = 2e-3 * (18e-3 * turned + 2e-3 * std::sin(turned));
+    EXPECT_NEAR(area / (2 * M_PI), 20e-3 * 40e-3 + lip, 20e-3 * 0.05e-3) << size;
   }
 }
 

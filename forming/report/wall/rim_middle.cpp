@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/wall/rim_middle.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "core/mesh/element.hpp"
+#include "forming/report/wall/surface_chain.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double turned = 0.5;  ///< cosine of the 60 degrees by which the middle stretch of a rim is off the wall
+constexpr int samples = 4;      ///< along an edge
+
+/// Where the cosine between the walk and the wall falls below a level.
+class Passage {
+ public:
+  explicit Passage(double level) : level_(level) {}
+  void visit(double arc, double cosine) {
+    if (!std::isnan(at_) || !(cosine < level_)) {
+      arc_ = arc, cosine_ = cosine;
+      return;
+    }
+    const double share = std::isnan(arc_) ? 1 : (cosine_ - level_) / (cosine_ - cosine);
+    at_ = share == 1 ? arc : arc_ + share * (arc - arc_);
+  }
+  double at() const { return at_; }
+
+ private:
+  double level_, arc_ = none, cosine_ = none, at_ = none;
+};
+
+/// First and last edge of the loop that an edge lies on, the latter past the end.
+std::pair<Index, Index> loop_of(const core::Mesh& mesh, Index edge) {
+  Index begin = 0, end = loop_end(mesh, begin);
+  while (end <= edge) begin = end, end = loop_end(mesh, begin);
+  return {begin, end};
+}
+
+}  // namespace
+
+double rim_middle(const core::Mesh& mesh, const RimApproach& approach) {
+  const auto [begin, end] = loop_of(mesh, approach.edge);
+  const Index count = end - begin, step = approach.forwards ? 1 : -1;
+  Passage leaves(turned), returns(-turned);
+  double arc = approach.arc;
+  Index edge = approach.edge;
+  for (Index walked = 0; walked < count; ++walked) {
+    const core::BoundaryEdge& now = mesh.boundary_edges()[edge];
+    if (mesh.kind_of(now) == core::BoundaryKind::symmetry) break;
+    Point before = mesh.nodes[now.nodes[approach.forwards ? 0 : 1]];
+    for (int k = 0; k <= samples; ++k) {
+      const double along = double(k) / samples, s = approach.forwards ? along : 1 - along;
+      const auto at = core::map_edge_point(mesh, now.nodes, core::Geometry::planar, {s, 1});
+      arc += step * (at.position - before).norm();
+      before = at.position;
+      const double cosine = step * at.tangent.dot(approach.direction);
+      leaves.visit(arc, cosine);
+      returns.visit(arc, cosine);
+    }
+    if (!std::isnan(returns.at())) return 0.5 * (leaves.at() + returns.at());
+    edge = begin + (edge - begin + step + count) % count;
+  }
+  return none;
+}
+
+}  // namespace parison::forming
