@@ -17,8 +17,10 @@ namespace {
 constexpr double max_growth = 1.5, max_slow_growth = 3.0, slow_fraction = 0.1;
 constexpr double safety_factor = 0.9;  ///< of the step that would change just as much as a step may
 constexpr double reject_above = 3.0;   ///< times what a step may change
-/// Times the shortest step allowed, and share of the work of the run: shorter steps with less are not repeated for it.
-constexpr double shortest_for_work = 10, bearable_work_error = 1e-3;
+/// Times the shortest step allowed: shorter ones are not repeated for an error of the work, a share of that of the run,
+/// that is less than this, nor for a change of temperature, which is that of a thin cell between cold and hot glass
+/// where a fold has closed.
+constexpr double shortest_to_repeat = 10, bearable_work_error = 1e-3;
 /// Smaller jumps of a tool's speed, as shares of its largest speed, need no step of their own.
 constexpr double kink_share = 0.05;
 /// Towards the moment at which tools come to rest no step is shorter than this share of the one proposed.
@@ -110,10 +112,10 @@ ProposedStep propose_step(const Scene& scene, const State& state, const StepRepo
 
 bool rejected_by_error_control(const Scene& scene, const StepReport& report) {
   const auto [used, by] = load(scene, report);
-  // An error of the work that remains in very short steps is none of their length.
-  const bool bearable = by == StepLimit::work && report.work_error < bearable_work_error &&
-                        report.dt < shortest_for_work * scene.accuracy.min_step;
-  return used > reject_above && !bearable;
+  // What remains in very short steps is none of their length.
+  const bool bearable =
+      (by == StepLimit::work && report.work_error < bearable_work_error) || by == StepLimit::temperature;
+  return used > reject_above && !(bearable && report.dt < shortest_to_repeat * scene.accuracy.min_step);
 }
 
 bool rejected_for_work(const Scene& scene, const StepReport& report) {
