@@ -22,7 +22,10 @@ class Resampler {
         criteria_(criteria),
         size_(size),
         links_(boundary_links(old)),
-        corners_(find_corners(old, criteria, size, filling)) {}
+        corners_(find_corners(old, criteria, size, filling)),
+        left_out_(links_.size(), false) {
+    for (std::size_t i = 0; i < links_.size(); ++i) leave_out_beside(static_cast<Index>(i));
+  }
 
   Surface run() {
     const auto count = static_cast<Index>(links_.size());
@@ -41,7 +44,30 @@ class Resampler {
  private:
   bool starts_curve(Index i) const {
     const auto kept = corners_.kept.find(i);
-    return is_fixed(old_, links_, i) || (kept != corners_.kept.end() && kept->second.s == 0);
+    return (is_fixed(old_, links_, i) && !left_out_[i]) || (kept != corners_.kept.end() && kept->second.s == 0);
+  }
+
+  /// Whether the surface has a corner at the first vertex of an edge for no other reason than its own shape.
+  bool is_kink(Index i) const {
+    const Index before = old_.boundary_edges()[links_[i].previous].boundary_id;
+    return starts_curve(i) && old_.boundary_edges()[i].boundary_id == before && !corners_.kept.count(i);
+  }
+
+  /// Leaves out one of two corners that are next to nothing apart, as where a fold has closed or a tip of glass lies on
+  /// a tool: an edge between them would be a splinter in this mesh and all that follow. It is the blunter one.
+  void leave_out_beside(Index i) {
+    constexpr double next_to_nothing = 0.05;  // of the edge length there
+    if (!starts_curve(i)) return;
+    const Point& corner = old_.nodes[old_.boundary_edges()[i].nodes[0]];
+    const double near = next_to_nothing * std::min(criteria_.surface_size, size_(corner));
+    const Index next = links_[i].next;
+    if (next == i || !starts_curve(next)) return;
+    if ((old_.nodes[old_.boundary_edges()[next].nodes[0]] - corner).norm() > near) return;
+    const bool first = is_kink(i), second = is_kink(next);
+    if (first && (!second || std::abs(links_[i].kink) < std::abs(links_[next].kink)))
+      left_out_[i] = true;
+    else if (second)
+      left_out_[next] = true;
   }
 
   /// The point at a place of the surface that is resampled, m.
@@ -144,6 +170,7 @@ class Resampler {
   const SizeField& size_;
   std::vector<Link> links_;
   Corners corners_;
+  std::vector<bool> left_out_;
   Surface surface_;
   std::vector<bool> mid_contact_, mid_fixed_;
 };
