@@ -74,6 +74,19 @@ bool has_no_inverted_cells(StepResult& result) {
   return false;
 }
 
+/// Whether the temperature of the glass is one.
+bool is_above_absolute_zero(StepResult& result) {
+  const GlassState& glass = result.state.glass;
+  Eigen::Index coldest = 0;
+  if (glass.temperature.size() == 0 || glass.temperature.minCoeff(&coldest) > 0) return true;
+  const Point& at = glass.mesh.nodes[coldest];
+  result.reason = fmt::format(
+      "the temperature of the glass is below absolute zero at ({:.2f}, {:.2f}) mm, where its mesh "
+      "is too coarse or a cell too flat for the heat that passes",
+      1e3 * at[0], 1e3 * at[1]);
+  return false;
+}
+
 /// Heat over the step, on the bodies and the interface at their positions in its middle.
 bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& result) {
   if (!scene.has_heat()) return true;
@@ -93,7 +106,7 @@ bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& 
   result.report.seconds["heat"] += std::max(seconds - radiation, 0.0);
   result.reason = outcome.reason;
   result.report.heat_substeps += outcome.substeps;
-  return outcome.converged;
+  return outcome.converged && is_above_absolute_zero(result);
 }
 
 /// Whether no edge of the glass has come deeper into a tool than its correction leaves one that it can move: where a

@@ -23,8 +23,10 @@ class Resampler {
         size_(size),
         links_(boundary_links(old)),
         corners_(find_corners(old, criteria, size, filling)),
-        left_out_(links_.size(), false) {
-    for (std::size_t i = 0; i < links_.size(); ++i) leave_out_beside(static_cast<Index>(i));
+        left_out_(links_.size(), false),
+        walked_(links_.size(), {0, 1}) {
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      if (!cut_barb(static_cast<Index>(i))) leave_out_beside(static_cast<Index>(i));
   }
 
   Surface run() {
@@ -53,21 +55,45 @@ class Resampler {
     return starts_curve(i) && old_.boundary_edges()[i].boundary_id == before && !corners_.kept.count(i);
   }
 
-  /// Leaves out one of two corners that are next to nothing apart, as where a fold has closed or a tip of glass lies on
-  /// a tool: an edge between them would be a splinter in this mesh and all that follow. It is the blunter one.
+  Point corner_at(Index i) const { return old_.nodes[old_.boundary_edges()[i].nodes[0]]; }
+
+  /// Leaves out the blunter of two corners that are next to nothing apart, as where a fold has closed: an edge between
+  /// them would be a splinter in this mesh and all that follow.
   void leave_out_beside(Index i) {
-    constexpr double next_to_nothing = 0.05;  // of the edge length there
-    if (!starts_curve(i)) return;
-    const Point& corner = old_.nodes[old_.boundary_edges()[i].nodes[0]];
-    const double near = next_to_nothing * std::min(criteria_.surface_size, size_(corner));
+    constexpr double next_to_nothing = 0.02;  // of the largest edge
     const Index next = links_[i].next;
-    if (next == i || !starts_curve(next)) return;
-    if ((old_.nodes[old_.boundary_edges()[next].nodes[0]] - corner).norm() > near) return;
+    if (next == i || !starts_curve(i) || !starts_curve(next)) return;
+    if ((corner_at(next) - corner_at(i)).norm() > next_to_nothing * criteria_.surface_size) return;
     const bool first = is_kink(i), second = is_kink(next);
     if (first && (!second || std::abs(links_[i].kink) < std::abs(links_[next].kink)))
       left_out_[i] = true;
     else if (second)
       left_out_[next] = true;
+  }
+
+  /// Cuts off a barb, a tip of glass that lies on a tool with a crevice behind it: the edge between the two and the
+  /// other side of the tip are not walked. True where there is one.
+  bool cut_barb(Index i) {
+    constexpr double longest = 0.2;  // of the largest edge
+    constexpr double sharp = 150 * M_PI / 180;
+    const Index before = links_[i].previous, next = links_[i].next;
+    const double kink = links_[i].kink, next_kink = links_[next].kink;
+    if (next == before || !is_kink(i) || !is_kink(next) || kink * next_kink > 0 ||
+        std::min(std::abs(kink), std::abs(next_kink)) < sharp ||
+        (corner_at(next) - corner_at(i)).norm() > longest * criteria_.surface_size)
+      return false;
+    for (const Index edge : {before, i, next})
+      if (corners_.kept.count(edge) || corners_.filled.count(edge)) return false;
+    const auto nearest = [&](Index edge, Index corner) {
+      return closest_on(old_, old_.boundary_edges()[edge].nodes, corner_at(corner));
+    };
+    walked_[i] = {1, 1};
+    if (kink > 0)  // the tip comes before the crevice
+      walked_[before].to = nearest(before, next);
+    else
+      walked_[next].from = nearest(next, i);
+    left_out_[i] = left_out_[next] = true;
+    return true;
   }
 
   /// The point at a place of the surface that is resampled, m.
@@ -100,12 +126,13 @@ class Resampler {
       if (i == start || starts_curve(i))
         curves.push_back({{}, criteria_.straight_boundaries[old_.boundary_edges()[i].boundary_id]});
       const auto kept = corners_.kept.find(i);
+      const auto [from, to] = walked_[i];
       if (kept != corners_.kept.end() && kept->second.s > 0) {
         extend_to({i, 0}, kept->second.s, curves.back());
         curves.push_back({{}, curves.back().straight});
         extend_to({i, kept->second.s}, 1, curves.back());
-      } else {
-        extend_to({i, 0}, 1, curves.back());
+      } else if (from < to) {
+        extend_to({i, from}, to, curves.back());
       }
       i = links_[i].next;
     } while (i != start);
@@ -171,6 +198,10 @@ class Resampler {
   std::vector<Link> links_;
   Corners corners_;
   std::vector<bool> left_out_;
+  struct Range {
+    double from, to;
+  };
+  std::vector<Range> walked_;  ///< of each old edge, from 0 to 1 where it is walked whole
   Surface surface_;
   std::vector<bool> mid_contact_, mid_fixed_;
 };

@@ -242,6 +242,31 @@ TEST(RemeshGlass, the_same_mesh_gives_the_same_bits) {
   for (Index i = 0; i < first.mesh.node_count(); ++i) ASSERT_EQ(first.mesh.nodes[i], second.mesh.nodes[i]);
 }
 
+TEST(RemeshGlass, a_barb_on_a_tool_and_a_tiny_step_left_by_a_fold_leave_no_splinters) {
+  // A tip of 6 micrometres lies on the upright wall with a crevice of 0.06 mm behind it; the step is 3 micrometres.
+  const core::Profile section = Pen(0, 0)
+                                    .line(10, 0, "rest")
+                                    .line(10, 10, "rest")
+                                    .line(0, 10, "rest")
+                                    .line(0, 5.2, "surface")
+                                    .line(0, 5, "surface")
+                                    .line(0.006, 5.06, "surface")
+                                    .line(0.002, 4.8, "surface")
+                                    .line(0.002, 2, "surface")
+                                    .line(-0.001, 2.001, "surface")
+                                    .line(0, 0, "surface")
+                                    .closed();
+  const Mesh old = meshed(section, 0.5e-3);
+  ASSERT_LT(quality(old).min, 0.1);
+  Criteria criteria = criteria_for(old, 0.5e-3);
+  criteria.geometry = core::Geometry::planar;
+  criteria.straight_boundaries.assign(old.boundaries().size(), false);
+  const Remeshed made = remesh_glass(old, criteria);
+  ASSERT_TRUE(made.ok) << made.reason;
+  EXPECT_GE(quality(made.mesh).min, 0.3);
+  EXPECT_NEAR(made.volume_after / made.volume_before, 1, 1e-13);
+}
+
 TEST(RemeshGlass, a_planar_disc_without_corners_keeps_its_area) {
   const core::Profile disc = Pen(10, 0).arc(0, 0, 0, 180, "rim").arc(0, 0, 180, 360, "rim").closed();
   const Mesh old = deformed(meshed(disc, 1e-3), [](const Point& x) { return Point(2 * x[0] + x[1], 0.5 * x[1]); });
