@@ -62,6 +62,8 @@ std::vector<int> inner_places(const std::vector<double>& profile) {
 /// Of the rows, whose lowest is lower than that of the profile where a corner lies between the even shares.
 void add_wall(const ThicknessProfile& wall, Quantities& found) {
   found.profile = sample_profile(wall);
+  found.profile_start = 1e3 * wall.first_arc;
+  found.profile_end = 1e3 * wall.last_arc;
   const ThicknessRange range = thickness_range(wall.rows);
   const double mean = 1e3 * range.mean, lowest = 1e3 * range.lowest;
   const double at = (range.lowest_arc - wall.first_arc) / (wall.last_arc - wall.first_arc);
@@ -204,6 +206,10 @@ void add_quantities(core::JsonWriter& json, const Quantities& quantities) {
   json.open_list("thickness_profile_mm");
   for (const double thickness : quantities.profile) json.add("", thickness);
   json.close();
+  json.open_list("thickness_profile_arc_mm");
+  if (!quantities.profile.empty())
+    for (const double end : {quantities.profile_start, quantities.profile_end}) json.add("", end);
+  json.close();
 }
 
 Quantities read_quantities(const core::JsonValue& summary) {
@@ -218,6 +224,10 @@ Quantities read_quantities(const core::JsonValue& summary) {
                               {1e-3 * item.number_of("r_mm"), 1e-3 * item.number_of("z_mm")}});
   if (const auto* profile = summary.find("thickness_profile_mm"))
     for (const core::JsonValue& item : profile->items) found.profile.push_back(item.number);
+  if (const auto* arc = summary.find("thickness_profile_arc_mm"); arc && arc->items.size() == 2) {
+    found.profile_start = arc->items[0].number;
+    found.profile_end = arc->items[1].number;
+  }
   return found;
 }
 

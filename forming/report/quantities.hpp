@@ -31,6 +31,7 @@ struct Quantities {
   /// Wall thickness at evenly spaced points of the outer arc, mm; NaN where there is no opposite side, and empty where
   /// the scene has no wall.
   std::vector<double> profile;
+  double profile_start = 0, profile_end = 0;  ///< arcs of its first and last point, mm
 
   const Quantity* find(const std::string& name) const;
 };

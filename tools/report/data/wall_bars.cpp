@@ -91,7 +91,8 @@ WallTables wall_tables(const std::string& folder, const std::optional<forming::F
   const auto* height_z = wall.heights.column("z_mm");
   std::vector<double> along, over;
   along.reserve(arc->size());
-  for (const double place : *arc) along.push_back(bar_at(bars, place / arc->back()));
+  const double start = run ? run->quantities.profile_start : 0, end = run ? run->quantities.profile_end : 0;
+  for (const double place : *arc) along.push_back(bar_at(bars, (place - start) / (end - start)));
   for (std::size_t i = 0; height_r && height_z && i < wall.heights.rows(); ++i)
     over.push_back(along[nearest_row(*r, *z, (*height_r)[i], (*height_z)[i])]);
   if (over.size() == wall.heights.rows() && !over.empty()) add_column(wall.heights, std::move(over));
