@@ -9,7 +9,7 @@
 #include "forming/report/container/figures.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/scene/container/container_plan.hpp"
-#include "forming/scene/container/free_space.hpp"
+#include "forming/scene/container/hollow.hpp"
 
 namespace parison::forming {
 namespace {
@@ -25,17 +25,11 @@ core::Profile surface_of(const core::Mesh& mesh) {
   return profile;
 }
 
-/// Volume of what the glass holds below a level, m3; `up` is 1 where it stands along the axis, -1 against it.
-std::optional<double> volume_below(const core::Profile& surface, double level, int up) {
-  SpaceLimits limits;
-  (up > 0 ? limits.high : limits.low) = level;
-  const auto regions = free_regions({{&surface, {true}, 0}}, limits);
-  std::optional<double> volume;
-  if (regions)
-    for (const FreeRegion& region : *regions)
-      if (!region.is_open && (up > 0 ? region.from_high_limit : region.from_low_limit))
-        volume = std::max(volume.value_or(0), region.volume);
-  return volume;
+/// The end of a surface against gravity, m along the axis; `up` is 1 where it stands along the axis, -1 against it.
+double highest_place(const core::Profile& surface, int up) {
+  double highest = -HUGE_VAL;
+  for (const core::Segment& segment : surface.segments) highest = std::max(highest, up * segment.start[1]);
+  return up * highest;
 }
 
 void add_optional(core::JsonWriter& json, const char* key, const std::optional<double>& value, double unit) {
@@ -74,15 +68,18 @@ std::optional<ContainerReport> container_report(const Scene& scene, const State&
   }
   const int up = gravity > 0 ? -1 : 1;
   const core::Profile surface = surface_of(state.glass.mesh);
-  report.rim = up * HUGE_VAL * -1;
-  for (const core::Segment& segment : surface.segments)
-    report.rim = up > 0 ? std::max(report.rim, segment.start[1]) : std::min(report.rim, segment.start[1]);
-  report.capacity = volume_below(surface, report.rim, up);
-  if (!report.capacity)
+  const auto glass = slices_of({&surface, {true}, 0});
+  const auto hollow = glass ? hollow_of(*glass, up) : std::nullopt;
+  if (hollow) {
+    report.rim = hollow->rim;
+    report.capacity = hollow->capacity;
+    if (const auto level = scene.output.fill_level) report.filled = hollow->to_depth(*level);
+  } else {
+    report.rim = highest_place(surface, up);
     report.absent =
         "not computed: as the glass stands, no hollow was found that would hold a liquid; it is open below, or its "
         "wall too thin or its mesh too fine to tell";
-  if (const auto level = scene.output.fill_level) report.filled = volume_below(surface, report.rim - up * *level, up);
+  }
   if (plan->press && plan->press->is_driven && state.stage >= plan->press->stage)
     report.plunger_stop = state.tools[plan->press->tool].offset;
   return report;

@@ -12,12 +12,13 @@ namespace parison::forming {
 
 /// The container as the run has formed it.
 struct ContainerReport {
-  double weight = 0;                                      ///< kg
-  double rim = std::numeric_limits<double>::quiet_NaN();  ///< highest place of the glass as it stands, m along the axis
-  std::optional<double> capacity;                         ///< to the rim, m3; none where the glass holds nothing
-  std::string absent;                                     ///< why there is no capacity, a sentence; empty with one
-  std::optional<double> filled;                           ///< to the fill level of the case, m3
-  std::optional<double> plunger_stop;  ///< offset of the plunger of the press, where a force drives it, m
+  double weight = 0;  ///< kg
+  double rim =
+      std::numeric_limits<double>::quiet_NaN();  ///< where it runs over, or its highest place, m along the axis
+  std::optional<double> capacity;                ///< to the rim, m3; none where the glass holds nothing
+  std::string absent;                            ///< why there is no capacity, a sentence; empty with one
+  std::optional<double> filled;                  ///< to the fill level of the case, m3
+  std::optional<double> plunger_stop;            ///< offset of the plunger of the press, where a force drives it, m
 };
 
 /// Nothing in a planar scene, without flow or without tools, and where neither the drawings make a container

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "forming/scene/container/free_space.hpp"
+#include "forming/scene/container/hollow.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -156,7 +157,8 @@ void plan_driven(Press& press, double sense, ContainerPlan& plan) {
     const double stop = offset_of_volume(press, plan.glass_volume, *wide, offset);
     const auto full = press.cavity(stop);
     if (!full || std::abs(full->volume - plan.glass_volume) > fits * plan.glass_volume) break;
-    plan.press = PressPlan{press.stage_index, press.tool, true, stop, full->volume, full->low, full->high};
+    plan.press =
+        PressPlan{press.stage_index, press.tool, true, stop, full->volume, full->low, full->high, full->slices};
     return;
   }
   if (!most) return;
@@ -174,7 +176,8 @@ void plan_driven(Press& press, double sense, ContainerPlan& plan) {
 void plan_moved(Press& press, double end, ContainerPlan& plan) {
   const auto cavity = press.cavity(end);
   if (!cavity) return;
-  plan.press = PressPlan{press.stage_index, press.tool, false, end, cavity->volume, cavity->low, cavity->high};
+  plan.press =
+      PressPlan{press.stage_index, press.tool, false, end, cavity->volume, cavity->low, cavity->high, cavity->slices};
   if (cavity->volume < (1 - fits) * plan.glass_volume)
     plan.misfit = fmt::format("{}, but the cavity of stage \"{}\" has {:.4g} cm3 at its end", volume_text(plan),
                               press.stage.name, 1e6 * cavity->volume);
@@ -219,12 +222,20 @@ double plunger_volume(const Scene& scene, const PressPlan& press, double low, do
   return contact_volume({&tool.profile, contact_boundaries(tool), press.stop}, low, high);
 }
 
+/// Whether the plunger of the press is still in the last stage.
+bool keeps_plunger(const Scene& scene, const ContainerPlan& plan) {
+  const auto& tools = scene.stages.back().tools;
+  return plan.press && std::any_of(tools.begin(), tools.end(),
+                                   [&](const StageTool& entry) { return entry.tool == plan.press->tool; });
+}
+
 /// Rim, capacity and what it holds to the fill level.
 void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan) {
   const Stage& last = scene.stages.back();
   if (last.gravity == 0) return;
   const bool rim_is_low = last.gravity > 0;
-  if (const auto mould = closed_region(placed, last, {})) {
+  const auto mould = keeps_plunger(scene, plan) ? std::nullopt : closed_region(placed, last, {});
+  if (mould) {
     plan.outside = mould->volume;
     plan.mould_range = {mould->low, mould->high};
     plan.rim = rim_is_low ? mould->low : mould->high;
@@ -233,8 +244,12 @@ void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan
       plan.misfit = fmt::format("{}, but the cavity of stage \"{}\" has {:.4g} cm3", volume_text(plan), last.name,
                                 1e6 * *plan.outside);
   } else if (plan.press) {
-    plan.rim = rim_is_low ? plan.press->low : plan.press->high;
-    plan.capacity = plunger_volume(scene, *plan.press, plan.press->low, plan.press->high);
+    const auto hollow = hollow_of(plan.press->glass, rim_is_low ? -1 : 1);
+    if (!hollow) return;
+    plan.rim = hollow->rim;
+    plan.capacity = hollow->capacity;
+    if (scene.output.fill_level) plan.filled = hollow->to_depth(*scene.output.fill_level);
+    return;
   }
   if (!plan.press || !plan.capacity || !scene.output.fill_level) return;
   const double level = *scene.output.fill_level;

@@ -5,17 +5,19 @@
 #include <utility>
 #include <vector>
 
+#include "forming/scene/container/free_space.hpp"
 #include "forming/scene/scene.hpp"
 
 namespace parison::forming {
 
 /// The press as its drawings have it: the cavity that tools and plunger close.
 struct PressPlan {
-  Index stage, tool;  ///< indices into Scene::stages and tools
-  bool is_driven;     ///< by a force: the plunger stops where the glass fills the cavity
-  double stop;        ///< offset of the plunger then, or at the end of its given motion, m
-  double cavity;      ///< volume with the plunger there, m3
-  double low, high;   ///< of the cavity then, m along the axis
+  Index stage, tool;         ///< indices into Scene::stages and tools
+  bool is_driven;            ///< by a force: the plunger stops where the glass fills the cavity
+  double stop;               ///< offset of the plunger then, or at the end of its given motion, m
+  double cavity;             ///< volume with the plunger there, m3
+  double low, high;          ///< of the cavity then, m along the axis
+  std::vector<Slice> glass;  ///< the cavity then, on lines across the axis
 };
 
 /// What drawings and mass say about the container before anything is run.
@@ -26,7 +28,7 @@ struct ContainerPlan {
   std::string remedy;              ///< what is allowed then
   std::optional<double> outside;   ///< volume of the closed mould of the last stage, m3
   std::optional<double> rim;       ///< place of the rim along the axis, m
-  std::optional<double> capacity;  ///< to the rim, m3
+  std::optional<double> capacity;  ///< to the rim, m3; none where the glass would hold nothing
   std::optional<double> filled;    ///< to the fill level, m3, the inside of the finish as the plunger made it
   std::optional<std::pair<double, double>> mould_range;  ///< lowest and highest place of that mould, m
 };
@@ -35,7 +37,7 @@ struct ContainerPlan {
 std::optional<double> inside_height(const ContainerPlan& plan);
 
 /// Nothing in a planar scene, without flow or without tools. The container stands upright in the last stage: its rim is
-/// at the end of its mould against gravity.
+/// at the end of its mould against gravity; without a closed mould, where the glass of the press cavity runs over.
 std::optional<ContainerPlan> container_plan(const Scene& scene);
 
 /// The offset at which a tool that a force drives has filled the cavity it closes with the others of its stage, with

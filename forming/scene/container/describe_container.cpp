@@ -38,10 +38,11 @@ std::string why_no_press(const Scene& scene, const ContainerPlan& plan) {
   return "";
 }
 
-std::string why_no_capacity(const Scene& scene) {
+std::string why_no_capacity(const Scene& scene, const ContainerPlan& plan) {
   const Stage& last = scene.stages.back();
   if (last.gravity == 0)
     return fmt::format("not known: the last stage, \"{}\", has no gravity that says which end is the rim", last.name);
+  if (plan.press) return "none: the glass of the press cavity has no hollow that would hold a liquid as it stands";
   return fmt::format(
       "not known before a run: {} in the last stage, \"{}\", and no press cavity gives the inside; a run measures it",
       last.tools.empty() ? "no tool is there" : "the tools leave the mouth or another opening of their cavity open",
@@ -70,7 +71,7 @@ std::string describe_container(const Scene& scene) {
   if (plan->capacity)
     line("capacity", fmt::format("{:.5g} ml to the rim at {:.4g} mm", 1e6 * *plan->capacity, 1e3 * *plan->rim));
   else if (forms_a_container(scene))
-    line("capacity", why_no_capacity(scene));
+    line("capacity", why_no_capacity(scene, *plan));
   if (plan->filled)
     line("fill level", fmt::format("{:.5g} ml to {:.4g} mm below the rim, ullage {:.4g} ml", 1e6 * *plan->filled,
                                    1e3 * *scene.output.fill_level, 1e6 * (*plan->capacity - *plan->filled)));

@@ -138,10 +138,12 @@ void add_to_region(const Gap& gap, const Level& level, FreeRegion& region) {
   region.high = std::max(region.high, level.to);
   if (gap.inner_contact) region.touches[gap.inner_solid] = true;
   if (gap.outer_contact) region.touches[gap.outer_solid] = true;
-  if (std::isfinite(gap.outer))
-    region.volume += M_PI * (gap.outer * gap.outer - gap.inner * gap.inner) * level.height;
-  else
+  if (!std::isfinite(gap.outer)) {
     region.is_open = true;
+    return;
+  }
+  region.slices.push_back({gap.level, level.from, level.to, gap.inner, gap.outer});
+  region.volume += region.slices.back().volume();
 }
 
 std::vector<FreeRegion> regions_of(const std::vector<Gap>& gaps, const std::vector<Level>& levels, std::size_t solids,
@@ -166,17 +168,21 @@ std::vector<FreeRegion> regions_of(const std::vector<Gap>& gaps, const std::vect
   return regions;
 }
 
-}  // namespace
-
-std::optional<std::vector<FreeRegion>> free_regions(const std::vector<Solid>& solids, const SpaceLimits& limits) {
+/// Lines across the axis from end to end of what is looked at, none where that has no height.
+std::vector<Level> levels_of(const std::vector<Solid>& solids, const SpaceLimits& limits) {
   std::vector<double> places;
   for (const Solid& solid : solids)
     for (const core::Segment& segment : solid.profile->segments) add_turns(segment, solid.shift, places);
-  if (places.empty()) return std::vector<FreeRegion>{};
+  if (places.empty()) return {};
   const auto [lowest, highest] = std::minmax_element(places.begin(), places.end());
   const double low = limits.low.value_or(*lowest), high = limits.high.value_or(*highest);
-  if (!(high > low)) return std::vector<FreeRegion>{};
-  const std::vector<Level> levels = levels_of(places, low, high);
+  if (!(high > low)) return {};
+  return levels_of(places, low, high);
+}
+
+/// What each line passes; nothing where there are too many crossings.
+std::optional<std::vector<std::vector<Span>>> spans_of(const std::vector<Solid>& solids,
+                                                       const std::vector<Level>& levels) {
   std::vector<std::vector<Span>> spans(levels.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -193,10 +199,34 @@ std::optional<std::vector<FreeRegion>> free_regions(const std::vector<Solid>& so
     }
     for (std::size_t k = 0; k < levels.size(); ++k) add_spans(std::move(crossings[k]), i, spans[k]);
   }
-  close_bands(levels, limits.sealed_gap, spans);
+  return spans;
+}
+
+}  // namespace
+
+double Slice::volume() const {
+  return M_PI * (outer * outer - inner * inner) * (to - from) / 2;
+}
+
+std::optional<std::vector<FreeRegion>> free_regions(const std::vector<Solid>& solids, const SpaceLimits& limits) {
+  const std::vector<Level> levels = levels_of(solids, limits);
+  if (levels.empty()) return std::vector<FreeRegion>{};
+  auto spans = spans_of(solids, levels);
+  if (!spans) return std::nullopt;
+  close_bands(levels, limits.sealed_gap, *spans);
   std::vector<Gap> gaps;
-  for (std::size_t k = 0; k < levels.size(); ++k) add_gaps(std::move(spans[k]), k, limits.sealed_gap, gaps);
+  for (std::size_t k = 0; k < levels.size(); ++k) add_gaps(std::move((*spans)[k]), k, limits.sealed_gap, gaps);
   return regions_of(gaps, levels, solids.size(), limits);
+}
+
+std::optional<std::vector<Slice>> slices_of(const Solid& solid) {
+  const std::vector<Level> levels = levels_of(std::vector<Solid>{solid}, {});
+  const auto spans = spans_of({solid}, levels);
+  if (!spans) return std::nullopt;
+  std::vector<Slice> slices;
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    for (const Span& span : (*spans)[k]) slices.push_back({k, levels[k].from, levels[k].to, span.inner, span.outer});
+  return slices;
 }
 
 double contact_volume(const Solid& solid, double low, double high) {

@@ -14,6 +14,14 @@ struct Solid {
   double shift = 0;           ///< m
 };
 
+/// A part of a line across the axis; there are two lines in each panel of the height, in order along the axis.
+struct Slice {
+  std::size_t line;
+  double from, to;        ///< of the panel, m along the axis
+  double inner, outer;    ///< radii, m
+  double volume() const;  ///< of the half of the panel for which the line stands, turned about the axis, m3
+};
+
 /// A connected part of the space that no solid fills, turned about the axis.
 struct FreeRegion {
   double volume = 0;                                     ///< m3, of what is bounded
@@ -21,6 +29,7 @@ struct FreeRegion {
   double low = 0, high = 0;                              ///< lowest and highest place, m
   bool from_low_limit = false, from_high_limit = false;  ///< reaches the lower (upper) limit
   std::vector<bool> touches;                             ///< by solid: with a contact boundary
+  std::vector<Slice> slices;                             ///< what is bounded
 };
 
 /// The part of space that is looked at, m along the axis, and the width across and along it below which a gap
@@ -33,6 +42,9 @@ struct SpaceLimits {
 /// The regions between axisymmetric solids, found on lines across the axis. Nothing where the outlines are too fine for
 /// it (more than some 300000 crossings with the lines).
 std::optional<std::vector<FreeRegion>> free_regions(const std::vector<Solid>& solids, const SpaceLimits& limits);
+
+/// What a solid fills, on lines across the axis; nothing where its outline is too fine, as above.
+std::optional<std::vector<Slice>> slices_of(const Solid& solid);
 
 /// Volume inside the contact boundaries of a solid, as if it had no bore, between two places along the axis, m3.
 double contact_volume(const Solid& solid, double low, double high);
