@@ -36,18 +36,6 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
   return found;
 }
 
-double max_penetration(const Scene& scene, const State& state, double known) {
-  const core::Mesh& glass = state.glass.mesh;
-  const auto surface = surface_nodes(glass);
-  for (const Index tool : active_tools(scene, state)) {
-    const contact::ToolGap gap(scene.tools[tool].profile, contact_boundaries(scene.tools[tool]));
-    const Point offset = state.tools[tool].offset * core::axis_direction();
-    std::size_t closest = 0;
-    for (const Index node : surface) known = gap.deepest(glass.nodes[node] - offset, known, closest);
-  }
-  return known;
-}
-
 std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Profile& outline) {
   constexpr std::array<double, 9> eighths{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
   constexpr double beside = 0.25;  // of the edge
@@ -62,10 +50,21 @@ std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Prof
   return places;
 }
 
-double max_edge_penetration(const Scene& scene, const State& state, double known) {
+namespace {
+
+/// By boundary: whether it is a face of the tool, through which it can be entered.
+std::vector<bool> faces(const Body& body) {
+  std::vector<bool> is_face;
+  for (const Boundary& boundary : body.boundaries) is_face.push_back(boundary.kind != BoundaryKind::symmetry);
+  return is_face;
+}
+
+/// max_edge_penetration behind the boundaries that `measured` gives of a tool.
+template <typename Measured>
+double deepest_edge(const Scene& scene, const State& state, double known, const Measured& measured) {
   const core::Mesh& mesh = state.glass.mesh;
   for (const Index tool : active_tools(scene, state)) {
-    const contact::ToolGap gap(scene.tools[tool].profile, contact_boundaries(scene.tools[tool]));
+    const contact::ToolGap gap(scene.tools[tool].profile, measured(scene.tools[tool]));
     const Point offset = state.tools[tool].offset * core::axis_direction();
     std::size_t closest = 0;
     for (const auto& edge : mesh.boundary_edges()) {
@@ -84,18 +83,41 @@ double max_edge_penetration(const Scene& scene, const State& state, double known
   return known;
 }
 
+}  // namespace
+
+double max_penetration(const Scene& scene, const State& state, double known) {
+  const core::Mesh& glass = state.glass.mesh;
+  const auto surface = surface_nodes(glass);
+  for (const Index tool : active_tools(scene, state)) {
+    const contact::ToolGap gap(scene.tools[tool].profile, faces(scene.tools[tool]));
+    const Point offset = state.tools[tool].offset * core::axis_direction();
+    std::size_t closest = 0;
+    for (const Index node : surface) known = gap.deepest(glass.nodes[node] - offset, known, closest);
+  }
+  return known;
+}
+
+double max_edge_penetration(const Scene& scene, const State& state, double known) {
+  return deepest_edge(scene, state, known, faces);
+}
+
 double edge_depth_gained(const Scene& scene, const State& before, const State& after) {
   // An edge may stay as deep as a node at the tool, or as its ends, which a step may leave a little deeper.
   const double size = core::size(scene.glass.profile), step = core::tolerance::penetration * size;
   const double at_tool = core::tolerance::at_tool * size, left = at_tool + step;
-  const double depth = max_edge_penetration(scene, after, left);
-  return depth > left && depth > max_edge_penetration(scene, before, at_tool) + step ? depth : 0;
+  const auto behind = [](const Tool& tool) { return contact_boundaries(tool); };
+  const double depth = deepest_edge(scene, after, left, behind);
+  return depth > left && depth > deepest_edge(scene, before, at_tool, behind) + step ? depth : 0;
 }
 
 namespace {
 
-/// Depth of a node, of the mean wall, from which it counts as come into a tool.
-constexpr double entered = 0.01;
+/// Depth from which a node counts as come into a tool, m: 1 % of the mean wall, or less where the glass is thick and
+/// what no step leaves behind a contact face.
+double entered_depth(const Scene& scene, const core::Mesh& glass) {
+  constexpr double of_wall = 0.01, of_step = 2 * core::tolerance::rejected_penetration;
+  return std::min(of_wall * core::mean_wall(glass), of_step * core::size(scene.glass.profile));
+}
 
 /// The segment of an outline that is closest to a point, symmetry left out, and its distance, m.
 std::pair<const core::Segment*, double> closest_face(const Body& body, const Point& x) {
@@ -111,17 +133,19 @@ std::pair<const core::Segment*, double> closest_face(const Body& body, const Poi
 }  // namespace
 
 std::optional<ToolFace> entered_face(const Scene& scene, const State& state) {
+  constexpr double beside = 2;  // depths: a node that is no farther behind a contact face came in at their corner
   const core::Mesh& glass = state.glass.mesh;
-  const double allowed = entered * core::mean_wall(glass);
+  const double allowed = entered_depth(scene, glass);
   for (const Index tool : active_tools(scene, state)) {
     const Tool& body = scene.tools[tool];
+    const contact::ToolGap gap(body.profile, contact_boundaries(body));
     const Point offset = state.tools[tool].offset * core::axis_direction();
     for (const Index node : surface_nodes(glass)) {
       const Point local = glass.nodes[node] - offset;
       if (!core::contains(body.profile, local)) continue;
       const auto [face, depth] = closest_face(body, local);
-      if (face && depth > allowed && body.boundaries[face->boundary_id].kind != BoundaryKind::contact)
-        return ToolFace{tool, face->boundary_id};
+      const bool is_free = face && body.boundaries[face->boundary_id].kind != BoundaryKind::contact;
+      if (is_free && depth > allowed && std::abs(gap(local)) > beside * depth) return ToolFace{tool, face->boundary_id};
     }
   }
   return {};
@@ -137,7 +161,7 @@ void note_penetration(const Scene& scene, State& state) {
   };
   note(max_penetration, totals.max_penetration, totals.penetration_share);
   note(max_edge_penetration, totals.max_edge_penetration, totals.edge_penetration_share);
-  if (totals.max_penetration <= entered * wall || totals.entered_tool >= 0) return;
+  if (totals.max_penetration <= entered_depth(scene, state.glass.mesh) || totals.entered_tool >= 0) return;
   if (const auto face = entered_face(scene, state)) {
     totals.entered_tool = face->tool;
     totals.entered_boundary = face->boundary;

@@ -18,8 +18,8 @@ struct Penetration {
 /// All penetrations after a time `ahead`, s, with the present velocities.
 std::vector<Penetration> penetrations(const Scene& scene, const State& state, double ahead);
 
-/// Depth of the deepest glass node inside an active tool, m, or `known` where that is more; with what earlier steps
-/// had as `known` little is searched.
+/// Depth of the deepest glass node inside an active tool, m, or `known` where that is more: the distance to the face of
+/// the tool that is closest, with or without contact. With what earlier steps had as `known` little is searched.
 double max_penetration(const Scene& scene, const State& state, double known = 0);
 
 /// Places on an edge (first, last, middle node, m, in the tool's frame) where penetration is looked for: its eighths,
@@ -31,16 +31,18 @@ std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Prof
 /// tool's outline, in an active tool, m, or `known`: between nodes, a corner or a small radius of a tool can be deeper.
 double max_edge_penetration(const Scene& scene, const State& state, double known = 0);
 
-/// Depth of the deepest edge of `after` in a tool, m, where it is deeper than the correction of edges leaves one that
-/// it can move and deeper than any of `before` by more than a step may move a node into a tool; else 0.
+/// Depth of the deepest edge of `after` in a tool, behind its contact boundaries, m, where it is deeper than the
+/// correction of edges leaves one that it can move and deeper than any of `before` by more than a step may move a node
+/// into a tool; else 0.
 double edge_depth_gained(const Scene& scene, const State& before, const State& after);
 
 /// A boundary of a tool.
 struct ToolFace {
   Index tool, boundary;
 };
-/// The face without contact, but no symmetry, through which a node of the glass has come into an active tool: it lies
-/// deeper in the tool than 1 % of the mean wall, and that face is the closest.
+/// The face without contact, but no symmetry, through which a node of the glass has come into an active tool: that face
+/// is the closest, a contact face at least twice as far, and the node deeper than 1 % of the mean wall or, in thick
+/// glass, than steps leave it behind a contact face.
 std::optional<ToolFace> entered_face(const Scene& scene, const State& state);
 
 /// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then,

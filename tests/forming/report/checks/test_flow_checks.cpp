@@ -11,6 +11,8 @@
 #include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/run/run.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/contact/penetration.hpp"
 
 namespace parison::forming {
 namespace {
@@ -177,6 +179,22 @@ TEST(Checks, glass_that_enters_a_tool_through_a_face_without_contact_is_told_wit
   const std::string held = told(
       replaced("(10, 0) mm\", condition = \"insulated\"", "(10, 0) mm\", condition = \"contact\"", puddle_on_ledge));
   EXPECT_EQ(held.find("penetration"), held.npos) << held;
+}
+
+TEST(Penetration, glass_behind_a_face_without_contact_is_as_deep_as_it_is_behind_that_face) {
+  const Scene scene = scene_of(puddle_on_ledge);
+  const auto pushed = [&](double radius, double depth) {
+    State state = initial_state(scene);
+    for (Point& x : state.glass.mesh.nodes)
+      if (x[1] == 0 && x[0] > radius) x[1] -= depth;
+    note_penetration(scene, state);
+    return state;
+  };
+  const State entered = pushed(15e-3, 50e-6);
+  EXPECT_NEAR(entered.totals.max_penetration, 50e-6, 1e-12) << "the contact face is 5 mm away";
+  EXPECT_LT(50e-6, 0.01 * core::mean_wall(entered.glass.mesh)) << "thick glass";
+  EXPECT_NE(entered_face_sentence(scene, entered).find("tool plate through its boundary ledge"), std::string::npos);
+  EXPECT_EQ(entered_face_sentence(scene, pushed(15e-3, 1e-6)), "") << "round-off";
 }
 
 TEST(Checks, a_run_that_stops_after_glass_has_entered_a_tool_says_that_first) {
