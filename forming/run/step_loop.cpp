@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -42,46 +43,56 @@ void accept(RunInProgress& run, StepResult& result, const ProposedStep& proposed
   run.outcome.facts.reason.clear();
 }
 
-/// Whether it is gravity that moves the glass: no stage so far has a pressure, and in the present one gravity has done
-/// most of the work.
+/// Whether it is gravity that moves the glass: no pressure acts, and in the present stage gravity has done most of the
+/// work.
 bool gravity_alone_moves(const RunInProgress& run) {
   constexpr double most = 0.8;
   const State& state = run.outcome.state;
-  const auto has_pressure = [](const Stage& stage) {
-    return std::any_of(stage.pressure.begin(), stage.pressure.end(),
-                       [](const auto& pressure) { return pressure.second.max_size() > 0; });
-  };
-  const auto& stages = run.scene.stages;
-  if (std::any_of(stages.begin(), stages.begin() + state.stage + 1, has_pressure)) return false;
+  const auto& pressure = run.scene.stages[state.stage].pressure;
+  const auto acts = [&](const auto& on_boundary) { return on_boundary.second(state.stage_time) != 0; };
+  if (std::any_of(pressure.begin(), pressure.end(), acts)) return false;
   const auto& ended = run.outcome.facts.stages;
   const Work before = ended.empty() ? Work{} : ended.back().work, &now = state.totals.work;
   const double gravity = now.gravity - before.gravity, tools = now.tools - before.tools;
   return gravity > most * (gravity + std::max(0.0, tools));
 }
 
-/// Where glass moves faster than any forming does, as a sentence: without inertia nothing else limits a film that the
-/// air blows up or glass that stretches under its weight. Empty where none does.
+/// A node of the glass that moves faster than any forming does; none where none does.
+struct FastNode {
+  Point at;      ///< m
+  double speed;  ///< m/s
+};
+std::optional<FastNode> fast_node(const State& state) {
+  constexpr double fastest_forming = 20;  // m/s
+  FastNode fastest{Point::Zero(), 0};
+  for (Index n = 0; n < state.glass.velocity.size() / core::dim; ++n)
+    if (const double speed = flow::node_velocity(state.glass.velocity, n).norm(); speed > fastest.speed)
+      fastest = {state.glass.mesh.nodes[n], speed};
+  if (fastest.speed < fastest_forming) return {};
+  return fastest;
+}
+
+/// Where glass falls by its weight, as a sentence; empty where it does not. Without inertia nothing else limits how
+/// fast a thread of it gets.
+std::string falling_glass(const RunInProgress& run) {
+  const auto fast = fast_node(run.outcome.state);
+  if (!fast || !gravity_alone_moves(run)) return "";
+  return fmt::format(
+      "the glass stretches under its weight alone until it falls, near ({:.1f}, {:.1f}) mm at {:.0f} m/s, where no "
+      "pressure acts: a shorter time before something holds or shapes it, colder glass, or a tool that carries it "
+      "keeps it together",
+      1e3 * fast->at[0], 1e3 * fast->at[1], fast->speed);
+}
+
+/// Where glass falls or the air blows up a film, as a sentence; empty where neither happens.
 std::string bursting_film(const RunInProgress& run) {
-  const State& state = run.outcome.state;
-  const core::Mesh& glass = state.glass.mesh;
-  const Eigen::VectorXd& velocity = state.glass.velocity;
-  constexpr double bursting = 20;  // m/s
-  Index fastest = 0;
-  for (Index n = 0; n < velocity.size() / core::dim; ++n)
-    if (flow::node_velocity(velocity, n).norm() > flow::node_velocity(velocity, fastest).norm()) fastest = n;
-  const double speed = velocity.size() > 0 ? flow::node_velocity(velocity, fastest).norm() : 0;
-  if (speed < bursting) return "";
-  const Point& x = glass.nodes[fastest];
-  if (gravity_alone_moves(run))
-    return fmt::format(
-        "the glass stretches under its weight alone until it falls, near ({:.1f}, {:.1f}) mm at {:.0f} m/s, where no "
-        "pressure has acted: a shorter time before something holds or shapes it, colder glass, or a tool that carries "
-        "it keeps it together",
-        1e3 * x[0], 1e3 * x[1], speed);
+  if (const std::string falling = falling_glass(run); !falling.empty()) return falling;
+  const auto fast = fast_node(run.outcome.state);
+  if (!fast) return "";
   return fmt::format(
       "a film of glass bursts near ({:.1f}, {:.1f}) mm, where it moves at {:.0f} m/s: less pressure, or glass that is "
       "thicker or colder there, may keep it whole",
-      1e3 * x[0], 1e3 * x[1], speed);
+      1e3 * fast->at[0], 1e3 * fast->at[1], fast->speed);
 }
 
 /// Sets the next step shorter after a rejected one of length dt, s; false when none is worth trying.
@@ -181,6 +192,10 @@ bool remesh_glass(RunInProgress& run, RemeshReason why) {
 
 bool advance(RunInProgress& run, AcceptedStep& step) {
   const Scene& scene = run.scene;
+  if (const std::string falling = falling_glass(run); !falling.empty()) {
+    run.outcome.facts.reason = falling;
+    return false;
+  }
   if (scene.has_flow() && needs_remesh(scene, run.outcome.state) && !remesh_glass(run, RemeshReason::quality))
     return false;
   if (step_once(run, step)) return true;
