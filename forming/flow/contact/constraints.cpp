@@ -140,27 +140,39 @@ Constraints make_constraints(const Problem& problem, const std::vector<bool>& ac
 
 namespace {
 
+/// Cosine between a normal and an axis from which a contact resists a translation along that axis.
+constexpr double resisting = 1e-3;
+
 /// Whether any constraint resists a translation of the glass along coordinate `axis`.
 bool resists(const std::vector<NodeConstraint>& constraints, int axis) {
-  constexpr double counts = 1e-3;
   return std::any_of(constraints.begin(), constraints.end(), [&](const NodeConstraint& constraint) {
     for (int a = 0; a < dim; ++a)
       if ((constraint.fixed[a] || (constraint.friction_tool >= 0 && a == dim - 1)) &&
-          std::abs(constraint.basis(axis, a)) > counts)
+          std::abs(constraint.basis(axis, a)) > resisting)
         return true;
     return false;
   });
 }
 
 /// Adds the candidate to the active set that glass under a force `load` along `axis` would meet first; false where
-/// there is none.
+/// there is none. A face that lies nearly along the axis, as a steep taper, carries where there is no other.
 bool activate_first_met(const Problem& problem, int axis, double load, std::vector<bool>& active) {
-  int best = -1;
-  for (std::size_t i = 0; i < active.size(); ++i) {
+  constexpr double across = 0.1;
+  int best = -1, steep = -1;
+  const auto along_axis = [&](int i) {
+    return problem.candidates[i].rate / std::abs(problem.candidates[i].normal[axis]);
+  };
+  for (int i = 0; i < static_cast<int>(active.size()); ++i) {
     const auto& candidate = problem.candidates[i];
-    if (active[i] || candidate.normal[axis] * load >= 0 || std::abs(candidate.normal[axis]) < 0.1) continue;
-    if (best < 0 || candidate.rate > problem.candidates[best].rate) best = static_cast<int>(i);
+    const double cosine = std::abs(candidate.normal[axis]);
+    if (active[i] || candidate.normal[axis] * load >= 0 || cosine <= resisting) continue;
+    if (cosine < across) {
+      if (steep < 0 || along_axis(i) > along_axis(steep)) steep = i;
+    } else if (best < 0 || candidate.rate > problem.candidates[best].rate) {
+      best = i;
+    }
   }
+  if (best < 0) best = steep;
   if (best >= 0) active[best] = true;
   return best >= 0;
 }

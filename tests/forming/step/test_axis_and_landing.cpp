@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -162,6 +163,46 @@ TEST(Grip, holds_the_glass_drawn_on_it_whichever_way_gravity_pulls) {
     const RunOutcome outcome = run(scene, {});
     EXPECT_TRUE(outcome.facts.completed) << gravity << ": " << outcome.facts.reason;
     EXPECT_EQ(outcome.facts.stages.back().end_reason, "duration") << gravity;
+  }
+}
+
+/// A ball of 10 mm radius in a taper that widens by 4 mm in radius over 46 mm of height, 5 degrees from the axis, which
+/// it touches with its centre at 23.43 mm.
+std::string ball_in_taper(double centre) {
+  return fmt::format(R"(case = "taper"
+geometry = "axisymmetric"
+[numerics]
+surface_size = "2 mm"
+[material.soft]
+density = "2400 kg/m3"
+viscosity = {{ law = "constant", value = "1e3 Pa.s" }}
+[glass]
+material = "soft"
+boundary = [
+  {{ name = "surface", path = "arc centre (0, {0}) mm radius 10 mm from -90 deg to 90 deg", condition = "contact" }},
+  {{ name = "axis", path = "(0, {1}) mm", condition = "symmetry" }} ]
+[[tool]]
+name = "mould"
+friction = {{ law = "navier", coefficient = "1e6 Pa.s/m" }}
+boundary = [
+  {{ name = "inner", path = "(8, 0) (12, 46) mm", condition = "contact" }},
+  {{ name = "outer", path = "(20, 46) (20, 0) (8, 0) mm", condition = "insulated" }} ]
+[[stage]]
+name = "settle"
+duration = "20 ms"
+gravity = "-9.81 m/s2"
+tools = ["mould"]
+)",
+                     centre, centre - 10);
+}
+
+TEST(Landing, a_gob_that_stands_above_a_steep_taper_falls_onto_it) {
+  for (const double above : {0.002, 0.3}) {
+    const RunOutcome outcome = run(scene_of(ball_in_taper(23.43 + above)));
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    const auto& tools = outcome.state.glass.contact_tool;
+    EXPECT_GT(std::count(tools.begin(), tools.end(), 0), 0) << above;
+    EXPECT_LT(outcome.state.totals.max_penetration, 5e-6) << above;
   }
 }
 
