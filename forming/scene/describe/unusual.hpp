@@ -29,6 +29,10 @@ std::vector<std::string> tools_run_into(const Scene& scene, const ContainerPlan&
 /// The parison that the press makes does not fit into a mould of a later stage: which, where and by how much.
 std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPlan& plan);
 
+/// The plunger stops where a part of the glass is thinner than films may be, so that the run would end: which and
+/// where.
+std::vector<std::string> films_too_thin(const Scene& scene, const ContainerPlan& plan);
+
 /// All of it as lines for the terminal, empty where all is usual.
 std::string describe_unusual(const Scene& scene);
 

@@ -96,11 +96,15 @@ std::string film_failure(const Scene& scene, const State& state) {
   if (freezes && !is_crushed(scene, state, films, node)) return "";
   const Index there = opposite_tool(films, state, node);
   const Point middle = state.glass.mesh.nodes[node] - 0.5 * min_thickness * films.wall.normal[node];
-  return fmt::format("the glass between {} and {} is {:.4g} mm thick near ({:.2f}, {:.2f}) mm, {} {:.4g} mm{}",
-                     scene.tools[state.glass.contact_tool[node]].name,
-                     there < 0 ? "its mirror image" : scene.tools[there].name, 1e3 * min_thickness, 1e3 * middle[0],
-                     1e3 * middle[1], freezes ? "it is frozen below" : "allowed are films of at least",
-                     1e3 * limit.min_thickness, freezes ? ", but a prescribed motion closes the tools further" : "");
+  return fmt::format(
+      "the glass between {} and {} is {:.4g} mm thick near ({:.2f}, {:.2f}) mm, {} {:.4g} mm, film.min_thickness of "
+      "the glass{}",
+      scene.tools[state.glass.contact_tool[node]].name, there < 0 ? "its mirror image" : scene.tools[there].name,
+      1e3 * min_thickness, 1e3 * middle[0], 1e3 * middle[1],
+      freezes ? "it is frozen below" : "allowed are films of at least", 1e3 * limit.min_thickness,
+      freezes ? ", but a prescribed motion closes the tools further"
+              : "; where so thin a film is meant, film.then = \"freeze\" lets it flow no more and the run go on, and a "
+                "smaller film.min_thickness follows it farther");
 }
 
 std::vector<bool> frozen_cells(const Scene& scene, const State& state) {

@@ -117,5 +117,17 @@ TEST(Unusual, glass_that_lies_at_a_face_without_contact_is_told_with_tool_and_bo
   EXPECT_EQ(notes(small_scene).find("no contact"), std::string::npos) << notes(small_scene);
 }
 
+TEST(Unusual, a_plunger_that_stops_with_less_glass_before_it_than_a_film_may_have_is_told_with_the_keys) {
+  const auto glass = [](const std::string& film) {
+    return "glass={ material = \"flint\", temperature = \"1100 degC\", film = { " + film +
+           " }, gob = { mass = \"218 g\", diameter = \"50 mm\", at = \"(0, 0) mm\" } }";
+  };
+  expect_note("tumbler", glass(""),
+              "stops for this mass, at 0.2218 mm, the glass is 0.22 mm thick from radius 0 to 24");
+  expect_note("tumbler", glass(""), "thinner than film.min_thickness = 0.3 mm of the glass: the run will end there");
+  EXPECT_EQ(notes_on("tumbler", {glass("then = \"freeze\"")}), "");
+  EXPECT_EQ(notes_on("tumbler", {glass("min_thickness = \"0.2 mm\"")}), "");
+}
+
 }  // namespace
 }  // namespace parison::forming
