@@ -47,10 +47,21 @@ std::string thickness_lines(const Summary& summary) {
               : "");
 }
 
+/// What the numbers of a planar scene are for; empty of an axisymmetric one.
+std::string depth_line(const Scene& scene) {
+  if (scene.geometry != core::Geometry::planar) return "";
+  const auto is_symmetry = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::symmetry; };
+  const auto& boundaries = scene.glass.boundaries;
+  const bool is_part = std::any_of(boundaries.begin(), boundaries.end(), is_symmetry);
+  return line("planar", fmt::format("masses, volumes, heats and forces are those of a metre of depth{}",
+                                    is_part ? ", of the part of the section that is drawn" : ""));
+}
+
 std::string glass_lines(const Scene& scene, const State& state, const Summary& summary) {
   const GlassFacts& glass = summary.glass;
   std::string text =
       line("glass", fmt::format("{} g, {} cm3", figures(1e3 * glass.mass, 1), figures(1e6 * glass.volume, 2)));
+  text += depth_line(scene);
   if (scene.has_heat())
     text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
                                                   celsius(glass.lowest), celsius(glass.highest)));

@@ -101,6 +101,32 @@ TEST(Summary, a_thickness_that_no_row_gives_is_not_a_number_in_the_table) {
   EXPECT_NE(table.find("wall thickness        n/a\n"), table.npos) << table;
 }
 
+TEST(Summary, the_table_says_that_the_numbers_of_a_planar_scene_are_for_a_metre_of_depth) {
+  const std::string half = R"(case = "half"
+geometry = "planar"
+stage = [{ name = "rest", duration = "1 s" }]
+[material.glass]
+density = "2400 kg/m3"
+heat_capacity = "1300 J/kg/K"
+conductivity = "1.3 W/m/K"
+[glass]
+material = "glass"
+temperature = "1000 degC"
+boundary = [
+  { name = "rest", path = "(0, 0) (10, 0) (10, 10) (0, 10) mm", condition = "insulated" },
+  { name = "middle", path = "(0, 0) mm", condition = "symmetry" } ]
+)";
+  const auto table = [](const Scene& scene) {
+    const State state = initial_state(scene);
+    return summary_table(scene, state, summarise(scene, state, some_facts(), {}));
+  };
+  const std::string told = "masses, volumes, heats and forces are those of a metre of depth";
+  const std::string of_half = table(scene_of(half)), whole = replaced("\"symmetry\"", "\"insulated\"", half);
+  EXPECT_NE(of_half.find(told + ", of the part of the section that is drawn\n"), of_half.npos) << of_half;
+  EXPECT_NE(table(scene_of(whole)).find(told + "\n"), std::string::npos);
+  EXPECT_EQ(table(case_of("contact_cylinders")).find(told), std::string::npos);
+}
+
 TEST(Summary, the_table_gives_small_glass_to_four_figures_and_of_each_tool_its_offset_at_the_end) {
   const Scene scene = case_of("contact_cylinders");
   State state = initial_state(scene);
