@@ -296,7 +296,8 @@ double middle_of_rim(const core::Mesh& mesh, const std::vector<Index>& nodes, co
     const auto [first, second, middle] = edges[edge].nodes;
     const bool begins = nodes[row] == (step > 0 ? first : second);
     if (!begins && nodes[row] != middle) continue;
-    return rim_middle(mesh, {edge, rows[begins ? row : row - step].arc, step > 0, direction.normalized()});
+    return rim_middle(
+        mesh, {edge, rows[begins ? row : row - step].arc, step > 0, direction.normalized(), 0.5 * rows[row].thickness});
   }
   return none;
 }

@@ -14,17 +14,16 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double turned = 0.5;  ///< cosine of the 60 degrees by which the middle stretch of a rim is off the wall
 constexpr int samples = 4;      ///< along an edge
 
-/// Where the cosine between the walk and the wall falls below a level.
+/// Where the cosine between the walk and the wall has fallen below a level for the last time.
 class Passage {
  public:
   explicit Passage(double level) : level_(level) {}
   void visit(double arc, double cosine) {
-    if (!std::isnan(at_) || !(cosine < level_)) {
-      arc_ = arc, cosine_ = cosine;
-      return;
-    }
-    const double share = std::isnan(arc_) ? 1 : (cosine_ - level_) / (cosine_ - cosine);
-    at_ = share == 1 ? arc : arc_ + share * (arc - arc_);
+    if (cosine >= level_)
+      at_ = none;
+    else if (std::isnan(at_))
+      at_ = std::isnan(arc_) ? arc : arc_ + (cosine_ - level_) / (cosine_ - cosine) * (arc - arc_);
+    arc_ = arc, cosine_ = cosine;
   }
   double at() const { return at_; }
 
@@ -60,10 +59,10 @@ double rim_middle(const core::Mesh& mesh, const RimApproach& approach) {
       leaves.visit(arc, cosine);
       returns.visit(arc, cosine);
     }
-    if (!std::isnan(returns.at())) return 0.5 * (leaves.at() + returns.at());
+    if (std::abs(arc - returns.at()) > approach.steady) break;
     edge = begin + (edge - begin + step + count) % count;
   }
-  return none;
+  return 0.5 * (leaves.at() + returns.at());
 }
 
 }  // namespace parison::forming

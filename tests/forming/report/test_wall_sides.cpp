@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -284,6 +285,18 @@ TEST(WallSides, shares_of_the_arc_end_in_the_middle_of_a_rim_and_the_wall_beside
     const double turned = std::acos(0.97), lip = 2e-3 * (18e-3 * turned + 2e-3 * std::sin(turned));
     EXPECT_NEAR(area / (2 * M_PI), 20e-3 * 40e-3 + lip, 20e-3 * 0.05e-3) << size;
   }
+}
+
+TEST(WallSides, glass_that_swells_over_a_held_rim_does_not_move_its_middle) {
+  const auto end_with = [](double swelling) {
+    const std::string neck = fmt::format("\"(9, -2) (9.3, -0.5) (9.1, {0}) (9.04, {0}) (9, 0) mm\"", swelling);
+    const ThicknessProfile tube = profile_of(
+        "axisymmetric", boundary("end", "\"(6, -30) (9, -30) mm\"") + boundary("outer", neck) +
+                            boundary("held", "\"(6, 0) mm\"", "fixed") + boundary("inner", "\"(6, -30) mm\""));
+    return 1e3 * tube.last_arc - (1e3 * tube.rows.back().arc - 1.5);
+  };
+  EXPECT_NEAR(end_with(0.001), 0, 0.4);
+  EXPECT_NEAR(end_with(0.06), end_with(0.001), 0.1);
 }
 
 TEST(WallSides, a_heavy_dish_has_a_bottom_and_a_flange_ends_in_a_rim) {
