@@ -48,6 +48,39 @@ std::pair<double, Index> nearest_tool(const Scene& scene, const State& state) {
   return nearest;
 }
 
+/// How far the glass would fall as it is onto the first of the stage's tools, m, and which it is; -1 where it would
+/// fall past them all. It falls by the distance to that tool again and again.
+std::pair<double, Index> first_below(const Scene& scene, const State& state) {
+  constexpr double touches = 1e-6, farthest = 5;  // of the glass
+  const double size = core::size(scene.glass.profile);
+  const Point down = std::copysign(1.0, scene.stages[state.stage].gravity) * core::axis_direction();
+  std::pair<double, Index> first{std::numeric_limits<double>::infinity(), -1};
+  for (const auto& place : scene.stages[state.stage].tools) {
+    State falling = state;
+    double fallen = 0, gap = std::numeric_limits<double>::infinity();
+    while (fallen < farthest * size && gap > touches * size) {
+      gap = tool_gaps(scene, falling, place.tool, std::numeric_limits<double>::infinity()).minCoeff();
+      for (Point& node : falling.glass.mesh.nodes) node += gap * down;
+      fallen += gap;
+    }
+    if (gap <= touches * size) first = std::min(first, {fallen, place.tool});
+  }
+  return first;
+}
+
+/// What is nearest to glass that nothing carries.
+std::string nearest_sentence(const Scene& scene, const State& state) {
+  if (scene.stages[state.stage].tools.empty()) return "the stage has no tools";
+  if (scene.stages[state.stage].gravity != 0) {
+    const auto [fall, tool] = first_below(scene, state);
+    if (tool >= 0)
+      return fmt::format("it would fall {:.3g} mm along the axis onto {}", 1e3 * fall, scene.tools[tool].name);
+    return "it would fall past all tools";
+  }
+  const auto [distance, tool] = nearest_tool(scene, state);
+  return fmt::format("the nearest tool, {}, is {:.3g} mm away", scene.tools[tool].name, 1e3 * distance);
+}
+
 }  // namespace
 
 bool add_carrier(flow::Problem& problem, std::vector<bool>& active, std::optional<double> force) {
@@ -98,16 +131,15 @@ std::string unsupported_glass(const Scene& scene, const State& state) {
   const bool is_loaded = stage.gravity != 0 || !has_one_pressure(mesh, pressure_of);
   if (!scene.has_flow() || !is_loaded || stage.trapped_air || is_held_along_axis(mesh)) return "";
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(core::dim * mesh.node_count());
-  if (!contact_candidates(scene, state, at_rest, scene.accuracy.initial_step).empty()) return "";
-  const auto [distance, tool] = nearest_tool(scene, state);
-  const std::string nearest =
-      tool < 0 ? "the stage has no tools"
-               : fmt::format("the nearest tool, {}, is {:.3g} mm away", scene.tools[tool].name, 1e3 * distance);
+  const auto candidates = contact_candidates(scene, state, at_rest, scene.accuracy.initial_step);
+  const bool is_carried = std::any_of(candidates.begin(), candidates.end(), [&](const auto& candidate) {
+    return stage.gravity == 0 || candidate.normal.dot(core::axis_direction()) * stage.gravity < 0;
+  });
+  if (is_carried) return "";
   return fmt::format(
       "the glass is not constrained: nothing carries it in this stage, {}; free fall is not computed, so the glass "
-      "must "
-      "start where it touches a tool",
-      nearest);
+      "must start where it touches a tool that carries it",
+      nearest_sentence(scene, state));
 }
 
 }  // namespace parison::forming

@@ -17,6 +17,7 @@
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/interpolate.hpp"
+#include "forming/step/contact/carrier.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/step.hpp"
 #include "remesh/mesher/quality.hpp"
@@ -170,6 +171,18 @@ TEST_F(Pot, a_failed_step_is_a_value_and_leaves_the_state_alone) {
   EXPECT_FALSE(result.converged);
   EXPECT_NE(result.reason.find("not constrained"), std::string::npos) << result.reason;
   EXPECT_EQ(state.totals.steps, 0);
+}
+
+TEST_F(Pot, glass_above_the_tools_is_told_how_far_it_would_fall_onto_which) {
+  scene.stages[0].gravity = -9.81;
+  State state = initial_state(scene);
+  EXPECT_EQ(unsupported_glass(scene, state), "");
+  scene.stages[0].tools.resize(1);
+  for (Point& node : state.glass.mesh.nodes) node[1] += 3e-3;
+  const std::string told = unsupported_glass(scene, state), name = scene.tools[scene.stages[0].tools[0].tool].name;
+  EXPECT_NE(told.find("it would fall 3 mm along the axis onto " + name), std::string::npos) << told;
+  for (Point& node : state.glass.mesh.nodes) node[1] -= 1;
+  EXPECT_NE(unsupported_glass(scene, state).find("it would fall past all tools"), std::string::npos);
 }
 
 TEST_F(Pot, a_run_that_cannot_go_on_says_where_and_leaves_its_results) {
