@@ -133,7 +133,8 @@ std::string unsupported_glass(const Scene& scene, const State& state) {
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(core::dim * mesh.node_count());
   const auto candidates = contact_candidates(scene, state, at_rest, scene.accuracy.initial_step);
   const bool is_carried = std::any_of(candidates.begin(), candidates.end(), [&](const auto& candidate) {
-    return stage.gravity == 0 || candidate.normal.dot(core::axis_direction()) * stage.gravity < 0;
+    const bool slips = scene.tools[candidate.tool].friction.law == flow::Friction::Law::slip;
+    return stage.gravity == 0 || !slips || candidate.normal.dot(core::axis_direction()) * stage.gravity < 0;
   });
   if (is_carried) return "";
   return fmt::format(
