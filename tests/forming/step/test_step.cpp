@@ -20,6 +20,7 @@
 #include "forming/step/contact/carrier.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/step.hpp"
+#include "forming/step/step_control.hpp"
 #include "remesh/mesher/quality.hpp"
 
 namespace parison::forming {
@@ -171,6 +172,18 @@ TEST_F(Pot, a_failed_step_is_a_value_and_leaves_the_state_alone) {
   EXPECT_FALSE(result.converged);
   EXPECT_NE(result.reason.find("not constrained"), std::string::npos) << result.reason;
   EXPECT_EQ(state.totals.steps, 0);
+}
+
+TEST_F(Pot, a_change_of_temperature_repeats_a_step_but_not_one_near_the_shortest) {
+  StepReport report;
+  report.temperature_change = 10 * scene.accuracy.temperature_per_step;
+  report.dt = 100 * scene.accuracy.min_step;
+  EXPECT_TRUE(rejected_by_error_control(scene, report));
+  report.dt = 5 * scene.accuracy.min_step;
+  EXPECT_FALSE(rejected_by_error_control(scene, report)) << "a thin cell where a fold has closed evens out at once";
+  report.strain = 10 * scene.accuracy.strain_per_step;
+  report.temperature_change = 0;
+  EXPECT_TRUE(rejected_by_error_control(scene, report)) << "whatever else it changes";
 }
 
 TEST_F(Pot, glass_above_the_tools_is_told_how_far_it_would_fall_onto_which) {
