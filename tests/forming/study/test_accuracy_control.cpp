@@ -83,6 +83,27 @@ TEST(AccuracyControl, reaches_what_is_asked_for_whatever_the_error_of_the_scene)
   EXPECT_LT(costs[costs.size() / 2], 5);
 }
 
+TEST(AccuracyControl, an_estimate_is_larger_by_the_scatter_of_the_runs_behind_it) {
+  constexpr double share = 0.01, order = 1.5, target = 1e-4;
+  const auto estimates = [&](double third) {
+    AccuracyControl control(target);
+    for (const double scatter : {1.0, 1.0, third}) control.add(off_by(scatter * share, order, control.factor()), 1);
+    return control.record().runs;
+  };
+  const auto law = [&](const ControlledRun& run) { return share * std::pow(run.factor, order); };
+  const auto exact = estimates(1);
+  const double safety = exact[1].estimate / law(exact[1]);
+  EXPECT_GT(safety, 1);
+  EXPECT_NEAR(exact[2].estimate, safety * law(exact[2]), 1e-9 * law(exact[2])) << "all on one law";
+  // A third run off by less than the law has shows a larger difference: the mean alone would be one of these two.
+  const auto scattered = estimates(0.5);
+  const double last = law(scattered[2]);
+  const double from_first = (law(scattered[0]) - 0.5 * last) / (law(scattered[0]) - last);
+  const double from_second = (law(scattered[1]) - 0.5 * last) / (law(scattered[1]) - last);
+  EXPECT_GT(from_second, from_first);
+  EXPECT_GT(scattered[2].estimate, safety * from_second * last);
+}
+
 TEST(AccuracyControl, two_runs_that_agree_by_chance_are_not_enough) {
   AccuracyControl control(0.01);
   const double first = control.factor();
