@@ -117,6 +117,12 @@ struct RemeshStatistics {
   double coarsening_factor = 1;       ///< by which a mesh was coarser than asked for, for the sake of max_cells
 };
 
+/// Where and when the glass was deepest in a tool.
+struct PenetrationPlace {
+  Index tool = -1;                ///< none: no glass was in a tool
+  double r = 0, z = 0, time = 0;  ///< of the glass, m; s
+};
+
 /// Sums since the start.
 struct Totals {
   double to_air = 0;          ///< heat lost by the glass to air, J
@@ -129,6 +135,7 @@ struct Totals {
   double max_penetration = 0;       ///< max penetration of a glass node into a tool at any step, m
   double max_edge_penetration = 0;  ///< the same of a point on an edge in contact, m
   double penetration_share = 0, edge_penetration_share = 0;  ///< both over the mean wall of the glass at that step
+  PenetrationPlace deepest_node, deepest_edge;
   Index entered_tool = -1,
         entered_boundary = -1;  ///< where glass first came into a tool through a face without contact
   double max_drift = 0;         ///< of the glass volume at any step, relative to the start, without sign

@@ -106,6 +106,14 @@ void visit_work(Visitor visit, Sums& work) {
   visit("correction", work.correction);
 }
 
+template <typename Visitor, typename Place>
+void visit_penetration_place(Visitor visit, Place& place) {
+  visit("tool", place.tool);
+  visit("r", place.r);
+  visit("z", place.z);
+  visit("time", place.time);
+}
+
 template <typename Visitor, typename Sums>
 void visit_totals(Visitor visit, Sums& totals) {
   visit("to_air", totals.to_air);
@@ -133,6 +141,8 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("off_axis", totals.off_axis);
   visit("short_steps", totals.short_steps);
   visit("max_flux_mismatch", totals.max_flux_mismatch);
+  visit_penetration_place(visit.part("deepest_node"), totals.deepest_node);
+  visit_penetration_place(visit.part("deepest_edge"), totals.deepest_edge);
   visit_work(visit.part("work"), totals.work);
   visit_remeshing(visit.part("remeshing"), totals.remeshing);
 }

@@ -21,13 +21,18 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
                     "much; a smaller numerics.strain_per_step helps"});
   if (!scene.tools.empty()) {
     const std::string entered = entered_face_sentence(scene, state);
-    const auto sentence = [&](const char* on_steps) { return entered.empty() ? on_steps : entered; };
+    const auto sentence = [&](const char* what, double depth, const PenetrationPlace& place, const char* advice) {
+      if (!entered.empty()) return entered;
+      const std::string where = place_of_penetration(scene, depth, place);
+      return fmt::format("{} by so much of the mean wall, then or at the end{}; {}", what,
+                         where.empty() ? "" : ", " + where, advice);
+    };
     checks.push_back({"penetration", std::max(totals.penetration_share, totals.max_penetration / wall), 1e-2, 0.1, "%",
-                      sentence("a node of the glass was inside a tool by so much of the mean wall, then or at the end; "
+                      sentence("a node of the glass was inside a tool", totals.max_penetration, totals.deepest_node,
                                "a smaller numerics.strain_per_step or numerics.surface_size helps")});
     checks.push_back({"edge_penetration", std::max(totals.edge_penetration_share, totals.max_edge_penetration / wall),
                       5e-2, 0.25, "%",
-                      sentence("an edge of the glass cut into a tool by so much of the mean wall, then or at the end; "
+                      sentence("an edge of the glass cut into a tool", totals.max_edge_penetration, totals.deepest_edge,
                                "a smaller numerics.surface_size, or a finer --accuracy, helps")});
   }
   const auto is_symmetry = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::symmetry; };

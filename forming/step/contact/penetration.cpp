@@ -59,10 +59,38 @@ std::vector<bool> faces(const Body& body) {
   return is_face;
 }
 
-/// max_edge_penetration behind the boundaries that `measured` gives of a tool.
+/// How deep glass is in an active tool, m; no tool where nothing is deeper than what was known before.
+struct Depth {
+  double depth;
+  Index tool = -1;
+  Point place = Point::Zero();  ///< of the glass there, m
+};
+
+/// The depth of glass at x in a tool that is moved by `offset`, if it is more than that of `deepest`.
+void deepen(const contact::ToolGap& gap, Index tool, const Point& x, const Point& offset, std::size_t& closest,
+            Depth& deepest) {
+  const double depth = gap.deepest(x - offset, deepest.depth, closest);
+  if (depth > deepest.depth) deepest = {depth, tool, x};
+}
+
+Depth deepest_node(const Scene& scene, const State& state, double known) {
+  const core::Mesh& glass = state.glass.mesh;
+  const auto surface = surface_nodes(glass);
+  Depth deepest{known};
+  for (const Index tool : active_tools(scene, state)) {
+    const contact::ToolGap gap(scene.tools[tool].profile, faces(scene.tools[tool]));
+    const Point offset = state.tools[tool].offset * core::axis_direction();
+    std::size_t closest = 0;
+    for (const Index node : surface) deepen(gap, tool, glass.nodes[node], offset, closest, deepest);
+  }
+  return deepest;
+}
+
+/// The deepest place of an edge behind the boundaries that `measured` gives of a tool.
 template <typename Measured>
-double deepest_edge(const Scene& scene, const State& state, double known, const Measured& measured) {
+Depth deepest_edge(const Scene& scene, const State& state, double known, const Measured& measured) {
   const core::Mesh& mesh = state.glass.mesh;
+  Depth deepest{known};
   for (const Index tool : active_tools(scene, state)) {
     const contact::ToolGap gap(scene.tools[tool].profile, measured(scene.tools[tool]));
     const Point offset = state.tools[tool].offset * core::axis_direction();
@@ -76,29 +104,22 @@ double deepest_edge(const Scene& scene, const State& state, double known, const 
       for (int i = 0; i < 3; ++i) local[i] = mesh.nodes[edge.nodes[i]] - offset;
       for (const double s : places_on(local, scene.tools[tool].profile)) {
         const auto n = core::edge_shape(s);
-        known = gap.deepest(n[0] * local[0] + n[1] * local[1] + n[2] * local[2], known, closest);
+        const Point x = n[0] * local[0] + n[1] * local[1] + n[2] * local[2];
+        deepen(gap, tool, x + offset, offset, closest, deepest);
       }
     }
   }
-  return known;
+  return deepest;
 }
 
 }  // namespace
 
 double max_penetration(const Scene& scene, const State& state, double known) {
-  const core::Mesh& glass = state.glass.mesh;
-  const auto surface = surface_nodes(glass);
-  for (const Index tool : active_tools(scene, state)) {
-    const contact::ToolGap gap(scene.tools[tool].profile, faces(scene.tools[tool]));
-    const Point offset = state.tools[tool].offset * core::axis_direction();
-    std::size_t closest = 0;
-    for (const Index node : surface) known = gap.deepest(glass.nodes[node] - offset, known, closest);
-  }
-  return known;
+  return deepest_node(scene, state, known).depth;
 }
 
 double max_edge_penetration(const Scene& scene, const State& state, double known) {
-  return deepest_edge(scene, state, known, faces);
+  return deepest_edge(scene, state, known, faces).depth;
 }
 
 double edge_depth_gained(const Scene& scene, const State& before, const State& after) {
@@ -106,8 +127,8 @@ double edge_depth_gained(const Scene& scene, const State& before, const State& a
   const double size = core::size(scene.glass.profile), step = core::tolerance::penetration * size;
   const double at_tool = core::tolerance::at_tool * size, left = at_tool + step;
   const auto behind = [](const Tool& tool) { return contact_boundaries(tool); };
-  const double depth = deepest_edge(scene, after, left, behind);
-  return depth > left && depth > deepest_edge(scene, before, at_tool, behind) + step ? depth : 0;
+  const double depth = deepest_edge(scene, after, left, behind).depth;
+  return depth > left && depth > deepest_edge(scene, before, at_tool, behind).depth + step ? depth : 0;
 }
 
 namespace {
@@ -154,18 +175,28 @@ std::optional<ToolFace> entered_face(const Scene& scene, const State& state) {
 void note_penetration(const Scene& scene, State& state) {
   Totals& totals = state.totals;
   const double wall = core::mean_wall(state.glass.mesh);
-  const auto note = [&](auto&& deepest, double& depth, double& share) {
-    const double found = deepest(scene, state, std::min(depth, share * wall));
-    depth = std::max(depth, found);
-    share = std::max(share, found / wall);
+  const auto note = [&](auto&& deepest, double& depth, double& share, PenetrationPlace& place) {
+    const Depth found = deepest(std::min(depth, share * wall));
+    if (found.tool >= 0 && found.depth > depth)
+      place = {found.tool, found.place[0], found.place[core::dim - 1], state.time};
+    depth = std::max(depth, found.depth);
+    share = std::max(share, found.depth / wall);
   };
-  note(max_penetration, totals.max_penetration, totals.penetration_share);
-  note(max_edge_penetration, totals.max_edge_penetration, totals.edge_penetration_share);
+  note([&](double known) { return deepest_node(scene, state, known); }, totals.max_penetration,
+       totals.penetration_share, totals.deepest_node);
+  note([&](double known) { return deepest_edge(scene, state, known, faces); }, totals.max_edge_penetration,
+       totals.edge_penetration_share, totals.deepest_edge);
   if (totals.max_penetration <= entered_depth(scene, state.glass.mesh) || totals.entered_tool >= 0) return;
   if (const auto face = entered_face(scene, state)) {
     totals.entered_tool = face->tool;
     totals.entered_boundary = face->boundary;
   }
+}
+
+std::string place_of_penetration(const Scene& scene, double depth, const PenetrationPlace& place) {
+  if (place.tool < 0) return "";
+  return fmt::format("the deepest, {:.3g} mm, in {} at (r, z) = ({:.2f}, {:.2f}) mm after {:.4g} s", 1e3 * depth,
+                     scene.tools[place.tool].name, 1e3 * place.r, 1e3 * place.z, place.time);
 }
 
 std::string entered_face_sentence(const Scene& scene, const State& state) {

@@ -46,8 +46,11 @@ struct ToolFace {
 std::optional<ToolFace> entered_face(const Scene& scene, const State& state);
 
 /// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then,
-/// and stores the first face without contact through which glass has come.
+/// and stores where and when the deepest were and the first face without contact through which glass has come.
 void note_penetration(const Scene& scene, State& state);
+
+/// "the deepest, 0.02 mm, in plunger at (r, z) = (3, 41.2) mm after 0.31 s"; empty where nothing was in a tool.
+std::string place_of_penetration(const Scene& scene, double depth, const PenetrationPlace& place);
 
 /// That glass has come into a tool through a face without contact, and what to do; empty where it has not.
 std::string entered_face_sentence(const Scene& scene, const State& state);
