@@ -127,6 +127,15 @@ TEST_F(RemeshState, an_edge_over_a_ridge_of_the_tool_is_as_deep_as_the_ridge_whe
   for (const Index node : contact_nodes(state.glass.mesh)) state.glass.contact_tool[node] = 0;
   EXPECT_LT(max_penetration(scene, state), 1e-12) << "no node is at the ridge";
   EXPECT_NEAR(max_edge_penetration(scene, state), depth / std::sqrt(2), 1e-9) << "from its two sides";
+  state.time = 0.25;
+  note_penetration(scene, state);
+  state.time = 0.5;
+  for (Point& node : state.glass.mesh.nodes) node[1] += 0.5 * depth;
+  note_penetration(scene, state);
+  const Totals& totals = state.totals;
+  EXPECT_EQ(place_of_penetration(scene, totals.max_penetration, totals.deepest_node), "");
+  EXPECT_EQ(place_of_penetration(scene, totals.max_edge_penetration, totals.deepest_edge),
+            "the deepest, 0.0212 mm, in pot at (r, z) = (4.03, -0.03) mm after 0.25 s");
 }
 
 TEST_F(RemeshState, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vertex) {
