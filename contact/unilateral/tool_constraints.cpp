@@ -68,6 +68,16 @@ bool crosses(const Segment& segment, const Point& a, const Point& b) {
   return false;
 }
 
+/// Whether a point is certainly farther than `reach` from the straight line or circle that a segment is a part of.
+bool is_off_curve(const Segment& segment, const Point& x, double reach) {
+  constexpr double rounding = 1e-6;  // of the reach, more than the gap of a constraint is off by
+  const double far = (1 + rounding) * reach;
+  if (segment.is_arc) return std::abs((x - segment.centre).norm() - segment.radius) > far;
+  const Point along = segment.end - segment.start;
+  const double area = cross(along, x - segment.start);
+  return area * area > far * far * along.squaredNorm();
+}
+
 }  // namespace
 
 const double smooth_cosine = std::cos(smooth_angle);
@@ -135,7 +145,7 @@ bool ToolConstraints::Query::hidden(Index i, const Point& closest_point) const {
 }
 
 void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& found) const {
-  if (!segments[i].in_contact || !projects_on(i)) return;
+  if (!segments[i].in_contact || is_off_curve(segment(i), x, reach) || !projects_on(i)) return;
   const double t = core::projected_parameter(segment(i), x);
   const Point closest_point = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
   const double gap = (x - closest_point).dot(normal);
@@ -237,6 +247,7 @@ std::vector<GapConstraint> ToolConstraints::operator()(const Point& x, double re
 }
 
 void merge_constraints(std::vector<GapConstraint>& constraints) {
+  if (constraints.size() < 2) return;
   std::stable_sort(constraints.begin(), constraints.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
   std::vector<GapConstraint> kept;
   for (const auto& c : constraints) {

@@ -146,7 +146,7 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
     bounds.push_back({tool, constraint});
   if (!edge) return bounds;
   for (const auto& tool : step.placed.tools) {
-    const auto constraint = edge_constraint(tool, step.edge_beside(tool.index, *edge));
+    const auto [constraint, corner] = edge_constraints(tool, step.edge_beside(tool.index, *edge));
     if (!constraint) continue;
     const auto same = std::find_if(bounds.begin(), bounds.end(), [&](const Bound& bound) {
       return bound.tool == tool.index && bound.at_end.normal.dot(constraint->normal) > contact::smooth_cosine;
@@ -154,8 +154,7 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
     if (same != bounds.end()) {
       same->clearance = std::max(0.0, same->at_end.gap - constraint->gap - step.placed.resting);
       same->lies_over = step.lies_over(tool.index, *edge);
-      if (const auto corner = edge_constraint(tool, step.edge_beside(tool.index, *edge), true))
-        same->held = std::max(0.0, same->at_end.gap - corner->gap - step.placed.resting);
+      same->held = std::max(0.0, same->at_end.gap - corner->gap - step.placed.resting);
     } else if (bounds.size() < core::dim && constraint->gap <= reach) {
       bounds.push_back({tool.index, *constraint});
       bounds.back().of_edge = true;

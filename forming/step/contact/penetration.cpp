@@ -37,9 +37,8 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
 }
 
 std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Profile& outline) {
-  constexpr std::array<double, 9> eighths{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
   constexpr double beside = 0.25;  // of the edge
-  std::vector<double> places(eighths.begin(), eighths.end());
+  std::vector<double> places(edge_eighths.begin(), edge_eighths.end());
   const Point along = edge[1] - edge[0];
   const double square = along.squaredNorm();
   for (const core::Segment& segment : outline.segments) {

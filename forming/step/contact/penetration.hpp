@@ -22,9 +22,11 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
 /// the tool that is closest, with or without contact. With what earlier steps had as `known` little is searched.
 double max_penetration(const Scene& scene, const State& state, double known = 0);
 
-/// Places on an edge (first, last, middle node, m, in the tool's frame) where penetration is looked for: its eighths,
-/// and where joints of the tool's outline lie beside it, since at a corner the tool may be deeper in the edge than at
-/// any place chosen without it.
+inline constexpr std::array<double, 9> edge_eighths{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
+
+/// Places on an edge (first, last, middle node, m, in the tool's frame) where penetration is looked for: its eighths
+/// first, and where joints of the tool's outline lie beside it, since at a corner the tool may be deeper in the edge
+/// than at any place chosen without it.
 std::vector<double> places_on(const std::array<Point, 3>& edge, const core::Profile& outline);
 
 /// Depth of the deepest of nine points on each edge of the glass that may touch, and of its places beside joints of a

@@ -46,7 +46,7 @@ struct Placed {
   double gap(const std::array<Point, 3>& edge_mm) const {
     std::array<Point, 3> edge;
     for (int i = 0; i < 3; ++i) edge[i] = 1e-3 * edge_mm[i];
-    const auto found = edge_constraint(tools.tools[0], edge);
+    const auto found = edge_constraints(tools.tools[0], edge).gentle;
     return found ? 1e3 * found->gap : std::numeric_limits<double>::infinity();
   }
 };
