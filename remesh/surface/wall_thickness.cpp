@@ -196,12 +196,13 @@ void spread_inward(const Mesh& mesh, Eigen::VectorXd& value) {
 
 namespace {
 
-Wall wall_between(const Mesh& mesh, double reach, Mirrors mirrors) {
+Wall wall_between(const Mesh& mesh, double reach, Mirrors mirrors, const std::vector<bool>& only = {}) {
   const BoundaryRays rays(mesh);
   Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
             surface_normals(mesh, mirrors)};
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     for (const Index node : edge.nodes) {
+      if (!only.empty() && !only[node]) continue;
       if (mirrors(mesh.kind_of(edge)) || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6) continue;
       wall.normal[node].normalize();
       const BoundaryRays::Hit hit = rays.first_exit(node, -wall.normal[node], reach);
@@ -215,8 +216,8 @@ Wall wall_between(const Mesh& mesh, double reach, Mirrors mirrors) {
 
 }  // namespace
 
-Wall surface_wall(const Mesh& mesh, double reach) {
-  return wall_between(mesh, reach, is_symmetry);
+Wall surface_wall(const Mesh& mesh, double reach, const std::vector<bool>& only) {
+  return wall_between(mesh, reach, is_symmetry, only);
 }
 
 Eigen::VectorXd wall_thickness(const Mesh& mesh) {

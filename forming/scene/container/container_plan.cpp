@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 
 #include "forming/scene/container/free_space.hpp"
 #include "forming/scene/container/hollow.hpp"
@@ -79,14 +81,24 @@ std::vector<double> offsets_of_stroke(const Press& press, double sense, std::str
   return offsets;
 }
 
-/// Offset between two at which the closed cavity holds a volume, by bisection.
+/// Offset between two at which the closed cavity holds a volume, by the method of G. E. Alefeld, F. A. Potra and Y. Shi
+/// (ACM Transactions on Mathematical Software 21, 1995, algorithm 748); `narrow` where it holds more there too.
 double offset_of_volume(Press& press, double volume, double wide, double narrow) {
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (wide + narrow);
-    const auto cavity = press.cavity(middle);
-    (!cavity || cavity->volume > volume ? wide : narrow) = middle;
-  }
-  return narrow;
+  constexpr double tolerance = 1e-12;  // of the volume
+  const auto spare = [&](double offset) {
+    const auto cavity = press.cavity(offset);
+    const double room = cavity ? cavity->volume / volume - 1 : 1;
+    return std::abs(room) < tolerance ? 0 : room;
+  };
+  const double at_wide = spare(wide), at_narrow = spare(narrow);
+  if (at_wide <= 0) return wide;
+  if (at_narrow >= 0) return narrow;
+  std::uintmax_t evaluations = 60;
+  const bool ordered = wide < narrow;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      spare, std::min(wide, narrow), std::max(wide, narrow), ordered ? at_wide : at_narrow,
+      ordered ? at_narrow : at_wide, boost::math::tools::eps_tolerance<double>(), evaluations);
+  return ordered ? high : low;
 }
 
 std::string volume_text(const ContainerPlan& plan) {

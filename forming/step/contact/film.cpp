@@ -26,9 +26,9 @@ struct Films {
   Eigen::VectorXd thickness;  ///< per node, m; infinite where the glass is no film
 };
 
-/// The films, and the wall thickness where it is at most `reach`, m.
-Films find_films(const GlassState& glass, double reach) {
-  Films films{remesh::surface_wall(glass.mesh, reach), {}};
+/// The films, and the wall thickness where it is at most `reach`, m, at nodes that `only`, where it is given, names.
+Films find_films(const GlassState& glass, double reach, const std::vector<bool>& only = {}) {
+  Films films{remesh::surface_wall(glass.mesh, reach, only), {}};
   films.thickness = remesh::film_between_tools(glass.mesh, films.wall, glass.contact_tool);
   return films;
 }
@@ -88,7 +88,9 @@ bool is_crushed(const Scene& scene, const State& state, const Films& films, Inde
 std::string film_failure(const Scene& scene, const State& state) {
   if (touches_nothing(state)) return "";
   const FilmLimit& limit = scene.glass.film;
-  const Films films = find_films(state.glass, limit.min_thickness);
+  std::vector<bool> in_contact;  // a film is between tools
+  for (const Index tool : state.glass.contact_tool) in_contact.push_back(tool >= 0);
+  const Films films = find_films(state.glass, limit.min_thickness, in_contact);
   const double allowed = (1 - film_tolerance) * limit.min_thickness;
   const auto [min_thickness, node] = thinnest_film(scene, state, films, allowed);
   if (!(min_thickness < allowed)) return "";
