@@ -26,14 +26,15 @@ constexpr std::size_t least_coarser = 2;
 
 // The errors of single runs scatter about error = constant h^order by some 40 %, so neither an order that three runs
 // show nor the difference of two of them can be trusted: the order is given, and the constant is a mean over all pairs
-// of runs, larger by the share by which those of the pairs scatter. Runs that are nearer to each other than the least
-// refinement would show the scatter alone. Chosen by replaying stored runs of 17 scenes of tests/bars, 21 factors each,
-// at six targets from four first runs: 99 % are reached on the nine scenes on which the rest was chosen and 91 % on the
-// others (91 and 87 % without scatter and with a least refinement of 1.1), at 6.8 times the cheapest run of a grid of
-// factors in the median (6.1), all runs of the search together. Who knew the law of each scene exactly would need 1.5
-// to 2.3 in the final run alone.
+// of runs, larger by a part of the share by which those of the pairs scatter. Runs that are nearer to each other than
+// the least refinement would show the scatter alone. Chosen by replaying stored runs of 17 scenes of tests/bars, 21
+// factors each, at six targets from four first runs: 95 % are reached on the nine scenes on which the rest was chosen
+// and 90 % on the others (91 and 87 % without scatter and with a least refinement of 1.1), at 6.2 times the cheapest
+// run of a grid of factors in the median (6.1), all runs of the search together. With the whole scatter 99 and 91 %
+// were reached, but searches of single scenes took up to a hundred times the CPU time. Who knew the law of each scene
+// exactly would need 1.5 to 2.3 in the final run alone.
 constexpr double order = 1.5;
-constexpr double safety = 1.25;
+constexpr double safety = 1.25, scatter_share = 0.35;
 constexpr double coarser_weight = 0.25;  ///< of a pair for each run that lies between its coarser one and the last
 constexpr std::size_t least_runs = 3;
 
@@ -70,7 +71,7 @@ double AccuracyControl::estimate() const {
     }
   const double mean = sum / weights, square = squares / weights;
   const double scatter = mean > 0 ? std::sqrt(std::max(0.0, square - mean * mean)) / mean : 0;
-  return safety * (1 + scatter) * std::sqrt(square) * std::pow(completed_.back().factor, order);
+  return safety * (1 + scatter_share * scatter) * std::sqrt(square) * std::pow(completed_.back().factor, order);
 }
 
 void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_seconds) {
