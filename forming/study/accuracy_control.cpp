@@ -31,8 +31,8 @@ constexpr std::size_t least_coarser = 2;
 // factors each, at six targets from four first runs: 95 % are reached on the nine scenes on which the rest was chosen
 // and 90 % on the others (91 and 87 % without scatter and with a least refinement of 1.1), at 6.2 times the cheapest
 // run of a grid of factors in the median (6.1), all runs of the search together. With the whole scatter 99 and 91 %
-// were reached, but searches of single scenes took up to a hundred times the CPU time. Who knew the law of each scene
-// exactly would need 1.5 to 2.3 in the final run alone.
+// were reached, but single searches, run anew, took up to a thousand times the cheapest run (now a hundred). Who knew
+// the law of each scene exactly would need 1.5 to 2.3 in the final run alone.
 constexpr double order = 1.5;
 constexpr double safety = 1.25, scatter_share = 0.35;
 constexpr double coarser_weight = 0.25;  ///< of a pair for each run that lies between its coarser one and the last

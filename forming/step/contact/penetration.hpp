@@ -22,6 +22,7 @@ std::vector<Penetration> penetrations(const Scene& scene, const State& state, do
 /// the tool that is closest, with or without contact. With what earlier steps had as `known` little is searched.
 double max_penetration(const Scene& scene, const State& state, double known = 0);
 
+/// The places on an edge, from 0 at its first node to 1 at its last, where penetration is looked for on every edge.
 inline constexpr std::array<double, 9> edge_eighths{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
 
 /// Places on an edge (first, last, middle node, m, in the tool's frame) where penetration is looked for: its eighths
