@@ -153,6 +153,18 @@ void restore_volume(const Scene& scene, const State& state, double target, core:
   remesh::restore_volume(surface, scene.geometry, target, mesh);
 }
 
+bool dilate_to(const Scene& scene, double target, State& state) {
+  const Eigen::VectorXd& mode = state.glass.dilatation_mode;
+  core::Mesh& mesh = state.glass.mesh;
+  if (mode.size() == 0) return false;
+  const auto dilatation = correction_rate(scene, mesh, Eigen::VectorXd::Zero(mode.size()), mode, 1, target);
+  if (!dilatation) return false;
+  const double most = mode.lpNorm<Eigen::Infinity>() * std::abs(*dilatation);
+  if (most > core::tolerance::free_shift * core::size(scene.glass.profile)) return false;
+  for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += *dilatation * flow::node_velocity(mode, n);
+  return true;
+}
+
 double volume_drift(const Scene& scene, const State& state) {
   return core::volume(state.glass.mesh, scene.geometry) / state.glass.initial_volume - 1;
 }

@@ -11,7 +11,8 @@ namespace parison::forming {
 ///   1. the flow equations get a right-hand side div v that offsets the error as far as it can be predicted;
 ///   2. their solution gets a multiple of its dilatation mode, so that the step ends with the wanted volume;
 ///   3. the predicted mesh in the middle of a step gets one as well, of the mode of the last step;
-///   4. a new mesh gets its volume by a shift of its surface.
+///   4. a new mesh gets its volume by a shift of its surface;
+///   5. what moves out of a tool at the end of a step is made good by the mode of the step.
 
 /// Volume that a step of length dt shall end with, m3: the initial volume; a larger error is reduced over several
 /// steps.
@@ -40,6 +41,11 @@ Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen:
 /// well, where no part is free or the free part is so small that it would move far, for what is below a few micrometres
 /// there.
 void restore_volume(const Scene& scene, const State& state, double target, core::Mesh& mesh);
+
+/// Leads the glass to the volume `target`, m3, along its last dilatation mode, by one secant step: as it would flow with
+/// its contacts closed. False, and nothing moved, where the mode is unknown, hardly changes the volume or would move a
+/// node far.
+bool dilate_to(const Scene& scene, double target, State& state);
 
 /// Volume of the glass relative to its initial one, minus 1.
 double volume_drift(const Scene& scene, const State& state);

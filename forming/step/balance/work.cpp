@@ -134,9 +134,9 @@ double unforeseen_work(const flow::Viscosity& viscosity, const core::Mesh& mesh,
   return dt * std::abs(power);
 }
 
-/// Steps of which each may have an error in proportion to its own loss; the least share of the whole that counts. A
-/// film that bursts takes many steps, each with little of the work and half of that wrong.
-constexpr double usual_steps = 400, least_share = 0.1;
+/// The least share of the whole that counts. A film that bursts takes many steps, each with little of the work and half
+/// of that wrong.
+constexpr double least_share = 0.1;
 
 double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery) {
   constexpr double negligible =

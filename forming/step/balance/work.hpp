@@ -6,6 +6,9 @@
 
 namespace parison::forming {
 
+/// Steps of which each may have an error in proportion to its own loss.
+inline constexpr double usual_steps = 400;
+
 /// Adds to `work`, J, the work of a step of length dt, s, from `start` with the velocities and forces of `flow`. The
 /// work of gravity, air pressure and surface tension is computed from the positions before and after the step,
 /// independently of the flow equations, so that the balance tests them.

@@ -209,7 +209,8 @@ void correct_edges(const Scene& scene, State& state) {
   core::Mesh& mesh = state.glass.mesh;
   const double volume = core::volume(mesh, scene.geometry);
   const bool slid = centre_middles(scene, state);
-  if (move_edges_out(scene, state, state.glass.contact_tool, mesh) || slid) restore_volume(scene, state, volume, mesh);
+  if ((move_edges_out(scene, state, state.glass.contact_tool, mesh) || slid) && !dilate_to(scene, volume, state))
+    restore_volume(scene, state, volume, mesh);
 }
 
 }  // namespace parison::forming

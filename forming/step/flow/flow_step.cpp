@@ -211,10 +211,12 @@ std::vector<double> heating(flow::Solution solution) {
   return heat;
 }
 
-/// Whether the correction of the volume does more work in a step than another coupling iteration costs.
-bool is_much_corrected(const flow::Solution& solution) {
-  const double dissipated = std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
-  return std::abs(solution.correction_power - solution.recovery_power) > iterated_correction * dissipated;
+/// Whether the correction of the volume does more work in a step than another coupling iteration costs: of what the
+/// step dissipates, or of a usual step where that is more. `before` is the work until this step.
+bool is_much_corrected(const flow::Solution& solution, double dt, const Work& before) {
+  const double dissipated = dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
+  const double corrected = dt * std::abs(solution.correction_power - solution.recovery_power);
+  return corrected > iterated_correction * std::max(dissipated, before.dissipation / usual_steps);
 }
 
 }  // namespace
@@ -232,7 +234,7 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
     if (!start.air && result.report.predictor_corrector_difference > tolerance)
       tolerance = initial_fraction * scene.accuracy.motion_tolerance;
     return gained == 0 && result.report.predictor_corrector_difference <= tolerance &&
-           !rejected_for_work(scene, result.report) && !is_much_corrected(*solution) &&
+           !rejected_for_work(scene, result.report) && !is_much_corrected(*solution, dt, state.totals.work) &&
            missed_volume(scene, state, result.state.glass.velocity, dt) <= iterated_missed_volume;
   };
   for (int iteration = 0; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
