@@ -196,7 +196,8 @@ double ToolConstraints::Query::distance(Index i) const {
 /// kept. None is where the point lies nearer to a segment that it does not project onto, past the end of the contact
 /// boundaries: what it is behind is on the other side of the tool.
 void ToolConstraints::Query::keep_closest_exterior(std::vector<GapConstraint>& found) const {
-  if (found.empty()) return;
+  const auto is_outside = [&](const GapConstraint& c) { return c.gap >= coincident; };
+  if (std::all_of(found.begin(), found.end(), is_outside)) return;
   const auto place = [&](const GapConstraint& c) {
     Index i = 0;
     while (segments[i].index != c.segment) ++i;
@@ -244,6 +245,13 @@ std::vector<GapConstraint> ToolConstraints::operator()(const Point& x, double re
   query.keep_closest_exterior(found);
   merge_constraints(found);
   return found;
+}
+
+bool ToolConstraints::is_beyond(const Box& box, double reach) const {
+  const Box within = inflated(box, reach);
+  return !overlap(within, in_contact_) || std::none_of(segments_.begin(), segments_.end(), [&](const auto& segment) {
+    return segment.in_contact && overlap(within, segment.bounds);
+  });
 }
 
 void merge_constraints(std::vector<GapConstraint>& constraints) {

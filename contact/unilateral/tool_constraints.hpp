@@ -29,6 +29,8 @@ class ToolConstraints {
  public:
   ToolConstraints(const core::Profile& tool, const std::vector<bool>& contact_boundaries);
   std::vector<GapConstraint> operator()(const core::Point& x, double reach) const;
+  /// Whether no point of a box is within `reach`, m, of the boxes around the segments of the contact boundaries.
+  bool is_beyond(const Box& box, double reach) const;
 
  private:
   struct Query;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/io/files.hpp"
+#include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/preset_scales.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
@@ -231,6 +232,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   if (const auto* numerics = root.find("numerics")) read_numerics(*numerics, scene);
   if (scene.accuracy_choice.coarsening_factor != 1) coarsen(scene, scene.accuracy_choice.coarsening_factor);
   check_sizes(scene, root);
+  if (auto plan = plan_container(scene)) scene.container = std::make_shared<const ContainerPlan>(*std::move(plan));
   check_gob(scene, root.get("glass"));
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -234,6 +235,8 @@ struct Output {
   Flags flags;
 };
 
+struct ContainerPlan;
+
 /// A whole case in SI units, validated; nothing changes it during a run.
 struct Scene {
   std::string name;
@@ -255,6 +258,7 @@ struct Scene {
   std::string accuracy_name;  ///< the text that was asked for
   AccuracyChoice accuracy_choice;
   Accuracy accuracy;
+  std::shared_ptr<const ContainerPlan> container;  ///< what drawings and mass say of it; null where they say nothing
   std::map<std::string, std::string>
       accuracy_origin;  ///< "case" or "--set" for each setting that the accuracy level did not choose
 

@@ -63,9 +63,20 @@ class BoundaryRays {
   };
 
   /// First edge at which the ray along a unit vector from a node leaves the body; edges of that node do not count.
-  /// Edges beyond `reach`, m, may be missed.
-  Hit first_exit(Index from, const Point& direction, double reach) const {
-    const Point start = mesh_.nodes[from], end = start + std::min(reach, extent_) * direction;
+  /// Edges beyond `reach`, m, may be missed. It is sought as far as `expected` first, m, which must be above 0: the box
+  /// of a long ray meets many edges.
+  Hit first_exit(Index from, const Point& direction, double reach, double expected) const {
+    constexpr double farther = 4;
+    const double whole = std::min(reach, extent_);
+    for (double length = std::min(expected, whole);; length = std::min(farther * length, whole)) {
+      const Hit hit = first_exit_within(length, from, direction);
+      if (length == whole || hit.distance <= length) return hit;
+    }
+  }
+
+ private:
+  Hit first_exit_within(double length, Index from, const Point& direction) const {
+    const Point start = mesh_.nodes[from], end = start + length * direction;
     Hit hit;
     const Point low = start.cwiseMin(end), high = start.cwiseMax(end);
     edges_.query(index::intersects(BoostBox{{low[0], low[1]}, {high[0], high[1]}}),
@@ -74,7 +85,6 @@ class BoundaryRays {
     return hit;
   }
 
- private:
   void try_edge(Index from, const Point& direction, Index i, Hit& hit) const {
     const auto& edge = mesh_.boundary_edges()[i].nodes;
     if (edge[0] == from || edge[1] == from || edge[2] == from) return;
@@ -200,13 +210,16 @@ Wall wall_between(const Mesh& mesh, double reach, Mirrors mirrors, const std::ve
   const BoundaryRays rays(mesh);
   Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
             surface_normals(mesh, mirrors)};
+  constexpr double likely = 1.5;  // times the thickness beside: a node's own is no greater as a rule
+  double beside = infinity;
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     for (const Index node : edge.nodes) {
       if (!only.empty() && !only[node]) continue;
       if (mirrors(mesh.kind_of(edge)) || wall.far_edge[node] >= 0 || wall.normal[node].norm() < 1e-6) continue;
       wall.normal[node].normalize();
-      const BoundaryRays::Hit hit = rays.first_exit(node, -wall.normal[node], reach);
+      const BoundaryRays::Hit hit = rays.first_exit(node, -wall.normal[node], reach, likely * beside);
       if (hit.edge < 0) continue;
+      beside = hit.distance;
       wall.far_edge[node] = hit.edge;
       wall.thickness[node] = (mirrors(mesh.kind_of(mesh.boundary_edges()[hit.edge])) ? 2 : 1) * hit.distance;
     }

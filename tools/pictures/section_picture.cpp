@@ -236,7 +236,7 @@ double width_of_names(const Scene& scene) {
 
 /// The plunger where the press ends.
 std::string end_of_press(const Frame& frame, const Scene& scene, const Panel& panel) {
-  const auto plan = forming::container_plan(scene);
+  const auto& plan = scene.container;
   if (!plan || !plan->press || !panel.tools.count(plan->press->tool)) return "";
   const auto outline = outline_of(scene.tools[plan->press->tool], plan->press->stop);
   return body_shape(frame, scene, outline, "fill=\"none\" stroke=\"#000\" stroke-width=\"1\" stroke-dasharray=\"5 4\"");

@@ -57,7 +57,7 @@ bool differs(double volume, const std::optional<double>& drawn) {
 }  // namespace
 
 std::optional<ContainerReport> container_report(const Scene& scene, const State& state, bool is_wall) {
-  const auto plan = container_plan(scene);
+  const auto& plan = scene.container;
   const double gravity = scene.stages.back().gravity;
   if (!plan || !(plan->capacity || is_wall)) return {};
   ContainerReport report;
@@ -95,7 +95,7 @@ void add_container(core::JsonWriter& json, const Scene& scene, const State& stat
   if (!report->absent.empty()) json.add("capacity_absent", report->absent);
   add_optional(json, "plunger_stop_mm", report->plunger_stop, millimetre);
   add_optional(json, "fill_level_mm", scene.output.fill_level, millimetre);
-  const ContainerPlan plan = *container_plan(scene);
+  const ContainerPlan& plan = *scene.container;
   json.open_object("from_drawings");
   json.add("weight_g", 1e3 * plan.mass);
   add_volumes(json, plan.capacity, plan.filled);
@@ -110,7 +110,7 @@ std::string capacity_text(const Scene& scene, const State& state, bool is_wall) 
   const auto report = container_report(scene, state, is_wall);
   if (!report) return "";
   if (!report->capacity) return report->absent;
-  const ContainerPlan plan = *container_plan(scene);
+  const ContainerPlan& plan = *scene.container;
   std::string text = fmt::format("{} ml to the rim", millilitres(*report->capacity));
   const bool is_as_drawn = !differs(*report->capacity, plan.capacity);
   if (!is_as_drawn)

@@ -294,7 +294,7 @@ std::optional<double> full_offset(const Scene& scene, const std::vector<double>&
   return plan.press->stop;
 }
 
-std::optional<ContainerPlan> container_plan(const Scene& scene) {
+std::optional<ContainerPlan> plan_container(const Scene& scene) {
   if (scene.geometry != core::Geometry::axisymmetric || !scene.has_flow() || scene.tools.empty()) return {};
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
   ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, "a mass that fits", {}, {}, {}, {}, {}};

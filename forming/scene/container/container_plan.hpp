@@ -38,7 +38,8 @@ std::optional<double> inside_height(const ContainerPlan& plan);
 
 /// Nothing in a planar scene, without flow or without tools. The container stands upright in the last stage: its rim is
 /// at the end of its mould against gravity; without a closed mould, where the glass of the press cavity runs over.
-std::optional<ContainerPlan> container_plan(const Scene& scene);
+/// `read_scene` leaves it in Scene::container.
+std::optional<ContainerPlan> plan_container(const Scene& scene);
 
 /// The offset at which a tool that a force drives has filled the cavity it closes with the others of its stage, with
 /// that volume of glass, m3, and all tools at the offsets given, m: its own one where the cavity is full already.

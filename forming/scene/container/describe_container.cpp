@@ -52,7 +52,7 @@ std::string why_no_capacity(const Scene& scene, const ContainerPlan& plan) {
 }  // namespace
 
 std::string describe_container(const Scene& scene) {
-  const auto plan = container_plan(scene);
+  const auto& plan = scene.container;
   if (!plan) return "";
   std::string text = fmt::format("\ncontainer, from the drawings\n  {:<20}{:.4g} g\n", "weight", 1e3 * plan->mass);
   const auto line = [&](const char* label, const std::string& value) {

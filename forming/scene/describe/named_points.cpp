@@ -14,8 +14,9 @@ namespace parison::forming {
 namespace {
 
 /// Offsets at which a tool may stand when a stage begins: at its start, where the press ends, where given motions end.
-std::vector<double> possible_offsets(const Scene& scene, Index tool, const std::optional<ContainerPlan>& plan) {
+std::vector<double> possible_offsets(const Scene& scene, Index tool) {
   std::vector<double> offsets{scene.tools[tool].position};
+  const auto& plan = scene.container;
   if (plan && plan->press && plan->press->tool == tool) offsets.push_back(plan->press->stop);
   for (const Stage& stage : scene.stages)
     for (const StageTool& entry : stage.tools)
@@ -31,10 +32,10 @@ double distance_to(const Body& body, const core::Point& point) {
 }
 
 /// The same to the nearest of glass and tools.
-double distance_to_bodies(const Scene& scene, const std::optional<ContainerPlan>& plan, const core::Point& point) {
+double distance_to_bodies(const Scene& scene, const core::Point& point) {
   double least = distance_to(scene.glass, point);
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
-    for (const double offset : possible_offsets(scene, static_cast<Index>(i), plan))
+    for (const double offset : possible_offsets(scene, static_cast<Index>(i)))
       least = std::min(least, distance_to(scene.tools[i], point - offset * core::axis_direction()));
   return least;
 }
@@ -46,11 +47,10 @@ std::string describe_named_points(const Scene& scene, const Stage& stage) {
   const double allowed = core::tolerance::named_end * core::size(scene.glass.profile);
   for (const NamedBoundary& named : stage.named_boundaries) {
     if (named.touched) continue;
-    const auto plan = container_plan(scene);
     text += fmt::format("  {:<20}names {}: from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g}) mm\n", "", named.name,
                         1e3 * named.from[0], 1e3 * named.from[1], 1e3 * named.to[0], 1e3 * named.to[1]);
     for (const core::Point& point : {named.from, named.to})
-      if (const double far = distance_to_bodies(scene, plan, point); far > allowed)
+      if (const double far = distance_to_bodies(scene, point); far > allowed)
         text += fmt::format(
             "  {:<20}  ({:.4g}, {:.4g}) mm lies {:.3g} mm from the glass as drawn and from every tool: the run ends "
             "here unless the glass has come to within {:.3g} mm; touched = \"TOOL\" needs no point\n",

@@ -112,7 +112,7 @@ std::vector<std::string> unusual_values(const Scene& scene) {
   add_pressures(scene, notes);
   for (auto& note : unusual_forces(scene)) notes.push_back(std::move(note));
   for (auto& note : faces_without_contact(scene)) notes.push_back(std::move(note));
-  if (const auto plan = container_plan(scene)) {
+  if (const auto& plan = scene.container) {
     add_wall(*plan, notes);
     add_fill_level(scene, *plan, notes);
     for (auto& note : tools_run_into(scene, *plan)) notes.push_back(std::move(note));

@@ -131,7 +131,7 @@ GobSkin read_skin(const CaseNode& node, const Glass& glass) {
 void check_gob(const Scene& scene, const CaseNode& glass) {
   for (const auto& item : glass.items) {
     if (item.name != "gob") continue;
-    const auto plan = container_plan(scene);
+    const auto& plan = scene.container;
     if (plan && !plan->misfit.empty()) core::refuse(item, fmt::format("{}; allowed is {}", plan->misfit, plan->remedy));
   }
 }

@@ -139,6 +139,12 @@ std::vector<const core::BoundaryEdge*> edges_of_middles(const core::Mesh& glass)
   return edge_of;
 }
 
+/// A box that contains a quadratic edge of first, last and middle node: that of its control polygon.
+contact::Box box_around(const std::array<Point, 3>& edge, const Point& shift) {
+  const Point control = 2 * edge[2] - 0.5 * (edge[0] + edge[1]);
+  return {edge[0].cwiseMin(edge[1]).cwiseMin(control) - shift, edge[0].cwiseMax(edge[1]).cwiseMax(control) - shift};
+}
+
 /// The constraints of a node, at most core::dim; a middle node has those of its `edge` (null at a vertex) as well.
 std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::BoundaryEdge* edge, double reach) {
   std::vector<Bound> bounds;
@@ -146,7 +152,9 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
     bounds.push_back({tool, constraint});
   if (!edge) return bounds;
   for (const auto& tool : step.placed.tools) {
-    const auto [constraint, corner] = edge_constraints(tool, step.edge_beside(tool.index, *edge));
+    const std::array<Point, 3> beside = step.edge_beside(tool.index, *edge);
+    if (tool.constraints.is_beyond(box_around(beside, tool.shift), reach)) continue;
+    const auto [constraint, corner] = edge_constraints(tool, beside);
     if (!constraint) continue;
     const auto same = std::find_if(bounds.begin(), bounds.end(), [&](const Bound& bound) {
       return bound.tool == tool.index && bound.at_end.normal.dot(constraint->normal) > contact::smooth_cosine;

@@ -47,7 +47,7 @@ pressure.inner = "1 bar"
 
 TEST(ContainerReport, what_a_blown_wall_holds_is_given_where_no_tool_closes_the_mouth_of_the_mould) {
   const Scene scene = cup_in_an_open_mould("-9.81 m/s2");
-  ASSERT_FALSE(container_plan(scene)->capacity) << "the drawings do not say";
+  ASSERT_FALSE(plan_container(scene)->capacity) << "the drawings do not say";
   const auto report = container_report(scene, initial_state(scene), true);
   ASSERT_TRUE(report && report->capacity && report->filled);
   EXPECT_NEAR(1e9 * *report->capacity, M_PI * 9 * 19, 0.01);
@@ -71,7 +71,7 @@ TEST(ContainerReport, a_wall_whose_capacity_cannot_be_computed_is_told_why) {
 
 TEST(ContainerReport, the_drawn_volume_at_the_fill_level_is_given_where_the_formed_one_differs) {
   const Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/jar", "draft", {"output.fill_level=20 mm"});
-  const auto plan = container_plan(scene);
+  const auto plan = plan_container(scene);
   ASSERT_TRUE(plan->capacity && plan->filled);
   State state = initial_state(scene);
   // The glass is a cup as wide as the finish, so that it holds something else than the jar.

@@ -121,7 +121,7 @@ TEST(FreeSpace, outlines_too_fine_for_it_are_given_up_in_a_bounded_time) {
 }
 
 TEST(ContainerPlan, the_plunger_of_the_jar_stops_where_its_drawing_says) {
-  const auto plan = container_plan(read_scene(cases + "jar", "draft"));
+  const auto plan = plan_container(read_scene(cases + "jar", "draft"));
   ASSERT_TRUE(plan && plan->press && plan->capacity);
   EXPECT_NEAR(1e3 * plan->press->stop, 92, 0.05);
   EXPECT_NEAR(plan->press->cavity, plan->glass_volume, 1e-4 * plan->glass_volume);
@@ -130,7 +130,7 @@ TEST(ContainerPlan, the_plunger_of_the_jar_stops_where_its_drawing_says) {
 
 TEST(ContainerPlan, a_pressed_tumbler_holds_what_its_plunger_displaces) {
   auto scene = read_scene(cases + "tumbler", "draft", {"output.fill_level=10 mm"});
-  const auto plan = container_plan(scene);
+  const auto plan = plan_container(scene);
   ASSERT_TRUE(plan && plan->press && plan->filled);
   EXPECT_NEAR(1e3 * plan->press->stop, 8, 0.05);
   EXPECT_NEAR(1e3 * *plan->rim, 90, 1e-6);
@@ -141,7 +141,7 @@ TEST(ContainerPlan, a_pressed_tumbler_holds_what_its_plunger_displaces) {
 
 TEST(ContainerPlan, a_heavier_gob_stops_the_plunger_earlier_by_its_volume_over_the_area_at_the_rim) {
   const auto at = [](const char* mass) {
-    return container_plan(
+    return plan_container(
                jar_with("{ mass = \"" + std::string(mass) + "\", diameter = \"52 mm\", at = \"(0, 20) mm\" }"))
         ->press->stop;
   };

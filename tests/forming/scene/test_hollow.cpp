@@ -97,7 +97,7 @@ tools = ["mould", "ring", "plunger"]
 gravity = "-9.81 m/s2"
 motion.plunger = { force = "-10 kN", speed_limit = "100 mm/s" }
 )";
-  const auto plan = container_plan(scene_of(text));
+  const auto plan = plan_container(scene_of(text));
   ASSERT_TRUE(plan && plan->press && plan->capacity && plan->filled);
   const double bottom = 1e3 * plan->press->stop;
   const double around = frustum(20, 20, 40 - bottom) - frustum(10, 0, 9);

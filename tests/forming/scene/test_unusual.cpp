@@ -66,7 +66,7 @@ TEST(Unusual, a_reheat_of_twenty_minutes_is_told) {
 
 TEST(Unusual, a_mould_too_large_for_its_glass_is_told_by_its_mean_wall) {
   const Scene jar = bundled("jar", "draft");
-  ContainerPlan plan = *container_plan(jar);
+  ContainerPlan plan = *plan_container(jar);
   ASSERT_TRUE(plan.mould_range);
   EXPECT_NEAR(1e3 * *inside_height(plan), 129, 0.5);
   const std::string notes =
@@ -79,7 +79,7 @@ TEST(Unusual, a_mould_too_large_for_its_glass_is_told_by_its_mean_wall) {
 
 TEST(Unusual, a_fill_level_below_the_bottom_is_told_and_has_no_volume) {
   expect_note("tumbler", "output.fill_level=300 mm", "the fill level is 300 mm below the rim, but the container is ");
-  EXPECT_FALSE(container_plan(bundled("tumbler", "draft", {"output.fill_level=300 mm"}))->filled);
+  EXPECT_FALSE(plan_container(bundled("tumbler", "draft", {"output.fill_level=300 mm"}))->filled);
 }
 
 TEST(Unusual, a_plunger_wider_than_the_ring_is_told_with_the_place_and_by_how_much) {

@@ -92,7 +92,7 @@ Meeting deepest(const PlacedTool& a, const Course& of_a, const PlacedTool& b, co
 
 /// How deep a plunger that a force drives lies in another tool on its way to its stop; infinite where that is unknown.
 double overlap_on_stroke(const Scene& scene, Index a, Index b) {
-  const auto plan = container_plan(scene);
+  const auto& plan = scene.container;
   if (!plan || !plan->press || (plan->press->tool != a && plan->press->tool != b))
     return std::numeric_limits<double>::infinity();
   const Tool& plunger = tool_of(scene, plan->press->tool);
