@@ -98,7 +98,9 @@ struct ToolConstraints::Query {
   bool joined_at_reentrant_corner(Index i, Index j) const {
     return (next(i) == j && segments[i].reentrant_after) || (next(j) == i && segments[j].reentrant_after);
   }
-  bool projects_on(Index i) const;
+  double beyond_start(Index i, double t) const { return -t * segments[i].length; }
+  double beyond_end(Index i, double t) const { return (t - 1) * segments[i].length; }
+  bool projects_on(Index i, double t) const;
   double distance(Index i) const;
   bool hidden(Index i, const Point& closest_point) const;
   void add_segment(Index i, std::vector<GapConstraint>& found) const;
@@ -116,11 +118,11 @@ bool ToolConstraints::Query::ends_in_reentrant_tip(Index i, bool at_end) const {
          core::normal_at(segment(i), at_end ? 1 : 0)[0] < 0;
 }
 
-/// Whether x projects onto segment i. Beyond an end at a re-entrant corner, as far as `reach`, it also does, as long as
-/// it is not beyond the far end of the neighbouring segment there; beyond a re-entrant tip on the axis always.
-bool ToolConstraints::Query::projects_on(Index i) const {
-  const double slack = segments[i].slack;
-  const double before = core::beyond_start(segment(i), x), past = core::beyond_end(segment(i), x);
+/// Whether x, whose projection has the parameter t, projects onto segment i. Beyond an end at a re-entrant corner, as
+/// far as `reach`, it also does, as long as it is not beyond the far end of the neighbouring segment there; beyond a
+/// re-entrant tip on the axis always.
+bool ToolConstraints::Query::projects_on(Index i, double t) const {
+  const double slack = segments[i].slack, before = beyond_start(i, t), past = beyond_end(i, t);
   if (before <= slack && past <= slack) return true;
   if (past > slack) {
     if (past <= reach && ends_in_reentrant_tip(i, true)) return true;
@@ -145,8 +147,9 @@ bool ToolConstraints::Query::hidden(Index i, const Point& closest_point) const {
 }
 
 void ToolConstraints::Query::add_segment(Index i, std::vector<GapConstraint>& found) const {
-  if (!segments[i].in_contact || is_off_curve(segment(i), x, reach) || !projects_on(i)) return;
+  if (!segments[i].in_contact || is_off_curve(segment(i), x, reach)) return;
   const double t = core::projected_parameter(segment(i), x);
+  if (!projects_on(i, t)) return;
   const Point closest_point = core::point_at(segment(i), t), normal = core::normal_at(segment(i), t);
   const double gap = (x - closest_point).dot(normal);
   if (std::abs(gap) <= reach && !hidden(i, closest_point)) found.push_back({gap, normal, segments[i].index});
@@ -225,8 +228,9 @@ ToolConstraints::ToolConstraints(const core::Profile& tool, const std::vector<bo
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const Segment &segment = tool.segments[kept[k]], &next = tool.segments[kept[k + 1 < kept.size() ? k + 1 : 0]];
     const double turn = turn_between(segment, next);
-    segments_.push_back({&segment, kept[k], bounds(segment), bool(contact_boundaries[segment.boundary_id]),
-                         end_tolerance * core::length(segment), turn < -smooth_angle, std::abs(turn) <= smooth_angle,
+    const double length = core::length(segment);
+    segments_.push_back({&segment, kept[k], bounds(segment), bool(contact_boundaries[segment.boundary_id]), length,
+                         end_tolerance * length, turn < -smooth_angle, std::abs(turn) <= smooth_angle,
                          (core::normal_at(segment, 1) + core::normal_at(next, 0)).normalized()});
     if (segments_.back().in_contact) in_contact_ = united(in_contact_, segments_.back().bounds);
   }

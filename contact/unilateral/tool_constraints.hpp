@@ -40,6 +40,7 @@ class ToolConstraints {
     core::Index index;  ///< in the profile
     Box bounds;
     bool in_contact;                     ///< belongs to a contact boundary
+    double length;                       ///< m
     double slack;                        ///< length beyond its ends that still counts as on the segment, m
     bool reentrant_after, smooth_after;  ///< kind of the joint
     core::Point normal_after;            ///< at the joint, unit: the mean of both segments' normals

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/mesh/cell_batch.hpp"
+#include "remesh/mesher/fans.hpp"
 
 namespace parison::remesh {
 
@@ -55,29 +56,23 @@ struct Sample {
   Values<n> value;
 };
 
-/// The cells at each vertex.
-std::vector<std::vector<Index>> cells_at_vertices(const Mesh& mesh) {
-  std::vector<std::vector<Index>> around(mesh.vertex_count());
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    for (int k = 0; k < 3; ++k) around[mesh.cells()[cell][k]].push_back(cell);
-  return around;
+/// Appends the cells around a vertex.
+void append_cells(const Fans& fans, Index vertex, std::vector<Index>& cells) {
+  cells.insert(cells.end(), fans.cell.begin() + fans.start[vertex], fans.cell.begin() + fans.start[vertex + 1]);
 }
 
-/// The cells of the patch at a vertex: those around it and, where these are too few, the ones around their vertices.
-std::vector<Index> patch_cells(const Mesh& mesh, const std::vector<std::vector<Index>>& around, Index vertex) {
-  std::vector<Index> cells = around[vertex];
+/// Sets `cells` to those of the patch at a vertex: around it and, where these are too few, around their vertices.
+void set_patch_cells(const Mesh& mesh, const Fans& fans, Index vertex, std::vector<Index>& cells) {
+  cells.clear();
+  append_cells(fans, vertex, cells);
   for (int ring = 0; ring < 2 && cells.size() < fewest; ++ring) {
     std::vector<Index> more;
     for (const Index cell : cells)
-      for (int k = 0; k < 3; ++k) {
-        const auto& there = around[mesh.cells()[cell][k]];
-        more.insert(more.end(), there.begin(), there.end());
-      }
+      for (int k = 0; k < 3; ++k) append_cells(fans, mesh.cells()[cell][k], more);
     std::sort(more.begin(), more.end());
     more.erase(std::unique(more.begin(), more.end()), more.end());
     cells = std::move(more);
   }
-  return cells;
 }
 
 template <int n>
@@ -86,13 +81,14 @@ Patch<n> fit(const Point& centre, const std::vector<Index>& cells,
   Patch<n> patch{centre, 0, {}};
   for (const Index cell : cells)
     for (const auto& sample : samples[cell]) patch.size = std::max(patch.size, (sample.at - centre).norm());
-  Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
+  Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();  // its lower triangle
   Eigen::Matrix<double, terms, n> load = Eigen::Matrix<double, terms, n>::Zero();
   for (const Index cell : cells)
     for (const auto& sample : samples[cell]) {
       const Values<terms> basis = Patch<n>::basis((sample.at - centre) / patch.size);
-      normal += basis * basis.transpose();
-      load += basis * sample.value.transpose();
+      for (int j = 0; j < terms; ++j)
+        for (int i = j; i < terms; ++i) normal(i, j) += basis[i] * basis[j];
+      for (int c = 0; c < n; ++c) load.col(c) += sample.value[c] * basis;
     }
   normal.diagonal().array() += 1e-12 * normal.trace();  // a single row of cells does not determine all terms
   patch.factors = normal.ldlt().solve(load);
@@ -103,11 +99,14 @@ Patch<n> fit(const Point& centre, const std::vector<Index>& cells,
 /// patches.
 template <int n>
 std::vector<Values<n>> recovered(const Mesh& mesh, const std::vector<std::array<Sample<n>, 3>>& samples) {
-  const auto around = cells_at_vertices(mesh);
+  const Fans fans = fans_of(mesh);
   std::vector<Patch<n>> patches;
   patches.reserve(mesh.vertex_count());
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    patches.push_back(fit<n>(mesh.nodes[v], patch_cells(mesh, around, v), samples));
+  std::vector<Index> cells;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    set_patch_cells(mesh, fans, v, cells);
+    patches.push_back(fit<n>(mesh.nodes[v], cells, samples));
+  }
   std::vector<Values<n>> nodal(mesh.nodes.size());
   for (Index v = 0; v < mesh.vertex_count(); ++v) nodal[v] = patches[v].at(mesh.nodes[v]);
   for (const auto& cell : mesh.cells())

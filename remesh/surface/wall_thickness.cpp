@@ -7,12 +7,12 @@
 #include <boost/iterator/function_output_iterator.hpp>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
 
 #include "core/mesh/element.hpp"
+#include "remesh/mesher/fans.hpp"
 
 namespace parison::remesh {
 
@@ -131,21 +131,6 @@ std::vector<Point> surface_normals(const Mesh& mesh, Mirrors mirrors) {
     }
   }
   return normals;
-}
-
-/// The cells around each vertex.
-struct Fans {
-  std::vector<Index> start, cell;
-};
-Fans fans_of(const Mesh& mesh) {
-  Fans fans{std::vector<Index>(mesh.vertex_count() + 1, 0), std::vector<Index>(3 * mesh.cells().size())};
-  for (const auto& cell : mesh.cells())
-    for (int i = 0; i < 3; ++i) ++fans.start[cell[i] + 1];
-  std::partial_sum(fans.start.begin(), fans.start.end(), fans.start.begin());
-  std::vector<Index> place(fans.start.begin(), fans.start.end() - 1);
-  for (Index c = 0; c < mesh.cell_count(); ++c)
-    for (int i = 0; i < 3; ++i) fans.cell[place[mesh.cells()[c][i]]++] = c;
-  return fans;
 }
 
 /// For each vertex the nearest node with a finite value, found by a front that advances from vertex to vertex in the
