@@ -21,7 +21,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 12;
+constexpr std::int64_t format_version = 13;
 
 struct Writer {
   Hdf5Group group;

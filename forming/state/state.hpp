@@ -177,6 +177,8 @@ struct State {
   std::vector<Index> heat_couplings;  ///< four by four, thermal::Coupling; empty for a new mesh
   thermal::TracedPlaces light;        ///< empty for a new mesh and a new stage
   double last_step = 0;               ///< s, 0 when there is no velocity to extrapolate from
+  double last_landed = 0;             ///< largest length of surface that a contact front passed in it, m
+  double last_work_error = 0;         ///< of the work in it, as StepReport::work_error
   GlassState glass;
   std::vector<ToolState> tools;  ///< in the order of the scene
   bool moves_smoothly = false;   ///< the last change of velocity was close to what the acceleration before predicts

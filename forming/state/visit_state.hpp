@@ -179,6 +179,8 @@ void visit_state(Visitor visit, Whole& state) {
   visit("heat_couplings", state.heat_couplings);
   visit_light(visit.part("light"), state.light);
   visit("last_step", state.last_step);
+  visit("last_landed", state.last_landed);
+  visit("last_work_error", state.last_work_error);
   visit("moves_smoothly", state.moves_smoothly);
   visit("probes", state.probes);
   visit_cavity_air(visit.part("cavity_air"), state.cavity_air);

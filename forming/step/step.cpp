@@ -171,6 +171,8 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   update_table_excess(scene, dt, after);
   if (!workspace.static_stage) note_penetration(scene, after);
   if (scene.has_flow()) after.totals.max_drift = std::max(after.totals.max_drift, std::abs(volume_drift(scene, after)));
+  after.last_landed = result.report.landed_length;
+  after.last_work_error = result.report.work_error;
   result.report.dt = dt;
   // Where nothing moves the heat integrator alone chooses the steps.
   if (scene.has_heat() && !workspace.static_stage)

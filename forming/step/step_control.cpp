@@ -30,16 +30,29 @@ double work_share(const Scene& scene, const StepReport& report) {
   return std::sqrt(report.work_error / scene.accuracy.work_per_step);
 }
 
-/// What a step changed over what it may change (the largest share of strain, landing, work, temperature and
-/// motion), and which it was.
-std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report) {
+/// What a step with such a landed length, m, and error of the work changed over what it may change (the largest share
+/// of strain, landing, work, temperature and motion), and which it was.
+std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report, double landed, double work_error) {
   return std::max(
       {std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
-       std::pair(report.landed_length / (scene.accuracy.landing_per_step * scene.accuracy.surface_size),
-                 StepLimit::landing),
-       std::pair(work_share(scene, report), StepLimit::work),
+       std::pair(landed / (scene.accuracy.landing_per_step * scene.accuracy.surface_size), StepLimit::landing),
+       std::pair(std::sqrt(work_error / scene.accuracy.work_per_step), StepLimit::work),
        std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
        std::pair(report.predictor_corrector_difference / scene.accuracy.motion_tolerance, StepLimit::motion)});
+}
+
+/// The length, m, that a step lands at the mean speed of this and the one before: glass lands edge by edge, so that of
+/// steps alike one lands two edges and the next one none.
+double mean_landed(const State& start, const StepReport& report) {
+  if (start.last_step == 0) return report.landed_length;
+  return report.dt * (start.last_landed + report.landed_length) / (start.last_step + report.dt);
+}
+
+/// The error of the work of such a step, from this and the one before, in which it goes with the square of the step.
+double mean_work_error(const State& start, const StepReport& report) {
+  if (start.last_step == 0) return report.work_error;
+  const double ratio = report.dt / start.last_step;
+  return std::min(report.work_error, 0.5 * (report.work_error + start.last_work_error * ratio * ratio));
 }
 
 double next_output(const Scene& scene, double time) {
@@ -100,7 +113,9 @@ double next_corner(const Scene& scene, const State& state) {
 }  // namespace
 
 ProposedStep propose_step(const Scene& scene, const State& state, const StepReport& report, double allowed) {
-  const auto [used, by] = load(scene, report);
+  const bool refused = rejected_by_error_control(scene, report);
+  const auto [used, by] = refused ? load(scene, report, report.landed_length, report.work_error)
+                                  : load(scene, report, mean_landed(state, report), mean_work_error(state, report));
   ProposedStep proposed{(used < slow_fraction ? max_slow_growth : max_growth) * std::max(report.dt, allowed),
                         StepLimit::growth};
   if (used > 0 && report.dt * safety_factor / used < proposed.dt) proposed = {report.dt * safety_factor / used, by};
@@ -111,7 +126,7 @@ ProposedStep propose_step(const Scene& scene, const State& state, const StepRepo
 }
 
 bool rejected_by_error_control(const Scene& scene, const StepReport& report) {
-  const auto [used, by] = load(scene, report);
+  const auto [used, by] = load(scene, report, report.landed_length, report.work_error);
   // What remains in very short steps is none of their length.
   const bool bearable =
       (by == StepLimit::work && report.work_error < bearable_work_error) || by == StepLimit::temperature;

@@ -186,6 +186,25 @@ TEST_F(Pot, a_change_of_temperature_repeats_a_step_but_not_one_near_the_shortest
   EXPECT_TRUE(rejected_by_error_control(scene, report)) << "whatever else it changes";
 }
 
+TEST_F(Pot, glass_that_lands_by_turns_two_edges_and_none_is_not_held_up_by_the_two) {
+  const double allowed = scene.accuracy.landing_per_step * scene.accuracy.surface_size;
+  State before = initial_state(scene);
+  StepReport two, none;
+  two.dt = none.dt = before.last_step = 1e-3;
+  two.landed_length = 1.6 * allowed;
+  const auto next = [&](const StepReport& report) { return propose_step(scene, before, report, report.dt); };
+  EXPECT_NEAR(next(two).dt, 0.9 / 0.8 * two.dt, 1e-12);
+  before.last_landed = two.landed_length;
+  EXPECT_NEAR(next(none).dt, 0.9 / 0.8 * none.dt, 1e-12) << "two may land again in the next one";
+  EXPECT_NEAR(next(two).dt, 0.9 / 1.6 * two.dt, 1e-12);
+  before.last_step = 0;
+  EXPECT_NEAR(next(two).dt, 0.9 / 1.6 * two.dt, 1e-12) << "nothing is known of the step before";
+  two.landed_length = 4 * allowed;
+  before.last_step = 1e-3;
+  before.last_landed = 0;
+  EXPECT_NEAR(next(two).dt, 0.9 / 4 * two.dt, 1e-12) << "a step that is refused counts by itself";
+}
+
 TEST_F(Pot, glass_above_the_tools_is_told_how_far_it_would_fall_onto_which) {
   scene.stages[0].gravity = -9.81;
   State state = initial_state(scene);
