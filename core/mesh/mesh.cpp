@@ -183,12 +183,26 @@ double size(const Mesh& mesh) {
 
 double volume(const Mesh& mesh, Geometry geometry) {
   // Gauss: the depth's integral over the first coordinate flows out through the boundary; degree 5 on a quadratic edge.
+  struct Place {
+    double weight;
+    std::array<double, 3> shape, derivative;
+  };
+  static const std::vector<Place> places = [] {
+    std::vector<Place> made;
+    for (const auto& at : edge_rule(3)) made.push_back({at.weight, edge_shape(at.s), edge_shape_derivative(at.s)});
+    return made;
+  }();
   const double fraction = geometry == Geometry::axisymmetric ? 0.5 : 1.0;
   long double sum = 0;  // the two sides of a thin wall all but cancel
   for (const BoundaryEdge& edge : mesh.boundary_edges())
-    for (const auto& at : edge_rule(3)) {
-      const EdgePoint point = map_edge_point(mesh, edge.nodes, geometry, at);
-      sum += fraction * point.area * point.position[0] * point.normal[0];
+    for (const Place& at : places) {
+      double first = 0, rise = 0;  // the first coordinate and the derivative of the second
+      for (int i = 0; i < 3; ++i) {
+        const Point& x = mesh.nodes[edge.nodes[i]];
+        first += at.shape[i] * x[0];
+        rise += at.derivative[i] * x[1];
+      }
+      sum += fraction * at.weight * depth(geometry, {first, 0}) * first * rise;
     }
   return static_cast<double>(sum);
 }

@@ -165,9 +165,11 @@ std::vector<Index> sources_of_vertices(const Mesh& mesh, const Eigen::VectorXd& 
     fronts.pop();
     if (front.source != source[front.vertex]) continue;
     for (Index k = fans.start[front.vertex]; k < fans.start[front.vertex + 1]; ++k)
-      for (int i = 0; i < 3; ++i)
-        if (const Index vertex = mesh.cells()[fans.cell[k]][i]; reach(vertex, front.source))
+      for (int i = 0; i < 3; ++i) {
+        const Index vertex = mesh.cells()[fans.cell[k]][i];
+        if (source[vertex] != front.source && reach(vertex, front.source))
           fronts.push({reached[vertex], vertex, front.source});
+      }
   }
   return source;
 }

@@ -27,6 +27,10 @@ constexpr double volume_recovery_time = 5e-3;
 /// the contacts prevent the dilatation.
 constexpr double min_response = 0.5;
 
+/// Error of a volume that is restored, as a share of it, and points on an edge by which it is computed exactly.
+constexpr double restored_volume = 4e-15;
+constexpr int edge_points = 3;
+
 /// Volume after straight motion at `velocity` over dt, m3, for which nodes inside the mesh do not count.
 double moved_volume(const Scene& scene, const core::Mesh& start, const Eigen::VectorXd& velocity, double dt) {
   core::Mesh end = start;
@@ -89,9 +93,9 @@ std::vector<Point> shift_directions(const core::Mesh& mesh) {
   return directions;
 }
 
-/// The active tool that each surface node touches or is inside, -1 for none.
-std::vector<Index> touched_tools(const Scene& scene, const State& state, const core::Mesh& mesh) {
-  const double touching = core::tolerance::at_tool * core::size(scene.glass.profile), deepest = 100 * touching;
+/// The active tool that each surface node is nearer to than `touching`, m, or inside; -1 for none.
+std::vector<Index> touched_tools(const Scene& scene, const State& state, const core::Mesh& mesh, double touching) {
+  const double deepest = 100 * touching;
   std::vector<Index> touched(mesh.nodes.size(), -1);
   for (const auto& place : scene.stages[state.stage].tools) {
     const Body& body = scene.tools[place.tool];
@@ -136,32 +140,43 @@ Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen:
 }
 
 void restore_volume(const Scene& scene, const State& state, double target, core::Mesh& mesh) {
+  const double touching = core::tolerance::at_tool * core::size(scene.glass.profile);
   remesh::MovableSurface surface;
   surface.directions = shift_directions;
   surface.in_contact = [&](const core::Mesh& now) {
     std::vector<bool> in_contact;
-    for (const Index tool : touched_tools(scene, state, now)) in_contact.push_back(tool >= 0);
+    for (const Index tool : touched_tools(scene, state, now, touching)) in_contact.push_back(tool >= 0);
     return in_contact;
   };
   surface.project = [&](core::Mesh& now) {
     project_out_of_tools(scene, state, now);
-    move_edges_out(scene, state, touched_tools(scene, state, now), now);
+    move_edges_out(scene, state, touched_tools(scene, state, now, touching), now);
     keep_beside_axis(scene.geometry, now);
   };
-  surface.volume_tolerance = 4e-15;
-  surface.edge_points = 3;
+  surface.volume_tolerance = restored_volume;
+  surface.edge_points = edge_points;
   remesh::restore_volume(surface, scene.geometry, target, mesh);
 }
 
-bool dilate_to(const Scene& scene, double target, State& state) {
-  const Eigen::VectorXd& mode = state.glass.dilatation_mode;
-  core::Mesh& mesh = state.glass.mesh;
-  if (mode.size() == 0) return false;
-  const auto dilatation = correction_rate(scene, mesh, Eigen::VectorXd::Zero(mode.size()), mode, 1, target);
-  if (!dilatation) return false;
-  const double most = mode.lpNorm<Eigen::Infinity>() * std::abs(*dilatation);
-  if (most > core::tolerance::free_shift * core::size(scene.glass.profile)) return false;
-  for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += *dilatation * flow::node_velocity(mode, n);
+bool shift_free_surface(const Scene& scene, const State& state, double target, core::Mesh& mesh) {
+  constexpr int rounds = 3;
+  const double size = core::size(scene.glass.profile), near = core::tolerance::contact_after_remesh * size;
+  auto directions = shift_directions(mesh);
+  const auto touched = touched_tools(scene, state, mesh, near);
+  for (std::size_t n = 0; n < directions.size(); ++n)
+    if (touched[n] >= 0) directions[n].setZero();
+  core::Mesh shifted = mesh;
+  double whole = 0;  // shift, m
+  for (int round = 0; round < rounds; ++round) {
+    const double missing = target - core::volume(shifted, scene.geometry);
+    if (std::abs(missing) <= restored_volume * target) break;
+    const double area = remesh::swept_area(shifted, scene.geometry, directions, edge_points);
+    whole += missing / area;
+    if (!(area > 0) || std::abs(whole) > core::tolerance::whole_shift * size) return false;
+    for (std::size_t n = 0; n < directions.size(); ++n) shifted.nodes[n] = mesh.nodes[n] + whole * directions[n];
+  }
+  mesh = std::move(shifted);
+  keep_beside_axis(scene.geometry, mesh);
   return true;
 }
 

@@ -209,7 +209,8 @@ void correct_edges(const Scene& scene, State& state) {
   core::Mesh& mesh = state.glass.mesh;
   const double volume = core::volume(mesh, scene.geometry);
   const bool slid = centre_middles(scene, state);
-  if ((move_edges_out(scene, state, state.glass.contact_tool, mesh) || slid) && !dilate_to(scene, volume, state))
+  if ((move_edges_out(scene, state, state.glass.contact_tool, mesh) || slid) &&
+      !shift_free_surface(scene, state, volume, mesh))
     restore_volume(scene, state, volume, mesh);
 }
 

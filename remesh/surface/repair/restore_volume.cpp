@@ -19,17 +19,6 @@ namespace {
 /// Rounds; after the first `max_free_rounds` the whole surface is shifted.
 constexpr int max_rounds = 26, max_free_rounds = 20;
 
-/// Volume swept per metre of shift, m2.
-double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<Point>& directions, int edge_points) {
-  double area = 0;
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
-    for (const core::EdgeRulePoint& at : core::edge_rule(edge_points)) {
-      const core::EdgePoint point = core::map_edge_point(mesh, edge.nodes, geometry, at);
-      for (int k = 0; k < 3; ++k) area += point.area * point.shape[k] * point.normal.dot(directions[edge.nodes[k]]);
-    }
-  return area;
-}
-
 void shift(double distance, const std::vector<Point>& directions, Mesh& mesh) {
   for (std::size_t n = 0; n < directions.size(); ++n) mesh.nodes[n] += distance * directions[n];
 }
@@ -42,6 +31,16 @@ std::vector<Point> free_directions(std::vector<Point> directions, const std::vec
 }
 
 }  // namespace
+
+double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<Point>& directions, int edge_points) {
+  double area = 0;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    for (const core::EdgeRulePoint& at : core::edge_rule(edge_points)) {
+      const core::EdgePoint point = core::map_edge_point(mesh, edge.nodes, geometry, at);
+      for (int k = 0; k < 3; ++k) area += point.area * point.shape[k] * point.normal.dot(directions[edge.nodes[k]]);
+    }
+  return area;
+}
 
 std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& counts) {
   constexpr std::array<double, 3> ends{0, 1, 0.5};

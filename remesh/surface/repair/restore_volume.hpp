@@ -11,6 +11,11 @@ namespace parison::remesh {
 /// boundaries with `counts` set are taken, one flag per boundary of the mesh.
 std::vector<core::Point> surface_normals(const core::Mesh& mesh, const std::vector<bool>& counts);
 
+/// Volume swept by the surface per metre of shift along such directions, one per node, m2, by `edge_points` quadrature
+/// points an edge.
+double swept_area(const core::Mesh& mesh, core::Geometry geometry, const std::vector<core::Point>& directions,
+                  int edge_points);
+
 /// The surface of a mesh as it may be shifted to restore the volume.
 struct MovableSurface {
   std::function<std::vector<core::Point>(const core::Mesh&)> directions;  ///< per node: unit, or zero where it stays
