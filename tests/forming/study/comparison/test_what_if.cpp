@@ -37,6 +37,7 @@ const std::string longer = "stage.rest.duration=0.15 s", colder = "tool.pot.temp
 class WhatIfTest : public ::testing::Test {
  protected:
   const std::string folder = tests::absent_folder();
+  std::string accuracy = coarse;
   void SetUp() override {
     fs::create_directories(folder);
     core::write_text(folder + "/case.toml", two_stages());
@@ -44,7 +45,7 @@ class WhatIfTest : public ::testing::Test {
   void TearDown() override { fs::remove_all(folder); }
 
   std::string in(const std::string& name) const { return folder + '/' + name; }
-  Scene scene(const std::vector<std::string>& overrides = {}) const { return read_scene(folder, coarse, overrides); }
+  Scene scene(const std::vector<std::string>& overrides = {}) const { return read_scene(folder, accuracy, overrides); }
   WhatIf asked(const std::vector<WhatIfVariant>& variants) const { return {folder, coarse, in("out"), {}, variants}; }
   /// What planning these variants is refused with.
   std::string refusal(const std::vector<WhatIfVariant>& variants) const {
@@ -162,6 +163,7 @@ boundary = [
 }
 
 TEST_F(WhatIfTest, a_tool_that_was_not_used_yet_may_be_another_one) {
+  accuracy = "draft";  // coarser, what the glass touches when it stands in the sleeve alone is a matter of nanometres
   core::write_text(folder + "/case.toml", with_sleeve());
   const RunOutcome base = run_whole("base");
   ASSERT_TRUE(base.facts.completed) << base.facts.reason;
@@ -175,7 +177,7 @@ TEST_F(WhatIfTest, a_tool_that_was_not_used_yet_may_be_another_one) {
   // A thicker and colder one stands there as it would in a run from the start.
   const std::vector<std::string> other{"dimension.depth=12 mm", "tool.sleeve.temperature=430 degC"};
   const Scene changed = scene(other);
-  make_branch({"other", in("other"), coarse, other, BranchPoint{in("base"), "press"}, ""}, folder);
+  make_branch({"other", in("other"), accuracy, other, BranchPoint{in("base"), "press"}, ""}, folder);
   const RunOutcome branch = resume_in_folder(changed, in("other")), whole = run_whole("whole", other);
   ASSERT_TRUE(branch.facts.completed) << branch.facts.reason;
   const ToolState &sleeve = branch.state.tools[2], &expected = whole.state.tools[2], &before = base.state.tools[2];
