@@ -41,8 +41,9 @@ Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen:
 /// there.
 void restore_volume(const Scene& scene, const State& state, double target, core::Mesh& mesh);
 
-/// The same where a micrometre is enough and no node moves that is within 20 um of an active tool, at a seventh of the
-/// cost: false, and nothing moved, where it is not.
+/// Restores a small volume by a shift of no more than a micrometre of the surface that is 20 um and more away from
+/// every active tool, so that nothing has to be moved out of one afterwards. False, and nothing moved, where that is
+/// not enough.
 bool shift_free_surface(const Scene& scene, const State& state, double target, core::Mesh& mesh);
 
 /// Volume of the glass relative to its initial one, minus 1.
