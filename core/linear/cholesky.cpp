@@ -139,14 +139,13 @@ void Cholesky::analyse(const SymmetricMatrix& matrix) {
   data_->analyse(view(*data_->permuted, upper ? 1 : -1), order);
 }
 
-void Cholesky::analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
-  data_->permuted = permute(matrix, order.data(), true);
-  data_->analyse(view(*data_->permuted, 1), order);
-}
-
 void Cholesky::analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
   data_->permuted.reset();
   data_->analyse(view(matrix, 1), order);
+}
+
+double Cholesky::operations() const {
+  return data_->common.fl;
 }
 
 bool Cholesky::factorise(const SymmetricMatrix& matrix) {

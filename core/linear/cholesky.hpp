@@ -21,11 +21,11 @@ class Cholesky {
 
   /// Symbolic analysis with approximate minimum degree (AMD, Amestoy, Davis & Duff 1996).
   void analyse(const SymmetricMatrix& matrix);
-  /// The same with a given order of elimination; the factor is simplicial.
-  void analyse(const SymmetricMatrix& matrix, const std::vector<Index>& order);
   /// The same for the upper triangle of a matrix that is in the order of its elimination itself: order[k] is the number
-  /// that its k-th unknown has in `solve`.
+  /// that its k-th unknown has in `solve`. The factor is simplicial.
   void analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order);
+  /// Floating-point operations of a factorisation, known from the analysis.
+  double operations() const;
   /// Numeric factorisation; false when the matrix is not positive definite, or a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
   /// Solution for one right-hand side of `size` entries, or for each column of several.

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/indefinite.hpp"
 
-#include <dmumps_c.h>
 #include <fmt/core.h>
 
 #include <cassert>
 #include <cmath>
-#include <mutex>
 #include <numeric>
 #include <optional>
 
 #include "core/linear/cholesky.hpp"
+#include "core/linear/mumps.hpp"
 #include "core/process/run_error.hpp"
 #include "core/process/work_times.hpp"
 
@@ -18,57 +17,25 @@ namespace parison::core {
 
 namespace {
 
-/// Number of operations, by the ordering's estimate (three quarters of the true one), from which MUMPS factorises.
-/// Measured with one to ten right-hand sides: at 3e7 CHOLMOD is faster from five on, at 8e7 MUMPS up to five, at 3e8 up
-/// to seventeen. METIS's ordering gains nothing below 8e8.
-constexpr double mumps_pays = 1.15e8;
-
-/// Calls MUMPS. The sequential library keeps its instances in one table for the whole process: one call at a time.
-void call_mumps(DMUMPS_STRUC_C& instance) {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  dmumps_c(&instance);
-}
+/// Number of operations from which MUMPS factorises. Measured with one to ten right-hand sides: at 4e7 CHOLMOD is
+/// faster from five on, at 1e8 MUMPS up to five, at 4e8 up to seventeen. METIS's ordering gains nothing below 1e9.
+constexpr double mumps_pays = 1.5e8;
 
 /// A MUMPS instance with the matrix scaled to unit rows.
 struct Mumps {
-  DMUMPS_STRUC_C instance{};
+  MumpsInstance instance;
   std::vector<int> row, column, place;  // from 1
-  std::vector<Index> number;            ///< that the unknowns have in `solve`; empty where they have it in the matrix
+  std::vector<Index> number;            ///< that the unknowns have in `solve`
   std::vector<double> value;
   Eigen::VectorXd scale;
 
   Mumps() {
-    instance.job = -1;
-    instance.par = 1;
-    instance.sym = 2;
-    instance.comm_fortran = -987654;
-    call_mumps(instance);
-    for (const int stream : {1, 2, 3}) control(stream) = -1;
-    control(4) = 0;
-    control(6) = 0;    // no permutation for large diagonal entries: the analysis sees the pattern alone
-    control(7) = 1;    // ordered here
-    control(8) = 0;    // scaled here, at less cost
-    control(12) = 1;   // ordering of the pattern as it is
-    control(14) = 60;  // more room than estimated, %
-    control(28) = 1;
-  }
-  ~Mumps() {
-    instance.job = -2;
-    call_mumps(instance);
-  }
-  Mumps(const Mumps&) = delete;
-  Mumps& operator=(const Mumps&) = delete;
-
-  int& control(int entry) { return instance.icntl[entry - 1]; }
-  int run(int job) {
-    instance.job = job;
-    call_mumps(instance);
-    return instance.infog[0];
+    instance.control(7) = 1;    // ordered here
+    instance.control(14) = 60;  // more room than estimated, %
   }
   int factorise_once() {
     const WorkTimer timer(&WorkTimes::factorisation);
-    return run(2);
+    return instance.run(2);
   }
   /// `place`: position of each unknown in the order of elimination, from 1.
   void analyse(const SymmetricMatrix& matrix, std::vector<int> in_order);
@@ -113,22 +80,22 @@ void Mumps::analyse(const SymmetricMatrix& matrix, std::vector<int> in_order) {
       column.push_back(c + 1);
     }
   value.assign(row.size(), 0.0);
-  instance.n = matrix.size;
-  instance.nnz = static_cast<MUMPS_INT8>(row.size());
-  instance.irn = row.data();
-  instance.jcn = column.data();
-  instance.a = value.data();
-  instance.perm_in = place.data();
-  require(run(1));
+  instance.data.n = matrix.size;
+  instance.data.nnz = static_cast<MUMPS_INT8>(row.size());
+  instance.data.irn = row.data();
+  instance.data.jcn = column.data();
+  instance.data.a = value.data();
+  instance.data.perm_in = place.data();
+  require(instance.run(1));
 }
 
 bool Mumps::factorise(const SymmetricMatrix& matrix) {
-  assert(instance.n == matrix.size);
+  assert(instance.data.n == matrix.size);
   scale = row_scale(matrix);
   for (std::size_t k = 0; k < value.size(); ++k) value[k] = matrix.value[k] * scale[row[k] - 1] * scale[column[k] - 1];
   int status = factorise_once();
-  while ((status == -8 || status == -9) && control(14) < 2000) {  // delayed pivots asked for more room
-    control(14) *= 2;
+  while ((status == -8 || status == -9) && instance.control(14) < 2000) {  // delayed pivots asked for more room
+    instance.control(14) *= 2;
     status = factorise_once();
   }
   constexpr int singular = -10, too_many_delayed = -9, too_many_delayed_indices = -8;
@@ -138,17 +105,16 @@ bool Mumps::factorise(const SymmetricMatrix& matrix) {
 }
 
 Eigen::MatrixXd Mumps::solve(const Eigen::MatrixXd& rhs) {
-  Eigen::MatrixXd solution = number.empty() ? rhs : Eigen::MatrixXd(rhs(number, Eigen::all));
+  Eigen::MatrixXd solution = rhs(number, Eigen::all);
   solution = (scale.asDiagonal() * solution).eval();
-  instance.rhs = solution.data();
-  instance.nrhs = static_cast<int>(rhs.cols());
-  instance.lrhs = static_cast<int>(rhs.rows());
+  instance.data.rhs = solution.data();
+  instance.data.nrhs = static_cast<int>(rhs.cols());
+  instance.data.lrhs = static_cast<int>(rhs.rows());
   {
     const WorkTimer timer(&WorkTimes::solution);
-    require(run(3));
+    require(instance.run(3));
   }
   solution = (scale.asDiagonal() * solution).eval();
-  if (number.empty()) return solution;
   Eigen::MatrixXd by_number(rhs.rows(), rhs.cols());
   by_number(number, Eigen::all) = solution;
   return by_number;
@@ -159,14 +125,6 @@ Eigen::MatrixXd Mumps::solve(const Eigen::MatrixXd& rhs) {
 struct IndefiniteSolver::Data {
   Cholesky cholmod{Cholesky::Form::quasi_definite};
   std::optional<Mumps> mumps;
-
-  /// Whether MUMPS is wanted or pays; then it is there, without an analysis.
-  bool use_mumps(double operations, Library library) {
-    mumps.reset();
-    if (library == Library::cholmod || (library == Library::automatic && operations <= mumps_pays)) return false;
-    mumps.emplace();
-    return true;
-  }
 };
 
 IndefiniteSolver::IndefiniteSolver() : data_(std::make_unique<Data>()) {}
@@ -174,19 +132,16 @@ IndefiniteSolver::~IndefiniteSolver() = default;
 IndefiniteSolver::IndefiniteSolver(IndefiniteSolver&&) noexcept = default;
 IndefiniteSolver& IndefiniteSolver::operator=(IndefiniteSolver&&) noexcept = default;
 
-void IndefiniteSolver::analyse(const SymmetricMatrix& matrix, Library library) {
-  const auto order = minimum_degree_order(matrix);
-  if (!data_->use_mumps(order.operations, library)) return data_->cholmod.analyse(matrix, order.unknown);
-  std::vector<int> place(order.unknown.size());
-  for (std::size_t k = 0; k < place.size(); ++k) place[order.unknown[k]] = static_cast<int>(k) + 1;
-  data_->mumps->analyse(matrix, std::move(place));
-}
-
-void IndefiniteSolver::analyse_ordered(const SymmetricMatrix& matrix, const EliminationOrder& order, Library library) {
-  if (!data_->use_mumps(order.operations, library)) return data_->cholmod.analyse_ordered(matrix, order.unknown);
-  std::vector<int> place(order.unknown.size());
+void IndefiniteSolver::analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order,
+                                       Library library) {
+  data_->mumps.reset();
+  data_->cholmod.analyse_ordered(matrix, order);
+  const bool pays = data_->cholmod.operations() > mumps_pays;
+  if (library == Library::cholmod || (library == Library::automatic && !pays)) return;
+  std::vector<int> place(order.size());
   std::iota(place.begin(), place.end(), 1);
-  data_->mumps->number = order.unknown;
+  data_->mumps.emplace();
+  data_->mumps->number = order;
   data_->mumps->analyse(matrix, std::move(place));
 }
 

@@ -6,10 +6,9 @@
 
 namespace parison::core {
 
-/// LDL' factorisation of a symmetric quasi-definite matrix (a regularised saddle point), ordered by minimum degree; the
-/// symbolic analysis serves until the pattern changes. CHOLMOD factorises where the fill is small, MUMPS (Amestoy,
-/// Duff, L'Excellent & Koster 2001) with pivoting where its dense blocks pay. Throws std::runtime_error where memory
-/// does not suffice.
+/// LDL' factorisation of a symmetric quasi-definite matrix (a regularised saddle point); the symbolic analysis serves
+/// until the pattern changes. CHOLMOD factorises where the fill is small, MUMPS (Amestoy, Duff, L'Excellent & Koster
+/// 2001) with pivoting where its dense blocks pay. Throws RunError where memory does not suffice.
 class IndefiniteSolver {
  public:
   IndefiniteSolver();
@@ -18,10 +17,9 @@ class IndefiniteSolver {
   IndefiniteSolver& operator=(IndefiniteSolver&&) noexcept;
 
   enum class Library { automatic, cholmod, mumps };
-  void analyse(const SymmetricMatrix& matrix, Library library = Library::automatic);
-  /// The same for the upper triangle of a matrix that is in the order of its elimination itself: `solve` takes and
-  /// gives the unknowns by the numbers that `order` has for them.
-  void analyse_ordered(const SymmetricMatrix& matrix, const EliminationOrder& order,
+  /// Symbolic analysis of the upper triangle of a matrix that is in the order of its elimination: order[k] is the
+  /// number that its k-th unknown has in `solve`.
+  void analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order,
                        Library library = Library::automatic);
   /// Numeric factorisation; false when a pivot vanishes.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);

@@ -49,17 +49,4 @@ void add_clique(SymmetricMatrix& matrix, const Scatter& scatter, Index clique, I
 /// Full symmetric product A x.
 Eigen::VectorXd multiply(const SymmetricMatrix& matrix, const Eigen::VectorXd& x);
 
-/// The unknowns in the order of their elimination, and an estimate of the floating-point operations of a factorisation.
-struct EliminationOrder {
-  std::vector<Index> unknown;
-  double operations;
-};
-
-/// Fill-reducing order of the unknowns of a graph by approximate minimum degree (Amestoy, Davis & Duff 1996). An edge
-/// may be named more than once and in either direction.
-EliminationOrder minimum_degree_order(Index size, const std::vector<std::array<Index, 2>>& edges);
-
-/// The same for a matrix. Unknowns with one pattern are ordered as one vertex and follow one another by their numbers.
-EliminationOrder minimum_degree_order(const SymmetricMatrix& matrix);
-
 }  // namespace parison::core

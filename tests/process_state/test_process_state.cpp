@@ -7,6 +7,7 @@
 #include <clocale>
 #include <cstdlib>
 #include <functional>
+#include <numeric>
 #include <thread>
 
 #include "core/io/files.hpp"
@@ -167,14 +168,14 @@ TEST(ProcessState, threads_that_mesh_at_once_get_the_bits_of_one) {
   at_once(mesh_often, mesh_often);
 }
 
-/// A saddle point with a chain of `size` couplings.
+/// A saddle point with a chain of `size` couplings, in the order of elimination from end to end.
 core::SymmetricMatrix chain(Index size, double diagonal) {
   core::Cliques cliques;
   for (Index i = 0; i + 1 < size; ++i) {
     const std::array<Index, 2> pair{i, i + 1};
     cliques.add(pair.data(), 2);
   }
-  core::Assembly assembly = core::make_assembly(size, cliques);
+  core::Assembly assembly = core::make_assembly(size, cliques, core::Triangle::upper);
   for (Index i = 0; i + 1 < size; ++i) {
     const std::array<double, 4> local{diagonal, 1, 1, i % 3 == 0 ? -diagonal : diagonal};
     core::add_clique(assembly.matrix, assembly.scatter, i, 2, local.data());
@@ -184,7 +185,9 @@ core::SymmetricMatrix chain(Index size, double diagonal) {
 
 Eigen::MatrixXd solve_by_mumps(const core::SymmetricMatrix& matrix) {
   core::IndefiniteSolver solver;
-  solver.analyse(matrix, core::IndefiniteSolver::Library::mumps);
+  std::vector<Index> order(matrix.size);
+  std::iota(order.begin(), order.end(), 0);
+  solver.analyse_ordered(matrix, order, core::IndefiniteSolver::Library::mumps);
   EXPECT_TRUE(solver.factorise(matrix));
   return solver.solve(Eigen::VectorXd::LinSpaced(matrix.size, -1, 1));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/linear/elimination_order.hpp"
 #include "core/linear/sparse_matrix.hpp"
 #include "core/process/work_times.hpp"
 #include "thermal/cells/cell_kernels.hpp"
@@ -164,10 +165,10 @@ std::vector<Index> rank_vertices(const HeatSystem& system, const Vertices& verti
   for (const Coupling& coupling : couplings)
     for (const int slave : {0, 1})
       for (const int master : {2, 3}) add(coupling[slave], coupling[master]);
-  const Index count = static_cast<Index>(vertices.unknown.size());
-  const std::vector<Index> order = core::minimum_degree_order(count, edges).unknown;
-  std::vector<Index> rank(count);
-  for (Index k = 0; k < count; ++k) rank[order[k]] = k;
+  const auto count = static_cast<Index>(vertices.unknown.size());
+  const std::vector<Index> order = core::minimum_degree_order(count, edges);
+  std::vector<Index> rank(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) rank[order[k]] = static_cast<Index>(k);
   return rank;
 }
 

@@ -2,7 +2,8 @@
 #include "forming/flow/linear/saddle_system.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/linear/elimination_order.hpp"
 
 namespace parison::flow {
 
@@ -27,25 +28,24 @@ std::vector<Index> pressure_places(const core::Mesh& mesh, const std::vector<Ind
   return first;
 }
 
-/// Minimum degree order of the nodes: all unknowns of a node couple with the same others, so they are ordered together.
-core::EliminationOrder elimination_order(const core::Mesh& mesh) {
+/// The unknowns in the order of elimination, that of the nodes: all of a node couple with the same others.
+std::vector<Index> elimination_order(const core::Mesh& mesh) {
   std::vector<std::array<Index, 2>> edges;
   edges.reserve(15 * mesh.cells().size());
   for (const auto& cell : mesh.cells())
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < i; ++j) edges.push_back({cell[i], cell[j]});
-  const auto nodes = core::minimum_degree_order(mesh.node_count(), edges);
+  const std::vector<Index> nodes = core::minimum_fill_order(mesh.nodes, edges);
   std::vector<Index> place(mesh.node_count());
-  for (Index k = 0; k < mesh.node_count(); ++k) place[nodes.unknown[k]] = k;
+  for (Index k = 0; k < mesh.node_count(); ++k) place[nodes[k]] = k;
   const std::vector<Index> pressure_place = pressure_places(mesh, place);
   std::vector<std::vector<Index>> pressures(mesh.node_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v) pressures[pressure_place[v]].push_back(dim * mesh.node_count() + v);
-  core::EliminationOrder order{{}, 0};
+  std::vector<Index> order;
   for (Index k = 0; k < mesh.node_count(); ++k) {
-    for (int a = 0; a < dim; ++a) order.unknown.push_back(dim * nodes.unknown[k] + a);
-    order.unknown.insert(order.unknown.end(), pressures[k].begin(), pressures[k].end());
+    for (int a = 0; a < dim; ++a) order.push_back(dim * nodes[k] + a);
+    order.insert(order.end(), pressures[k].begin(), pressures[k].end());
   }
-  order.operations = nodes.operations * std::pow(double(order.unknown.size()) / mesh.node_count(), 3);
   return order;
 }
 
@@ -53,8 +53,8 @@ core::EliminationOrder elimination_order(const core::Mesh& mesh) {
 
 SaddleSystem::SaddleSystem(const core::Mesh& mesh) : vertices_(mesh.vertex_count()) {
   const auto order = elimination_order(mesh);
-  std::vector<Index> rank(order.unknown.size());
-  for (std::size_t k = 0; k < rank.size(); ++k) rank[order.unknown[k]] = static_cast<Index>(k);
+  std::vector<Index> rank(order.size());
+  for (std::size_t k = 0; k < rank.size(); ++k) rank[order[k]] = static_cast<Index>(k);
   core::Cliques cliques;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     auto unknowns = unknowns_of(mesh, c);

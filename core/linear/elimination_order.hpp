@@ -1,0 +1,23 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <vector>
+
+#include "core/mesh/point.hpp"
+
+namespace parison::core {
+
+/// The vertices of a graph in an order of elimination that keeps the fill of a factorisation small. An edge may be
+/// named more than once and in either direction.
+///
+/// By approximate minimum degree (P. Amestoy, T. Davis, I. Duff, SIAM J. Matrix Anal. Appl. 17 (1996) 886-905).
+std::vector<Index> minimum_degree_order(Index size, const std::vector<std::array<Index, 2>>& edges);
+
+/// By approximate minimum fill (P. Amestoy's AMF in MUMPS; the idea: E. Rothberg & S. Eisenstat, SIAM J. Matrix Anal.
+/// Appl. 19 (1998) 682-695): on the quadratic cells of glass a tenth to a quarter less operations than by minimum
+/// degree, for twice the time. Vertices with equal fill are taken by the first coordinate of where they stand: of the
+/// numberings that were tried the one with the least operations. Throws RunError where memory does not suffice.
+std::vector<Index> minimum_fill_order(const std::vector<Point>& vertices,
+                                      const std::vector<std::array<Index, 2>>& edges);
+
+}  // namespace parison::core
