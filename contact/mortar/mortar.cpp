@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contact/box.hpp"
+#include "contact/mortar/contact_end.hpp"
 #include "contact/mortar/segment_gap.hpp"
 #include "core/mesh/element.hpp"
 
@@ -116,7 +117,21 @@ void add_gaps(const EdgeView& view, const Segment& segment, const Master& master
   add_gaps(view, {middle, segment.end, segment.edge}, master, halvings - 1, gaps);
 }
 
-void divide(const EdgeView& view, const std::vector<Master>& masters, EdgeParts& parts) {
+/// The same on an edge on which a contact ends: two where the segment contains that end.
+void add_gaps(const EdgeView& view, const Segment& segment, const ContactEnd& end, std::vector<SegmentGap>& gaps) {
+  constexpr double apart = 1e-6;  // of the edge, from a segment's ends
+  const InterfaceNode cut{end.end, -1};
+  if (cut.slave_s < segment.begin.slave_s + apart || cut.slave_s > segment.end.slave_s - apart) {
+    gaps.emplace_back(view, segment, end);
+    return;
+  }
+  gaps.emplace_back(view, Segment{segment.begin, cut, segment.edge}, end);
+  gaps.emplace_back(view, Segment{cut, segment.end, segment.edge}, end);
+}
+
+/// `ends`: of the contacts with each master.
+void divide(const EdgeView& view, const std::vector<Master>& masters,
+            const std::vector<std::optional<ContactEnd>>& ends, EdgeParts& parts) {
   find_interface_nodes(view, parts.nodes);
   find_segments(view, parts.nodes, parts.segments);
   parts.gaps.clear();
@@ -124,7 +139,11 @@ void divide(const EdgeView& view, const std::vector<Master>& masters, EdgeParts&
   for (const Segment& segment : parts.segments) {
     const Master& master = masters[view.masters[segment.edge].master];
     std::size_t at = parts.gaps.size();
-    add_gaps(view, segment, master, max_halvings, parts.gaps);
+    const auto& end = ends[view.masters[segment.edge].master];
+    if (end)
+      add_gaps(view, segment, *end, parts.gaps);
+    else
+      add_gaps(view, segment, master, max_halvings, parts.gaps);
     for (; at < parts.gaps.size(); ++at) {
       const SegmentGap& gap = parts.gaps[at];
       const ContactStatus status = contact_status(gap, master.transition_gap);
@@ -213,12 +232,17 @@ std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Ei
   points.reserve(16 * slave.edges.size());
   std::vector<Index> near;
   EdgeParts parts;
-  for (const auto& edge : make_rays(slave)) {
+  const ContactEndFinder find_ends(slave);
+  std::vector<std::optional<ContactEnd>> ends(masters.size());
+  const auto rays = make_rays(slave);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const RayEdge& edge = rays[i];
     const double range = search_range(edge.edge, masters);
     target.query(inflated(bounds(edge.edge), range), near);
     if (near.empty()) continue;
     const EdgeView view{edge, target.edges, near, range};
-    divide(view, masters, parts);
+    for (std::size_t m = 0; m < masters.size(); ++m) ends[m] = find_ends(i, masters[m]);
+    divide(view, masters, ends, parts);
     for (const SegmentGroup& group : parts.segment_groups)
       add_points({view, parts.gaps, slave.body, pressure, points}, group, masters[target.edges[group.edge].master]);
   }

@@ -18,6 +18,8 @@ struct Master {
   /// Gap of any point to the exact profile, m; +infinity out of reach. Without it the gap between two slave nodes is
   /// known only by the master's mesh.
   std::function<double(const Point&)> gap_at{};
+  /// Which nodes of the slave's mesh are held by this body; empty where that is not known.
+  std::vector<bool> touching{};
 };
 
 /// Share of the contact at a point: 1 for gap <= 0, 1 - u^3 (10 - 15 u + 6 u^2) with u = gap / width, 0 for gap >=
@@ -34,7 +36,9 @@ double contact_weight(double gap, double width);
 /// `gap_at` or else its distance to the master along the ray. Where the contact weight changes, segments are halved
 /// until the gap in their middle is the mean of their ends to half a per cent of the transition gap. On an edge in
 /// contact at both ends the gap is measured from the smooth convex surface that the edge approximates, so that chords
-/// of a curved surface do not count as open. `pressure` has one value for each node of the slave's mesh, Pa.
+/// of a curved surface do not count as open. Where `touching` is known, the edge at the end of a contact has the gap of
+/// a surface that leaves the tool without a kink (ContactEnd). `pressure` has one value for each node of the slave's
+/// mesh, Pa.
 std::vector<core::InterfacePoint> build_interface(const Surface& slave, const Eigen::VectorXd& pressure,
                                                   const std::vector<Master>& masters, core::Geometry geometry);
 

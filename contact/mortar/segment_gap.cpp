@@ -57,7 +57,16 @@ SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const Maste
   chord_ = weight(0) * weight(1);
 }
 
+SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const ContactEnd& end)
+    : slave_(&view.slave),
+      begin_(segment.begin.slave_s),
+      end_(segment.end.slave_s),
+      first_(end(begin_)),
+      last_(end(end_)),
+      contact_end_(end) {}
+
 double SegmentGap::operator()(double s) const {
+  if (contact_end_) return (*contact_end_)(s);
   const double along = (s - begin_) / (end_ - begin_), gap = first_ + along * (last_ - first_);
   const double height = chord_ * chord_offset(*slave_, s);
   return height > 0 ? gap - height * contact_weight(gap - height, height) : gap;

@@ -1,7 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <optional>
 
+#include "contact/mortar/contact_end.hpp"
 #include "contact/mortar/mortar.hpp"
 #include "contact/mortar/segments.hpp"
 
@@ -13,6 +15,8 @@ namespace parison::contact {
 class SegmentGap {
  public:
   SegmentGap(const EdgeView& view, const Segment& segment, const Master& master);
+  /// The same for a segment on an edge on which a contact ends.
+  SegmentGap(const EdgeView& view, const Segment& segment, const ContactEnd& end);
   double operator()(double s) const;
   /// At the ends, m, without the height of the smooth surface.
   double first() const { return first_; }
@@ -22,7 +26,8 @@ class SegmentGap {
 
  private:
   const RayEdge* slave_;
-  double begin_, end_, first_, last_, chord_;
+  double begin_, end_, first_, last_, chord_ = 0;
+  std::optional<ContactEnd> contact_end_;
 };
 
 /// Gap of the slave's point at s to the master's exact profile, m; +infinity where that is not known.

@@ -24,6 +24,12 @@ std::function<double(const core::Point&)> exact_gaps(const Scene& scene, const S
   };
 }
 
+std::vector<bool> held_nodes(const State& state, Index tool) {
+  std::vector<bool> held(state.glass.contact_tool.size());
+  for (std::size_t n = 0; n < held.size(); ++n) held[n] = state.glass.contact_tool[n] == tool;
+  return held;
+}
+
 }  // namespace
 
 std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const State& state) {
@@ -41,8 +47,9 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
     const auto touches = core::boundaries_of_kind(tool.mesh, BoundaryKind::contact);
     masters.push_back(
         {contact::make_surface(body_of_tool(interface.tool), tool.mesh, touches, tool.offset * core::axis_direction()),
-         tool_gaps(scene, state, nodes, interface.tool, 10 * interface.transition_gap), interface.transition_gap,
-         static_cast<Index>(law), exact_gaps(scene, state, interface.tool, 10 * interface.transition_gap)});
+         tool_gaps(scene, state, nodes, interface.tool, 40 * interface.transition_gap), interface.transition_gap,
+         static_cast<Index>(law), exact_gaps(scene, state, interface.tool, 10 * interface.transition_gap),
+         held_nodes(state, interface.tool)});
   }
   auto interface = contact::build_interface(slave, state.glass.contact_pressure, masters, scene.geometry);
   set_openings(scene, state, interface);

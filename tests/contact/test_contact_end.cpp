@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/mortar/contact_end.hpp"
+#include "figure.hpp"
+#include "interface_cases.hpp"
+
+namespace parison::contact::testing {
+namespace {
+
+using tests::Figure;
+
+constexpr double radius = 0.012, transition = 1e-4;  // m
+
+/// Glass that lies on y = 0 from x = 0 to `end` and leaves it there on a radius, as its vertices see it: those on the
+/// edge at the end of the contact are on a chord. To the left instead where `mirrored`.
+struct LandedGlass {
+  core::Mesh mesh;
+  SlaveState state;
+  std::vector<bool> held;
+};
+
+double height(double x, double end) {
+  return x > end ? (x - end) * (x - end) / (2 * radius) : 0;
+}
+
+LandedGlass landed(int edges, double end, bool mirrored) {
+  const double length = 0.012;
+  LandedGlass glass{warped(testing::glass(divided(0, length, edges)),
+                           [&](const Point& x) { return Point(x[0], x[1] + (x[1] == 0 ? height(x[0], end) : 0)); }),
+                    {},
+                    {}};
+  for (const auto& edge : glass.mesh.boundary_edges())
+    if (edge.boundary_id == 1) {
+      auto& nodes = glass.mesh.nodes;
+      const double first = nodes[edge.nodes[0]][1], last = nodes[edge.nodes[1]][1];
+      if ((first == 0) != (last == 0)) nodes[edge.nodes[2]][1] = 0.5 * (first + last);
+    }
+  glass.state = touching(glass.mesh, [](const Point& x) { return x[1]; });
+  for (const Point& x : glass.mesh.nodes) glass.held.push_back(x[1] == 0);
+  if (mirrored) {
+    std::vector<Point> vertices(glass.mesh.nodes.begin(), glass.mesh.nodes.begin() + glass.mesh.vertex_count());
+    std::vector<std::array<Index, 3>> cells;
+    for (const auto& cell : glass.mesh.cells()) cells.push_back({cell[0], cell[2], cell[1]});
+    core::Mesh turned = core::make_quadratic_mesh(vertices, cells);
+    turned.edit().boundaries.push_back("contact");
+    for (auto& edge : turned.edit().boundary_edges)
+      edge.boundary_id = vertices[edge.nodes[0]][1] < 0.003 && vertices[edge.nodes[1]][1] < 0.003;
+    for (Point& x : turned.nodes) x[0] = -x[0];
+    for (const auto& edge : turned.boundary_edges()) {
+      const double first = turned.nodes[edge.nodes[0]][1], last = turned.nodes[edge.nodes[1]][1];
+      if (edge.boundary_id == 1 && (first == 0) == (last == 0))
+        turned.nodes[edge.nodes[2]][1] = height(-turned.nodes[edge.nodes[2]][0], end);
+    }
+    glass.mesh = turned;
+    glass.state = touching(turned, [](const Point& x) { return x[1]; });
+    glass.held.clear();
+    for (const Point& x : turned.nodes) glass.held.push_back(x[1] == 0);
+  }
+  return glass;
+}
+
+Master master_of(const LandedGlass& glass, const core::Mesh& tool, bool knows_contact) {
+  Master master{contact_surface(1, tool), glass.state.gap, transition, 0, [](const Point& x) { return x[1]; }};
+  if (knows_contact) master.touching = glass.held;
+  return master;
+}
+
+/// Integral of the contact weight over the surface, m per metre of depth.
+double length_in_contact(const LandedGlass& glass, bool knows_contact) {
+  const auto tool = testing::tool(divided(-0.02, 0.02, 7));
+  return weighted_contact_area(build_interface(contact_surface(0, glass.mesh), glass.state.pressure,
+                                               {master_of(glass, tool, knows_contact)}, core::Geometry::planar));
+}
+
+double exact_length(double end) {
+  const double reach = std::sqrt(2 * radius * transition);
+  double sum = 0;
+  constexpr int parts = 2000;
+  for (int i = 0; i < parts; ++i) sum += contact_weight(height(end + reach * (i + 0.5) / parts, end), transition);
+  return end + reach * sum / parts;
+}
+
+TEST(FrontOfContact, is_found_where_the_gap_begins_to_grow_with_the_square_of_the_distance) {
+  for (const bool mirrored : {false, true})
+    for (double end = 0.0031; end < 0.0089; end += 0.00037) {
+      const auto glass = landed(8, end, mirrored);
+      const auto surface = contact_surface(0, glass.mesh);
+      const auto tool = testing::tool(divided(-0.02, 0.02, 7));
+      const Master master = master_of(glass, tool, true), unknowing = master_of(glass, tool, false);
+      const ContactEndFinder find(surface);
+      int found = 0;
+      for (std::size_t edge = 0; edge < surface.edges.size(); ++edge) {
+        EXPECT_FALSE(find(edge, unknowing));
+        const auto at = find(edge, master);
+        if (!at) continue;
+        ++found;
+        const auto& x = surface.edges[edge].x;
+        EXPECT_NEAR(std::abs(((1 - at->end) * x[0] + at->end * x[1])[0]), end, 1.5e-5)
+            << end << mirrored;  // a hundredth of an edge
+      }
+      EXPECT_EQ(found, 1);
+    }
+}
+
+TEST(FrontOfContact, makes_the_area_in_contact_follow_the_front_between_two_vertices) {
+  Figure chord("area in contact behind a front that moves through an edge, chord, off by at most", "%"),
+      smooth("area in contact behind a front that moves through an edge, off by at most", "%");
+  for (const bool mirrored : {false, true})
+    for (double end = 0.0046; end < 0.0075; end += 0.0001) {
+      const auto glass = landed(8, end, mirrored);
+      const double exact = exact_length(end);
+      chord.add(100 * std::abs(length_in_contact(glass, false) / exact - 1));
+      smooth.add(100 * std::abs(length_in_contact(glass, true) / exact - 1));
+    }
+  smooth.at_most(0.05);
+  chord.for_comparison();
+}
+
+TEST(FrontOfContact, is_left_to_the_chord_where_the_gap_opens_with_a_kink_or_nothing_is_known_behind) {
+  auto glass = landed(8, 0.005, false);
+  const auto tool = testing::tool(divided(-0.02, 0.02, 7));
+  const auto surface = contact_surface(0, glass.mesh);
+  const auto count = [&](const Master& master) {
+    const ContactEndFinder find(surface);
+    int found = 0;
+    for (std::size_t edge = 0; edge < surface.edges.size(); ++edge) found += find(edge, master).has_value();
+    return found;
+  };
+  Master linear = master_of(glass, tool, true);  // a kink: the gap grows with the distance itself
+  for (Index n = 0; n < glass.mesh.node_count(); ++n)
+    if (linear.gap[n] > 0) linear.gap[n] = 0.3 * (glass.mesh.nodes[n][0] - 0.0045);
+  EXPECT_EQ(count(linear), 0);
+  Master out_of_reach = master_of(glass, tool, true);
+  for (double& gap : out_of_reach.gap)
+    if (gap > 1e-4) gap = infinity;
+  EXPECT_EQ(count(out_of_reach), 0);
+}
+
+}  // namespace
+}  // namespace parison::contact::testing
