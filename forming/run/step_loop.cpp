@@ -143,6 +143,16 @@ void refuse_closed_film(const Scene& scene, double dt, StepResult& result) {
   result.reason = film;
 }
 
+/// The length, s, of a step that ends where the tools come to rest, instead of one of length dt, s, that goes beyond
+/// that; `dt` where it does not. The rate at which they slow down rises towards the end, so that a step to the moment
+/// predicted before it is too long.
+double up_to_rest(const Scene& scene, const StepResult& result, double dt) {
+  constexpr double bearable = 0.02, shortest = 0.1;  // of the step, or of the longest one allowed
+  const double beyond = -time_to_rest(scene, result.state);
+  return beyond > bearable * std::max(dt, result.state.next_step) && beyond < dt ? std::max(dt - beyond, shortest * dt)
+                                                                                 : dt;
+}
+
 /// A step that converged and kept within its allowance; false when the smallest one did not.
 bool step_once(RunInProgress& run, AcceptedStep& step) {
   const State& state = run.outcome.state;
@@ -156,6 +166,11 @@ bool step_once(RunInProgress& run, AcceptedStep& step) {
     const bool accepted = result.converged && !rejected_by_error_control(run.scene, result.report);
     add_step(result.report, accepted, run.outcome.facts.solver_statistics);
     const ProposedStep proposed = propose_step(run.scene, state, result.report, accepted ? state.next_step : dt);
+    if (const double shorter = accepted ? up_to_rest(run.scene, result, dt) : dt; shorter < dt) {
+      ++run.outcome.state.totals.rejected;
+      dt = shorter;
+      continue;
+    }
     if (accepted) {
       accept(run, result, proposed, step);
       return true;

@@ -100,8 +100,8 @@ StageEnd reason_of(EndCondition::Kind kind) {
   return StageEnd::none;
 }
 
-/// A stage ends when its tools will be at rest within this share of the last step.
-constexpr double rest_tolerance = 0.05;
+/// A stage ends when its tools will be at rest within this share of the last step, or of the longest one allowed now.
+constexpr double rest_tolerance = 0.02;
 
 }  // namespace
 
@@ -113,7 +113,7 @@ double time_to_rest(const Scene& scene, const State& state) {
     if (!std::holds_alternative<ForceMotion>(tool.motion)) continue;
     const ToolState& body = state.tools[tool.tool];
     const double excess = std::log(std::abs(body.velocity) / *stage.end_speed);  // in the middle of the last step
-    if (excess <= 0) continue;
+    if (excess <= 0 && body.slowing <= 0) continue;
     latest = std::max(latest, excess / body.slowing - 0.5 * state.last_step);
   }
   return latest;
@@ -127,7 +127,8 @@ double longest_stage_time(const Scene& scene, const State& state) {
 StageEnd stage_end(const Scene& scene, const State& state) {
   const Stage& stage = scene.stages[state.stage];
   if (state.stage_time >= longest_stage_time(scene, state) - same_time) return StageEnd::duration;
-  if (time_to_rest(scene, state) <= rest_tolerance * state.last_step) return StageEnd::tools_at_rest;
+  if (time_to_rest(scene, state) <= rest_tolerance * std::max(state.last_step, state.next_step))
+    return StageEnd::tools_at_rest;
   if (state.stage_time > 0)
     for (const EndCondition& end : stage.ends)
       if (holds(scene, state, end)) return reason_of(end.kind);
