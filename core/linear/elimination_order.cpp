@@ -53,13 +53,12 @@ std::vector<Index> minimum_degree_order(Index size, const std::vector<std::array
   return order;
 }
 
-std::vector<Index> minimum_fill_order(const std::vector<Point>& vertices,
-                                      const std::vector<std::array<Index, 2>>& edges) {
-  const auto size = static_cast<Index>(vertices.size());
+std::vector<Index> minimum_fill_order(const std::vector<Index>& layer, const std::vector<std::array<Index, 2>>& edges) {
+  const auto size = static_cast<Index>(layer.size());
   if (size == 0) return {};
   std::vector<Index> vertex(size), number(size);
   std::iota(vertex.begin(), vertex.end(), 0);
-  std::stable_sort(vertex.begin(), vertex.end(), [&](Index a, Index b) { return vertices[a][0] < vertices[b][0]; });
+  std::stable_sort(vertex.begin(), vertex.end(), [&](Index a, Index b) { return layer[a] > layer[b]; });
   for (Index k = 0; k < size; ++k) number[vertex[k]] = k;
   const Graph graph = compressed(size, edges, [&](Index v) { return number[v]; });
   std::vector<int> row, column;  // from 1

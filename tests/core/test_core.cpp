@@ -143,7 +143,7 @@ std::vector<std::array<Index, 2>> edges_of(const Mesh& mesh) {
 
 TEST(IndefiniteSolver, takes_a_matrix_in_the_order_of_its_elimination_with_either_library) {
   const Mesh mesh = unit_square(6);
-  const std::vector<Index> order = minimum_fill_order(mesh.nodes, edges_of(mesh));
+  const std::vector<Index> order = minimum_fill_order(std::vector<Index>(mesh.node_count(), 0), edges_of(mesh));
   std::vector<Index> rank(order.size());
   for (std::size_t k = 0; k < rank.size(); ++k) rank[order[k]] = static_cast<Index>(k);
   Cliques natural, ranked;
@@ -193,18 +193,21 @@ std::array<double, 2> operations(const Mesh& mesh, const std::vector<Index>& ord
 
 TEST(EliminationOrder, has_every_vertex_once_and_less_fill_than_minimum_degree) {
   EXPECT_TRUE(minimum_fill_order({}, {}).empty());
-  EXPECT_EQ(minimum_fill_order({{2, 0}, {1, 0}}, {}).size(), 2);
+  EXPECT_EQ(minimum_fill_order({0, 1}, {}), (std::vector<Index>{1, 0}));
   const Mesh mesh = unit_square(24);
   const auto edges = edges_of(mesh);
-  const std::vector<Index> order = minimum_fill_order(mesh.nodes, edges);
+  std::vector<Index> layer;  // from the boundary
+  for (const Point& x : mesh.nodes)
+    layer.push_back(static_cast<Index>(std::lround(48 * std::min({x[0], 1 - x[0], x[1], 1 - x[1]}))));
+  const std::vector<Index> order = minimum_fill_order(layer, edges);
   std::vector<Index> sorted = order;
   std::sort(sorted.begin(), sorted.end());
   for (Index k = 0; k < mesh.node_count(); ++k) ASSERT_EQ(sorted[k], k);
   auto twice = edges;  // named again, in the other direction
   for (const auto& [a, b] : edges) twice.push_back({b, a});
-  EXPECT_EQ(minimum_fill_order(mesh.nodes, twice), order);
+  EXPECT_EQ(minimum_fill_order(layer, twice), order);
   const auto [fill, degree] = operations(mesh, order);
-  EXPECT_LT(fill, 0.95 * degree);
+  EXPECT_LT(fill, 0.9 * degree);
 }
 
 TEST(Table, interpolates_holds_its_ends_and_integrates) {

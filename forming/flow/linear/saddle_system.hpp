@@ -6,6 +6,10 @@
 
 namespace parison::flow {
 
+/// The unknowns of a mesh (two velocities per node, then one pressure per vertex) in the order of their elimination:
+/// both velocities of a node follow one another.
+std::vector<Index> elimination_order(const core::Mesh& mesh);
+
 /// The saddle-point matrix of one mesh topology with the constraints of one active set (the base) eliminated, and its
 /// factorisation. Sparsity pattern and symbolic factorisation are kept. Unknowns: two velocities per node, then one
 /// pressure per vertex.
