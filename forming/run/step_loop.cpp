@@ -143,20 +143,24 @@ void refuse_closed_film(const Scene& scene, double dt, StepResult& result) {
   result.reason = film;
 }
 
-/// The length, s, of a step that ends where the tools come to rest, instead of one of length dt, s, that goes beyond
-/// that; `dt` where it does not. The rate at which they slow down rises towards the end, so that a step to the moment
-/// predicted before it is too long.
-double up_to_rest(const Scene& scene, const StepResult& result, double dt) {
+/// The length, s, of a step that ends with the stage, instead of one of length dt, s, that goes beyond that; `dt` where
+/// it does not. Tools slow down ever faster as they come to rest, so that a step to the moment predicted before it is
+/// too long; what else ends a stage is not predicted.
+double up_to_end(const Scene& scene, const State& before, const StepResult& result, double dt) {
   constexpr double bearable = 0.02, shortest = 0.1;  // of the step, or of the longest one allowed
-  const double beyond = -time_to_rest(scene, result.state);
-  return beyond > bearable * std::max(dt, result.state.next_step) && beyond < dt ? std::max(dt - beyond, shortest * dt)
-                                                                                 : dt;
+  const double longest = std::max(dt, result.state.next_step);
+  const double beyond_rest = -time_to_rest(scene, result.state);
+  const double beyond =
+      std::max(beyond_rest < dt ? beyond_rest : 0, (1 - share_until_end(scene, before, result.state)) * dt);
+  return beyond > bearable * longest ? std::max(dt - beyond, shortest * dt) : dt;
 }
 
 /// A step that converged and kept within its allowance; false when the smallest one did not.
 bool step_once(RunInProgress& run, AcceptedStep& step) {
   const State& state = run.outcome.state;
   const double first_try = state.next_step;
+  constexpr int most_repeats = 4;  // up to the end of the stage
+  int repeats = 0;
   RefusedEdges edges;
   double dt = clip_step_to_event(run.scene, state, state.next_step);
   auto limit = dt < state.next_step ? StepLimit::event : static_cast<StepLimit>(state.next_limit);
@@ -166,7 +170,9 @@ bool step_once(RunInProgress& run, AcceptedStep& step) {
     const bool accepted = result.converged && !rejected_by_error_control(run.scene, result.report);
     add_step(result.report, accepted, run.outcome.facts.solver_statistics);
     const ProposedStep proposed = propose_step(run.scene, state, result.report, accepted ? state.next_step : dt);
-    if (const double shorter = accepted ? up_to_rest(run.scene, result, dt) : dt; shorter < dt) {
+    const bool may_repeat = accepted && repeats < most_repeats;
+    if (const double shorter = may_repeat ? up_to_end(run.scene, state, result, dt) : dt; shorter < dt) {
+      ++repeats;
       ++run.outcome.state.totals.rejected;
       dt = shorter;
       continue;

@@ -58,30 +58,33 @@ double share_near_tools(const Scene& scene, const State& state, double within) {
   return whole > 0 ? near / whole : 0;
 }
 
-/// Whether the glass has come to a place along the axis in the direction of gravity.
-bool has_come_to(const State& state, double gravity, double place) {
+/// How far the glass has come beyond a place along the axis in the direction of gravity, m.
+double beyond_place(const State& state, double gravity, double place) {
   const double down = gravity > 0 ? 1 : -1;
-  return std::any_of(state.glass.mesh.nodes.begin(), state.glass.mesh.nodes.end(),
-                     [&](const Point& x) { return down * (x[core::dim - 1] - place) >= 0; });
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Point& x : state.glass.mesh.nodes) most = std::max(most, down * (x[core::dim - 1] - place));
+  return most;
 }
 
-bool holds(const Scene& scene, const State& state, const EndCondition& end) {
+/// By how much a state exceeds what ends its stage, in the unit of the condition, which holds from zero on.
+double excess(const Scene& scene, const State& state, const EndCondition& end) {
   const Stage& stage = scene.stages[state.stage];
   switch (end.kind) {
-    case EndCondition::Kind::force:
-      return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
-        return std::abs(state.tools[tool.tool].force) >= end.value * (1 - 1e-9);
-      });
+    case EndCondition::Kind::force: {
+      double largest = 0;
+      for (const StageTool& tool : stage.tools) largest = std::max(largest, std::abs(state.tools[tool.tool].force));
+      return largest - end.value * (1 - 1e-9);
+    }
     case EndCondition::Kind::filled:
-      return share_near_tools(scene, state, end.within) >= end.value;
+      return share_near_tools(scene, state, end.within) - end.value;
     case EndCondition::Kind::surface_below:
-      return mean_surface_temperature(scene, state) <= end.value;
+      return end.value - mean_surface_temperature(scene, state);
     case EndCondition::Kind::surface_above:
-      return mean_surface_temperature(scene, state) >= end.value;
+      return mean_surface_temperature(scene, state) - end.value;
     case EndCondition::Kind::lowest:
-      return has_come_to(state, stage.gravity, end.value);
+      return beyond_place(state, stage.gravity, end.value);
   }
-  return false;
+  return 0;
 }
 
 StageEnd reason_of(EndCondition::Kind kind) {
@@ -131,8 +134,19 @@ StageEnd stage_end(const Scene& scene, const State& state) {
     return StageEnd::tools_at_rest;
   if (state.stage_time > 0)
     for (const EndCondition& end : stage.ends)
-      if (holds(scene, state, end)) return reason_of(end.kind);
+      if (excess(scene, state, end) >= 0) return reason_of(end.kind);
   return StageEnd::none;
+}
+
+double share_until_end(const Scene& scene, const State& before, const State& after) {
+  double share = 1;
+  for (const EndCondition& end : scene.stages[after.stage].ends) {
+    const double now = excess(scene, after, end);
+    if (now <= 0) continue;
+    const double then = excess(scene, before, end);
+    if (then < 0) share = std::min(share, then / (then - now));
+  }
+  return share;
 }
 
 const char* name_of(StageEnd end) {

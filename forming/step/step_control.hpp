@@ -43,6 +43,10 @@ inline constexpr double same_time = 1e-9;
 /// have been for some time, infinite where they do not fall or have not been faster yet.
 double time_to_rest(const Scene& scene, const State& state);
 
+/// The share of a step after which the first of the stage's conditions held that holds at its end and not at its start,
+/// as on a straight line between both; 1 where there is none.
+double share_until_end(const Scene& scene, const State& before, const State& after);
+
 /// How long the present stage lasts unless another condition ends it, s.
 double longest_stage_time(const Scene& scene, const State& state);
 

@@ -78,6 +78,45 @@ TEST(StageEnd, a_run_ends_its_stage_by_the_condition_and_says_so) {
   EXPECT_GT(outcome.facts.stages[0].end, 0);
 }
 
+TEST(StageEnd, a_step_is_repeated_up_to_where_a_condition_begins_to_hold) {
+  const auto rest = [](const std::string& keys) {
+    return scene_of(replaced("duration = \"1 s\"\n", "duration = \"1 s\"\n" + keys));
+  };
+  const Scene whole = rest("");
+  for (const char* limit : {"985 degC", "975 degC", "960 degC"}) {
+    const Scene scene = rest(std::string("end.surface_below = \"") + limit + "\"\n");
+    const RunOutcome outcome = run(scene);
+    ASSERT_EQ(outcome.facts.stages[0].end_reason, "surface below its temperature") << limit;
+    // The same run without the condition, by steps a tenth as long.
+    struct Crossing : RunObserver {
+      double limit = 0, at = 0, before = 0, then = 0;
+      void step_taken(const RunView& run, const State&, const StepReport&) override {
+        double sum = 0, area = 0;
+        for (const auto& edge : run.state.glass.mesh.boundary_edges()) {
+          if (run.state.glass.mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
+          const auto& x = run.state.glass.mesh.nodes;
+          const double length = (x[edge.nodes[1]] - x[edge.nodes[0]]).norm();
+          for (int i = 0; i < 3; ++i) {
+            const double part = length * x[edge.nodes[i]][0] * (i == 2 ? 4 : 1) / 6;
+            sum += part * run.state.glass.temperature[edge.nodes[i]];
+            area += part;
+          }
+        }
+        const double now = sum / area;
+        if (at == 0 && now <= limit) at = then + (run.state.time - then) * (before - limit) / (before - now);
+        before = now, then = run.state.time;
+      }
+    } crossing;
+    crossing.limit = scene.stages[0].ends[0].value;
+    Scene fine = whole;
+    fine.accuracy.max_step = 0.1 * fine.accuracy.max_step;
+    fine.accuracy.temperature_per_step *= 0.1;
+    run(fine, {&crossing});
+    ASSERT_GT(crossing.at, 0) << limit;
+    EXPECT_NEAR(outcome.facts.stages[0].end, crossing.at, 0.03 * crossing.at) << limit;
+  }
+}
+
 TEST(StageEnd, mistakes_have_their_sentences) {
   const auto with = [](const std::string& stage, const std::string& keys) {
     const auto text = complaint_about(replaced(stage, stage + "end = { " + keys + " }\n"));
