@@ -167,16 +167,19 @@ bool step_once(RunInProgress& run, AcceptedStep& step) {
   for (;;) {
     StepResult result = try_step(run, dt, limit);
     refuse_closed_film(run.scene, dt, result);
-    const bool accepted = result.converged && !rejected_by_error_control(run.scene, result.report);
+    const bool sound = result.converged && !rejected_by_error_control(run.scene, result.report);
+    const double until_end = sound && repeats < most_repeats ? up_to_end(run.scene, state, result, dt) : dt;
+    const bool accepted = sound && until_end == dt;
     add_step(result.report, accepted, run.outcome.facts.solver_statistics);
-    const ProposedStep proposed = propose_step(run.scene, state, result.report, accepted ? state.next_step : dt);
-    const bool may_repeat = accepted && repeats < most_repeats;
-    if (const double shorter = may_repeat ? up_to_end(run.scene, state, result, dt) : dt; shorter < dt) {
+    if (sound && !accepted) {
       ++repeats;
       ++run.outcome.state.totals.rejected;
-      dt = shorter;
+      run.workspace.static_stage.reset();
+      dt = until_end;
+      limit = StepLimit::event;
       continue;
     }
+    const ProposedStep proposed = propose_step(run.scene, state, result.report, accepted ? state.next_step : dt);
     if (accepted) {
       accept(run, result, proposed, step);
       return true;
