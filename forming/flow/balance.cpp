@@ -14,7 +14,7 @@ namespace {
 
 /// Resistance added to every driven tool, relative to the largest: tools that only press glass against each other would
 /// drift together without it.
-constexpr double min_resistance = 1e-12;
+constexpr double min_resistance = 1e-10;
 
 /// Force balance of the driven tools, some of which move at their speed limit.
 struct ToolBalance {
