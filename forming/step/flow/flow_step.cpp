@@ -37,7 +37,8 @@ constexpr double iterated_missed_volume = 2e-7, rejected_missed_volume = 5e-7;
 
 /// Share of the work dissipated in a step that its correction of the volume may do without another coupling iteration:
 /// what a midpoint off the glass's own takes from the volume costs work where the glass is under pressure.
-constexpr double iterated_correction = 5e-3;
+/// At accuracies coarser than draft it is more, as the error of the run is.
+constexpr double iterated_correction = 5e-3, draft_work_per_step = 6e-5;
 
 /// Factor on the motion tolerance in the first step of a stage, which is predicted from rest.
 constexpr double initial_fraction = 0.1;
@@ -213,10 +214,12 @@ std::vector<double> heating(flow::Solution solution) {
 
 /// Whether the correction of the volume does more work in a step than another coupling iteration costs: of what the
 /// step dissipates, or of a usual step where that is more. `before` is the work until this step.
-bool is_much_corrected(const flow::Solution& solution, double dt, const Work& before) {
+bool is_much_corrected(const Scene& scene, const flow::Solution& solution, double dt, const Work& before) {
   const double dissipated = dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
   const double corrected = dt * std::abs(solution.correction_power - solution.recovery_power);
-  return corrected > iterated_correction * std::max(dissipated, before.dissipation / usual_steps);
+  const double allowed =
+      iterated_correction * std::sqrt(std::max(1.0, scene.accuracy.work_per_step / draft_work_per_step));
+  return corrected > allowed * std::max(dissipated, before.dissipation / usual_steps);
 }
 
 }  // namespace
@@ -234,7 +237,7 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
     if (!start.air && result.report.predictor_corrector_difference > tolerance)
       tolerance = initial_fraction * scene.accuracy.motion_tolerance;
     return gained == 0 && result.report.predictor_corrector_difference <= tolerance &&
-           !rejected_for_work(scene, result.report) && !is_much_corrected(*solution, dt, state.totals.work) &&
+           !rejected_for_work(scene, result.report) && !is_much_corrected(scene, *solution, dt, state.totals.work) &&
            missed_volume(scene, state, result.state.glass.velocity, dt) <= iterated_missed_volume;
   };
   for (int iteration = 0; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
