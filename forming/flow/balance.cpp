@@ -12,9 +12,9 @@ using core::dim;
 
 namespace {
 
-/// Resistance added to every driven tool, relative to the largest: tools that only press glass against each other would
-/// drift together without it.
-constexpr double min_resistance = 1e-10;
+/// Resistance added to every driven tool, relative to the largest, and more where tools only press glass against each
+/// other, which would drift together without it: where nothing resists a motion of all of them, to this share.
+constexpr double min_resistance = 1e-12, drift_resistance = 1e-10, unresisted = 1e-8;
 
 /// Force balance of the driven tools, some of which move at their speed limit.
 struct ToolBalance {
@@ -48,7 +48,11 @@ struct ToolBalance {
         resistance.row(k) = Eigen::RowVectorXd::Unit(count(), k);
         rhs[k] = velocity[k];
       }
-    const double least = count() > 0 ? min_resistance * resistance.diagonal().maxCoeff() : 0;
+    const double largest = count() > 0 ? resistance.diagonal().maxCoeff() : 0;
+    double together = 0;  // N per m/s
+    for (Index k = 0; k < count(); ++k)
+      if (!limited[k]) together = std::max(together, std::abs(resistance.row(k).sum()));
+    const double least = (together < unresisted * largest ? drift_resistance : min_resistance) * largest;
     for (Index k = 0; k < count(); ++k)
       if (!limited[k]) resistance(k, k) += least;
     if (air)
