@@ -28,38 +28,19 @@ double height(double x, double end) {
 }
 
 LandedGlass landed(int edges, double end, bool mirrored) {
-  const double length = 0.012;
-  LandedGlass glass{warped(testing::glass(divided(0, length, edges)),
-                           [&](const Point& x) { return Point(x[0], x[1] + (x[1] == 0 ? height(x[0], end) : 0)); }),
+  const double length = 0.012, side = mirrored ? -1 : 1;
+  const auto columns = mirrored ? divided(-length, 0, edges) : divided(0, length, edges);
+  LandedGlass glass{warped(testing::glass(columns),
+                           [&](const Point& x) { return Point(x[0], x[1] == 0 ? height(side * x[0], end) : x[1]); }),
                     {},
                     {}};
-  for (const auto& edge : glass.mesh.boundary_edges())
-    if (edge.boundary_id == 1) {
-      auto& nodes = glass.mesh.nodes;
-      const double first = nodes[edge.nodes[0]][1], last = nodes[edge.nodes[1]][1];
-      if ((first == 0) != (last == 0)) nodes[edge.nodes[2]][1] = 0.5 * (first + last);
-    }
-  glass.state = touching(glass.mesh, [](const Point& x) { return x[1]; });
-  for (const Point& x : glass.mesh.nodes) glass.held.push_back(x[1] == 0);
-  if (mirrored) {
-    std::vector<Point> vertices(glass.mesh.nodes.begin(), glass.mesh.nodes.begin() + glass.mesh.vertex_count());
-    std::vector<std::array<Index, 3>> cells;
-    for (const auto& cell : glass.mesh.cells()) cells.push_back({cell[0], cell[2], cell[1]});
-    core::Mesh turned = core::make_quadratic_mesh(vertices, cells);
-    turned.edit().boundaries.push_back("contact");
-    for (auto& edge : turned.edit().boundary_edges)
-      edge.boundary_id = vertices[edge.nodes[0]][1] < 0.003 && vertices[edge.nodes[1]][1] < 0.003;
-    for (Point& x : turned.nodes) x[0] = -x[0];
-    for (const auto& edge : turned.boundary_edges()) {
-      const double first = turned.nodes[edge.nodes[0]][1], last = turned.nodes[edge.nodes[1]][1];
-      if (edge.boundary_id == 1 && (first == 0) == (last == 0))
-        turned.nodes[edge.nodes[2]][1] = height(-turned.nodes[edge.nodes[2]][0], end);
-    }
-    glass.mesh = turned;
-    glass.state = touching(turned, [](const Point& x) { return x[1]; });
-    glass.held.clear();
-    for (const Point& x : turned.nodes) glass.held.push_back(x[1] == 0);
+  auto& nodes = glass.mesh.nodes;
+  for (const auto& edge : glass.mesh.boundary_edges()) {
+    const double first = nodes[edge.nodes[0]][1], last = nodes[edge.nodes[1]][1];
+    if (edge.boundary_id == 1 && (first == 0) != (last == 0)) nodes[edge.nodes[2]][1] = 0.5 * (first + last);
   }
+  glass.state = touching(glass.mesh, [](const Point& x) { return x[1]; });
+  for (const Point& x : nodes) glass.held.push_back(x[1] == 0);
   return glass;
 }
 
