@@ -12,8 +12,9 @@ using core::dim;
 
 namespace {
 
-/// Resistance added to every driven tool, relative to the largest, and more where tools only press glass against each
-/// other, which would drift together without it: where nothing resists a motion of all of them, to this share.
+/// Resistance added to every driven tool, as shares of the largest. Tools that only press glass against each other
+/// would drift together without it; they are told by a resistance against a common motion below the third share, and
+/// get more, as round-off would move them otherwise.
 constexpr double min_resistance = 1e-12, drift_resistance = 1e-10, unresisted = 1e-8;
 
 /// Force balance of the driven tools, some of which move at their speed limit.

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/mesh/tolerances.hpp"
+#include "forming/scene/accuracy.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
@@ -38,7 +39,7 @@ constexpr double iterated_missed_volume = 2e-7, rejected_missed_volume = 5e-7;
 /// Share of the work dissipated in a step that its correction of the volume may do without another coupling iteration:
 /// what a midpoint off the glass's own takes from the volume costs work where the glass is under pressure.
 /// At accuracies coarser than draft it is more, as the error of the run is.
-constexpr double iterated_correction = 5e-3, draft_work_per_step = 6e-5;
+constexpr double iterated_correction = 5e-3;
 
 /// Factor on the motion tolerance in the first step of a stage, which is predicted from rest.
 constexpr double initial_fraction = 0.1;
@@ -217,8 +218,8 @@ std::vector<double> heating(flow::Solution solution) {
 bool is_much_corrected(const Scene& scene, const flow::Solution& solution, double dt, const Work& before) {
   const double dissipated = dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
   const double corrected = dt * std::abs(solution.correction_power - solution.recovery_power);
-  const double allowed =
-      iterated_correction * std::sqrt(std::max(1.0, scene.accuracy.work_per_step / draft_work_per_step));
+  static const double of_draft = accuracy_preset("draft").work_per_step;
+  const double allowed = iterated_correction * std::sqrt(std::max(1.0, scene.accuracy.work_per_step / of_draft));
   return corrected > allowed * std::max(dissipated, before.dissipation / usual_steps);
 }
 

@@ -38,6 +38,8 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
                                            core::Point::Zero());
   const auto nodes = contact_nodes(glass);
   const auto& active_tools = scene.stages[state.stage].tools;
+  // In transition gaps: of points on edges in contact, and of nodes, also of those behind the end of a contact.
+  constexpr double point_reach = 10, node_reach = 40;
   std::vector<contact::Master> masters;
   for (std::size_t law = 0; law < scene.interfaces.size(); ++law) {
     const auto& interface = scene.interfaces[law];
@@ -47,8 +49,9 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
     const auto touches = core::boundaries_of_kind(tool.mesh, BoundaryKind::contact);
     masters.push_back(
         {contact::make_surface(body_of_tool(interface.tool), tool.mesh, touches, tool.offset * core::axis_direction()),
-         tool_gaps(scene, state, nodes, interface.tool, 40 * interface.transition_gap), interface.transition_gap,
-         static_cast<Index>(law), exact_gaps(scene, state, interface.tool, 10 * interface.transition_gap),
+         tool_gaps(scene, state, nodes, interface.tool, node_reach * interface.transition_gap),
+         interface.transition_gap, static_cast<Index>(law),
+         exact_gaps(scene, state, interface.tool, point_reach * interface.transition_gap),
          held_nodes(state, interface.tool)});
   }
   auto interface = contact::build_interface(slave, state.glass.contact_pressure, masters, scene.geometry);
