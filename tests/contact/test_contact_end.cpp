@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "contact/mortar/contact_end.hpp"
 #include "figure.hpp"
@@ -15,23 +17,29 @@ using tests::Figure;
 
 constexpr double radius = 0.012, transition = 1e-4;  // m
 
-/// Glass that lies on y = 0 from x = 0 to `end` and leaves it there on a radius, as its vertices see it: those on the
-/// edge at the end of the contact are on a chord. To the left instead where `mirrored`.
+/// The gap of glass that leaves a tool at x = `end` by a power of the distance, which is 2 for a radius.
+struct Front {
+  double end, power = 2;
+};
+constexpr double powers[] = {1.5, 1.7, 2};
+
+/// Glass that lies on y = 0 from x = 0 to the front, as its vertices see it: those on the edge at the end of the
+/// contact are on a chord. To the left instead where `mirrored`.
 struct LandedGlass {
   core::Mesh mesh;
   SlaveState state;
   std::vector<bool> held;
 };
 
-double height(double x, double end) {
-  return x > end ? (x - end) * (x - end) / (2 * radius) : 0;
+double height(double x, const Front& front) {
+  return x > front.end ? 0.5 * radius * std::pow((x - front.end) / radius, front.power) : 0;
 }
 
-LandedGlass landed(int edges, double end, bool mirrored) {
+LandedGlass landed(int edges, const Front& front, bool mirrored) {
   const double length = 0.012, side = mirrored ? -1 : 1;
   const auto columns = mirrored ? divided(-length, 0, edges) : divided(0, length, edges);
   LandedGlass glass{warped(testing::glass(columns),
-                           [&](const Point& x) { return Point(x[0], x[1] == 0 ? height(side * x[0], end) : x[1]); }),
+                           [&](const Point& x) { return Point(x[0], x[1] == 0 ? height(side * x[0], front) : x[1]); }),
                     {},
                     {}};
   auto& nodes = glass.mesh.nodes;
@@ -57,52 +65,57 @@ double length_in_contact(const LandedGlass& glass, bool knows_contact) {
                                                {master_of(glass, tool, knows_contact)}, core::Geometry::planar));
 }
 
-double exact_length(double end) {
-  const double reach = std::sqrt(2 * radius * transition);
+double exact_length(const Front& front) {
+  const double reach = radius * std::pow(2 * transition / radius, 1 / front.power);
   double sum = 0;
   constexpr int parts = 2000;
-  for (int i = 0; i < parts; ++i) sum += contact_weight(height(end + reach * (i + 0.5) / parts, end), transition);
-  return end + reach * sum / parts;
+  for (int i = 0; i < parts; ++i)
+    sum += contact_weight(height(front.end + reach * (i + 0.5) / parts, front), transition);
+  return front.end + reach * sum / parts;
 }
 
-TEST(FrontOfContact, is_found_where_the_gap_begins_to_grow_with_the_square_of_the_distance) {
-  for (const bool mirrored : {false, true})
-    for (double end = 0.0031; end < 0.0089; end += 0.00037) {
-      const auto glass = landed(8, end, mirrored);
-      const auto surface = contact_surface(0, glass.mesh);
-      const auto tool = testing::tool(divided(-0.02, 0.02, 7));
-      const Master master = master_of(glass, tool, true), unknowing = master_of(glass, tool, false);
-      const ContactEndFinder find(surface);
-      int found = 0;
-      for (std::size_t edge = 0; edge < surface.edges.size(); ++edge) {
-        EXPECT_FALSE(find(edge, unknowing));
-        const auto at = find(edge, master);
-        if (!at) continue;
-        ++found;
-        const auto& x = surface.edges[edge].x;
-        EXPECT_NEAR(std::abs(((1 - at->end) * x[0] + at->end * x[1])[0]), end, 1.5e-5)
-            << end << mirrored;  // a hundredth of an edge
+TEST(FrontOfContact, is_found_where_the_gap_begins_to_grow_with_a_power_of_the_distance) {
+  for (const double power : powers)
+    for (const bool mirrored : {false, true})
+      for (double end = 0.0031; end < 0.0089; end += 0.00037) {
+        const auto glass = landed(8, {end, power}, mirrored);
+        const auto surface = contact_surface(0, glass.mesh);
+        const auto tool = testing::tool(divided(-0.02, 0.02, 7));
+        const Master master = master_of(glass, tool, true), unknowing = master_of(glass, tool, false);
+        const ContactEndFinder find(surface);
+        int found = 0;
+        for (std::size_t edge = 0; edge < surface.edges.size(); ++edge) {
+          EXPECT_FALSE(find(edge, unknowing));
+          const auto at = find(edge, master);
+          if (!at) continue;
+          ++found;
+          const auto& x = surface.edges[edge].x;
+          EXPECT_NEAR(std::abs(((1 - at->end) * x[0] + at->end * x[1])[0]), end, 1e-9) << end << mirrored;
+          EXPECT_NEAR(at->power, power, 1e-6) << end << mirrored;
+        }
+        EXPECT_EQ(found, 1);
       }
-      EXPECT_EQ(found, 1);
-    }
 }
 
 TEST(FrontOfContact, makes_the_area_in_contact_follow_the_front_between_two_vertices) {
-  Figure chord("area in contact behind a front that moves through an edge, chord, off by at most", "%"),
-      smooth("area in contact behind a front that moves through an edge, off by at most", "%");
-  for (const bool mirrored : {false, true})
-    for (double end = 0.0046; end < 0.0075; end += 0.0001) {
-      const auto glass = landed(8, end, mirrored);
-      const double exact = exact_length(end);
-      chord.add(100 * std::abs(length_in_contact(glass, false) / exact - 1));
-      smooth.add(100 * std::abs(length_in_contact(glass, true) / exact - 1));
-    }
-  smooth.at_most(0.05);
-  chord.for_comparison();
+  for (const double power : powers) {
+    const std::string of = fmt::format(" that opens with the power {} and moves through an edge", power);
+    Figure chord("area in contact behind a front" + of + ", chord, off by at most", "%"),
+        smooth("area in contact behind a front" + of + ", off by at most", "%");
+    for (const bool mirrored : {false, true})
+      for (double end = 0.0046; end < 0.0075; end += 0.0001) {
+        const auto glass = landed(8, {end, power}, mirrored);
+        const double exact = exact_length({end, power});
+        chord.add(100 * std::abs(length_in_contact(glass, false) / exact - 1));
+        smooth.add(100 * std::abs(length_in_contact(glass, true) / exact - 1));
+      }
+    smooth.at_most(power == 2 ? 0.05 : 0.25);  // else the edge behind, a parabola, has an error too
+    chord.for_comparison();
+  }
 }
 
 TEST(FrontOfContact, is_left_to_the_chord_where_the_gap_opens_with_a_kink_or_nothing_is_known_behind) {
-  auto glass = landed(8, 0.005, false);
+  auto glass = landed(8, {0.005}, false);
   const auto tool = testing::tool(divided(-0.02, 0.02, 7));
   const auto surface = contact_surface(0, glass.mesh);
   const auto count = [&](const Master& master) {
