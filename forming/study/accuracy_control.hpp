@@ -16,7 +16,7 @@ double difference_of_runs(const Quantities& run, const Quantities& reference);
 /// Finds how fine a scene has to be run for an error that is asked for, by runs of the scene itself: the difference of
 /// two runs at edges h and H gives the constant c of the error c h^1.5 (L. F. Richardson, Phil. Trans. R. Soc. A 210
 /// (1911) 307-357), and from the weighted root mean square of c over all pairs of runs follow the error of the last run
-/// and the edges and steps of the next. At least three runs are made.
+/// and the edges and steps of the next. At least two runs are made, and a third unless they are very near each other.
 class AccuracyControl {
  public:
   explicit AccuracyControl(double target);

@@ -106,15 +106,19 @@ TEST(AccuracyControl, an_estimate_is_larger_by_the_scatter_of_the_runs_behind_it
   EXPECT_LT(scattered[2].estimate, 1.5 * safety * mean * last);
 }
 
-TEST(AccuracyControl, two_runs_that_agree_by_chance_are_not_enough) {
-  AccuracyControl control(0.01);
-  const double first = control.factor();
-  control.add(off_by(0.05, 1, 1), 1);
-  control.add(off_by(0.05, 1, 1), 1);
-  EXPECT_FALSE(control.record().reached());
-  ASSERT_FALSE(control.finished());
-  control.add(off_by(0.05, 1, control.factor() / first), 1);
-  EXPECT_FALSE(control.record().reached()) << "the third is far from both";
+TEST(AccuracyControl, two_runs_are_enough_only_where_they_are_far_nearer_to_each_other_than_asked_for) {
+  constexpr double order = 1.5, target = 0.01;
+  const auto is_reached_by_two = [&](double share) {
+    AccuracyControl control(target);
+    for (int run = 0; run < 2; ++run) control.add(off_by(share, order, control.factor()), 1);
+    EXPECT_EQ(control.finished(), control.record().reached());
+    return control.record().reached();
+  };
+  AccuracyControl control(target);
+  control.add(off_by(1e-3, order, control.factor()), 1);
+  const double second = control.factor(), error = target / std::pow(second, order);
+  EXPECT_TRUE(is_reached_by_two(0.3 * error));
+  EXPECT_FALSE(is_reached_by_two(0.36 * error)) << "a third of what is asked for is not enough";
 }
 
 TEST(AccuracyControl, error_bars_are_by_two_coarser_runs_also_where_the_second_is_many_times_as_coarse) {
