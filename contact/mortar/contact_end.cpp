@@ -9,22 +9,21 @@
 namespace parison::contact {
 namespace {
 
-constexpr double thick_body = 1.5, smooth_curve = 2;  ///< powers of the distance from the end of a contact
+constexpr double kink = 1, thick_body = 1.5, smooth_curve = 2;  ///< powers of the distance from the end of a contact
 
-/// The power with which the gaps of three nodes grow, which stand `first` and `second` apart, m.
+/// The power of the distance with which the gaps of three nodes grow that stand `first` and `second` apart, m. Below
+/// that of a thick body they are not of one curve that leaves the tool, as behind a chord that a new mesh has cut into
+/// edges: the nearer they are to a straight line, the nearer the power is that of a smooth curve again, with which the
+/// contact ends soonest.
 double power_of(double near, double middle, double far, double first, double second) {
   const auto bend = [&](double power) {
     const auto root = [&](double gap) { return std::pow(gap / far, 1 / power); };
     return (root(far) - root(middle)) / second - (root(middle) - root(near)) / first;
   };
-  const double of_thick = bend(thick_body), of_curve = bend(smooth_curve);
-  if (!(of_curve < 0)) return smooth_curve;
-  return of_thick > 0 ? find_root(bend, thick_body, of_thick, smooth_curve, of_curve) : thick_body;
-}
-
-/// Distance of two nodes along the tool, m, whose gaps differ by `higher`, m.
-double along_tool(const Point& from, const Point& to, double higher) {
-  return std::sqrt(std::max(0.0, (to - from).squaredNorm() - higher * higher));
+  const double of_kink = bend(kink), of_curve = bend(smooth_curve);
+  if (!(of_curve < 0 && of_kink > 0)) return smooth_curve;
+  const double power = find_root(bend, kink, of_kink, smooth_curve, of_curve);
+  return power < thick_body ? 2 * thick_body - power : power;
 }
 
 }  // namespace
@@ -53,11 +52,9 @@ std::optional<ContactEnd> ContactEndFinder::operator()(std::size_t edge, const M
   if (master.touching[middle]) return std::nullopt;
   const double near = master.gap[here.nodes[free]], gap = master.gap[middle], far = master.gap[last];
   if (!(near > 0 && gap > near && std::isfinite(gap))) return std::nullopt;
-  const double length = along_tool(here.x[held], here.x[free], near);
-  const double on = along_tool(here.x[free], beyond.x[2], gap - near);
-  if (!(length > 0 && on > 0)) return std::nullopt;
+  const double length = (here.x[free] - here.x[held]).norm(), on = (beyond.x[2] - here.x[free]).norm();
   const double power = far > gap && std::isfinite(far)
-                           ? power_of(near, gap, far, on, along_tool(beyond.x[2], beyond.x[free], far - gap))
+                           ? power_of(near, gap, far, on, (beyond.x[free] - beyond.x[2]).norm())
                            : smooth_curve;
   const double open = on / (std::pow(gap / near, 1 / power) - 1);  // from the end to the free vertex, m
   if (open < length) return ContactEnd{free + (held - free) * open / length, double(free), near, power};
