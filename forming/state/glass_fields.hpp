@@ -16,10 +16,11 @@ using core::Index;
 /// what it needs is empty elsewhere.
 struct GlassFields {
   Eigen::VectorXd temperature;
-  Eigen::VectorXd velocity;          ///< over the last step
-  Eigen::VectorXd acceleration;      ///< between the last two steps
-  Eigen::VectorXd dilatation_mode;   ///< velocities that change the volume at 1/s everywhere; zero where unknown
-  Eigen::VectorXd temperature_rate;  ///< over the last step
+  Eigen::VectorXd velocity;             ///< over the last step
+  Eigen::VectorXd acceleration;         ///< between the last two steps
+  Eigen::VectorXd dilatation_mode;      ///< velocities that change the volume at 1/s everywhere; zero where unknown
+  Eigen::VectorXd temperature_rate;     ///< over the last step
+  Eigen::VectorXd temperature_slowing;  ///< growth of the reciprocal of that rate over it; 0 where it does not fall
   Eigen::VectorXd contact_pressure;  ///< zero where nothing presses; after a new mesh, what edges had between nodes too
   std::vector<Index> contact_tool;   ///< index into Scene::tools of the tool that presses on the node, -1 where none
   std::vector<Index> previous_contact_tool;  ///< the same a step earlier
@@ -98,6 +99,8 @@ inline constexpr auto glass_fields = std::make_tuple(
                      StageStart::reset, WithinStep::of_step, FieldOutput::none, "", &GlassFields::dilatation_mode),
     FieldDeclaration("temperature_rate", "K/s", Location::node, 1, Needs::flow, TransferRule::interpolate,
                      StageStart::reset, WithinStep::of_step, FieldOutput::none, "", &GlassFields::temperature_rate),
+    FieldDeclaration("temperature_slowing", "1/s", Location::node, 1, Needs::flow, TransferRule::interpolate,
+                     StageStart::reset, WithinStep::of_step, FieldOutput::none, "", &GlassFields::temperature_slowing),
     FieldDeclaration("contact_tool", "", Location::node, 1, Needs::nothing, TransferRule::nearest_contact,
                      StageStart::reset_without_tool, WithinStep::of_step, FieldOutput::value, "tool_in_contact",
                      &GlassFields::contact_tool),

@@ -118,6 +118,12 @@ bool has_no_edge_in_tools(const StepStart& start, StepResult& result) {
   return depth == 0;
 }
 
+/// Whether the temperatures in the middle of the next step can be predicted: not in a stage's first, which does not
+/// know how they change.
+bool predicts_temperature(const Scene& scene, const State& state) {
+  return !scene.has_heat() || state.last_step > 0 || !state.glass.temperature_rate.isZero(0);
+}
+
 /// Flow, half the motion, heat, the other half.
 bool pass_once(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace, StepResult& result) {
   const Scene& scene = start.scene;
@@ -142,7 +148,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
     predictor = {
         predicted_velocity(state, 0.5 * dt), predicted_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
   result.state = state;
-  const int passes = scene.has_flow() ? scene.accuracy.passes : 1;
+  const int passes = scene.has_flow() ? std::max(scene.accuracy.passes, predicts_temperature(scene, state) ? 1 : 2) : 1;
   for (int pass = 0; pass < passes; ++pass) {
     if (pass > 0) {
       predictor.temperature = 0.5 * (state.glass.temperature + result.state.glass.temperature);

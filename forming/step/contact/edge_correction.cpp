@@ -116,8 +116,9 @@ void slide_middle(const core::BoundaryEdge& edge, double s, GlassState& glass) {
   };
   for (std::vector<Point>* nodes : {&glass.mesh.nodes, &glass.mass_nodes})
     (*nodes)[edge.nodes[2]] = place_on(edge, s, *nodes);
-  for (Eigen::VectorXd* field : {&glass.temperature, &glass.temperature_rate, &glass.velocity, &glass.acceleration,
-                                 &glass.dilatation_mode, &glass.contact_pressure, &glass.contact_opening}) {
+  for (Eigen::VectorXd* field :
+       {&glass.temperature, &glass.temperature_rate, &glass.temperature_slowing, &glass.velocity, &glass.acceleration,
+        &glass.dilatation_mode, &glass.contact_pressure, &glass.contact_opening}) {
     const Index width = static_cast<Index>(field->size()) / glass.mesh.node_count();
     if (width > 0)
       field->segment(width * edge.nodes[2], width) =

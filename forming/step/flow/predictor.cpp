@@ -17,6 +17,12 @@ namespace {
 /// The motion is smooth where the last acceleration predicts the next change of velocity to within this relative error.
 constexpr double smooth = 0.5;
 
+/// A temperature's rate of change r that falls from one step to the next, whose middles are `interval` apart, s, falls
+/// on as r/(1 + s t), like that behind a touch with the root of time: this s, 1/s; 0 where it does not fall or turns.
+double temperature_slowing(double before, double after, double interval) {
+  return before * after > 0 && std::abs(after) < std::abs(before) ? (1 - after / before) / interval : 0;
+}
+
 /// Rate at which the logarithm of a speed falls, 1/s; 0 where the speed does not fall or turns.
 double slowing(double before, double after, double interval) {
   return before * after > 0 && std::abs(after) < std::abs(before) ? std::log(before / after) / interval : 0;
@@ -39,7 +45,11 @@ Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, do
   const Eigen::VectorXd& now = state.glass.temperature;
   if (state.glass.temperature_rate.size() == 0) return now;
   const double most = scene.accuracy.temperature_per_step;
-  return now + (dt * state.glass.temperature_rate).cwiseMin(most).cwiseMax(-most);
+  const Eigen::ArrayXd& rate = state.glass.temperature_rate.array();  // in the middle of the last step
+  const Eigen::ArrayXd& slowing = state.glass.temperature_slowing.array();
+  const Eigen::ArrayXd grown = dt * slowing / (1 + 0.5 * state.last_step * slowing);
+  const Eigen::ArrayXd change = (grown > 1e-8).select(rate * grown.log1p() / slowing, dt * rate);
+  return now + change.cwiseMin(most).cwiseMax(-most).matrix();
 }
 
 Eigen::VectorXd predicted_velocity(const State& state, double ahead) {
@@ -66,8 +76,14 @@ core::Mesh midpoint_mesh(const Scene& scene, const State& state, const Eigen::Ve
 }
 
 void update_rates(const State& before, double dt, State& after) {
-  if (after.glass.temperature.size() > 0)
+  if (after.glass.temperature.size() > 0) {
     after.glass.temperature_rate = (after.glass.temperature - before.glass.temperature) / dt;
+    after.glass.temperature_slowing.setZero(after.glass.temperature_rate.size());
+    if (before.last_step > 0)
+      for (Eigen::Index n = 0; n < after.glass.temperature_slowing.size(); ++n)
+        after.glass.temperature_slowing[n] = temperature_slowing(
+            before.glass.temperature_rate[n], after.glass.temperature_rate[n], 0.5 * (before.last_step + dt));
+  }
   after.glass.previous_contact_tool = before.glass.contact_tool;
   after.glass.acceleration.setZero(after.glass.velocity.size());
   after.moves_smoothly = false;

@@ -20,8 +20,8 @@ struct MidpointPredictor {
 /// stay on them to the bit where they are parallel to an axis.
 void keep_on_symmetry(const core::Mesh& mesh, Eigen::VectorXd& velocity);
 
-/// Temperature of the glass after `dt` at the rate of the last step, changed by no more than a step may change it, K
-/// per node.
+/// Temperature of the glass after `dt`, K per node: at the rate of the last step, which falls on as fast as between the
+/// last two; changed by no more than a step may change it.
 Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, double dt);
 
 /// Velocity of the glass nodes `ahead` after the state, from the last two steps while the motion is smooth; nodes in
