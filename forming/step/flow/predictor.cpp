@@ -45,8 +45,8 @@ Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, do
   const Eigen::VectorXd& now = state.glass.temperature;
   if (state.glass.temperature_rate.size() == 0) return now;
   const double most = scene.accuracy.temperature_per_step;
-  const Eigen::ArrayXd& rate = state.glass.temperature_rate.array();  // in the middle of the last step
-  const Eigen::ArrayXd& slowing = state.glass.temperature_slowing.array();
+  const auto rate = state.glass.temperature_rate.array();  // in the middle of the last step
+  const auto slowing = state.glass.temperature_slowing.array();
   const Eigen::ArrayXd grown = dt * slowing / (1 + 0.5 * state.last_step * slowing);
   const Eigen::ArrayXd change = (grown > 1e-8).select(rate * grown.log1p() / slowing, dt * rate);
   return now + change.cwiseMin(most).cwiseMax(-most).matrix();
