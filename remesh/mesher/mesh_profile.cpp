@@ -28,7 +28,7 @@ std::vector<SizeSource> size_sources(const core::Profile& profile, const Profile
     double target_size = sizes.fine_boundaries.at(segment.boundary_id) ? sizes.contact_size : sizes.size;
     if (segment.is_arc) target_size = std::min(target_size, max_turn * segment.radius);
     if (target_size >= sizes.size) continue;
-    const auto count = static_cast<Index>(std::ceil(core::length(segment) / target_size));
+    const Index count = parts_of(core::length(segment), target_size);
     for (Index i = 0; i <= count; ++i)
       sources.push_back({core::point_at(segment, static_cast<double>(i) / count), target_size, target_size});
   }

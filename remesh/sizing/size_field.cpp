@@ -82,6 +82,11 @@ double SizeField::finest(const Point& x) const {
   return least(list);
 }
 
+Index parts_of(double length, double size) {
+  constexpr double round_off = 1e-9;
+  return static_cast<Index>(std::ceil(length / size - round_off));
+}
+
 std::vector<double> divide(double length, const std::function<double(double)>& size, Index at_least) {
   std::vector<double> at{0}, integral{0};
   double before = size(0);
@@ -182,7 +187,7 @@ SizeField size_field(const Mesh& old, const Criteria& criteria) {
     const double film_edge = film_size(least([&](Index node) { return film[node]; }), criteria.min_film_thickness);
     const double finest = std::min(
         film_edge, std::max(std::min(min_thickness / criteria.elements_across, least(skin)), criteria.min_size));
-    const Index steps = std::clamp(static_cast<Index>(std::ceil(arc_length(old, edge, 1) / finest)), 2, max_samples);
+    const Index steps = std::clamp(parts_of(arc_length(old, edge, 1), finest), 2, max_samples);
     for (Index k = 0; k <= steps; ++k) {
       const double s = static_cast<double>(k) / steps;
       const Point at = point_on(old, edge, s);

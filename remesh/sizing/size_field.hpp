@@ -38,6 +38,10 @@ class SizeField {
   mutable std::vector<std::vector<int>> in_bin_, in_block_;
 };
 
+/// The least number of equal parts of a length, m, that are not longer than a size, m; where the length is a multiple
+/// of the size, round-off makes no part more.
+core::Index parts_of(double length, double size);
+
 /// Arc lengths 0 = s_0 < ... < s_n = length such that each division has the same integral of 1/size, at most about 1.
 std::vector<double> divide(double length, const std::function<double(double)>& size, core::Index at_least);
 

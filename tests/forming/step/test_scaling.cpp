@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <variant>
 
 #include "../pot_scene.hpp"
@@ -90,20 +89,6 @@ double difference_by_round_off(const Scene& scene, const State& end) {
   return worst;
 }
 
-/// Smallest difference of an end from runs of the scene in three sizes that are near each other: in one size of five
-/// the rounding of coordinates tips a decision, such as whether to iterate once more, and makes a hundred times more of
-/// it; what depends on the size differs in all.
-double difference_by_size(const Scene& scene, double size, const State& end) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const double by : {size, 0.9 * size, 1.1 * size}) {
-    const RunOutcome copy = run(scaled(scene, by), {});
-    EXPECT_TRUE(copy.facts.completed) << by << ": " << copy.facts.reason;
-    EXPECT_EQ(copy.state.totals.steps, end.totals.steps) << by;
-    least = std::min(least, difference(end, copy.state, by));
-  }
-  return least;
-}
-
 TEST(Scaling, a_scene_of_any_size_gives_the_same_dimensionless_result) {
   const Scene scene = pressed();
   const RunOutcome original = run(scene, {});
@@ -114,8 +99,13 @@ TEST(Scaling, a_scene_of_any_size_gives_the_same_dimensionless_result) {
   tests::Figure off(
       "pressing a gob: all lengths times 1e-3, 1/1024, 128, 100 or a tenth more or less against the original, over "
       "what round-off makes");
-  for (const double by : {1e-3, 1.0 / 1024, 128.0, 100.0})
-    off.add(difference_by_size(scene, by, original.state) / round_off);
+  for (const double size : {1e-3, 1.0 / 1024, 128.0, 100.0})
+    for (const double by : {size, 0.9 * size, 1.1 * size}) {
+      const RunOutcome copy = run(scaled(scene, by), {});
+      ASSERT_TRUE(copy.facts.completed) << by << ": " << copy.facts.reason;
+      EXPECT_EQ(copy.state.totals.steps, original.state.totals.steps) << by;
+      off.add(difference(original.state, copy.state, by) / round_off);
+    }
   off.at_most(3);
 }
 
