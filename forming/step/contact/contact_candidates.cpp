@@ -108,16 +108,9 @@ struct StepPath {
   }
   Point end_of(Index node) const { return state.glass.mesh.nodes[node] + dt * flow::node_velocity(velocity, node); }
 
-  /// First, last and middle node of an edge beside a tool at the step's end. An end node that does not touch it yet is
-  /// taken where it is in the middle of the step: whether it lands is not known, and an edge that keeps a gap for a
-  /// step does less harm than one that enters the tool.
-  std::array<Point, 3> edge_beside(Index tool, const core::BoundaryEdge& edge) const {
-    std::array<Point, 3> x;
-    for (int i = 0; i < 3; ++i) x[i] = end_of(edge.nodes[i]);
-    for (int end = 0; end < 2; ++end)
-      if (const Index node = edge.nodes[end]; !touches(tool, node) && !normal_of_contact(tool, node))
-        x[end] -= 0.5 * dt * (flow::node_velocity(velocity, node) - tool_speed[tool] * core::axis_direction());
-    return x;
+  /// First, last and middle node of an edge at the step's end.
+  std::array<Point, 3> end_of(const core::BoundaryEdge& edge) const {
+    return {end_of(edge.nodes[0]), end_of(edge.nodes[1]), end_of(edge.nodes[2])};
   }
 };
 
@@ -152,7 +145,7 @@ std::vector<Bound> bounds_of_node(const StepPath& step, Index node, const core::
     bounds.push_back({tool, constraint});
   if (!edge) return bounds;
   for (const auto& tool : step.placed.tools) {
-    const std::array<Point, 3> beside = step.edge_beside(tool.index, *edge);
+    const std::array<Point, 3> beside = step.end_of(*edge);
     if (tool.constraints.is_beyond(box_around(beside, tool.shift), reach)) continue;
     const auto [constraint, corner] = edge_constraints(tool, beside);
     if (!constraint) continue;
