@@ -183,6 +183,34 @@ void end_wall_between_rows(const core::Mesh& mesh, core::Geometry geometry, cons
   }
 }
 
+/// The area of a foot within the wall goes to the rows beside it where the foot is shorter than the wall there is thick
+/// and its rays end on the other side and are hardly longer, as where the outer side turns a little: how squarely they
+/// meet the other side is on the edge of what a wall has there, and the mesh would decide about the mean. Rays of a
+/// heel are longer.
+void share_area_of_short_feet(const WallSides& sides, const std::vector<Ray>& rays, const std::vector<Index>& nodes,
+                              std::vector<ThicknessRow>& rows) {
+  constexpr double hardly_longer = 1.2;
+  const SurfacePart far_part = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
+  const auto ends_opposite = [&](std::size_t i) {
+    const Ray& ray = rays[nodes[i]];
+    return rows[i].mark == WallMark::foot && ray.ends() && sides.part[ray.edge] == far_part &&
+           !(sides.is_mirrored && ray.reflections % 2 == 0);
+  };
+  for (std::size_t begin = 1; begin < rows.size(); ++begin) {
+    std::size_t end = begin;
+    while (end < rows.size() && ends_opposite(end)) ++end;
+    if (end == begin || end == rows.size() || !rows[begin - 1].is_wall() || !rows[end].is_wall()) continue;
+    const auto [thinner, thicker] = std::minmax({rows[begin - 1].thickness, rows[end].thickness});
+    if (rows[end].arc - rows[begin - 1].arc >= thinner) continue;
+    const auto is_long = [&, longest = hardly_longer * thicker](Index node) { return rays[node].length > longest; };
+    if (std::any_of(nodes.begin() + Index(begin), nodes.begin() + Index(end), is_long)) continue;
+    for (std::size_t i = begin; i < end; ++i) {
+      for (const std::size_t wall : {begin - 1, end}) rows[wall].area += 0.5 * rows[i].area;
+      rows[i].area = 0;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<bool> edges_of(const WallSides& sides, std::initializer_list<SurfacePart> wanted) {
@@ -197,6 +225,7 @@ void mark_wall(const core::Mesh& mesh, core::Geometry geometry, const WallSides&
   const std::vector<Facing> facing = mark_rows(mesh, sides, rays, nodes, rows);
   clean_marks(mesh, nodes, rows);
   end_wall_between_rows(mesh, geometry, nodes, facing, rows);
+  share_area_of_short_feet(sides, rays, nodes, rows);
 }
 
 double wall_length(const core::Mesh& mesh, const std::vector<Index>& nodes, const std::vector<ThicknessRow>& rows) {

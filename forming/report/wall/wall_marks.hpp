@@ -17,7 +17,7 @@ std::vector<bool> edges_of(const WallSides& sides, std::initializer_list<Surface
 
 /// Gives the rows, with their nodes, mark, thickness and the place on the inner side by the rays through the glass, and
 /// moves area between the last row of the wall and the next, so that the wall ends at a corner or where its sides turn
-/// away and not at a node.
+/// away and not at a node; feet that are hardly any leave theirs to the wall.
 void mark_wall(const core::Mesh& mesh, core::Geometry geometry, const WallSides& sides, const std::vector<Ray>& rays,
                const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows);
 
