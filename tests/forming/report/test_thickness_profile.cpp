@@ -94,6 +94,39 @@ TEST(ThicknessProfile, the_wall_ends_where_its_sides_face_away_whatever_the_mesh
   for (const char* edge : {"1.6 mm", "1.5 mm", "1.3 mm", "1.1 mm"}) EXPECT_NEAR(wall_height(edge), 16, 0.05) << edge;
 }
 
+/// Mean thickness, mm, of a wall whose outer side turns by 45 degrees at a corner, from a cone to a cylinder; the inner
+/// side is round there, so that rays within 0.3 mm of the corner meet it less squarely than a wall's do.
+double mean_of_turning_wall(const std::string& edge) {
+  const Scene scene = scene_of(R"(case = "shoulder"
+geometry = "axisymmetric"
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e4 Pa.s" }
+[glass]
+material = "liquid"
+mesh = { size = ")" + edge + R"(", contact_size = ")" +
+                               edge + R"(" }
+boundary = [
+  { name = "rim", condition = "fixed", path = "(10.5857864, 1.4142136) (12, 0) mm" },
+  { name = "outer", condition = "contact", path = "(20, 8) (20, 30) mm" },
+  { name = "top", condition = "symmetry", path = "(18, 30) mm" },
+  { name = "inner", condition = "contact", path = [
+    "(18, 10.0710678) mm", "arc centre (15, 10.0710678) mm radius 3 mm from 0 deg to -45 deg",
+    "(10.5857864, 1.4142136) mm"] } ]
+[[stage]]
+name = "rest"
+duration = "1 s"
+gravity = "-9.81 m/s2"
+)");
+  return 1e3 * thickness_range(thickness_profile(initial_state(scene).glass.mesh, scene.geometry).rows).mean;
+}
+
+TEST(ThicknessProfile, the_mean_counts_a_corner_of_the_wall_whatever_the_mesh) {
+  const double fine = mean_of_turning_wall("0.1 mm");
+  for (const char* edge : {"0.8 mm", "0.6 mm", "0.5 mm", "0.4 mm", "0.3 mm", "0.2 mm"})
+    EXPECT_NEAR(mean_of_turning_wall(edge), fine, 2e-3 * fine) << edge;
+}
+
 TEST(ThicknessProfile, an_end_face_looks_along_the_wall_and_does_not_count) {
   std::string text =
       replaced("{ name = \"surface\", path = \"(0, 0) (20, 0) (20, 10) (0, 10) mm\", condition = \"contact\" },",
