@@ -76,20 +76,24 @@ std::vector<bool> nodes_on_rim(const core::Mesh& mesh, const WallSides& sides) {
   return on_rim;
 }
 
+/// Whether a ray from the outer side ends on the other one; of a mirrored wall, on its mirror image.
+bool ends_opposite(const WallSides& sides, const Ray& ray) {
+  const SurfacePart opposite = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
+  return ray.ends() && sides.part[ray.edge] == opposite && !(sides.is_mirrored && ray.reflections % 2 == 0);
+}
+
 /// Rows whose ray ends on the other side become wall, those between the sides rim, all others foot. Returned is for
 /// each row what its ray has to face the other side by, and faces it by; NaN where something else decides.
 std::vector<Facing> mark_rows(const core::Mesh& mesh, const WallSides& sides, const std::vector<Ray>& rays,
                               const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
   const std::vector<bool> both = edges_of(sides, {SurfacePart::outer, SurfacePart::inner});
-  const SurfacePart far_part = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
   const std::vector<bool> on_rim = nodes_on_rim(mesh, sides);
   const RowsBesideRim beside_rim(rows, nodes, rays, on_rim, sides.paired);
   std::vector<Facing> facing(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Ray& ray = rays[nodes[i]];
     rows[i].mark = on_rim[nodes[i]] ? WallMark::rim : WallMark::foot;
-    if (on_rim[nodes[i]] || !ray.ends() || sides.part[ray.edge] != far_part) continue;
-    if (sides.is_mirrored && ray.reflections % 2 == 0) continue;
+    if (on_rim[nodes[i]] || !ends_opposite(sides, ray)) continue;
     if (2 * distance_to_edges(mesh, both, ray.middle) < least_room * ray.length) continue;
     facing[i] = {beside_rim[i] ? facing_at_rim : facing_sides, ray.facing};
     if (facing[i].is < facing[i].least) continue;
@@ -190,15 +194,12 @@ void end_wall_between_rows(const core::Mesh& mesh, core::Geometry geometry, cons
 void share_area_of_short_feet(const WallSides& sides, const std::vector<Ray>& rays, const std::vector<Index>& nodes,
                               std::vector<ThicknessRow>& rows) {
   constexpr double hardly_longer = 1.2;
-  const SurfacePart far_part = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
-  const auto ends_opposite = [&](std::size_t i) {
-    const Ray& ray = rays[nodes[i]];
-    return rows[i].mark == WallMark::foot && ray.ends() && sides.part[ray.edge] == far_part &&
-           !(sides.is_mirrored && ray.reflections % 2 == 0);
+  const auto is_doubtful = [&](std::size_t i) {
+    return rows[i].mark == WallMark::foot && ends_opposite(sides, rays[nodes[i]]);
   };
   for (std::size_t begin = 1; begin < rows.size(); ++begin) {
     std::size_t end = begin;
-    while (end < rows.size() && ends_opposite(end)) ++end;
+    while (end < rows.size() && is_doubtful(end)) ++end;
     if (end == begin || end == rows.size() || !rows[begin - 1].is_wall() || !rows[end].is_wall()) continue;
     const auto [thinner, thicker] = std::minmax({rows[begin - 1].thickness, rows[end].thickness});
     if (rows[end].arc - rows[begin - 1].arc >= thinner) continue;

@@ -60,29 +60,33 @@ TEST(ThicknessProfile, only_rows_of_the_wall_count_and_the_extremes_have_places)
   EXPECT_NEAR(range.mean, 3.5e-3, 1e-15);
 }
 
-/// The height up to which a solid of revolution is wall by its area, mm: from 20 mm radius inwards to a cylinder of 18
-/// mm up to the height of 10 mm, then to an arc that turns away from there.
-double wall_height(const std::string& edge) {
-  const Scene scene = scene_of(R"(case = "heel"
+/// Glass of revolution at rest, with edges of that length and that outline.
+Scene resting_glass(const std::string& edge, const std::string& boundary) {
+  return scene_of(R"(case = "outline"
 geometry = "axisymmetric"
 [material.liquid]
 density = "2400 kg/m3"
 viscosity = { law = "constant", value = "1e4 Pa.s" }
 [glass]
 material = "liquid"
-mesh = { size = ")" + edge + R"(", contact_size = ")" +
-                               edge + R"(" }
-boundary = [
-  { name = "bottom", condition = "symmetry", path = "(18, 0) (20, 0) mm" },
-  { name = "outer", condition = "contact", path = "(20, 30) mm" },
-  { name = "top", condition = "fixed", path = "(8, 30) mm" },
-  { name = "inner", condition = "contact", path = [
-    "(8, 20) mm", "arc centre (8, 10) mm radius 10 mm from 90 deg to 0 deg", "(18, 0) mm"] } ]
+mesh = { size = ")" +
+                  edge + R"(", contact_size = ")" + edge + "\" }\nboundary = [" + boundary + R"(]
 [[stage]]
 name = "rest"
 duration = "1 s"
 gravity = "-9.81 m/s2"
 )");
+}
+
+/// The height up to which a solid of revolution is wall by its area, mm: from 20 mm radius inwards to a cylinder of 18
+/// mm up to the height of 10 mm, then to an arc that turns away from there.
+double wall_height(const std::string& edge) {
+  const Scene scene = resting_glass(edge, R"(
+  { name = "bottom", condition = "symmetry", path = "(18, 0) (20, 0) mm" },
+  { name = "outer", condition = "contact", path = "(20, 30) mm" },
+  { name = "top", condition = "fixed", path = "(8, 30) mm" },
+  { name = "inner", condition = "contact", path = [
+    "(8, 20) mm", "arc centre (8, 10) mm radius 10 mm from 90 deg to 0 deg", "(18, 0) mm"] })");
   double area = 0;
   for (const ThicknessRow& row : thickness_profile(initial_state(scene).glass.mesh, scene.geometry).rows)
     if (row.is_wall()) area += row.area;
@@ -97,27 +101,13 @@ TEST(ThicknessProfile, the_wall_ends_where_its_sides_face_away_whatever_the_mesh
 /// Mean thickness, mm, of a wall whose outer side turns by 45 degrees at a corner, from a cone to a cylinder; the inner
 /// side is round there, so that rays within 0.3 mm of the corner meet it less squarely than a wall's do.
 double mean_of_turning_wall(const std::string& edge) {
-  const Scene scene = scene_of(R"(case = "shoulder"
-geometry = "axisymmetric"
-[material.liquid]
-density = "2400 kg/m3"
-viscosity = { law = "constant", value = "1e4 Pa.s" }
-[glass]
-material = "liquid"
-mesh = { size = ")" + edge + R"(", contact_size = ")" +
-                               edge + R"(" }
-boundary = [
+  const Scene scene = resting_glass(edge, R"(
   { name = "rim", condition = "fixed", path = "(10.5857864, 1.4142136) (12, 0) mm" },
   { name = "outer", condition = "contact", path = "(20, 8) (20, 30) mm" },
   { name = "top", condition = "symmetry", path = "(18, 30) mm" },
   { name = "inner", condition = "contact", path = [
     "(18, 10.0710678) mm", "arc centre (15, 10.0710678) mm radius 3 mm from 0 deg to -45 deg",
-    "(10.5857864, 1.4142136) mm"] } ]
-[[stage]]
-name = "rest"
-duration = "1 s"
-gravity = "-9.81 m/s2"
-)");
+    "(10.5857864, 1.4142136) mm"] })");
   return 1e3 * thickness_range(thickness_profile(initial_state(scene).glass.mesh, scene.geometry).rows).mean;
 }
 
