@@ -144,9 +144,12 @@ template <std::size_t N, std::size_t M>
     for (std::size_t i = 0; i < N; ++i) sum[at[i][lane]] += x[i][lane];
 }
 
-/// Sum over the filled lanes.
+/// Sum over the filled lanes, of which there is at least one.
 inline double sum(const VectorizedArray& x, int filled) {
-  return Eigen::Array<double, batch_size, 1>(x[0], x[1], x[2], x[3]).head(filled).sum();
+  if (filled == batch_size) return (x[0] + x[2]) + (x[1] + x[3]);
+  double sum = x[0];
+  for (int lane = 1; lane < filled; ++lane) sum += x[lane];
+  return sum;
 }
 
 /// Shape functions of a cell with N nodes and their derivatives with respect to the reference coordinates a and b, a

@@ -13,10 +13,21 @@ namespace {
 
 constexpr const char* file = "libparison_gmsh.so";  // found by the run path of the program or library that asks
 
-/// The module, which stays open. Its libraries see those of the program first, as if it were linked to them.
+/// Whether memory comes from the C library: not where another allocator or a sanitizer is loaded in front of it.
+bool memory_is_of_c_library() {
+  void* const c_library = dlopen("libc.so.6", RTLD_LAZY | RTLD_NOLOAD);
+  if (!c_library) return false;
+  const bool same = dlsym(c_library, "malloc") == dlsym(RTLD_DEFAULT, "malloc");
+  dlclose(c_library);
+  return same;
+}
+
+/// The module, which stays open. Its libraries look for their symbols among themselves first and then in the program,
+/// where a hundred thousand of them would be sought in vain: that halves the start of a program. Not with an allocator
+/// of its own, which they would pass by.
 void* gmsh_module() {
   static void* const handle = [] {
-    void* const opened = dlopen(file, RTLD_LAZY | RTLD_LOCAL);
+    void* const opened = dlopen(file, RTLD_LAZY | RTLD_LOCAL | (memory_is_of_c_library() ? RTLD_DEEPBIND : 0));
     if (!opened) throw RunError(std::string("the mesher cannot be loaded: ") + dlerror());
     return opened;
   }();
