@@ -15,10 +15,10 @@ WorkTimes work_times() {
   return times_of_thread;
 }
 
-WorkTimer::WorkTimer(double WorkTimes::*work) : work_(work), start_(thread_cpu_seconds()) {}
+WorkTimer::WorkTimer(double WorkTimes::*work) : work_(work), start_(wall_seconds()) {}
 
 WorkTimer::~WorkTimer() {
-  times_of_thread.*work_ += thread_cpu_seconds() - start_;
+  times_of_thread.*work_ += wall_seconds() - start_;
 }
 
 }  // namespace parison::core
