@@ -15,6 +15,10 @@ struct EdgeRulePoint {
   double s, weight;
 };
 
+/// The six nodes of a quadratic triangle as points of the reference triangle, without weights.
+inline constexpr std::array<TriangleRulePoint, 6> triangle_nodes{
+    {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}}};
+
 /// Symmetric rule on the reference triangle (Strang & Fix 1973, Radon 1948, Dunavant 1985), exact for polynomials up to
 /// `degree` (at most 6).
 const std::vector<TriangleRulePoint>& triangle_rule(int degree);

@@ -2,8 +2,10 @@
 #include "forming/remeshing/remesh_criteria.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "core/mesh/element.hpp"
 #include "core/mesh/tolerances.hpp"
 #include "forming/remeshing/tool_corners.hpp"
 #include "forming/state/skin_size.hpp"
@@ -34,6 +36,30 @@ std::vector<double> solution_target_sizes(const Scene& scene, const State& state
   return target_sizes;
 }
 
+/// Edge length at each node of the surface, m, over which the logarithm of the viscosity changes by
+/// numerics.viscosity_per_edge; infinite inside. A chilled skin carries most of the load of a wall, also when the tool
+/// that chilled it has gone.
+std::vector<double> viscosity_target_sizes(const Scene& scene, const State& state) {
+  const core::Mesh& mesh = state.glass.mesh;
+  const Eigen::VectorXd& temperature = state.glass.temperature;
+  std::vector<double> target_sizes(mesh.nodes.size(), std::numeric_limits<double>::infinity());
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
+    const auto& nodes = mesh.cells()[edge.cell];
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      if (std::find(edge.nodes.begin(), edge.nodes.end(), nodes[k]) == edge.nodes.end()) continue;
+      const core::CellPoint at = core::map_cell_point(mesh, edge.cell, scene.geometry, core::triangle_nodes[k]);
+      Point gradient = Point::Zero();
+      for (std::size_t i = 0; i < nodes.size(); ++i) gradient += temperature[nodes[i]] * at.gradient[i];
+      const double slope =
+          std::abs(scene.glass.flow->viscosity.log_derivative(temperature[nodes[k]])) * gradient.norm();
+      if (slope > 0)
+        target_sizes[nodes[k]] = std::min(target_sizes[nodes[k]], scene.accuracy.viscosity_per_edge / slope);
+    }
+  }
+  return target_sizes;
+}
+
 /// Whether an edge of the surface has become longer than a new mesh may have it by more than `max_stretch`.
 bool has_stretched_edges(const Scene& scene, const State& state) {
   constexpr double max_stretch = 1.5;
@@ -61,7 +87,10 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
   result.min_size = min_edge_fraction * accuracy.skin_size;
   result.straight_boundaries = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   result.contact.assign(mesh.nodes.size(), false);
-  result.target_skin_size.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
+  if (scene.has_flow() && state.glass.temperature.size() > 0)
+    result.target_skin_size = viscosity_target_sizes(scene, state);
+  else
+    result.target_skin_size.assign(mesh.nodes.size(), std::numeric_limits<double>::infinity());
   for (Index n = 0; n < mesh.node_count(); ++n) result.contact[n] = state.glass.contact_tool[n] >= 0;
   const double size = core::size(scene.glass.profile), contact_proximity = core::tolerance::contact_proximity * size;
   if (scene.has_heat())

@@ -68,6 +68,7 @@ const std::vector<Setting>& settings() {
   static const std::vector<Setting> all = {
       {"surface_size", &A::surface_size, dimension::length, "mm", 1e-3, 1, {1.6e-3, 1e-3, 0.6e-3}, 1e-7, 0.1},
       {"skin_size", &A::skin_size, dimension::length, "mm", 1e-3, 1, {0.7e-3, 0.4e-3, 0.22e-3}, 1e-7, 0.1},
+      {"viscosity_per_edge", &A::viscosity_per_edge, dimension::none, "", 1, 1, {5, 2.9, 1.6}, 0.01, 1e6},
       {"elements_across", &A::elements_across, dimension::none, "", 1, -0.6, {2, 3, 4.5}, 0.5, 100},
       {"glass_growth", &A::glass_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}, 0.01, 5},
       {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}, 1e-7, 0.5},

@@ -12,15 +12,16 @@ namespace parison::forming {
 
 /// Everything numerical that the accuracy level sets; each can be overridden under [numerics] in the case file.
 struct Accuracy {
-  double surface_size;           ///< largest edge on the glass surface, m
-  double skin_size;              ///< smallest edge asked for where hot glass meets a cold tool, m
-  double elements_across;        ///< elements across a glass wall
-  double glass_growth;           ///< growth of the glass edge length with the distance from the surface
-  double tool_contact_size;      ///< edge on a tool's contact boundaries, m
-  double tool_growth;            ///< growth of the edge with the distance from there
-  double strain_per_step;        ///< rate of deformation times step, seen by 2 % of the glass
-  double landing_per_step;       ///< length of surface that comes into contact in one step, over surface_size
-  double work_per_step;          ///< largest work_error of a step
+  double surface_size;        ///< largest edge on the glass surface, m
+  double skin_size;           ///< smallest edge asked for where hot glass meets a cold tool, m
+  double viscosity_per_edge;  ///< change of the logarithm of the viscosity over an edge of the glass surface, at most
+  double elements_across;     ///< elements across a glass wall
+  double glass_growth;        ///< growth of the glass edge length with the distance from the surface
+  double tool_contact_size;   ///< edge on a tool's contact boundaries, m
+  double tool_growth;         ///< growth of the edge with the distance from there
+  double strain_per_step;     ///< rate of deformation times step, seen by 2 % of the glass
+  double landing_per_step;    ///< length of surface that comes into contact in one step, over surface_size
+  double work_per_step;       ///< largest work_error of a step
   double temperature_tolerance;  ///< local error of a heat step, K
   double temperature_per_step;   ///< largest change of the glass surface temperature in a coupled step, K
   double max_step;               ///< s

@@ -41,7 +41,7 @@ void scale_mapped(const Scene& scene, const Body& body, const std::string& path,
 
 std::vector<std::string> scaled_mesh(const Scene& scene, double factor) {
   std::vector<std::string> overrides;
-  for (const char* key : {"surface_size", "skin_size", "elements_across", "tool_contact_size"})
+  for (const char* key : {"surface_size", "skin_size", "viscosity_per_edge", "elements_across", "tool_contact_size"})
     overrides.push_back(scaled(scene, key, std::pow(factor, setting(key).order)));
   scale_mapped(scene, scene.glass, "glass", factor, overrides);
   for (const Tool& tool : scene.tools) scale_mapped(scene, tool, "tool." + tool.name, factor, overrides);

@@ -36,10 +36,6 @@ void add_declared_fields(const Scene& scene, const GlassState& glass, core::VtuF
   });
 }
 
-/// The six nodes of a cell as points of the reference triangle.
-constexpr std::array<core::TriangleRulePoint, 6> cell_nodes{
-    {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}}};
-
 double volume_of(const core::Mesh& mesh, core::Geometry geometry, Index cell) {
   double volume = 0;
   for (const core::TriangleRulePoint& at : core::triangle_rule(4))
@@ -57,7 +53,7 @@ Eigen::VectorXd conducted_flux(const core::Mesh& mesh, core::Geometry geometry, 
     const auto& nodes = mesh.cells()[cell];
     const double volume = volume_of(mesh, geometry, cell);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, cell_nodes[k]);
+      const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, core::triangle_nodes[k]);
       Point gradient = Point::Zero();
       for (std::size_t i = 0; i < nodes.size(); ++i) gradient += temperature[nodes[i]] * point.gradient[i];
       flux.segment<core::dim>(core::dim * nodes[k]) += volume * gradient;
