@@ -53,6 +53,19 @@ bool has_own_mesh(const Body& body) {
   return body.mesh.size || body.mesh.contact_size || body.mesh.growth || body.mesh.mapped;
 }
 
+/// New meshes of the glass at the start of a stage. Its first mesh does not know the temperatures that the glass starts
+/// with: where they vary, meshes follow each other until they resolve them, and each takes them from the case again.
+bool remesh_at_start(RunInProgress& run, Index stage) {
+  const Eigen::VectorXd& temperature = run.outcome.state.glass.temperature;
+  const bool varies = stage == 0 && temperature.size() > 0 && temperature.maxCoeff() > temperature.minCoeff();
+  constexpr int meshes_where_varying = 3;
+  for (int mesh = 0; mesh < (varies ? meshes_where_varying : 1); ++mesh) {
+    if (!remesh_glass(run, RemeshReason::stage_start)) return false;
+    if (varies) set_start_temperature(run.scene, run.outcome.state);
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string after_press(const RunFacts& facts, const std::string& failure) {
@@ -73,7 +86,7 @@ bool begin_stage(RunInProgress& run, Index stage) {
   notify(run, &RunObserver::stage_begins);
   if (stage == 0) notify(run, &RunObserver::fields_due, state);
   const bool keeps_mesh = !run.scene.has_flow() || (stage == 0 && has_own_mesh(run.scene.glass));
-  return good && (keeps_mesh || remesh_glass(run, RemeshReason::stage_start));
+  return good && (keeps_mesh || remesh_at_start(run, stage));
 }
 
 void update_motion(const Scene& scene, State& state) {

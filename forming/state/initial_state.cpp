@@ -133,4 +133,9 @@ State initial_state(const Scene& scene) {
   return state;
 }
 
+void set_start_temperature(const Scene& scene, State& state) {
+  state.glass.temperature = start_temperature(scene, glass_body, state.glass.mesh);
+  if (scene.has_heat()) state.glass.initial_heat = glass_heat(scene, state);
+}
+
 }  // namespace parison::forming

@@ -12,6 +12,9 @@ inline constexpr double static_edge_factor = 0.5;
 /// Meshes every body of the scene and sets its start: time 0, first stage, the temperatures that the case gives.
 State initial_state(const Scene& scene);
 
+/// The temperatures that the case gives the glass at its start, on its present mesh.
+void set_start_temperature(const Scene& scene, State& state);
+
 /// The glass mesh with its nodes where the mass was last distributed.
 core::Mesh mass_mesh(const State& state);
 
