@@ -3,7 +3,6 @@
 import json
 import math
 import os
-import resource
 import shutil
 import subprocess
 import sys
@@ -26,30 +25,32 @@ def scene_names():
 
 
 def run(command, log):
-    """Runs a command on one thread, waits for it and returns its exit code."""
+    """Runs a command on one thread, waits for it and returns its exit code and its CPU time, s."""
     log.parent.mkdir(parents=True, exist_ok=True)
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     with open(log, "w", encoding="utf-8") as file:
-        return subprocess.run([str(word) for word in command], stdout=file, stderr=subprocess.STDOUT, env=environment,
-                              check=False).returncode
+        process = subprocess.Popen([str(word) for word in command], stdout=file, stderr=subprocess.STDOUT, env=environment)
+        _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, used.ru_utime + used.ru_stime
 
 
 def cpu_of(command, log):
     """CPU time of a command and of what it starts, s; the end of the program where the command fails."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    code = run(command, log)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    code, seconds = run(command, log)
     if code != 0:
         sys.exit(f"{Path(sys.argv[0]).name}: exit code {code}, see {log}")
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return seconds
 
 
 def run_scene(parison, name, accuracy, folder, error_bars=True):
-    """The summary of a run, None where it did not complete."""
+    """The summary of a run with the CPU time of the whole command, None where it did not complete."""
     shutil.rmtree(folder, ignore_errors=True)
     command = [parison, "run", SCENES / f"{name}.toml", "--accuracy", accuracy, "--output", folder, *QUIET]
-    code = run(command + ["--error-bars"] * error_bars, folder.with_suffix(".log"))
-    return json.loads((folder / "summary.json").read_text(encoding="utf-8")) if code == 0 else None
+    code, seconds = run(command + ["--error-bars"] * error_bars, folder.with_suffix(".log"))
+    if code != 0:
+        return None
+    return {**json.loads((folder / "summary.json").read_text(encoding="utf-8")), "command_cpu_seconds": seconds}
 
 
 def rounded(value, digits):
