@@ -60,16 +60,24 @@ std::vector<double> viscosity_target_sizes(const Scene& scene, const State& stat
   return target_sizes;
 }
 
-/// Whether an edge of the surface has become longer than a new mesh may have it by more than `max_stretch`.
-bool has_stretched_edges(const Scene& scene, const State& state) {
-  constexpr double max_stretch = 1.5;
+/// Whether an edge of the surface is longer, or turns more, than a new mesh may have it, by `max_stretch` and
+/// `max_bend`: a bent edge at the end of a contact keeps the surface beside it off the tool. Not where it lies on a
+/// tool, round which it may bend, or where a new mesh would have it no shorter.
+bool has_worn_edges(const Scene& scene, const State& state) {
+  constexpr double max_stretch = 1.5, max_bend = 2;
   const core::Mesh& mesh = state.glass.mesh;
-  const double limit = max_stretch * scene.accuracy.surface_size * state.totals.remeshing.coarsening_factor;
+  const double coarsening = state.totals.remeshing.coarsening_factor,
+               max_length = max_stretch * scene.accuracy.surface_size * coarsening,
+               dividable = 4 * min_edge_fraction * scene.accuracy.skin_size * coarsening;
   return std::any_of(mesh.boundary_edges().begin(), mesh.boundary_edges().end(), [&](const core::BoundaryEdge& edge) {
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry) return false;
     const auto [first, last, middle] = edge.nodes;
-    const double length =
-        (mesh.nodes[middle] - mesh.nodes[first]).norm() + (mesh.nodes[last] - mesh.nodes[middle]).norm();
-    return mesh.kind_of(edge) != BoundaryKind::symmetry && length > limit;
+    const Point before = mesh.nodes[middle] - mesh.nodes[first], after = mesh.nodes[last] - mesh.nodes[middle];
+    const double length = before.norm() + after.norm();
+    const bool on_tool = std::all_of(edge.nodes.begin(), edge.nodes.end(),
+                                     [&](Index node) { return state.glass.contact_tool[node] >= 0; });
+    const double turn = 2 * std::abs(std::atan2(before[0] * after[1] - before[1] * after[0], before.dot(after)));
+    return length > max_length || (!on_tool && length > dividable && turn > max_bend * remesh::max_turn);
   });
 }
 
@@ -119,7 +127,7 @@ bool needs_remesh(const Scene& scene, const State& state) {
   if (state.totals.remeshing.before_step == state.totals.steps) return false;
   return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
          (scene.geometry == core::Geometry::axisymmetric && remesh::has_reached_axis(state.glass.mesh)) ||
-         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_stretched_edges(scene, state));
+         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_worn_edges(scene, state));
 }
 
 }  // namespace parison::forming

@@ -7,6 +7,7 @@
 
 #include "core/process/run_error.hpp"
 #include "remesh/mesher/mesh_outline.hpp"
+#include "remesh/surface/resample.hpp"
 
 namespace parison::remesh {
 
@@ -19,8 +20,6 @@ namespace {
 std::vector<core::MeshBoundary> boundaries_of(const core::Profile& profile) {
   return {profile.boundary_names.begin(), profile.boundary_names.end()};
 }
-
-constexpr double max_turn = 20 * M_PI / 180;  ///< largest angle of an arc within one edge
 
 std::vector<SizeSource> size_sources(const core::Profile& profile, const ProfileSizes& sizes) {
   std::vector<SizeSource> sources;

@@ -118,8 +118,7 @@ using core::Point;
 
 namespace {
 
-constexpr double max_turn = 20 * M_PI / 180;  ///< of the surface within one edge
-constexpr Index max_samples = 64;             ///< of the wanted sizes along one old edge
+constexpr Index max_samples = 64;  ///< of the wanted sizes along one old edge
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Nodal value at s of an edge, linear between its three nodes; infinite where one of the two is.

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -7,6 +8,9 @@
 #include "remesh/surface/outline.hpp"
 
 namespace parison::remesh {
+
+/// Largest angle by which the surface turns within one edge of a new mesh.
+inline constexpr double max_turn = 20 * M_PI / 180;
 
 /// Requirements on the new mesh of a deforming body.
 struct Criteria {
