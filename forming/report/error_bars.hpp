@@ -34,14 +34,13 @@ struct ControlledRun {
   double cpu_seconds = 0;  ///< of the run
   bool completed = true;   ///< whether it came to its end
   double estimate = std::numeric_limits<double>::infinity();  ///< error of this run, a share
-  bool confirmed = false;  ///< whether enough runs take part in the estimate to rest on it
 };
 
 /// How an accuracy that was asked for was reached, or was not.
 struct AccuracyRecord {
   double target;  ///< share of the wall in the mean and of the heat into the tools
   std::vector<ControlledRun> runs;
-  bool reached() const { return !runs.empty() && runs.back().confirmed && runs.back().estimate <= target; }
+  bool reached() const { return !runs.empty() && runs.back().estimate <= target; }
 };
 
 /// Error estimates of a run from coarser runs of the same scene, and from nothing else.

@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "forming/scene/accuracy.hpp"
@@ -12,36 +14,32 @@
 namespace parison::forming {
 namespace {
 
-/// The search expects this error at draft, and its first run is this much coarser than where it expects to end.
-/// Coarser than two and a half times draft errors hardly grow any more, and differences of such runs show too little.
-constexpr double usual_error = 0.005, first_coarser = 3.2, coarsest = 2.5;
-/// From the first run to the second, after a failed one, and at most where an estimate is larger than the one before
-/// it: then it shows the scatter of runs that are near each other, which Richardson's estimate multiplies.
-constexpr double refinement = 1.4;
+/// Edges and steps of the first run in those of draft. It costs little beside the last one. Much coarser runs are
+/// hardly worse any more, and their differences show too little.
+constexpr double first_factor = 3.4;
+/// How much finer the next run is: after the first or a failed one, else within the limits.
+constexpr double refinement = 1.4, least_refinement = 1.3, most_refinement = 2.6;
 constexpr double aim = 0.95;  ///< of the target
-constexpr double most_refinement = 3, least_refinement = 1.2;
 constexpr std::size_t most_runs = 8;
 constexpr double most_coarser = 4;  ///< of a run whose difference takes part in the error bars, where two others do
 constexpr std::size_t least_coarser = 2;
 
-// The errors of single runs scatter about error = constant h^order by some 40 %, so neither an order that three runs
-// show nor the difference of two of them can be trusted: the order is given, and the constant is a mean over all pairs
-// of runs, larger by a part of the share by which those of the pairs scatter. Runs that are nearer to each other than
-// the least refinement would show the scatter alone. Chosen by replaying stored runs of 17 scenes of tests/bars, 21
-// factors each, at six targets from four first runs: 95 % are reached on the nine scenes on which the rest was chosen
-// and 90 % on the others (91 and 87 % without scatter and with a least refinement of 1.1), at 6.2 times the cheapest
-// run of a grid of factors in the median (6.1), all runs of the search together. With the whole scatter 99 and 91 %
-// were reached, but single searches, run anew, took up to a thousand times the cheapest run (now a hundred). Who knew
-// the law of each scene exactly would need 1.5 to 2.3 in the final run alone.
-constexpr double order = 1.5;
-constexpr double safety = 1.25, scatter_share = 0.35;
-/// Two runs, which know nothing of their scatter, suffice where their estimate is within the target with the larger
-/// factor of safety of a grid convergence index by two grids (P. J. Roache, Annu. Rev. Fluid Mech. 29 (1997) 123-160).
-/// In a replay as above the eleven scenes of tests/bars without a part in the rule then cost 3.2 times the cheapest run
-/// (4.7 with a third run in any case), the others the same, and as many reach their targets.
-constexpr double safety_of_two = 3;
-constexpr double coarser_weight = 0.25;  ///< of a pair for each run that lies between its coarser one and the last
-constexpr std::size_t enough_runs = 3;
+// The errors of single runs scatter about c h^order by some 40 %, so neither an order that three runs show nor the
+// difference of two of them can be trusted: the order is given, c is a mean over all pairs of runs, and the scatter is
+// part of what their difference is expected to be. A pair of runs that are near each other shows little but scatter,
+// which Richardson's estimate alone would multiply. Chosen by replaying stored runs of 17 scenes of tests/bars, 20
+// factors of two programs each, at six targets from seven first runs, and by runs of these scenes; eleven others and
+// random containers were left out of every choice. Other limits, orders and weights, a second run where the error
+// asked for is expected and an order by its likelihood differ by no more than luck: what is left is the choice of the
+// safety, which buys 2 % of the targets for each tenth of the cost.
+constexpr double order = 1.5, scatter = 0.4;
+constexpr double coarser_weight = 0.4;  ///< of a pair for each run that lies between its coarser one and the last
+/// The estimate is larger by how little is known of the scatter: with two runs, three, or more of them.
+constexpr std::array safety{2.4, 1.7, 1.3};
+
+double safe(std::size_t runs) {
+  return safety[std::min(runs, safety.size() + 1) - 2];
+}
 
 }  // namespace
 
@@ -55,46 +53,40 @@ double difference_of_runs(const Quantities& run, const Quantities& reference) {
   return largest;
 }
 
-AccuracyControl::AccuracyControl(double target)
-    : record_{target, {}},
-      factor_(std::clamp(first_coarser * std::pow(target / usual_error, 1 / order), min_coarsening, coarsest)) {}
+AccuracyControl::AccuracyControl(double target) : record_{target, {}}, factor_(first_factor) {}
 
 std::string AccuracyControl::accuracy() const {
   return fmt::format("draft coarser {:.4g}", factor_);
 }
 
-double AccuracyControl::estimate() const {
-  double sum = 0, squares = 0, weights = 0;
+double AccuracyControl::likely_error() const {
+  double squares = 0, weights = 0;
   for (auto fine = completed_.begin(); fine != completed_.end(); ++fine)
     for (auto coarse = completed_.begin(); coarse != fine; ++coarse) {
-      const double constant = difference_of_runs(coarse->quantities, fine->quantities) /
-                              (std::pow(coarse->factor, order) - std::pow(fine->factor, order));
+      const double larger = std::pow(coarse->factor, order), smaller = std::pow(fine->factor, order);
+      const double law = larger - smaller, luck = scatter * std::hypot(larger, smaller);
+      const double difference = difference_of_runs(coarse->quantities, fine->quantities);
       const double weight = std::pow(coarser_weight, double(completed_.end() - coarse - 2));
-      sum += weight * constant;
-      squares += weight * constant * constant;
+      squares += weight * difference * difference / (law * law + luck * luck);
       weights += weight;
     }
-  const double mean = sum / weights, square = squares / weights;
-  const double scatter = mean > 0 ? std::sqrt(std::max(0.0, square - mean * mean)) / mean : 0;
-  return safety * (1 + scatter_share * scatter) * std::sqrt(square) * std::pow(completed_.back().factor, order);
+  return std::sqrt((1 + scatter * scatter) * squares / weights) * std::pow(completed_.back().factor, order);
 }
 
 void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_seconds) {
-  const double before = record_.runs.empty() ? std::numeric_limits<double>::infinity() : record_.runs.back().estimate;
   record_.runs.push_back({factor_, cpu_seconds, run.has_value()});
-  ControlledRun& now = record_.runs.back();
-  double finer = refinement;
+  double next = factor_ / refinement;
   if (run) {
     completed_.push_back({factor_, *run, cpu_seconds});
-    if (completed_.size() > 1) {
-      now.estimate = estimate();
-      now.confirmed = completed_.size() >= enough_runs || now.estimate * safety_of_two / safety <= record_.target;
-      if (std::isfinite(now.estimate))
-        finer = std::clamp(std::pow(now.estimate / (aim * record_.target), 1 / order), least_refinement,
-                           now.estimate > before ? refinement : most_refinement);
+    const std::size_t runs = completed_.size();
+    if (const double error = runs > 1 ? likely_error() : std::numeric_limits<double>::quiet_NaN();
+        std::isfinite(error)) {
+      record_.runs.back().estimate = safe(runs) * error;
+      next = factor_ / std::clamp(std::pow(safe(runs + 1) * error / (aim * record_.target), 1 / order),
+                                  least_refinement, most_refinement);
     }
   }
-  if (!finished()) factor_ /= finer;
+  if (!finished()) factor_ = std::max(next, min_coarsening);
 }
 
 std::vector<CoarserRun> AccuracyControl::coarser() const {

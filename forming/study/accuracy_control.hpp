@@ -13,10 +13,11 @@ namespace parison::forming {
 /// tools; where a scene has neither, the largest of all quantities. NaN where the runs have nothing in common.
 double difference_of_runs(const Quantities& run, const Quantities& reference);
 
-/// Finds how fine a scene has to be run for an error that is asked for, by runs of the scene itself: the difference of
-/// two runs at edges h and H gives the constant c of the error c h^1.5 (L. F. Richardson, Phil. Trans. R. Soc. A 210
-/// (1911) 307-357), and from the weighted root mean square of c over all pairs of runs follow the error of the last run
-/// and the edges and steps of the next. At least two runs are made, and a third unless they are very near each other.
+/// Finds how fine a scene has to be run for an error that is asked for, by runs of the scene itself. Errors are taken
+/// as c h^1.5 at edges h and as much luck beside as single runs were found to show, so the difference of two runs at H
+/// and h has the expected square c^2 ((H^1.5 - h^1.5)^2 + s^2 (H^3 + h^3)); without luck, s = 0, that is the estimate
+/// of L. F. Richardson, Phil. Trans. R. Soc. A 210 (1911) 307-357. From the weighted mean of c^2 over all pairs of runs
+/// follow the error of the last run and the edges and steps of the next. At least two runs are made.
 class AccuracyControl {
  public:
   explicit AccuracyControl(double target);
@@ -35,7 +36,7 @@ class AccuracyControl {
 
  private:
   /// Error of the last completed run, a share; at least two have been completed.
-  double estimate() const;
+  double likely_error() const;
 
   AccuracyRecord record_;
   double factor_;
