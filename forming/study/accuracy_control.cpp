@@ -16,9 +16,9 @@ namespace {
 
 /// Edges and steps of the first run in those of draft. It costs little beside the last one. Much coarser runs are
 /// hardly worse any more, and their differences show too little.
-constexpr double first_factor = 3.4;
-/// How much finer the next run is: after the first or a failed one, else within the limits.
-constexpr double refinement = 1.4, least_refinement = 1.3, most_refinement = 2.6;
+constexpr double first_factor = 4;
+/// How much finer the second run is; any other within the limits, after a failed one by the least.
+constexpr double refinement = 1.8, least_refinement = 1.4, most_refinement = 2.3;
 constexpr double aim = 0.95;  ///< of the target
 constexpr std::size_t most_runs = 8;
 constexpr double most_coarser = 4;  ///< of a run whose difference takes part in the error bars, where two others do
@@ -33,9 +33,9 @@ constexpr std::size_t least_coarser = 2;
 // asked for is expected and an order by its likelihood differ by no more than luck: what is left is the choice of the
 // safety, which buys 2 % of the targets for each tenth of the cost.
 constexpr double order = 1.5, scatter = 0.4;
-constexpr double coarser_weight = 0.4;  ///< of a pair for each run that lies between its coarser one and the last
+constexpr double coarser_weight = 0.2;  ///< of a pair for each run that lies between its coarser one and the last
 /// The estimate is larger by how little is known of the scatter: with two runs, three, or more of them.
-constexpr std::array safety{2.4, 1.7, 1.3};
+constexpr std::array safety{2.4, 1.5, 1.3};
 
 double safe(std::size_t runs) {
   return safety[std::min(runs, safety.size() + 1) - 2];
@@ -75,10 +75,11 @@ double AccuracyControl::likely_error() const {
 
 void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_seconds) {
   record_.runs.push_back({factor_, cpu_seconds, run.has_value()});
-  double next = factor_ / refinement;
+  double next = factor_ / least_refinement;
   if (run) {
     completed_.push_back({factor_, *run, cpu_seconds});
     const std::size_t runs = completed_.size();
+    if (runs == 1) next = factor_ / refinement;
     if (const double error = runs > 1 ? likely_error() : std::numeric_limits<double>::quiet_NaN();
         std::isfinite(error)) {
       record_.runs.back().estimate = safe(runs) * error;
