@@ -43,14 +43,18 @@ def cpu_of(command, log):
     return seconds
 
 
-def run_scene(parison, name, accuracy, folder, error_bars=True):
+def run_case(parison, case, accuracy, folder, error_bars=False):
     """The summary of a run with the CPU time of the whole command, None where it did not complete."""
     shutil.rmtree(folder, ignore_errors=True)
-    command = [parison, "run", SCENES / f"{name}.toml", "--accuracy", accuracy, "--output", folder, *QUIET]
+    command = [parison, "run", case, "--accuracy", accuracy, "--output", folder, *QUIET]
     code, seconds = run(command + ["--error-bars"] * error_bars, folder.with_suffix(".log"))
     if code != 0:
         return None
     return {**json.loads((folder / "summary.json").read_text(encoding="utf-8")), "command_cpu_seconds": seconds}
+
+
+def run_scene(parison, name, accuracy, folder, error_bars=True):
+    return run_case(parison, SCENES / f"{name}.toml", accuracy, folder, error_bars)
 
 
 def rounded(value, digits):
@@ -70,9 +74,9 @@ def make_reference(parison, name, folder):
     return reference_of(summary, accuracy) if summary else None
 
 
-def write_references(found):
+def write_references(found, path=REFERENCES):
     lines = [f' "{name}": {json.dumps(found[name])}' for name in sorted(found)]
-    REFERENCES.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+    path.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
 
 
 def references():
