@@ -89,13 +89,14 @@ class ActiveSetIteration {
   Corrector& corrector_;
   Equilibrium result_;
 
-  Iterate iterate_;              ///< of the Newton iteration, with its force
-  Eigen::VectorXd load_;         ///< right-hand side with the loads on the free surface
-  std::optional<AirLoads> air_;  ///< of trapped air, where there is some
-  ToolSuperposition columns_;    ///< the last linear solution
-  double velocity_change_ = 0;   ///< relative, by the last linear solution
-  bool has_response_ = false;    ///< `result_.response` is that of an iteration
-  bool refined_ = false;         ///< the next iteration is a refinement of the last one
+  Iterate iterate_;               ///< of the Newton iteration, with its force
+  Eigen::VectorXd load_;          ///< right-hand side with the loads on the free surface
+  Eigen::VectorXd contact_area_;  ///< per node, m2
+  std::optional<AirLoads> air_;   ///< of trapped air, where there is some
+  ToolSuperposition columns_;     ///< the last linear solution
+  double velocity_change_ = 0;    ///< relative, by the last linear solution
+  bool has_response_ = false;     ///< `result_.response` is that of an iteration
+  bool refined_ = false;          ///< the next iteration is a refinement of the last one
 
   NewtonGuard newton_;
   CoulombSliding sliding_;
@@ -157,8 +158,9 @@ bool ActiveSetIteration::constrain_nodes() {
   }
   result_.constraints = make_constraints(problem_, result_.active);
   if (!support(problem_, load_, result_.active, result_.constraints)) return false;
-  add_friction(problem_, result_.active, contact_areas(mesh_, discretisation.surface, in_contact),
-               has_response_ ? &result_.response : nullptr, sliding_, result_.constraints);
+  contact_area_ = contact_areas(mesh_, discretisation.surface, in_contact);
+  add_friction(problem_, result_.active, contact_area_, has_response_ ? &result_.response : nullptr, sliding_,
+               result_.constraints);
   return true;
 }
 
@@ -223,7 +225,7 @@ bool ActiveSetIteration::update_contacts() {
   if (air_)  // a contact opens where its force falls below that of the air behind it
     response.forces.normal -= opening_forces(problem_, *air_, iterate_.air_pressure,
                                              nodes_in_contact(problem_, result_.active), result_.active);
-  const auto change = update_active_set(problem_, response, result_.active, releases_);
+  const auto change = update_active_set(problem_, response, contact_area_, result_.active, releases_);
   result_.contact_changes += change.changed;
   result_.locked = change.locked;
   return change.changed == 0;

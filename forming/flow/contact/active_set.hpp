@@ -19,10 +19,14 @@ struct ActiveSetChange {
 };
 
 /// Step of the primal-dual active set strategy (M. Hintermueller, K. Ito, K. Kunisch, 2002, SIAM J. Optim. 13, 865-888,
-/// section 2): opens active contacts in tension and closes inactive ones that the velocities would penetrate.
+/// section 2): closes inactive contacts that the velocities would penetrate and opens active ones in tension, those
+/// whose tension is not small beside the largest (J. Nocedal, S. Wright, 2006, Numerical Optimization, section 16.5:
+/// active-set methods drop the constraint with the most negative multiplier). What one opening gives to its neighbours
+/// is seen before they open too. Without friction the result is the same; friction goes with the contact, so that more
+/// than one set may be in balance, and the one near the guess is wanted. `area` is the contact area of the nodes, m2;
 /// `releases` counts per candidate how often it was opened.
-ActiveSetChange update_active_set(const Problem& problem, const Response& response, std::vector<bool>& active,
-                                  std::vector<int>& releases);
+ActiveSetChange update_active_set(const Problem& problem, const Response& response, const Eigen::VectorXd& area,
+                                  std::vector<bool>& active, std::vector<int>& releases);
 
 /// The candidates that slide at Coulomb's limit, from one iteration to the next.
 struct CoulombSliding {

@@ -46,15 +46,14 @@ Eigen::VectorXd sum_at_nodes(const Problem& problem, const std::vector<bool>& ac
   return nodal;
 }
 
-/// Adds half of each mid-side value to the vertices of its edge.
+}  // namespace
+
 Eigen::VectorXd distribute_mid_sides(const core::Mesh& mesh, const Eigen::VectorXd& nodal) {
   Eigen::VectorXd shared = nodal;
   for (const auto& edge : mesh.boundary_edges())
     for (int end = 0; end < 2; ++end) shared[edge.nodes[end]] += 0.5 * nodal[edge.nodes[2]];
   return shared;
 }
-
-}  // namespace
 
 std::vector<bool> nodes_in_contact(const Problem& problem, const std::vector<bool>& active) {
   std::vector<bool> in_contact(problem.mesh->nodes.size(), false);

@@ -23,6 +23,9 @@ struct ContactForces {
 ContactForces contact_forces(const Problem& problem, const std::vector<NodeConstraint>& constraints,
                              const Eigen::VectorXd& reaction);
 
+/// Adds half of each mid-side value to the vertices of its edge.
+Eigen::VectorXd distribute_mid_sides(const core::Mesh& mesh, const Eigen::VectorXd& nodal);
+
 /// Normal forces per node, N, those of mid-side nodes added in halves to the vertices of their edge (lumping to linear
 /// shape functions). At mid-side nodes the consistent force itself.
 Eigen::VectorXd lumped_forces(const Problem& problem, const std::vector<bool>& active,
