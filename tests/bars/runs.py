@@ -53,8 +53,8 @@ def run_case(parison, case, accuracy, folder, error_bars=False):
     return {**json.loads((folder / "summary.json").read_text(encoding="utf-8")), "command_cpu_seconds": seconds}
 
 
-def run_scene(parison, name, accuracy, folder, error_bars=True):
-    return run_case(parison, SCENES / f"{name}.toml", accuracy, folder, error_bars)
+def folder_of(output, name, accuracy):
+    return output / name.replace("/", "_") / accuracy.replace(" ", "_")
 
 
 def rounded(value, digits):
@@ -70,7 +70,7 @@ def reference_of(summary, accuracy):
 
 def make_reference(parison, name, folder):
     accuracy = f"fine coarser {FINER.get(name, FINEST)}"
-    summary = run_scene(parison, name, accuracy, folder, error_bars=False)
+    summary = run_case(parison, SCENES / f"{name}.toml", accuracy, folder)
     return reference_of(summary, accuracy) if summary else None
 
 

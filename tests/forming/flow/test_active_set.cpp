@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/flow/contact/active_set.hpp"
-
 #include <gtest/gtest.h>
 
 #include "flow_case.hpp"
+#include "forming/flow/contact/active_set.hpp"
 #include "forming/flow/surface.hpp"
 
 namespace parison::flow {
