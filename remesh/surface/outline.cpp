@@ -16,7 +16,7 @@ using core::Point;
 namespace {
 
 /// Two chords an edge: to the mid-side point and on to the end.
-std::vector<core::Chord> chords(const Outline& outline) {
+std::vector<core::Chord> half_chords(const Outline& outline) {
   const std::vector<Index> ends = edge_ends(outline);
   const Index count = outline.edge_count();
   std::vector<core::Chord> result;
@@ -24,6 +24,15 @@ std::vector<core::Chord> chords(const Outline& outline) {
     result.push_back({outline.vertices[i], outline.mids[i], i, count + i});
     result.push_back({outline.mids[i], outline.vertices[ends[i]], count + i, ends[i]});
   }
+  return result;
+}
+
+/// One chord an edge, as it is meshed.
+std::vector<core::Chord> whole_chords(const Outline& outline) {
+  const std::vector<Index> ends = edge_ends(outline);
+  std::vector<core::Chord> result;
+  for (Index i = 0; i < outline.edge_count(); ++i)
+    result.push_back({outline.vertices[i], outline.vertices[ends[i]], i, ends[i]});
   return result;
 }
 
@@ -38,8 +47,8 @@ std::vector<Index> edge_ends(const Outline& outline) {
 }
 
 std::pair<Index, Index> find_crossing(const Outline& outline) {
-  const auto [first, second] = core::find_crossing(chords(outline));
-  return {first < 0 ? -1 : first / 2, second < 0 ? -1 : second / 2};
+  const auto [first, second] = core::find_crossing(half_chords(outline));
+  return first < 0 ? core::find_crossing(whole_chords(outline)) : std::pair<Index, Index>{first / 2, second / 2};
 }
 
 bool crosses_itself(const Mesh& mesh) {

@@ -22,7 +22,8 @@ struct Outline {
 /// The last vertex of each edge.
 std::vector<core::Index> edge_ends(const Outline& outline);
 
-/// Indices of two edges that cross, or {-1, -1}. Each edge counts as two chords, through its mid point.
+/// Indices of two edges that cross, or {-1, -1}. Each edge counts as two chords, through its mid point, and then as the
+/// one between its ends, which the mesher takes it for.
 std::pair<core::Index, core::Index> find_crossing(const Outline& outline);
 
 /// Whether the surface of a body, symmetry lines aside, crosses itself: it has folded onto itself or been torn.

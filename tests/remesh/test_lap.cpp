@@ -147,5 +147,19 @@ TEST(Crossings, a_symmetry_line_is_no_surface_to_fold_onto) {
   EXPECT_FALSE(crosses_itself(mesh));
 }
 
+/// A block of 10 with a notch in its top. The mid point of the left wall swerves round the tip of a spike on the right
+/// wall, which the straight line between the wall's ends would cut.
+TEST(Crossings, edges_that_only_their_mid_points_keep_apart_are_cut_too) {
+  Surface surface =
+      polygon({{0, 0}, {10, 0}, {10, 10}, {5.2, 10}, {4.85, 9.55}, {5.2, 9.1}, {5, 9}, {4.95, 10}, {0, 10}});
+  surface.outline.mids[6] = Point(4.75, 9.5);
+  ASSERT_NE(find_crossing(surface.outline).first, -1);
+  const Crossings found = remove_crossings(core::Geometry::planar, {0.5, 5}, surface);
+  EXPECT_EQ(found.first, -1);
+  EXPECT_EQ(found.laps, 1);
+  EXPECT_NEAR(area(surface), 100, 0.5);
+  EXPECT_EQ(find_crossing(surface.outline).first, -1);
+}
+
 }  // namespace
 }  // namespace parison::remesh
