@@ -63,6 +63,14 @@ def scene_bars():
     return table(["kind", "scenes", "counted", "inside", "inside, factor chosen without the scene", "bar over true error, median"], rows)
 
 
+def asked_accuracies():
+    found = store.read(store.ASKED, "tests/asked_accuracies --store")
+    rows = [[f"scenes {group}", str(one["scenes"]), ", ".join(f"{target:g}" for target in one["targets"]),
+             f"{one['reached']} of {one['count']}", *(f"{ratio:.1f}" for kind in ("cost", "cost_of_runs") for ratio in one[kind])]
+            for group, one in found.items()]
+    return table(["which", "scenes", "asked for, %", "reached", "cost, median", "largest", "cost of the runs alone, median", "largest"], rows)
+
+
 def difference_bars():
     found = store.read(store.DIFFERENCE_BARS, "tests/difference_bars --store")
     rows = [[line["kind"], str(line["changes"]), str(line["count"]), f"{100 * line['inside']:.0f} %", digits(line["width"]),
@@ -393,5 +401,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, difference_bars, difference_costs, production_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, asked_accuracies, difference_bars, difference_costs, production_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, perfect, press, laps, sagging, shell, bands)}
