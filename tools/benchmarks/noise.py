@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scatter of the jar's wall when all tools are warmer by 0.001 to 0.02 K: what a discrete decision taken otherwise changes."""
+"""Scatter of a wall when all tools are warmer by 0.001 to 0.02 K: what a discrete decision taken otherwise changes."""
 import math
 import re
+import sys
 
-from benchmarks.common import ROOT, Figure, build, parison, read_summary
+from benchmarks.common import ROOT, Figure, build, new_path, parison, read_summary
 
-RUNS, WARMER = 20, 0.001  # K, from one run to the next
+RUNS, RUNS_OF_CONTAINER, WARMER = 20, 10, 0.001  # K, from one run to the next
 TARGETS = {"draft": 0.2, "standard": 0.08}  # %
 
 
@@ -25,16 +26,34 @@ def deviations(profile):
     return [(v - mean - slope * i) / mean for i, v in zip(places, profile)]
 
 
+def scatter(case, accuracy, runs):
+    """Root mean square over all places and runs, %, and that of the place where it is largest."""
+    text = case.read_text(encoding="utf-8")
+    profiles = []
+    for i in range(runs):
+        _, folder = parison(case, accuracy, *warmer(text, i * WARMER))
+        profiles.append(read_summary(folder)["thickness_profile_mm"])
+    places = [sum(d * d for d in deviations(place)) / (runs - 2) for place in zip(*profiles) if None not in place]
+    return 100 * math.sqrt(sum(places) / len(places)), 100 * math.sqrt(max(places))
+
+
 def section(options):
     build("parison")
-    text = (ROOT / "cases/jar/case.toml").read_text()
     for accuracy in [options.accuracy] if options.accuracy else ["draft"]:
-        profiles = []
-        for i in range(RUNS):
-            _, folder = parison(ROOT / "cases/jar", accuracy, *warmer(text, i * WARMER))
-            profiles.append(read_summary(folder)["thickness_profile_mm"])
-        places = [place for place in zip(*profiles) if None not in place]
-        squares = [d * d for place in places for d in deviations(place)]
-        scatter = 100 * math.sqrt(sum(squares) / (len(places) * (RUNS - 2)))
         yield Figure(f"noise.{accuracy}", f"scatter of the jar's wall place by place, tools warmer by mK, {RUNS} runs, {accuracy}",
-                     scatter, TARGETS.get(accuracy), unit="%")
+                     scatter(ROOT / "cases/jar/case.toml", accuracy, RUNS)[0], TARGETS.get(accuracy), unit="%")
+
+
+def containers(options):
+    """The same of the random containers with a reference."""
+    sys.path.insert(0, str(ROOT / "tests"))
+    from containers import references  # pylint: disable=import-outside-toplevel
+    build("parison")
+    accuracy = options.accuracy or "draft"
+    for name in references.references():
+        seed, number = name.split("/")
+        _, case = references.write_case(seed, int(number[:3]), new_path("container"))
+        everywhere, worst = scatter(case, accuracy, RUNS_OF_CONTAINER)
+        what = f"container {number} of seed {seed}, {RUNS_OF_CONTAINER} runs, {accuracy}"
+        yield Figure(f"noise.{accuracy}.{number}", f"scatter of the wall of {what}, place by place", everywhere, unit="%")
+        yield Figure(f"noise.{accuracy}.{number}.worst", f"scatter at the worst place of {what}", worst, unit="%")

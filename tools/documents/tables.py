@@ -63,6 +63,15 @@ def scene_bars():
     return table(["kind", "scenes", "counted", "inside", "inside, factor chosen without the scene", "bar over true error, median"], rows)
 
 
+def noise():
+    stored = store.read(store.BENCHMARKS, "tools/bench noise container_noise --save")
+    rows = [["the bundled jar, 20 runs", percent("noise.draft"), "", percent("noise.standard")]]
+    for key in sorted(key for key in stored if key.startswith("noise.draft.") and not key.endswith(".worst")):
+        number, family = key.rsplit(".", 1)[1].split("_", 1)
+        rows.append([f"random container {int(number)}, {family.replace('_', ' ')}, 10 runs", percent(key), percent(f"{key}.worst"), ""])
+    return table(["wall of", "draft, all places", "worst place", "standard, all places"], rows)
+
+
 def asked_accuracies():
     found = store.read(store.ASKED, "tests/asked_accuracies --store")
     rows = [[f"scenes {group}", str(one["scenes"]), ", ".join(f"{target:g}" for target in one["targets"]),
@@ -401,5 +410,5 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, asked_accuracies, difference_bars, difference_costs, production_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, noise, asked_accuracies, difference_bars, difference_costs, production_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, perfect, press, laps, sagging, shell, bands)}
