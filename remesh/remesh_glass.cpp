@@ -69,6 +69,7 @@ Remeshed mesh_anew(const Mesh& old, const Criteria& criteria, const SizeField& s
   const Crossings crossings = remove_crossings(
       criteria.geometry, {max_lap * volume, max_torn * volume, core::tolerance::torn_neck * core::size(old)}, surface);
   result.laps += crossings.laps, result.lap_volume += crossings.lap_volume;
+  result.enclosed = crossings.enclosed, result.enclosed_volume = crossings.enclosed_volume;
   result.torn = crossings.torn, result.torn_volume = crossings.torn_volume;
   if (crossings.first >= 0) {
     result.reason = describe(crossings, surface, volume);

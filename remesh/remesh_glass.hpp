@@ -14,6 +14,8 @@ struct Remeshed {
   double volume_before = 0, volume_after = 0;  ///< m3
   int laps = 0;                                ///< small folds of the surface onto itself that were closed
   double lap_volume = 0;                       ///< of the air closed in there, which the glass elsewhere gave, m3
+  int enclosed = 0;                            ///< places at which glass has joined around more air than in a fold
+  double enclosed_volume = 0;                  ///< of that air, m3
   int torn = 0;                                ///< pieces that had torn off, whose glass was given to the rest
   double torn_volume = 0;                      ///< m3
   double coarsening_factor = 1;                ///< than the criteria ask for, for the sake of max_cells

@@ -178,6 +178,8 @@ void accumulate(const Scene& scene, const State& state, RemeshReason why, const 
   statistics.coarsening_factor = std::max(statistics.coarsening_factor, made.coarsening_factor);
   statistics.laps += made.laps;
   statistics.lap_volume += made.lap_volume;
+  statistics.enclosed += made.enclosed;
+  statistics.enclosed_volume += made.enclosed_volume;
   statistics.torn += made.torn;
   statistics.torn_volume += made.torn_volume;
   const auto quality = remesh::quality(mesh);

@@ -117,6 +117,8 @@ void add_remeshing(JsonWriter& json, const State& state, const Summary& summary)
   json.add("failed", static_cast<long>(statistics.failed));
   json.add("laps", static_cast<long>(statistics.laps));
   json.add("lap_volume_m3", statistics.lap_volume);
+  json.add("enclosed_air", static_cast<long>(statistics.enclosed));
+  json.add("enclosed_air_volume_m3", statistics.enclosed_volume);
   json.add("torn_pieces", static_cast<long>(statistics.torn));
   json.add("torn_volume_m3", statistics.torn_volume);
   json.add("heat_drift", statistics.heat / heat);

@@ -21,7 +21,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 13;
+constexpr std::int64_t format_version = 14;
 
 struct Writer {
   Hdf5Group group;

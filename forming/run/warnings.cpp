@@ -142,6 +142,12 @@ Warnings remeshing_warnings(const State& state) {
         remeshing.laps == 1 ? "one point" : fmt::format("{} points", remeshing.laps),
         remeshing.laps == 1 ? "The fold was" : "The folds were", remeshing.laps == 1 ? "encloses" : "enclose",
         1e9 * remeshing.lap_volume));
+  if (remeshing.enclosed > 0)
+    warnings.push_back(fmt::format(
+        "glass met glass at {} and joined around {:.2g} mm3 of air, whose pressure is not counted: the container would "
+        "have a bubble there. A hotter gob or less friction fills the tools without one; the VTU files show where",
+        remeshing.enclosed == 1 ? "one place" : fmt::format("{} places", remeshing.enclosed),
+        1e9 * remeshing.enclosed_volume));
   if (remeshing.torn > 0)
     warnings.push_back(fmt::format(
         "{}, {:.2g} mm3, tore off where the glass had thinned to nothing. That glass was given to the rest; on a "

@@ -112,6 +112,8 @@ struct RemeshStatistics {
   Index failed = 0;                   ///< new meshes that could not be made
   double lap_volume = 0;              ///< of the air in those, m3
   Index laps = 0;                     ///< small folds of the glass onto itself that were closed
+  Index enclosed = 0;                 ///< places at which glass met glass and joined around air
+  double enclosed_volume = 0;         ///< of that air when it was enclosed, m3
   Index torn = 0;                     ///< pieces that tore off, whose glass was given to the rest
   double torn_volume = 0;             ///< of those, m3
   double coarsening_factor = 1;       ///< by which a mesh was coarser than asked for, for the sake of max_cells

@@ -89,6 +89,8 @@ void visit_remeshing(Visitor visit, Statistics& remeshing) {
   visit("failed", remeshing.failed);
   visit("laps", remeshing.laps);
   visit("lap_volume", remeshing.lap_volume);
+  visit("enclosed", remeshing.enclosed);
+  visit("enclosed_volume", remeshing.enclosed_volume);
   visit("torn", remeshing.torn);
   visit("torn_volume", remeshing.torn_volume);
   visit("coarsening_factor", remeshing.coarsening_factor);

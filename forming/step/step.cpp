@@ -23,6 +23,7 @@
 #include "forming/step/step_start.hpp"
 #include "forming/step/symmetry_planes.hpp"
 #include "remesh/mesher/quality.hpp"
+#include "remesh/surface/outline.hpp"
 
 namespace parison::forming {
 
@@ -118,6 +119,19 @@ bool has_no_edge_in_tools(const StepStart& start, StepResult& result) {
   return depth == 0;
 }
 
+/// Whether the step has moved no glass into glass, but as little as the next mesh gives to the rest of the surface.
+bool has_no_glass_in_glass(const StepStart& start, StepResult& result) {
+  constexpr double allowed = 1e-3;  // of the volume
+  const core::Geometry geometry = start.scene.geometry;
+  const core::Mesh& mesh = result.state.glass.mesh;
+  if (start.dt <= min_step_ratio * start.scene.accuracy.initial_step || !remesh::crosses_itself(mesh)) return true;
+  const double gained =
+      (remesh::overlap_volume(geometry, mesh) - remesh::overlap_volume(geometry, start.state.glass.mesh)) /
+      start.state.glass.initial_volume;
+  if (gained > allowed) result.reason = fmt::format("the step moves {:.2g} % of the glass into glass", 100 * gained);
+  return gained <= allowed;
+}
+
 /// Whether the temperatures in the middle of the next step can be predicted: not in a stage's first, which does not
 /// know how they change.
 bool predicts_temperature(const Scene& scene, const State& state) {
@@ -133,7 +147,7 @@ bool pass_once(const StepStart& start, MidpointPredictor& predictor, Workspace& 
   if (scene.has_flow() && !has_no_inverted_cells(result)) return false;
   if (!step_heat(scene, dt, workspace, result)) return false;
   move_bodies(scene, 0.5 * dt, result.state);
-  return !scene.has_flow() || has_no_inverted_cells(result);
+  return !scene.has_flow() || (has_no_inverted_cells(result) && has_no_glass_in_glass(start, result));
 }
 
 }  // namespace

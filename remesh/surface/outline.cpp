@@ -2,8 +2,10 @@
 #include "remesh/surface/outline.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
+#include "core/mesh/element.hpp"
 #include "core/mesh/profile.hpp"
 #include "remesh/surface/curve.hpp"
 
@@ -60,6 +62,38 @@ bool crosses_itself(const Mesh& mesh) {
     chords.push_back({mesh.nodes[middle], mesh.nodes[last], middle, last});
   }
   return core::find_crossing(chords).first >= 0;
+}
+
+double overlap_volume(core::Geometry geometry, const Mesh& mesh) {
+  constexpr int lines = 1024, inside_once = 1;
+  std::vector<std::pair<Point, Point>> chords;
+  double bottom = std::numeric_limits<double>::infinity(), top = -bottom;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
+    const auto [first, last, middle] = edge.nodes;
+    chords.emplace_back(mesh.nodes[first], mesh.nodes[middle]);
+    chords.emplace_back(mesh.nodes[middle], mesh.nodes[last]);
+    bottom = std::min(bottom, mesh.nodes[first][1]);
+    top = std::max(top, mesh.nodes[first][1]);
+  }
+  const double height = (top - bottom) / lines;
+  double volume = 0;
+  for (int line = 0; line < lines; ++line) {
+    const double z = bottom + (line + 0.5) * height;
+    std::vector<std::pair<double, int>> crossings;  // place, 1 where the body begins beyond it, -1 where it ends
+    for (const auto& [from, to] : chords)
+      if ((from[1] < z) != (to[1] < z))
+        crossings.emplace_back(from[0] + (z - from[1]) / (to[1] - from[1]) * (to[0] - from[0]),
+                               to[1] < from[1] ? 1 : -1);
+    std::sort(crossings.begin(), crossings.end());
+    int times = 0;
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+      times += crossings[i].second;
+      const double left = crossings[i].first, right = crossings[i + 1].first;
+      if (times > inside_once)
+        volume += (times - 1) * (right - left) * height * core::depth(geometry, Point(0.5 * (left + right), z));
+    }
+  }
+  return volume;
 }
 
 namespace {

@@ -29,6 +29,9 @@ std::pair<core::Index, core::Index> find_crossing(const Outline& outline);
 /// Whether the surface of a body, symmetry lines aside, crosses itself: it has folded onto itself or been torn.
 bool crosses_itself(const core::Mesh& mesh);
 
+/// Volume that a body fills twice because its surface has passed through itself, m3, by 1024 lines across its height.
+double overlap_volume(core::Geometry geometry, const core::Mesh& mesh);
+
 /// Takes a point that lies inside a tool out to its surface; others stay to the bit. Empty where there are no tools.
 using ExteriorProjection = std::function<core::Point(const core::Point&)>;
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "remesh/mesher/mesh_profile.hpp"
 #include "remesh/profiles.hpp"
 #include "remesh/surface/repair/lap.hpp"
+#include "remesh/surface/repair/loops.hpp"
 
 namespace parison::remesh {
 namespace {
@@ -159,6 +163,114 @@ TEST(Crossings, edges_that_only_their_mid_points_keep_apart_are_cut_too) {
   EXPECT_EQ(found.laps, 1);
   EXPECT_NEAR(area(surface), 100, 0.5);
   EXPECT_EQ(find_crossing(surface.outline).first, -1);
+}
+
+/// Areas of the loops of a surface with straight edges, positive around glass, negative around air.
+std::vector<double> loop_areas(const Surface& surface) {
+  std::vector<double> areas;
+  for (std::size_t k = 0; k + 1 < surface.outline.loop_start.size(); ++k)
+    areas.push_back(loop_volume(surface.outline, surface.outline.loop_start[k], core::Geometry::planar));
+  return areas;
+}
+
+/// A block of 10 by 10 with a slot, open at the right, whose upper lip dips by `dip` into the lower one.
+Surface lipped_block(double dip, Index first = 0) {
+  std::vector<Point> points{{0, 0},   {10, 0},  {10, 3},  {8, 3},   {6, 3},   {4, 3},   {2, 3},         {2, 7},
+                            {4, 7},   {6, 7},   {8, 7},   {8.1, 6}, {8.2, 5}, {8.3, 4}, {8.5, 3 - dip}, {9.5, 3 - dip},
+                            {9.7, 4}, {9.8, 5}, {9.9, 6}, {10, 7},  {10, 10}, {0, 10}};
+  std::rotate(points.begin(), points.begin() + first, points.end());
+  return polygon(points);
+}
+
+TEST(Crossings, glass_that_meets_glass_around_much_air_joins_and_the_air_gets_a_loop) {
+  for (Index first = 0; first < 22; ++first) {
+    Surface surface = lipped_block(0.1, first);
+    const Crossings found = remove_crossings(core::Geometry::planar, {0.5, 1}, surface);
+    EXPECT_EQ(found.first, -1) << first;
+    EXPECT_EQ(found.enclosed, 1) << first;
+    EXPECT_EQ(found.torn, 0) << first;
+    const std::vector<double> areas = loop_areas(surface);
+    ASSERT_EQ(areas.size(), 2u) << first;
+    EXPECT_NEAR(areas[0], 100, 3) << first;
+    EXPECT_LT(areas[1], -20) << first;
+    EXPECT_NEAR(found.enclosed_volume, -areas[1], 2) << first;
+    if (first < 3 || first > 16)  // else that vertex is at the air or gone
+      EXPECT_EQ(surface.outline.vertices.front(), lipped_block(0.1, first).outline.vertices.front()) << first;
+  }
+}
+
+/// A surface with one loop more.
+Surface with_loop(Surface surface, const Surface& loop, double scale) {
+  for (Index i = 0; i < loop.outline.edge_count(); ++i) {
+    surface.outline.vertices.push_back(scale * loop.outline.vertices[i]);
+    surface.outline.mids.push_back(scale * loop.outline.mids[i]);
+    surface.outline.boundary_ids.push_back(0);
+  }
+  surface.outline.loop_start.push_back(surface.outline.edge_count());
+  for (std::vector<bool>* flags : {&surface.contact, &surface.fixed})
+    flags->assign(2 * surface.outline.vertices.size(), false);
+  return surface;
+}
+
+TEST(Crossings, a_bubble_whose_sides_meet_is_filled_when_it_is_small_and_divided_when_it_is_large) {
+  const auto with_bubble = [](double scale) {
+    Surface surface = polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    const Surface bubble = polygon({{2, 4},
+                                    {2, 5},
+                                    {2, 6},
+                                    {4, 5.6},
+                                    {5, 4.9},
+                                    {6, 5.6},
+                                    {8, 6},
+                                    {8, 5},
+                                    {8, 4},
+                                    {6, 4.4},
+                                    {5, 5.1},
+                                    {4, 4.4}});  // pinched in the middle
+    return with_loop(surface, bubble, scale);
+  };
+  Surface small = with_bubble(0.1), large = with_bubble(1);
+  EXPECT_EQ(remove_crossings(core::Geometry::planar, {0.5, 1}, small).laps, 1);
+  EXPECT_EQ(loop_areas(small).size(), 1u);
+  const Crossings found = remove_crossings(core::Geometry::planar, {0.5, 1}, large);
+  EXPECT_EQ(found.first, -1);
+  EXPECT_EQ(found.enclosed, 0) << "it was enclosed before";
+  EXPECT_EQ(find_crossing(large.outline).first, -1);
+}
+
+TEST(Crossings, a_bubble_that_breaks_through_the_surface_opens) {
+  const Surface block = polygon({{0, 0}, {10, 0}, {10, 4}, {10, 4.7}, {10, 5.3}, {10, 6}, {10, 10}, {0, 10}});
+  Surface surface = with_loop(block, polygon({{9, 4}, {9, 6}, {9.8, 5.4}, {10.1, 5}, {9.8, 4.6}}), 1);
+  const Crossings found = remove_crossings(core::Geometry::planar, {0.1, 1}, surface);
+  EXPECT_EQ(found.first, -1);
+  ASSERT_EQ(loop_areas(surface).size(), 1u);
+  EXPECT_NEAR(loop_areas(surface)[0], 98.7, 0.3);
+}
+
+TEST(Crossings, a_lap_over_the_begin_of_a_loop_is_cut_off_like_any_other) {
+  for (Index first = 0; first < 9; ++first) {
+    std::vector<Point> points{{0, 0},   {10, 0},    {10, 10},   {5.1, 10}, {4.9, 9.7},
+                              {5, 9.4}, {5.2, 9.7}, {4.95, 10}, {0, 10}};
+    std::rotate(points.begin(), points.begin() + first, points.end());
+    Surface surface = polygon(points);
+    const Crossings found = remove_crossings(core::Geometry::planar, {0.5, 5}, surface);
+    EXPECT_EQ(found.first, -1) << first;
+    EXPECT_GE(found.laps, 1) << first;
+    EXPECT_NEAR(area(surface), 100, 0.5) << first;
+  }
+}
+
+TEST(Crossings, the_volume_that_glass_fills_twice_is_measured) {
+  const auto overlap = [](double shift) {
+    core::Mesh mesh = slotted_plate();
+    for (Point& x : mesh.nodes)
+      if (x[1] > 5e-3 && x[0] > 10e-3) x[1] -= shift * (x[0] - 10e-3) / 20e-3;
+    return overlap_volume(core::Geometry::planar, mesh);
+  };
+  EXPECT_EQ(overlap(0), 0);
+  EXPECT_EQ(overlap(1.99e-3), 0);
+  // The upper side is 1 mm too deep at its end: a triangle from the middle of the slot on.
+  EXPECT_NEAR(overlap(3e-3), 0.5 * 1e-3 * 20e-3 / 3, 0.02 * 0.5 * 1e-3 * 20e-3 / 3);
 }
 
 }  // namespace

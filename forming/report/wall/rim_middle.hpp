@@ -16,10 +16,11 @@ struct RimApproach {
   double steady;    ///< length over which the surface must keep its direction to count as the other side, m
 };
 
-/// The arc, m, of the middle of the rim: half-way between where the surface has turned by 60 degrees from the wall's
-/// direction and where it has by 120, for the last time in both cases, as glass may swell over a rim that is held. It
-/// depends on the shape alone, while the edges that count as rim depend on where the mesh has its nodes. Not a number
-/// where the surface does not turn so far on its way to a symmetry boundary.
+/// The arc, m, of the middle of the rim: of a rim that is held, of its boundary; of a free one half-way between where
+/// the surface has turned by 60 degrees from the wall's direction and where it has by 120, for the last time in both
+/// cases, as glass may swell over a rim that is held. It depends on the shape alone, while the edges that count as rim
+/// depend on where the mesh has its nodes. Not a number where the surface does not turn so far on its way to a symmetry
+/// boundary.
 double rim_middle(const core::Mesh& mesh, const RimApproach& approach);
 
 }  // namespace parison::forming

@@ -16,17 +16,17 @@ constexpr double least_room = 0.5;
 /// Least cosine between a ray and the normal at its end beside a rim, where the sides bend towards each other.
 constexpr double facing_at_rim = 0.97;
 
-/// Which rows lie between a rim, where it may be round, and the first ray that meets the other side face to face; where
-/// none does so within one and a half times its length, as in a wall that tapers, up to the nearest pair that tells the
-/// sides.
+/// Which rows lie between a free rim, which may be round, and the first ray that meets the other side face to face;
+/// where none does so within one and a half times its length, as in a wall that tapers, up to the nearest pair that
+/// tells the sides.
 class RowsBesideRim {
  public:
   RowsBesideRim(const std::vector<ThicknessRow>& rows, const std::vector<Index>& nodes, const std::vector<Ray>& rays,
-                const std::vector<bool>& on_rim, const std::vector<bool>& paired)
+                const std::vector<bool>& on_rim, const std::vector<bool>& held, const std::vector<bool>& paired)
       : rows_(rows), nodes_(nodes), rays_(rays), on_rim_(on_rim), paired_(paired), beside_(rows.size(), false) {
     const auto count = static_cast<Index>(rows.size());
     for (Index i = 0; i < count; ++i) {
-      if (!on_rim_[nodes_[i]]) continue;
+      if (!on_rim_[nodes_[i]] || held[nodes_[i]]) continue;
       if (i + 1 < count && !on_rim_[nodes_[i + 1]]) mark(i, 1);
       if (i > 0 && !on_rim_[nodes_[i - 1]]) mark(i, -1);
     }
@@ -76,6 +76,15 @@ std::vector<bool> nodes_on_rim(const core::Mesh& mesh, const WallSides& sides) {
   return on_rim;
 }
 
+/// The nodes of boundaries of a kind.
+std::vector<bool> nodes_of_kind(const core::Mesh& mesh, BoundaryKind kind) {
+  const std::vector<bool> wanted = core::boundaries_of_kind(mesh, kind);
+  std::vector<bool> found(mesh.nodes.size(), false);
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    for (const Index node : edge.nodes) found[node] = found[node] || wanted[edge.boundary_id];
+  return found;
+}
+
 /// Whether a ray from the outer side ends on the other one; of a mirrored wall, on its mirror image.
 bool ends_opposite(const WallSides& sides, const Ray& ray) {
   const SurfacePart opposite = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
@@ -88,7 +97,7 @@ std::vector<Facing> mark_rows(const core::Mesh& mesh, const WallSides& sides, co
                               const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
   const std::vector<bool> both = edges_of(sides, {SurfacePart::outer, SurfacePart::inner});
   const std::vector<bool> on_rim = nodes_on_rim(mesh, sides);
-  const RowsBesideRim beside_rim(rows, nodes, rays, on_rim, sides.paired);
+  const RowsBesideRim beside_rim(rows, nodes, rays, on_rim, nodes_of_kind(mesh, BoundaryKind::fixed), sides.paired);
   std::vector<Facing> facing(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Ray& ray = rays[nodes[i]];
@@ -104,15 +113,6 @@ std::vector<Facing> mark_rows(const core::Mesh& mesh, const WallSides& sides, co
   return facing;
 }
 
-/// Whether the surface goes on, as its mirror image, beyond each node.
-std::vector<bool> nodes_on_symmetry(const core::Mesh& mesh) {
-  const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
-  std::vector<bool> found(mesh.nodes.size(), false);
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
-    for (const Index node : edge.nodes) found[node] = found[node] || symmetry[edge.boundary_id];
-  return found;
-}
-
 /// Rows [begin, end) that are wall one after the other, and their length, a mirror image included, m.
 struct Stretch {
   std::size_t begin, end;
@@ -120,7 +120,7 @@ struct Stretch {
 };
 std::vector<Stretch> wall_stretches(const core::Mesh& mesh, const std::vector<Index>& nodes,
                                     const std::vector<ThicknessRow>& rows) {
-  const std::vector<bool> on_symmetry = nodes_on_symmetry(mesh);
+  const std::vector<bool> on_symmetry = nodes_of_kind(mesh, BoundaryKind::symmetry);  // the mirror image goes on
   std::vector<Stretch> stretches;
   for (std::size_t begin = 0; begin < rows.size(); ++begin) {
     std::size_t end = begin;

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/element.hpp"
 #include "core/mesh/profile.hpp"
+#include "remesh/surface/repair/loops.hpp"
 
 namespace parison::remesh {
 
@@ -19,39 +19,16 @@ using core::Point;
 namespace {
 
 constexpr int max_crossings = 16;
-constexpr int min_edges = 3;  ///< smallest number of edges of a loop
-
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-/// Volume between the outline from vertex `begin` to vertex `end` and the chord between them, m3; positive where it is
-/// on the left, as the body is.
-double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry geometry) {
-  const Point& from = outline.vertices[begin];
-  double volume = 0;
-  Point last = from;
-  const auto go_to = [&](const Point& x) {
-    volume += 0.5 * cross(last - from, x - from) * core::depth(geometry, (from + last + x) / 3);
-    last = x;
-  };
-  for (Index i = begin; i < end; ++i) {
-    go_to(outline.mids[i]);
-    go_to(outline.vertices[i + 1]);
-  }
-  return volume;
-}
 
 /// Whether most vertices between `begin` and `end` lie outside what the other vertices of their loop enclose.
 bool lies_outside(const Outline& outline, Index begin, Index end) {
-  const auto after = std::upper_bound(outline.loop_start.begin(), outline.loop_start.end(), begin);
   core::Profile rest;
   const auto add = [&](Index from, Index to) {
     core::Segment segment;
     segment.start = outline.vertices[from], segment.end = outline.vertices[to];
     rest.segments.push_back(segment);
   };
-  const Index loop_begin = *(after - 1), loop_end = *after;
+  const auto [loop_begin, loop_end] = loop_of(outline, begin);
   add(begin, end);
   for (Index i = end; i + 1 < loop_end; ++i) add(i, i + 1);
   add(loop_end - 1, loop_begin);
@@ -65,9 +42,8 @@ bool lies_outside(const Outline& outline, Index begin, Index end) {
 /// no fixed mid points, and lie on one boundary or on two of which the second continues behind them.
 bool may_cut(const Surface& surface, Index begin, Index end) {
   const Outline& outline = surface.outline;
-  const auto after = std::upper_bound(outline.loop_start.begin(), outline.loop_start.end(), begin);
-  if (after == outline.loop_start.end() || end >= *after || *after - *(after - 1) - (end - begin) + 1 < min_edges)
-    return false;
+  const auto [loop_begin, loop_end] = loop_of(outline, begin);
+  if (end >= loop_end || loop_end - loop_begin - (end - begin) + 1 < min_edges) return false;
   int changes = 0;
   for (Index i = begin; i < end; ++i) {
     if (surface.fixed[outline.edge_count() + i]) return false;
@@ -100,8 +76,8 @@ void cut(Surface& surface, Index begin, Index end) {
 void join_short(Surface& surface, Index edge) {
   constexpr double is_short = 0.1;
   Outline& outline = surface.outline;
-  const auto after = std::upper_bound(outline.loop_start.begin(), outline.loop_start.end(), edge);
-  const Index loop_begin = *(after - 1), loop_end = *after, count = outline.edge_count();
+  const auto [loop_begin, loop_end] = loop_of(outline, edge);
+  const Index count = outline.edge_count();
   if (edge == loop_begin || edge + 2 >= loop_end || loop_end - loop_begin <= min_edges) return;
   const auto chord = [&](Index i) { return (outline.vertices[i + 1] - outline.vertices[i]).norm(); };
   if (chord(edge) > is_short * std::min(chord(edge - 1), chord(edge + 1))) return;
@@ -179,29 +155,121 @@ void tear_necks(core::Geometry geometry, const CrossingLimits& limits, Surface& 
   }
 }
 
+bool is_movable(const Surface& surface, Index begin, Index end) {
+  for (Index i = begin; i < end; ++i)
+    if (surface.fixed[surface.outline.edge_count() + i]) return false;
+  return true;
+}
+
+/// Joins the glass where the edges `first` and `last` of a loop cross: what lies between them becomes a loop of its
+/// own, around the air that is enclosed. Glass counted twice, which is left of a loop around air, goes.
+void enclose(core::Geometry geometry, Index first, Index last, Surface& surface) {
+  const bool was_air = loop_volume(surface.outline, first, geometry) < 0;
+  const Index joint = reconnect(surface, first, last).first;
+  const auto [begin, end] = loop_of(surface.outline, joint);
+  if (end - begin < min_edges || (was_air && loop_volume(surface.outline, joint, geometry) > 0))
+    erase_loop(surface, joint);
+}
+
+/// The removal of the crossings of one surface.
+class Removal {
+ public:
+  Removal(core::Geometry geometry, const CrossingLimits& limits, Surface& surface, Crossings& found)
+      : geometry_(geometry), limits_(limits), surface_(surface), found_(found) {}
+
+  /// Removes the crossing of two edges, `first` before `last`; false where it has to stay.
+  bool remove(Index first, Index last) {
+    if (++rounds_ > max_rounds) return false;
+    const auto [begin, behind] = loop_of(surface_.outline, first);
+    if (last >= behind) return open_film(first, last);
+    const double whole = loop_volume(surface_.outline, first, geometry_),
+                 between = volume_cut(surface_.outline, first, last + 1, geometry_);
+    if (whole > 0 && between > 0.5 * whole) return turn(begin, last);
+    if (last + 1 == behind && first > begin) return turn(begin, first);
+    if (whole < 0 && -whole <= limits_.lap) return fill_air(first, whole);
+    if (-between > limits_.lap && last - first >= min_edges) return enclose_air(first, last, whole, between);
+    return cut_off(first, last, whole, between);
+  }
+  /// Lets the loops begin where they did.
+  void turn_back() {
+    for (const Point& start : starts_) {
+      const auto& vertices = surface_.outline.vertices;
+      const auto found = std::find(vertices.begin(), vertices.end(), start);
+      if (found != vertices.end()) rotate_loop(surface_, static_cast<Index>(found - vertices.begin()));
+    }
+  }
+
+ private:
+  static constexpr int max_rounds = 100;
+
+  /// The film between two bubbles, or between one and the outside, has torn.
+  bool open_film(Index first, Index last) {
+    reconnect(surface_, first, last);
+    return true;
+  }
+  /// Where what lies between the edges is the body, and the rest of its loop the smaller part, or that ends with the
+  /// loop.
+  bool turn(Index begin, Index to) {
+    starts_.push_back(surface_.outline.vertices[begin]);
+    rotate_loop(surface_, to);
+    return true;
+  }
+  /// A bubble whose sides have met.
+  bool fill_air(Index edge, double whole) {
+    erase_loop(surface_, edge);
+    ++found_.laps;
+    found_.lap_volume -= whole;
+    return true;
+  }
+  bool enclose_air(Index first, Index last, double whole, double between) {
+    if (!is_movable(surface_, first, last + 1) || (whole > 0 && lies_outside(surface_.outline, first, last + 1)))
+      return stays(first, last, between, false);
+    enclose(geometry_, first, last, surface_);
+    if (whole > 0) {
+      ++found_.enclosed;
+      found_.enclosed_volume -= between;
+    }
+    return true;
+  }
+  bool cut_off(Index first, Index last, double whole, double between) {
+    const bool torn = whole > 0 && between > 0 && lies_outside(surface_.outline, first, last + 1);
+    if (!may_cut(surface_, first, last + 1) || std::abs(between) > (torn ? limits_.torn : limits_.lap))
+      return stays(first, last, between, torn);
+    cut(surface_, first, last + 1);
+    join_short(surface_, first);
+    ++(torn ? found_.torn : found_.laps);
+    (torn ? found_.torn_volume : found_.lap_volume) += std::abs(between);
+    return true;
+  }
+  bool stays(Index first, Index last, double volume, bool torn) {
+    found_.first = first, found_.second = last;
+    found_.left_volume = std::abs(volume), found_.left_torn = torn;
+    return false;
+  }
+
+  core::Geometry geometry_;
+  const CrossingLimits& limits_;
+  Surface& surface_;
+  Crossings& found_;
+  std::vector<Point> starts_;  ///< of loops that have been turned
+  int rounds_ = 0;
+};
+
 }  // namespace
 
 Crossings remove_crossings(core::Geometry geometry, const CrossingLimits& limits, Surface& surface) {
   Crossings found;
   if (limits.neck > 0) tear_necks(geometry, limits, surface, found);
-  for (;;) {
-    const auto [first, second] = find_crossing(surface.outline);
-    if (first < 0) return found;
-    const auto [begin, last] = std::minmax(first, second);
-    const Index end = last + 1;
-    const bool may = may_cut(surface, begin, end);
-    const double volume = may ? volume_cut(surface.outline, begin, end, geometry) : 0;
-    const bool torn = volume > 0 && lies_outside(surface.outline, begin, end);
-    if (!may || found.laps + found.torn == max_crossings || std::abs(volume) > (torn ? limits.torn : limits.lap)) {
-      found.first = first, found.second = second;
-      found.left_volume = std::abs(volume), found.left_torn = torn;
+  Removal removal(geometry, limits, surface, found);
+  for (auto crossing = find_crossing(surface.outline); crossing.first >= 0; crossing = find_crossing(surface.outline)) {
+    const auto [first, last] = std::minmax(crossing.first, crossing.second);
+    if (!removal.remove(first, last)) {
+      found.first = first, found.second = last;
       return found;
     }
-    cut(surface, begin, end);
-    join_short(surface, begin);
-    ++(torn ? found.torn : found.laps);
-    (torn ? found.torn_volume : found.lap_volume) += std::abs(volume);
   }
+  removal.turn_back();
+  return found;
 }
 
 }  // namespace parison::remesh

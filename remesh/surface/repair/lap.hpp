@@ -15,6 +15,8 @@ struct CrossingLimits {
 struct Crossings {
   int laps = 0;                         ///< notches and overlaps
   double lap_volume = 0;                ///< of the air enclosed in them, or of the overlap, m3
+  int enclosed = 0;                     ///< places at which glass has joined around more air than in a lap
+  double enclosed_volume = 0;           ///< of that air, m3
   int torn = 0;                         ///< pieces that had torn off
   double torn_volume = 0;               ///< m3
   core::Index first = -1, second = -1;  ///< first vertices of two edges that still cross; -1 without such
@@ -23,9 +25,11 @@ struct Crossings {
 };
 
 /// Removes the places where a surface crosses itself. Where glass has folded onto itself, the notch in between is cut
-/// off by a chord. Where a neck of the glass has become so thin that its sides have crossed, the smaller piece behind
-/// it has torn off and is cut off as well; so it is where the neck is thinner than the limit. What is greater than the
-/// limits is left as it is.
+/// off by a chord; where it is greater than the limit, the glass joins there, and the air gets a loop of its own. Where
+/// the film between two loops has torn, they become one; a loop of little air whose sides have met is filled. Where a
+/// neck of the glass has become so thin that its sides have crossed, the smaller piece behind it has torn off and is
+/// cut off as well; so it is where the neck is thinner than the limit. What is greater than the limits is left as it
+/// is.
 Crossings remove_crossings(core::Geometry geometry, const CrossingLimits& limits, Surface& surface);
 
 }  // namespace parison::remesh

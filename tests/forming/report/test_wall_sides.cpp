@@ -299,6 +299,19 @@ TEST(WallSides, glass_that_swells_over_a_held_rim_does_not_move_its_middle) {
   EXPECT_NEAR(end_with(0.06), end_with(0.001), 0.1);
 }
 
+TEST(WallSides, the_middle_of_a_held_rim_is_that_of_its_boundary_however_steeply_the_wall_leaves_it) {
+  for (const double dip : {0.0, 1.0, 2.0, 2.6}) {
+    const std::string inner =
+        fmt::format("\"(31.2, {}) (29, {}) (25.2, 1) (21.8, -16) (0, -16) mm\"", 4 - dip, 3.6 - dip);
+    const ThicknessProfile cup =
+        profile_of("axisymmetric", boundary("outer", "\"(0, -20) (24, -20) (28, 0) (32, 0) mm\"") +
+                                       boundary("rim", "\"(32, 4) mm\"", "fixed") + boundary("inner", inner) +
+                                       boundary("axis", "\"(0, -20) mm\"", "symmetry"));
+    ASSERT_EQ(cup.no_wall, "") << dip;
+    EXPECT_NEAR(cup.last_arc, 24e-3 + std::hypot(4e-3, 20e-3) + 6e-3, 1e-8) << dip;
+  }
+}
+
 TEST(WallSides, a_heavy_dish_has_a_bottom_and_a_flange_ends_in_a_rim) {
   const auto dish =
       profile_of("axisymmetric", boundary("all", "\"(0, 0) (60, 0) (60, 30) (45, 30) (40, 12) (0, 12) mm\"") +
