@@ -111,7 +111,7 @@ void add_friction(Estimator& e) {
 /// A stress that acts in addition to those that form the glass.
 void add_stress(Estimator& e, const char* name, bool in_scene, double stress, const MeasuredPart& jar) {
   const double strain = hot_strain(stress, lasting(e.scene), *e.numbers.viscosity);
-  constexpr const char* number_name = "strain it would cause in hot glass";
+  constexpr const char* number_name = "its stress times duration over viscosity";
   if (e.shape == Shaped::unformed)
     return e.add(name, in_scene, number_name, strain, strain, calibration().model_shapes.heat_of_strain * strain);
   // The loads that form the jar, and its cooling, suppress most of the strain. Where only a pressure forms the glass,

@@ -49,19 +49,30 @@ std::pair<double, Index> nearest_tool(const Scene& scene, const State& state) {
 }
 
 /// How far the glass would fall as it is onto the first of the stage's tools, m, and which it is; -1 where it would
-/// fall past them all. It falls by the distance to that tool again and again.
+/// fall past them all. It falls by the distance to that tool again and again, and first a little, off a tool that it
+/// touches with its other side.
 std::pair<double, Index> first_below(const Scene& scene, const State& state) {
-  constexpr double touches = 1e-6, farthest = 5;  // of the glass
+  constexpr double touches = 1e-6, little = 1e-4, farthest = 5;  // of the glass
   const double size = core::size(scene.glass.profile);
   const Point down = std::copysign(1.0, scene.stages[state.stage].gravity) * core::axis_direction();
   std::pair<double, Index> first{std::numeric_limits<double>::infinity(), -1};
   for (const auto& place : scene.stages[state.stage].tools) {
     State falling = state;
-    double fallen = 0, gap = std::numeric_limits<double>::infinity();
+    const auto gap_to_tool = [&] {
+      return tool_gaps(scene, falling, place.tool, std::numeric_limits<double>::infinity()).minCoeff();
+    };
+    const auto fall = [&](double by) {
+      for (Point& node : falling.glass.mesh.nodes) node += by * down;
+    };
+    double fallen = 0, gap = gap_to_tool();
+    if (gap <= touches * size) {
+      fall(little * size);
+      gap = gap_to_tool();
+    }
     while (fallen < farthest * size && gap > touches * size) {
-      gap = tool_gaps(scene, falling, place.tool, std::numeric_limits<double>::infinity()).minCoeff();
-      for (Point& node : falling.glass.mesh.nodes) node += gap * down;
+      fall(gap);
       fallen += gap;
+      gap = gap_to_tool();
     }
     if (gap <= touches * size) first = std::min(first, {fallen, place.tool});
   }

@@ -216,6 +216,9 @@ TEST_F(Pot, glass_above_the_tools_is_told_how_far_it_would_fall_onto_which) {
   EXPECT_NE(told.find("it would fall 3 mm along the axis onto " + name), std::string::npos) << told;
   for (Point& node : state.glass.mesh.nodes) node[1] -= 1;
   EXPECT_NE(unsupported_glass(scene, state).find("it would fall past all tools"), std::string::npos);
+  scene.stages[0].gravity = 9.81;
+  const std::string off = unsupported_glass(scene, initial_state(scene));
+  EXPECT_NE(off.find("it would fall past all tools"), std::string::npos) << "off the tool that it stands on: " << off;
 }
 
 TEST_F(Pot, a_run_that_cannot_go_on_says_where_and_leaves_its_results) {
