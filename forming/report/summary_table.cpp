@@ -167,10 +167,19 @@ std::string coarser_lines(const ErrorBars& bars) {
       bars.coarser.size() == 1 ? "a run" : "runs", factors, seconds);
 }
 
+/// What an accuracy that was asked for is that of, in the scene at hand.
+std::string controlled(const ErrorBars& bars) {
+  const bool wall = std::isfinite(bars.profile_mean), heat = std::isfinite(bars.heat);
+  return wall && heat ? "the wall in the mean and of the heat into tools"
+         : wall       ? "the wall in the mean"
+         : heat       ? "the heat into tools"
+                      : "each of the quantities above, as there is no wall and no heat into tools";
+}
+
 /// The runs that were made for an accuracy that was asked for, and whether it was reached.
-std::string control_lines(const AccuracyRecord& control) {
-  std::string text = fmt::format(
-      "\n  accuracy asked for: {:.3g} % of the wall in the mean and of the heat into tools\n", 100 * control.target);
+std::string control_lines(const ErrorBars& bars) {
+  const AccuracyRecord& control = *bars.control;
+  std::string text = fmt::format("\n  accuracy asked for: {:.3g} % of {}\n", 100 * control.target, controlled(bars));
   double seconds = 0;
   for (const ControlledRun& run : control.runs) {
     seconds += run.cpu_seconds;
@@ -194,7 +203,7 @@ std::string error_table(const ErrorBars& bars) {
   text += percent_line("wall thickness, largest error", bars.profile_max);
   text += percent_line("heat into tools, error", bars.heat);
   text += coarser_lines(bars);
-  return bars.control ? text + control_lines(*bars.control) : text;
+  return bars.control ? text + control_lines(bars) : text;
 }
 
 std::string summary_table(const Scene& scene, const State& state, const Summary& summary) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forming/report/error_bars.hpp"
+#include "forming/report/summary.hpp"
 
 namespace parison::forming {
 namespace {
@@ -99,6 +100,20 @@ TEST(Accuracy, a_bar_by_one_coarser_run_alone_is_wider_as_that_of_two_grids_is) 
   EXPECT_NEAR(bars.profile_mean, 0.1 * alone, 1e-9);
   EXPECT_NEAR(bars.profile_max, 0.1 * alone, 1e-9);
   EXPECT_NEAR(bars.heat, 0.1 * alone, 1e-9);
+}
+
+TEST(Accuracy, the_table_says_what_an_accuracy_asked_for_is_that_of) {
+  const auto told = [](double wall, double heat) {
+    ErrorBars bars{{}, wall, wall, heat, {}, AccuracyRecord{0.02, {}}};
+    const std::string table = error_table(bars);
+    const auto begin = table.find("accuracy asked for: ");
+    return table.substr(begin, table.find('\n', begin) - begin);
+  };
+  EXPECT_EQ(told(0.01, 0.01), "accuracy asked for: 2 % of the wall in the mean and of the heat into tools");
+  EXPECT_EQ(told(0.01, NAN), "accuracy asked for: 2 % of the wall in the mean");
+  EXPECT_EQ(told(NAN, 0.01), "accuracy asked for: 2 % of the heat into tools");
+  EXPECT_EQ(told(NAN, NAN),
+            "accuracy asked for: 2 % of each of the quantities above, as there is no wall and no heat into tools");
 }
 
 }  // namespace
