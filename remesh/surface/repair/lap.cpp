@@ -259,14 +259,21 @@ class Removal {
 
 Crossings remove_crossings(core::Geometry geometry, const CrossingLimits& limits, Surface& surface) {
   Crossings found;
-  if (limits.neck > 0) tear_necks(geometry, limits, surface, found);
   Removal removal(geometry, limits, surface, found);
-  for (auto crossing = find_crossing(surface.outline); crossing.first >= 0; crossing = find_crossing(surface.outline)) {
-    const auto [first, last] = std::minmax(crossing.first, crossing.second);
-    if (!removal.remove(first, last)) {
+  const auto remove_all = [&] {
+    for (auto at = find_crossing(surface.outline); at.first >= 0; at = find_crossing(surface.outline)) {
+      const auto [first, last] = std::minmax(at.first, at.second);
+      if (removal.remove(first, last)) continue;
       found.first = first, found.second = last;
-      return found;
+      return false;
     }
+    return true;
+  };
+  // Glass that has met glass is near itself as well as a neck is.
+  if (!remove_all()) return found;
+  if (limits.neck > 0) {
+    tear_necks(geometry, limits, surface, found);
+    if (!remove_all()) return found;
   }
   removal.turn_back();
   return found;
