@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <vector>
 
 #include "remesh/mesher/mesh_profile.hpp"
@@ -271,6 +273,50 @@ TEST(Crossings, the_volume_that_glass_fills_twice_is_measured) {
   EXPECT_EQ(overlap(1.99e-3), 0);
   // The upper side is 1 mm too deep at its end: a triangle from the middle of the slot on.
   EXPECT_NEAR(overlap(3e-3), 0.5 * 1e-3 * 20e-3 / 3, 0.02 * 0.5 * 1e-3 * 20e-3 / 3);
+}
+
+/// A star with random waves and kinks, most of which cross themselves in several places.
+Surface random_star(std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const int count = 8 + int(60 * uniform(random)), waves = 1 + int(5 * uniform(random));
+  const double rough = 1.2 * uniform(random), phase = 2 * M_PI * uniform(random);
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    const double at = 2 * M_PI * i / count;
+    const double angle = at + rough * (0.6 * std::sin(waves * at + phase) + 0.3 * (uniform(random) - 0.5));
+    const double radius = 3 * (1 + rough * (0.8 * (uniform(random) - 0.5) + 0.5 * std::cos(2 * waves * at)));
+    points.emplace_back(10 + radius * std::cos(angle), radius * std::sin(angle));
+  }
+  Surface surface = polygon(points);
+  for (int i = 0; i < count; ++i) {
+    surface.outline.boundary_ids[i] = 2 * i < count;
+    surface.fixed[count + i] = uniform(random) < 0.02;
+  }
+  return surface;
+}
+
+TEST(Crossings, random_surfaces_are_left_whole_without_a_crossing_or_with_the_one_that_is_told) {
+  std::mt19937 random(1);
+  int mended = 0, enclosed = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Surface surface = random_star(random);
+    const auto geometry = i % 2 ? core::Geometry::planar : core::Geometry::axisymmetric;
+    const Crossings found = remove_crossings(geometry, {1, 2, i % 5 ? 0 : 0.01}, surface);
+    const Outline& outline = surface.outline;
+    const std::size_t count = outline.vertices.size();
+    ASSERT_EQ(outline.mids.size(), count) << i;
+    ASSERT_EQ(outline.boundary_ids.size(), count) << i;
+    ASSERT_EQ(surface.contact.size(), 2 * count) << i;
+    ASSERT_EQ(surface.fixed.size(), 2 * count) << i;
+    ASSERT_EQ(outline.loop_start.back(), static_cast<Index>(count)) << i;
+    ASSERT_EQ(find_crossing(outline).first >= 0, found.first >= 0) << i;
+    for (std::size_t k = 0; k + 1 < outline.loop_start.size() && found.first < 0; ++k)
+      ASSERT_GE(outline.loop_start[k + 1] - outline.loop_start[k], min_edges) << i;
+    mended += found.first < 0 && found.laps + found.torn + found.enclosed > 0;
+    enclosed += found.enclosed;
+  }
+  EXPECT_GT(mended, 300);
+  EXPECT_GT(enclosed, 30);
 }
 
 }  // namespace
