@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/case/case_file.hpp"
 #include "forming/report/summary.hpp"
@@ -233,30 +232,18 @@ Quantities read_quantities(const core::JsonValue& summary) {
 }
 
 ProfileDifference compare_profiles(const std::vector<double>& profile, const std::vector<double>& reference) {
-  if (profile.empty() || profile.size() != reference.size()) return {none, none, none, 0};
-  std::vector<double> share(profile.size());
-  for (std::size_t i = 0; i < profile.size(); ++i) share[i] = (profile[i] - reference[i]) / reference[i];
-  const std::vector<int> places = inner_places(share);
-  if (places.empty()) return {none, none, none, 0};
-  const auto mean_of = [&](auto&& value) {
-    return std::accumulate(places.begin(), places.end(), 0.0,
-                           [&](double sum, int i) { return sum + value(share[i]); }) /
-           double(places.size());
-  };
-  const int largest = *std::max_element(places.begin(), places.end(),
-                                        [&](int i, int j) { return std::abs(share[i]) < std::abs(share[j]); });
-  const double mean = mean_of([](double value) { return value; });
-  constexpr double too_small = 0.1;
-  const double least = too_small * mean_of([&](double value) { return std::abs(value - mean); });
-  int crossings = 0, side = 0;
-  for (const int i : places)
-    if (std::abs(share[i] - mean) > least) {
-      const int next = share[i] > mean ? 1 : -1;
-      crossings += side * next < 0;
-      side = next;
-    }
-  return {mean_of([](double value) { return std::abs(value); }), std::abs(share[largest]),
-          double(largest) / (profile_points - 1), crossings};
+  if (profile.empty() || profile.size() != reference.size()) return {none, none, none};
+  std::vector<double> fraction(profile.size());
+  for (std::size_t i = 0; i < profile.size(); ++i) fraction[i] = std::abs(profile[i] - reference[i]) / reference[i];
+  const std::vector<int> places = inner_places(fraction);
+  if (places.empty()) return {none, none, none};
+  double sum = 0;
+  int max_index = places.front();
+  for (const int i : places) {
+    sum += fraction[i];
+    if (fraction[i] > fraction[max_index]) max_index = i;
+  }
+  return {sum / double(places.size()), fraction[max_index], double(max_index) / (profile_points - 1)};
 }
 
 double heat_difference(const Quantities& run, const Quantities& reference) {

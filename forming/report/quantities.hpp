@@ -55,7 +55,6 @@ Quantities read_quantities(const core::JsonValue& summary);
 struct ProfileDifference {
   double mean, max;  ///< NaN without a profile
   double where;      ///< share of the arc where it is largest
-  int crossings;     ///< of the signed difference and its mean along the arc, those by a tenth of its mean deviation
 };
 /// Over the points that are wall in both profiles and lie farther than `profile_margin` of the arc from any point that
 /// is not wall: there the finish begins and the thickness jumps.

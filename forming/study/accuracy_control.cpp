@@ -31,21 +31,14 @@ constexpr std::size_t least_coarser = 2;
 // factors of two programs each, at six targets from seven first runs, and by runs of these scenes; eleven others and
 // random containers were left out of every choice. Other limits, orders and weights, a second run where the error
 // asked for is expected and an order by its likelihood differ by no more than luck: what is left is the choice of the
-// safety, which buys 2 % of the targets for each tenth of the cost. The mean over a wall has less luck the more
-// of its places are independent of each other, which shows in how often the difference of two runs crosses its mean.
+// safety, which buys 2 % of the targets for each tenth of the cost.
 constexpr double order = 1.5, scatter = 0.4;
 constexpr double coarser_weight = 0.2;  ///< of a pair for each run that lies between its coarser one and the last
 /// The estimate is larger by how little is known of the scatter: with two runs, three, or more of them.
 constexpr std::array safety{2.4, 1.5, 1.3};
-constexpr int many_crossings = 7;  ///< of the difference of two walls and its mean
-constexpr double crossing_often = 0.85, crossing_seldom = 1.2;
 
-/// By how much the estimate by so many runs is multiplied where the last two of them differ like this.
-double safe(std::size_t runs, const ProfileDifference& last) {
-  const double wall = !std::isfinite(last.mean)         ? 1
-                      : last.crossings < many_crossings ? crossing_seldom
-                                                        : crossing_often;
-  return wall * safety[std::min(runs, safety.size() + 1) - 2];
+double safe(std::size_t runs) {
+  return safety[std::min(runs, safety.size() + 1) - 2];
 }
 
 }  // namespace
@@ -89,9 +82,8 @@ void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_secon
     if (runs == 1) next = factor_ / refinement;
     if (const double error = runs > 1 ? likely_error() : std::numeric_limits<double>::quiet_NaN();
         std::isfinite(error)) {
-      const auto last = compare_profiles(completed_[runs - 2].quantities.profile, run->profile);
-      record_.runs.back().estimate = safe(runs, last) * error;
-      next = factor_ / std::clamp(std::pow(safe(runs + 1, last) * error / (aim * record_.target), 1 / order),
+      record_.runs.back().estimate = safe(runs) * error;
+      next = factor_ / std::clamp(std::pow(safe(runs + 1) * error / (aim * record_.target), 1 / order),
                                   least_refinement, most_refinement);
     }
   }

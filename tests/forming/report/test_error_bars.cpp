@@ -21,20 +21,6 @@ TEST(Accuracy, a_profile_is_compared_away_from_where_the_wall_ends) {
   EXPECT_TRUE(std::isnan(compare_profiles({}, b).mean));
 }
 
-TEST(Accuracy, the_difference_of_two_profiles_crosses_its_mean_as_often_as_it_waves) {
-  const std::vector<double> reference(profile_points, 2.0);
-  const auto crossings = [&](double shift, double wave, double ripple) {
-    std::vector<double> profile = reference;
-    for (int i = 0; i < profile_points; ++i)
-      profile[i] += shift + wave * std::cos(8 * M_PI * i / double(profile_points - 1)) + (i % 2 ? ripple : -ripple);
-    return compare_profiles(profile, reference).crossings;
-  };
-  EXPECT_EQ(crossings(0.1, 0, 0), 0);
-  EXPECT_EQ(crossings(0, 0.1, 0), 8);
-  EXPECT_EQ(crossings(0.3, 0.1, 0), 8);
-  EXPECT_EQ(crossings(0.3, 0.1, 1e-3), 8) << "a ripple of a hundredth";
-}
-
 /// Runs 1, 1.5 and 3 times as coarse of quantities whose errors grow with this order.
 ErrorBars bars_of_order(double order, double shift_of_second = 0) {
   const auto run = [&](double factor) {

@@ -167,22 +167,6 @@ TEST(AccuracyControl, an_estimate_counts_the_luck_of_runs_that_are_near_each_oth
   EXPECT_NEAR(runs[2].estimate, 1.5 * mean * law(factors[2]), 1e-9 * law(factors[2]));
 }
 
-TEST(AccuracyControl, a_wall_with_many_independent_places_needs_less_safety) {
-  const auto estimate = [](int patches) {
-    AccuracyControl control(1e-8);
-    for (int run = 0; run < 2; ++run) {
-      Quantities wall;
-      for (int i = 0; i < profile_points; ++i)
-        wall.profile.push_back(1 +
-                               1e-5 * std::pow(control.factor(), 1.5) * (patches * i / profile_points % 2 ? -1 : 1));
-      control.add(wall, 1);
-    }
-    return control.record().runs.back().estimate;
-  };
-  EXPECT_NEAR(estimate(7) / estimate(2), 1, 1e-3);
-  EXPECT_NEAR(estimate(8) / estimate(2), 0.85 / 1.2, 1e-3);
-}
-
 TEST(AccuracyControl, one_lucky_pair_is_outvoted_by_the_others) {
   constexpr double target = 1e-4;
   AccuracyControl control(target);

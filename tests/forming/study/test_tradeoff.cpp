@@ -16,7 +16,7 @@ VariantResult variant(const char* accuracy, double cpu, double error) {
   result.variant = {accuracy, "accuracy", accuracy, {}, ""};
   result.completed = true;
   result.cpu = cpu;
-  result.profile = {error, error, 0, 0};
+  result.profile = {error, error, 0};
   result.heat = NAN;
   return result;
 }
