@@ -155,6 +155,7 @@ void tear_necks(core::Geometry geometry, const CrossingLimits& limits, Surface& 
   }
 }
 
+/// Whether none of the edges [begin, end) has a fixed mid point.
 bool is_movable(const Surface& surface, Index begin, Index end) {
   for (Index i = begin; i < end; ++i)
     if (surface.fixed[surface.outline.edge_count() + i]) return false;
@@ -207,8 +208,8 @@ class Removal {
     reconnect(surface_, first, last);
     return true;
   }
-  /// Where what lies between the edges is the body, and the rest of its loop the smaller part, or that ends with the
-  /// loop.
+  /// Lets the loop begin at another edge, so that the smaller of its two parts at a crossing lies between the crossing
+  /// edges and does not end with the loop.
   bool turn(Index begin, Index to) {
     starts_.push_back(surface_.outline.vertices[begin]);
     rotate_loop(surface_, to);
