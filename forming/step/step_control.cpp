@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "forming/scene/preset_scales.hpp"
+#include "forming/step/contact/first_touch.hpp"
 
 namespace parison::forming {
 
@@ -141,7 +142,11 @@ double clip_step_to_event(const Scene& scene, const State& state, double propose
   double left = std::min({longest_stage_time(scene, state), next_kink(scene, state), next_corner(scene, state)}) -
                 state.stage_time;
   left = std::min(left, std::max(time_to_rest(scene, state), shortest_to_rest * proposed));
-  if (!scene.has_flow()) left = std::min(left, next_output(scene, state.time) - state.time);
+  if (scene.has_flow())
+    left = std::min(
+        left, std::max(time_to_first_touch(scene, state, std::min(left, 2 * proposed)), scene.accuracy.min_step));
+  else
+    left = std::min(left, next_output(scene, state.time) - state.time);
   if (left <= proposed * (1 + same_time)) return left;
   return left < 2 * proposed ? 0.5 * left : proposed;
 }

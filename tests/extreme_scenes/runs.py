@@ -31,7 +31,7 @@ def error_of(scene, summary):
     return max(errors, key=lambda e: float("inf") if e != e else e)
 
 
-def run(parison, scene, folder, accuracy="draft", limit=60):
+def run(parison, scene, folder, accuracy="draft", limit=60, allowed=ALLOWED):
     """Runs a scene in a folder of its own, which is made anew."""
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
@@ -55,5 +55,5 @@ def run(parison, scene, folder, accuracy="draft", limit=60):
     beyond = [check for check in summary["checks"] if check["verdict"] != "inside"]
     said = "; ".join(f"{check['name']} {check['value']:.2g}" if check["value"] is not None else check["name"] for check in beyond)
     error = error_of(scene, summary)
-    status = "flagged" if beyond else "holds" if error <= ALLOWED else "silent"
+    status = "flagged" if beyond else "holds" if error <= allowed else "silent"
     return Outcome(status, error, said or "; ".join(summary["warnings"]), summary["cpu_seconds"])

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/step/contact/first_touch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "contact/unilateral/tool_gap.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/contact/placed_tools.hpp"
+#include "forming/step/flow/predictor.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Share of numerics.surface_size: glass that is nearer touches already.
+constexpr double touching_share = 1e-3;
+
+/// At most so many times are looked at, where something moves many times the thickness of the glass.
+constexpr double most_looks = 100;
+
+/// How far a tool moves along the axis in a time, m: driven by position as prescribed; driven by force at its speed
+/// limit while nothing resists it, as fast as it does now where it touches glass.
+double tool_advance(const State& state, const StageTool& tool, bool touches, double ahead) {
+  const double now = state.stage_time;
+  if (const auto* position = std::get_if<PositionMotion>(&tool.motion))
+    return position->offset(now + ahead) - state.tools[tool.tool].offset;
+  const auto* driven = std::get_if<ForceMotion>(&tool.motion);
+  if (!driven) return 0;
+  if (touches) return ahead * state.tools[tool.tool].velocity;
+  const double force = driven->force.mean(now, now + ahead);
+  return force == 0 ? 0 : std::copysign(ahead * driven->speed_limit.mean(now, now + ahead), force);
+}
+
+/// Nodes that touch a tool.
+std::vector<bool> nodes_at(const GlassState& glass, Index tool) {
+  std::vector<bool> touch(glass.mesh.nodes.size(), false);
+  const ActiveContacts& contacts = glass.active_contacts;
+  for (std::size_t i = 0; i < contacts.node.size(); ++i)
+    if (contacts.tool[i] == tool) touch[contacts.node[i]] = true;
+  for (std::size_t n = 0; n < glass.contact_tool.size(); ++n)
+    if (glass.contact_tool[n] == tool) touch[n] = true;
+  return touch;
+}
+
+/// The glass surface that may touch, beside one tool, over a time, s.
+class Approach {
+ public:
+  Approach(const Scene& scene, const State& state, const StageTool& tool, const Eigen::VectorXd& velocity, double ahead)
+      : state_(state),
+        tool_(tool),
+        velocity_(velocity),
+        nodes_(contact_nodes(state.glass.mesh)),
+        held_(nodes_at(state.glass, tool.tool)),
+        touches_(std::find(held_.begin(), held_.end(), true) != held_.end()),
+        near_(touching_share * scene.accuracy.surface_size),
+        way_(way(ahead)),
+        gap_(scene.tools[tool.tool].profile, contact_boundaries(scene.tools[tool.tool]), 2 * way_ + near_) {}
+
+  /// Time, s, until a node touches the tool that belongs to no surface in contact with it; infinite where none does
+  /// within `ahead`. It is looked for at times between which nothing moves farther than the glass is thick.
+  double first_touch(double ahead) const {
+    const double looks = std::ceil(std::min(1 + way_ / core::mean_wall(state_.glass.mesh), most_looks));
+    for (double look = 0; look < looks; ++look)
+      if (const auto arriving = arriving_apart((look + 1) * ahead / looks); !arriving.empty())
+        return moment(arriving, look * ahead / looks, (look + 1) * ahead / looks);
+    return std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  double gap_of(Index node, double ahead) const {
+    const double offset = state_.tools[tool_.tool].offset + tool_advance(state_, tool_, touches_, ahead);
+    const Point x = state_.glass.mesh.nodes[node] + ahead * flow::node_velocity(velocity_, node);
+    return gap_(x - offset * core::axis_direction());
+  }
+
+  double least_gap(const std::vector<Index>& nodes, double ahead) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index node : nodes) least = std::min(least, gap_of(node, ahead));
+    return least;
+  }
+
+  /// The farthest that glass and tool come nearer to each other, m.
+  double way(double ahead) const {
+    double fastest = 0;
+    for (const Index node : nodes_) fastest = std::max(fastest, flow::node_velocity(velocity_, node).norm());
+    return ahead * fastest + std::abs(tool_advance(state_, tool_, touches_, ahead));
+  }
+
+  /// When the first of some nodes enters the tool, s.
+  double moment(const std::vector<Index>& nodes, double before, double after) const {
+    const double close_enough = 1e-6 * after;
+    while (after - before > close_enough) {
+      const double middle = 0.5 * (before + after);
+      (least_gap(nodes, middle) > 0 ? before : after) = middle;
+    }
+    return after;
+  }
+
+  /// The nodes that will be in the tool after a time, s, without those that are joined along the surface, by nodes that
+  /// will be in it too, to one that touches it now.
+  std::vector<Index> arriving_apart(double ahead) const {
+    std::vector<bool> inside(held_.size(), false);
+    bool any = false;
+    for (const Index node : nodes_)
+      if (!held_[node] && gap_of(node, ahead) < 0) inside[node] = any = true;
+    if (!any) return {};
+    std::vector<bool> joined = held_;
+    for (const Index node : nodes_)
+      if (inside[node] && gap_of(node, 0) <= near_) joined[node] = true;
+    for (bool grows = true; grows;) {
+      grows = false;
+      for (const auto& edge : state_.glass.mesh.boundary_edges()) {
+        const auto& [first, last, middle] = edge.nodes;
+        if (!joined[first] && !joined[last] && !joined[middle]) continue;
+        for (const Index node : edge.nodes)
+          if (inside[node] && !joined[node]) joined[node] = grows = true;
+      }
+    }
+    std::vector<Index> apart;
+    for (const Index node : nodes_)
+      if (inside[node] && !joined[node]) apart.push_back(node);
+    return apart;
+  }
+
+  const State& state_;
+  const StageTool& tool_;
+  const Eigen::VectorXd& velocity_;
+  std::vector<Index> nodes_;
+  std::vector<bool> held_;  ///< nodes in contact with the tool
+  bool touches_;            ///< the tool touches glass
+  double near_, way_;       ///< m
+  contact::ToolGap gap_;
+};
+
+}  // namespace
+
+double time_to_first_touch(const Scene& scene, const State& state, double ahead) {
+  double first = std::numeric_limits<double>::infinity();
+  if (!scene.has_flow()) return first;
+  const Eigen::VectorXd velocity = predicted_velocity(state, 0.5 * ahead);
+  for (const StageTool& tool : scene.stages[state.stage].tools)
+    first = std::min(first, Approach(scene, state, tool, velocity, ahead).first_touch(ahead));
+  return first;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,13 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/scene.hpp"
+#include "forming/state/state.hpp"
+
+namespace parison::forming {
+
+/// The time from now, s, after which glass first meets an active tool at a place of its own, as the glass moves at
+/// present and the tools as they are driven; infinite where that is not within `ahead`, s. Contact that only spreads
+/// along the surface from where the tool touches already is no such place.
+double time_to_first_touch(const Scene& scene, const State& state, double ahead);
+
+}  // namespace parison::forming
