@@ -143,8 +143,8 @@ double clip_step_to_event(const Scene& scene, const State& state, double propose
                 state.stage_time;
   left = std::min(left, std::max(time_to_rest(scene, state), shortest_to_rest * proposed));
   if (scene.has_flow())
-    left = std::min(
-        left, std::max(time_to_first_touch(scene, state, std::min(left, 2 * proposed)), scene.accuracy.min_step));
+    left = std::min(left,
+                    std::max(time_to_first_touch(scene, state, std::min(left, 2 * proposed)), scene.accuracy.min_step));
   else
     left = std::min(left, next_output(scene, state.time) - state.time);
   if (left <= proposed * (1 + same_time)) return left;

@@ -85,6 +85,13 @@ void add_step_checks(const Scene& scene, const State& state, const RunFacts& fac
   const double share_of_capped =
       totals.capped_work != 0 ? totals.capped_work / std::max(totals.work.dissipation, least_loss(scene, state)) : 0;
   const double contacts = std::max(1.0, static_cast<double>(facts.solver_statistics.contacts));
+  const Work& work = totals.work;
+  const double lost = std::max(work.dissipation + work.friction + work.impact_loss, least_loss(scene, state));
+  if (!scene.tools.empty())
+    checks.push_back({"impact", std::abs(work.impact_loss) / lost, 0.03, 0.3, "%",
+                      "glass without inertia has no impact, but so much of the work was booked as one, where tools "
+                      "acted on glass before they had reached it: forces act too long, and shapes and times are wrong "
+                      "by up to as much; a smaller numerics.landing_per_step or numerics.min_step helps"});
   if (!scene.tools.empty())
     checks.push_back({"locked_contacts", static_cast<double>(facts.solver_statistics.locked_contacts) / contacts, 1e-2,
                       0.1, "%",
