@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "contact/unilateral/tool_gap.hpp"
@@ -19,8 +20,9 @@ namespace {
 /// Share of numerics.surface_size: glass that is nearer touches already.
 constexpr double touching_share = 1e-3;
 
-/// At most so many times are looked at, where something moves many times the thickness of the glass.
-constexpr double most_looks = 100;
+/// Nothing moves farther than this share of the thickness of the glass from one look for a touch to the next, and no
+/// more looks than these are made.
+constexpr double share_of_wall = 0.25, most_looks = 1e4;
 
 /// How far a tool moves along the axis in a time, m: driven by position as prescribed; driven by force at its speed
 /// limit while nothing resists it, as fast as it does now where it touches glass.
@@ -46,6 +48,24 @@ std::vector<bool> nodes_at(const GlassState& glass, Index tool) {
   return touch;
 }
 
+bool touches(const GlassState& glass, Index tool) {
+  const std::vector<bool> touch = nodes_at(glass, tool);
+  return std::find(touch.begin(), touch.end(), true) != touch.end();
+}
+
+/// By how much the tools that touch the glass will move faster than in the last step, m/s, where they all change alike
+/// and so carry it with them; 0 where they do not.
+double speed_jump(const Scene& scene, const State& state, double ahead) {
+  std::optional<double> jump;
+  for (const StageTool& tool : scene.stages[state.stage].tools) {
+    if (!touches(state.glass, tool.tool)) continue;
+    const double change = tool_advance(state, tool, true, ahead) / ahead - state.tools[tool.tool].velocity;
+    if (jump && std::abs(change - *jump) > 1e-6 * std::max(std::abs(change), std::abs(*jump))) return 0;
+    jump = change;
+  }
+  return jump.value_or(0);
+}
+
 /// The glass surface that may touch, beside one tool, over a time, s.
 class Approach {
  public:
@@ -55,19 +75,20 @@ class Approach {
         velocity_(velocity),
         nodes_(contact_nodes(state.glass.mesh)),
         held_(nodes_at(state.glass, tool.tool)),
-        touches_(std::find(held_.begin(), held_.end(), true) != held_.end()),
+        touches_(touches(state.glass, tool.tool)),
         near_(touching_share * scene.accuracy.surface_size),
         way_(way(ahead)),
         gap_(scene.tools[tool.tool].profile, contact_boundaries(scene.tools[tool.tool]), 2 * way_ + near_) {}
 
   /// Time, s, until a node touches the tool that belongs to no surface in contact with it; infinite where none does
-  /// within `ahead`. It is looked for at times between which nothing moves farther than the glass is thick.
+  /// within `ahead`. What would move so far that it is not looked at to the end counts as arriving there.
   double first_touch(double ahead) const {
-    const double looks = std::ceil(std::min(1 + way_ / core::mean_wall(state_.glass.mesh), most_looks));
+    const double wanted = std::ceil(1 + way_ / (share_of_wall * core::mean_wall(state_.glass.mesh)));
+    const double looks = std::min(wanted, most_looks), apart = ahead / wanted;
     for (double look = 0; look < looks; ++look)
-      if (const auto arriving = arriving_apart((look + 1) * ahead / looks); !arriving.empty())
-        return moment(arriving, look * ahead / looks, (look + 1) * ahead / looks);
-    return std::numeric_limits<double>::infinity();
+      if (const auto arriving = arriving_apart((look + 1) * apart); !arriving.empty())
+        return moment(arriving, look * apart, (look + 1) * apart);
+    return looks < wanted ? looks * apart : std::numeric_limits<double>::infinity();
   }
 
  private:
@@ -90,14 +111,14 @@ class Approach {
     return ahead * fastest + std::abs(tool_advance(state_, tool_, touches_, ahead));
   }
 
-  /// When the first of some nodes enters the tool, s.
+  /// Just before the first of some nodes enters the tool, s: a step that ends there has no contact with it yet.
   double moment(const std::vector<Index>& nodes, double before, double after) const {
     const double close_enough = 1e-6 * after;
     while (after - before > close_enough) {
       const double middle = 0.5 * (before + after);
       (least_gap(nodes, middle) > 0 ? before : after) = middle;
     }
-    return after;
+    return before;
   }
 
   /// The nodes that will be in the tool after a time, s, without those that are joined along the surface, by nodes that
@@ -141,7 +162,10 @@ class Approach {
 double time_to_first_touch(const Scene& scene, const State& state, double ahead) {
   double first = std::numeric_limits<double>::infinity();
   if (!scene.has_flow()) return first;
-  const Eigen::VectorXd velocity = predicted_velocity(state, 0.5 * ahead);
+  Eigen::VectorXd velocity = predicted_velocity(state, 0.5 * ahead);
+  const double jump = speed_jump(scene, state, ahead);
+  for (Index n = 0; jump != 0 && n < velocity.size() / core::dim; ++n)
+    velocity.segment<core::dim>(core::dim * n) += jump * core::axis_direction();
   for (const StageTool& tool : scene.stages[state.stage].tools)
     first = std::min(first, Approach(scene, state, tool, velocity, ahead).first_touch(ahead));
   return first;
