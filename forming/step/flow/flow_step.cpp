@@ -87,7 +87,10 @@ double landed_length(const StepStart& start, const FlowPass& pass, const State& 
   const core::Mesh& mesh = start.state.glass.mesh;
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(mesh.node_count());  // closed in the step, m
   for (std::size_t i = 0; i < pass.candidates.size(); ++i)
-    if (pass.solution.active[i]) gap[pass.candidates[i].node] = std::max(0.0, -start.dt * pass.candidates[i].rate);
+    if (pass.solution.active[i]) {  // a node in a corner touches two tools, and may have touched one of them before
+      double& closed = gap[pass.candidates[i].node];
+      closed = std::max(closed, -start.dt * pass.candidates[i].rate);
+    }
   const double counts = min_landing_gap * start.scene.accuracy.surface_size;
   double largest = 0, length = 0, widest = 0, narrowest = 0;
   for (const auto& edge : mesh.boundary_edges()) {
