@@ -111,7 +111,5 @@ def landing(kind="force", planar=False, viscosity=1e4, height=0.01, radius=0.02,
         if heat:
             received = sum(found[name]["heat_received_J"] for name in ("base", "ram"))
             errors.append(abs(received - wanted_heat) / wanted_heat)
-        import os
-        if os.environ.get("DBG"): print([f"{e:.2e}" for e in errors])
         return max(errors)
     return s.Scene(text, error=error)

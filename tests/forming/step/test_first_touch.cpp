@@ -61,7 +61,6 @@ TEST(FirstTouch, it_is_the_moment_at_which_the_gap_is_closed) {
   EXPECT_NEAR(moment(R"(offset = [["0 s", "0 mm"], ["0.1 s", "-2 mm"], ["0.2 s", "-6 mm"]])", 0.2), 0.125, 1e-6);
   EXPECT_NEAR(moment(R"(force = "-1 N", speed_limit = "0.1 m/s")", 0.2), 0.03, 1e-6);
   EXPECT_TRUE(std::isinf(moment(R"(force = "1 N", speed_limit = "0.1 m/s")", 0.2)));
-  EXPECT_TRUE(std::isinf(moment(R"(force = "0 N", speed_limit = "0.1 m/s")", 0.2)));
 }
 
 TEST(FirstTouch, a_tool_that_would_pass_through_the_glass_meets_it) {
