@@ -12,9 +12,9 @@ using core::dim;
 
 namespace {
 
-/// Resistance added to every driven tool, as shares of the largest. Tools that only press glass against each other
-/// would drift together without it; they are told by a resistance against a common motion below the third share, and
-/// get more, as round-off would move them otherwise.
+/// Resistance added to every driven tool, as shares of its own. Tools that only press glass against each other would
+/// drift together without it; they are told by a resistance against a common motion below the third share of the
+/// largest, and get more, as round-off would move them otherwise.
 constexpr double min_resistance = 1e-12, drift_resistance = 1e-10, unresisted = 1e-8;
 
 /// Force balance of the driven tools, some of which move at their speed limit.
@@ -34,7 +34,8 @@ struct ToolBalance {
     limited[k] = true;
   }
 
-  /// Velocities at which the tools below their limit are in balance. Tools that nothing resists go to their limit.
+  /// Velocities at which the tools below their limit are in balance. Tools that nothing resists go to their limit, or
+  /// stay where nothing drives them either.
   void solve() {
     Eigen::MatrixXd resistance = Eigen::MatrixXd::Identity(count(), count());
     Eigen::VectorXd rhs = velocity;
@@ -45,17 +46,31 @@ struct ToolBalance {
     }
     for (Index k = 0; k < count(); ++k)
       if (!limited[k] && resistance(k, k) <= 0 && !meets_air(k)) {
-        limit(k, rhs[k]);
+        if (rhs[k] != 0) limit(k, rhs[k]);
         resistance.row(k) = Eigen::RowVectorXd::Unit(count(), k);
-        rhs[k] = velocity[k];
+        rhs[k] = rhs[k] != 0 ? velocity[k] : 0;
       }
-    const double largest = count() > 0 ? resistance.diagonal().maxCoeff() : 0;
+    const Eigen::VectorXd added = added_resistance(resistance);
+    resistance.diagonal() += added;
+    solve(resistance, rhs);
+    // Glass that tools enclose resists them by what its incompressibility is enforced with, and little of that is much.
+    solve(resistance, rhs + added.cwiseProduct(velocity));
+  }
+
+  Eigen::VectorXd added_resistance(const Eigen::MatrixXd& resistance) const {
+    Eigen::VectorXd added = Eigen::VectorXd::Zero(count());
+    if (count() == 0) return added;
+    const double largest = resistance.diagonal().maxCoeff();
     double together = 0;  // N per m/s
     for (Index k = 0; k < count(); ++k)
       if (!limited[k]) together = std::max(together, std::abs(resistance.row(k).sum()));
-    const double least = (together < unresisted * largest ? drift_resistance : min_resistance) * largest;
+    const double share = together < unresisted * largest ? drift_resistance : min_resistance;
     for (Index k = 0; k < count(); ++k)
-      if (!limited[k]) resistance(k, k) += least;
+      if (!limited[k]) added[k] = share * resistance(k, k);
+    return added;
+  }
+
+  void solve(const Eigen::MatrixXd& resistance, const Eigen::VectorXd& rhs) {
     if (air)
       solve_with_air(resistance, rhs);
     else

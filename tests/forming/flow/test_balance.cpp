@@ -223,5 +223,41 @@ TEST(Balance, what_lands_on_a_plate_loses_its_force_times_the_way) {
   EXPECT_LT(std::abs(power_left(flow, solution)), 1e-6);
 }
 
+/// A cylinder of glass without friction between a tool that moves up, at 1 mm/s, and one that a force holds against it.
+FlowProblem enclosed_plug(double viscosity, double force) {
+  FlowProblem flow(tests::structured(4, 4, [](double s, double t) { return Point(0.02 * s, 0.01 * t); }),
+                   Geometry::axisymmetric, viscosity);
+  flow.boundary("left").kind = flow.boundary("right").kind = BoundaryCondition::Kind::symmetry;
+  flow.problem.tools.resize(2);
+  flow.problem.tools[0].velocity = 1e-3;
+  flow.problem.tools[1].force = force;
+  flow.problem.tools[1].speed_limit = 1;
+  flow.touch("bottom", 0, Point(0, 1));
+  flow.touch("top", 1, Point(0, -1));
+  return flow;
+}
+
+TEST(Balance, a_driven_tool_behind_enclosed_glass_has_its_own_force) {
+  for (const double viscosity : {1e3, 1e8, 1e11}) {
+    const auto solution = enclosed_plug(viscosity, -1).solve();
+    ASSERT_TRUE(solution.converged) << solution.reason;
+    std::printf("%.0e Pa.s: %.6g N at %.6g m/s\n", viscosity, solution.tool_force[1], solution.tool_velocity[1]);
+    // What is left is the round-off of the bulk viscosity, 1e10 times that of the glass.
+    EXPECT_NEAR(solution.tool_force[1], -1, 1e-9 * viscosity) << viscosity;
+    EXPECT_NEAR(solution.tool_velocity[1], 1e-3, 1e-8) << viscosity;
+  }
+}
+
+TEST(Balance, a_tool_that_touches_nothing_stays_where_its_force_is_zero) {
+  for (const double force : {-1.0, 0.0, 1.0}) {
+    FlowProblem flow = skinned_disc(1);
+    flow.problem.tools.push_back({{}, 0, force, 0.1});
+    const auto solution = flow.solve();
+    ASSERT_TRUE(solution.converged) << solution.reason;
+    EXPECT_EQ(solution.tool_velocity[2], 0.1 * force);
+    EXPECT_NEAR(solution.tool_force[1], -200, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace parison::flow
