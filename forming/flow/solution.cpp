@@ -26,13 +26,14 @@ double friction_power(const Constraints& constraints, const Response& response) 
 /// Power lost by glass that lands on tools within the step (an inelastic impact), W. A node moves freely until it lands
 /// and rests from then on, so the tool does no work on it; but the product of its mean force and mean velocity over the
 /// step is not zero, and this product is missing in the dissipation of the mean velocities.
-double impact_power(const Problem& problem, const std::vector<bool>& active, const ContactForces& forces) {
+double impact_power(const Problem& problem, const std::vector<bool>& active, const Constraints& constraints,
+                    const ContactForces& forces) {
   double power = 0;
   for (std::size_t i = 0; i < active.size(); ++i) {
     if (!active[i]) continue;
     const auto& candidate = problem.candidates[i];
     if (candidate.rate < 0) power -= forces.normal[i] * candidate.rate;
-    if (sticks(problem, candidate))
+    if (sticks(problem, candidate) && constraints.find(candidate.node)->friction_tool < 0)
       power -= forces.sideways[i] * (1 - candidate.contact_fraction) *
                candidate.approach_velocity.dot(perpendicular(candidate.normal));
   }
@@ -105,7 +106,7 @@ void evaluate_powers(const Problem& problem, const Equilibrium& equilibrium, Sol
   result.high_rate = viscous.high_rate;
   const Response& response = equilibrium.response;
   result.friction_power = friction_power(equilibrium.constraints, response);
-  result.impact_power = impact_power(problem, equilibrium.active, response.forces);
+  result.impact_power = impact_power(problem, equilibrium.active, equilibrium.constraints, response.forces);
   result.recovery_power = recovery_power(problem, equilibrium.active, response.forces);
   result.correction_power = correction_power(problem, equilibrium.active, response.forces, result.pressure,
                                              discretisation.load.tail(result.pressure.size()));

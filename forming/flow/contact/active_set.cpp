@@ -94,6 +94,21 @@ ActiveSetChange update_active_set(const Problem& problem, const Response& respon
   return change;
 }
 
+namespace {
+
+/// Shear stress over slip at a node that a tool holds by friction, Pa.s/m.
+double drag(const Problem& problem, const NodeConstraint& constraint) {
+  const Index node = constraint.node;
+  const double temperature = (*problem.temperature)[node];
+  if (constraint.give > 0)
+    return constraint.give * (problem.viscosity ? problem.viscosity(problem.mesh->nodes[node])
+                                                : problem.material->viscosity(temperature));
+  const Friction& friction = problem.tools[constraint.friction_tool].friction;
+  return friction.by_temperature ? friction.coefficient_at(temperature) : friction.coefficient;
+}
+
+}  // namespace
+
 void add_friction(const Problem& problem, const std::vector<bool>& active, const Eigen::VectorXd& area,
                   const Response* last, CoulombSliding& sliding, Constraints& constraints) {
   ++sliding.iterations;
@@ -101,9 +116,7 @@ void add_friction(const Problem& problem, const std::vector<bool>& active, const
     if (constraint.friction_tool < 0) continue;
     const Index node = constraint.node, i = constraint.equalities[0].candidate;
     const auto& friction = problem.tools[constraint.friction_tool].friction;
-    const double beta =
-        friction.by_temperature ? friction.coefficient_at((*problem.temperature)[node]) : friction.coefficient;
-    const double navier = problem.candidates[i].contact_fraction * beta * area[node];
+    const double navier = problem.candidates[i].contact_fraction * drag(problem, constraint) * area[node];
     constraints.tangential_stiffness[node] = navier;
     if (!friction.coulomb || !last || !active[i]) continue;
     const Point relative =
