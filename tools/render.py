@@ -182,6 +182,12 @@ def draw_strip(results, stages, turn_at, path):
     save(figure, path)
 
 
+def is_planar(results):
+    """Whether a run that has ended was of a planar case."""
+    summary = results / "summary.json"
+    return summary.exists() and json.loads(summary.read_text()).get("geometry") == "planar"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", type=Path, help="result folder of a run")
@@ -189,10 +195,11 @@ def main():
     parser.add_argument("--stage-ends", action="store_true", help="one picture for the end of each stage (the default)")
     parser.add_argument("--strip", action="store_true", help="the ends of all stages side by side in one picture")
     parser.add_argument("--turn", metavar="STAGE", help="in a strip: from this stage on +z points down")
-    parser.add_argument("--planar", action="store_true", help="do not mirror at the axis")
+    parser.add_argument("--planar", action="store_true", help="do not mirror at the axis, as of planar cases whose run has ended")
     parser.add_argument("--out", type=Path, help="PNG file of a single time or strip, else the folder of the pictures")
     options = parser.parse_args()
-    results, mirrored = options.results, not options.planar
+    results = options.results
+    mirrored = not (options.planar or is_planar(results))
     if options.time is not None:
         draw(results, options.time, results.resolve().name, mirrored, options.out or results / f"t_{options.time:g}.png")
         return

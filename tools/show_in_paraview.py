@@ -6,6 +6,7 @@ As a macro (Macros > Import new macro, or Tools > Python Shell > Run Script): op
 From a shell: pvpython tools/show_in_paraview.py results/jar [--field NAME] [--range LOW HIGH] [--revolve] [--time T] [--picture FILE.png]
 [--state FILE.pvsm]; the state is opened in ParaView by File > Load State."""
 import argparse
+import json
 import math
 import sys
 from pathlib import Path
@@ -57,6 +58,12 @@ def active_part(name, source, kind="section"):
                         UpperThreshold=1.5, ThresholdMethod="Between")
 
 
+def is_planar(folder):
+    """Whether a run that has ended was of a planar case, which has no axis."""
+    summary = Path(folder) / "summary.json"
+    return summary.exists() and json.loads(summary.read_text()).get("geometry") == "planar"
+
+
 def mirrored(name, source):
     """The other half of the section."""
     image = pv.Transform(registrationName=f"{name}_mirrored", Input=source, Transform="Transform")
@@ -98,6 +105,9 @@ def look_at(view, revolve):
 def load(folder, field, revolve, span=None):
     """Shows all bodies of a result folder, with colours over a span or over all values; returns the view."""
     bodies = readers(Path(folder))
+    planar = is_planar(folder)
+    if planar and revolve:
+        sys.exit(f"{folder}: a planar case was found, allowed with --revolve are axisymmetric ones")
     low, high = range_over_time(bodies.values(), field)
     if low > high:
         names = list(bodies["glass"].PointData.keys())
@@ -111,8 +121,9 @@ def load(folder, field, revolve, span=None):
     for name, reader in bodies.items():
         part = active_part(name, reader)
         pv.Hide(reader, view)
-        other = active_part(name, revolved(name, reader), "body") if revolve else mirrored(name, part)
-        shown = [part, other]
+        shown = [part]
+        if not planar:
+            shown.append(active_part(name, revolved(name, reader), "body") if revolve else mirrored(name, part))
         for source in shown:
             display = show(source, view, field if reader.PointData.GetArray(field) else None, colours)
             if revolve and name != "glass":

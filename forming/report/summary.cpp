@@ -32,6 +32,7 @@ double celsius(double kelvin) {
 
 void add_run(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
   json.add("case", scene.name);
+  json.add("geometry", scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar");
   json.add("accuracy", scene.accuracy_name);
   json.open_list("overrides");
   for (const std::string& assignment : scene.overrides) json.add("", assignment);
@@ -258,7 +259,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
                              max_temperature,
                              i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{},
                              body.offset,
-                             body.force,
+                             body.end_force,
                              {}});
     if (scene.tools[i].thermal)
       for (const std::size_t face : reported_faces(scene.tools[i]))

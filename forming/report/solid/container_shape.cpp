@@ -12,6 +12,7 @@
 #include "core/case/case_error.hpp"
 #include "core/case/given_file.hpp"
 #include "core/io/files.hpp"
+#include "core/io/json_read.hpp"
 
 namespace parison::forming {
 namespace {
@@ -106,9 +107,20 @@ std::vector<MidPoint> read_middle(const std::string& path, double& bridged) {
   return middle;
 }
 
+/// Refuses the results of a planar case, which is a metre deep.
+void require_revolution(const std::string& directory) {
+  const std::string path = directory + "/summary.json";
+  if (!std::filesystem::exists(path)) return;
+  if (core::read_json(core::read_text(path), path).text_of("geometry") == "planar")
+    throw core::CaseError(fmt::format(
+        "{}: a planar case was found, whose glass is no solid of revolution, allowed are axisymmetric cases",
+        directory));
+}
+
 }  // namespace
 
 ContainerShape read_container_shape(const std::string& directory) {
+  require_revolution(directory);
   ContainerShape shape;
   const std::string path = directory + "/contour.csv";
   shape.outline = read_outline(path);

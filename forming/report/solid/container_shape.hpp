@@ -21,7 +21,8 @@ struct ContainerShape {
   double bridged;                ///< share of the middle's length in which it was joined across feet and beads
 };
 
-/// Reads contour.csv and thickness.csv; throws core::CaseError where they are missing, broken, or no container.
+/// Reads contour.csv and thickness.csv; throws core::CaseError where they are missing, broken, or no container, and for
+/// the results of a planar case.
 ContainerShape read_container_shape(const std::string& directory);
 
 /// Volume of the outline turned about the axis, by cones between its points, m3.

@@ -51,6 +51,21 @@ TEST(SolidFiles, a_step_file_read_back_has_the_volume_of_the_glass_to_a_ten_thou
   EXPECT_NE(core::read_text(path).find("SI_UNIT(.MILLI.,.METRE.)"), std::string::npos);
 }
 
+TEST(SolidFiles, the_section_of_a_planar_case_is_not_turned_about_an_axis_that_it_does_not_have) {
+  const std::string folder = bowl();
+  core::write_text(folder + "/summary.json", "{ \"geometry\": \"axisymmetric\" }");
+  EXPECT_GT(revolved_volume(read_container_shape(folder)), 0);
+  core::write_text(folder + "/summary.json", "{ \"geometry\": \"planar\" }");
+  try {
+    read_container_shape(folder);
+    ADD_FAILURE() << "a planar case was taken";
+  } catch (const core::CaseError& error) {
+    EXPECT_EQ(error.what(), folder +
+                                ": a planar case was found, whose glass is no solid of revolution, allowed are "
+                                "axisymmetric cases");
+  }
+}
+
 TEST(SolidFiles, a_ring_off_the_axis_becomes_a_solid_too) {
   const ContainerShape ring{{{0.020, 0}, {0.025, 0}, {0.025, 0.01}, {0.0225, 0.012}, {0.020, 0.01}}, true, {}, 0};
   const std::string path = tests::new_folder() + "/ring.step";

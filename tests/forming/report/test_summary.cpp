@@ -31,6 +31,7 @@ TEST(Summary, the_file_is_valid_json_with_the_names_of_the_readme) {
   write_summary(folder, scene, initial_state(scene), some_facts());
   const std::string text = core::read_text(folder + "/summary.json");
   for (const char* key : {"case",
+                          "geometry",
                           "accuracy",
                           "completed",
                           "wall_seconds",
