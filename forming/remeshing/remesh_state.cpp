@@ -261,7 +261,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
       for (const Index n : left) values[n] = field.at_rest();
   });
   next.glass.active_contacts = {};
-  for (ToolState& tool : next.tools) tool.velocity = tool.slowing = tool.force = 0;
+  for (ToolState& tool : next.tools) tool.velocity = tool.slowing = tool.force = tool.end_force = 0;
   for (const auto& named : scene.stages[stage].named_boundaries) name_boundary(scene, state, named, next.glass.mesh);
   return next;
 }

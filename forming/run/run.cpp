@@ -28,8 +28,9 @@ void report_step(RunInProgress& run, const AcceptedStep& step) {
   update_extremes(run.scene, step.before, state, run.outcome.facts.extremes);
   notify(run, &RunObserver::step_taken, step.before, step.report);
   for (const double time : outputs_due(run.scene, step.before.time, state.time))
-    notify(run, &RunObserver::fields_due, time < state.time ? interpolate(step.before, state, time) : state);
-  if (stage_end(run.scene, state) != StageEnd::none) notify(run, &RunObserver::fields_due, state);
+    notify(run, &RunObserver::fields_due, interpolate(step.before, state, time));
+  if (stage_end(run.scene, state) != StageEnd::none)
+    notify(run, &RunObserver::fields_due, interpolate(step.before, state, state.time));
 }
 
 /// Whether glass between tools is too thin to go on; the reason goes into the facts.

@@ -44,8 +44,9 @@ enum class TransferRule {
 /// What a stage's start does to it: keep it, reset it to its value at rest, or reset it where its tool is no longer
 /// active.
 enum class StageStart { keep, reset, reset_without_tool };
-/// Its value at a time within a step: between those of both ends, or that of the step.
-enum class WithinStep { linear, of_step };
+/// Its value at a time within a step: between those of both ends, that of the step, or carried on to that time from the
+/// middles of this step and the one before.
+enum class WithinStep { linear, of_step, of_middle };
 /// How it is written to the result files: as it is, in mm where it is in m, in degC where it is in K.
 enum class FieldOutput { none, value, millimetre, celsius };
 
@@ -107,7 +108,7 @@ inline constexpr auto glass_fields = std::make_tuple(
     FieldDeclaration("previous_contact_tool", "", Location::node, 1, Needs::nothing, TransferRule::nearest_contact,
                      StageStart::keep, WithinStep::of_step, FieldOutput::none, "", &GlassFields::previous_contact_tool),
     FieldDeclaration("contact_pressure", "Pa", Location::node, 1, Needs::nothing, TransferRule::project_along_surface,
-                     StageStart::reset_without_tool, WithinStep::of_step, FieldOutput::value, "contact_pressure_Pa",
+                     StageStart::reset_without_tool, WithinStep::of_middle, FieldOutput::value, "contact_pressure_Pa",
                      &GlassFields::contact_pressure),
     FieldDeclaration("contact_opening", "m", Location::node, 1, Needs::gap_law, TransferRule::interpolate_along_surface,
                      StageStart::reset_without_tool, WithinStep::linear, FieldOutput::millimetre, "contact_opening_mm",

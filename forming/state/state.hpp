@@ -73,7 +73,8 @@ struct ToolState {
   double offset = 0;                   ///< along the axis, m
   double velocity = 0;                 ///< along the axis, m/s
   double slowing = 0;                  ///< rate at which the logarithm of its speed falls, 1/s; 0 where it does not
-  double force = 0;                    ///< on the glass along the axis, N
+  double force = 0;                    ///< on the glass along the axis, mean of the last step, N
+  double end_force = 0;                ///< the same at the end of that step, N
   double peak_force = 0;               ///< largest so far without sign while a force drove it or it moved, N
   double heat_received = 0;            ///< through interfaces since the start, J
   double heat_radiated = 0;            ///< the part of it that came as light, with light in bands, J

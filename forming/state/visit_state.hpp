@@ -49,6 +49,7 @@ void visit_tool(Visitor visit, Tool& tool) {
   visit("velocity", tool.velocity);
   visit("slowing", tool.slowing);
   visit("force", tool.force);
+  visit("end_force", tool.end_force);
   visit("peak_force", tool.peak_force);
   visit("heat_received", tool.heat_received);
   visit("heat_radiated", tool.heat_radiated);

@@ -72,7 +72,7 @@ double excess(const Scene& scene, const State& state, const EndCondition& end) {
   switch (end.kind) {
     case EndCondition::Kind::force: {
       double largest = 0;
-      for (const StageTool& tool : stage.tools) largest = std::max(largest, std::abs(state.tools[tool.tool].force));
+      for (const StageTool& tool : stage.tools) largest = std::max(largest, std::abs(state.tools[tool.tool].end_force));
       return largest - end.value * (1 - 1e-9);
     }
     case EndCondition::Kind::filled:

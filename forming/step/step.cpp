@@ -8,6 +8,7 @@
 
 #include "core/process/clock.hpp"
 #include "core/process/work_times.hpp"
+#include "forming/state/interpolate.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
@@ -20,6 +21,7 @@
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/heat/surface_temperature.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
+#include "forming/step/step_control.hpp"
 #include "forming/step/step_start.hpp"
 #include "forming/step/symmetry_planes.hpp"
 #include "remesh/mesher/quality.hpp"
@@ -53,6 +55,25 @@ void move_bodies(const Scene& scene, double dt, State& state) {
   for (const auto& tool : scene.stages[state.stage].tools) {
     auto& body = state.tools[tool.tool];
     body.offset += dt * body.velocity;
+  }
+}
+
+/// Forces of the tools at the end of the step: carried on from the middles of this and the one before. A tool that its
+/// force alone holds back has just that force; at its speed limit it has no larger one.
+void store_end_forces(const Scene& scene, const State& before, State& after) {
+  const double dt = after.time - before.time, share = dt / (dt + before.last_step);
+  for (std::size_t i = 0; i < after.tools.size(); ++i) {
+    ToolState& tool = after.tools[i];
+    tool.end_force = known_at_both(before, after) ? carried_on(before.tools[i].force, tool.force, share) : tool.force;
+  }
+  for (const StageTool& entry : scene.stages[after.stage].tools) {
+    const auto* driven = std::get_if<ForceMotion>(&entry.motion);
+    if (!driven) continue;
+    ToolState& tool = after.tools[entry.tool];
+    const double drive = driven->force(after.stage_time);
+    const double limit = driven->speed_limit.mean(before.stage_time, after.stage_time);
+    if (std::abs(tool.velocity) < (1 - same_time) * limit || std::abs(tool.end_force) > std::abs(drive))
+      tool.end_force = drive;
   }
 }
 
@@ -185,6 +206,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   advance_openings(scene, state, dt, after);
   after.time += dt;
   after.stage_time += dt;
+  if (scene.has_flow()) store_end_forces(scene, state, after);
   ++after.totals.steps;
   if (dt < short_step * scene.accuracy.min_step) ++after.totals.short_steps;
   after.totals.clamped_lookups = workspace.clamped_lookups;

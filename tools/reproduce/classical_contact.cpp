@@ -46,7 +46,7 @@ bool run_stage(const Scene& scene, const std::string& directory) {
     state.time += report.dt;
     state.stage_time += report.dt;
     state.next_step = propose_step(scene, state, report, state.next_step).dt;
-    files.row(history_row(scene, state, state, report), tool_line(scene, state, surfaces));
+    files.row(history_row(scene, state, report), tool_line(scene, state, surfaces));
     if (!outputs_due(scene, before, state.time).empty()) files.fields(state, report.interface);
   }
   return true;

@@ -54,15 +54,6 @@ double weighted_contact_area(const std::vector<core::InterfacePoint>& interface)
   return area;
 }
 
-/// Force of a tool at the end of a step, N. Where it jumps, as at first contact, or a stage begins, that of the middle.
-double force_at_end(const State& before, const State& state, std::size_t tool, double dt) {
-  constexpr double jump = 1;  // change in a step, of the smaller force
-  const double now = state.tools[tool].force, then = before.tools[tool].force;
-  const bool goes_on = before.stage == state.stage && before.stage_time > 0 && before.last_step > 0;
-  if (!goes_on || std::abs(now - then) >= jump * std::min(std::abs(now), std::abs(then))) return now;
-  return then == 0 ? now : now * std::pow(now / then, dt / (dt + before.last_step));
-}
-
 double probe_temperature(const Scene& scene, const State& state, std::size_t probe) {
   const Index body = scene.probes[probe].body;
   if (temperature_of(state, body).size() == 0) return none;
@@ -103,7 +94,7 @@ double energy_imbalance(const Scene& scene, const State& state, Index tool) {
   return relative_to_heat_lost(state, change - body.heat_received + given);
 }
 
-HistoryRow history_row(const Scene& scene, const State& before, const State& state, const StepReport& report) {
+HistoryRow history_row(const Scene& scene, const State& state, const StepReport& report) {
   const GlassFacts facts = glass_facts(scene, state);
   HistoryRow row;
   row.time = state.time;
@@ -124,7 +115,7 @@ HistoryRow history_row(const Scene& scene, const State& before, const State& sta
   row.heat_substeps = report.heat_substeps;
   row.limited_by = step_limits[static_cast<std::size_t>(report.limit)];
   for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
-    row.tool_force.push_back(force_at_end(before, state, tool, report.dt));
+    row.tool_force.push_back(state.tools[tool].end_force);
     row.tool_position.push_back(state.tools[tool].offset);
     row.tool_speed.push_back(state.tools[tool].velocity);
   }

@@ -40,9 +40,8 @@ struct HistoryRow {
   std::optional<CavityReport> cavities;  ///< where a stage of the scene seals cavities
 };
 
-/// The row of a step from `before` to `state`. The forces of a step are those of its middle; the row has them carried
-/// on to its end, where it also has the time and the places, by their change since the step before.
-HistoryRow history_row(const Scene& scene, const State& before, const State& state, const StepReport& report);
+/// The row of a step that ended with `state`: time, places and forces are those of its end.
+HistoryRow history_row(const Scene& scene, const State& state, const StepReport& report);
 
 /// Line of column names of history.csv, and a row as a line.
 std::string history_header(const Scene& scene);

@@ -26,8 +26,8 @@ void ResultWriter::stage_begins(const RunView& run) {
   stage_lowest_ = lowest_downwards(run.scene, run.state);
 }
 
-void ResultWriter::step_taken(const RunView& run, const State& before, const StepReport& report) {
-  HistoryRow row = history_row(run.scene, before, run.state, report);
+void ResultWriter::step_taken(const RunView& run, const State& /*before*/, const StepReport& report) {
+  HistoryRow row = history_row(run.scene, run.state, report);
   row.sag = lowest_downwards(run.scene, run.state) - stage_lowest_;
   files_->row(row, tool_line(run.scene, run.state, surfaces_));
 }

@@ -29,13 +29,13 @@ TEST(History, a_row_says_what_the_state_holds) {
   const Scene scene = scene_of(small_scene);
   State state = initial_state(scene);
   state.time = 0.25;
-  state.tools[1].force = -4.5;
+  state.tools[1].end_force = -4.5;
   state.tools[1].velocity = -0.02;
   StepReport report;
   report.dt = 0.125;
   report.flow_solves = 7;
   report.limit = StepLimit::event;
-  HistoryRow row = history_row(scene, state, state, report);
+  HistoryRow row = history_row(scene, state, report);
   row.sag = 3e-3;
   auto field = named_fields(history_header(scene), history_line(row));
   EXPECT_EQ(field["time_s"], "0.25");
@@ -63,7 +63,7 @@ TEST(History, the_contact_area_is_that_of_the_edges_pressed_at_all_their_nodes) 
   State state = initial_state(scene);
   for (std::size_t i = 0; i < state.glass.mesh.nodes.size(); ++i)
     if (std::abs(state.glass.mesh.nodes[i][1]) < 1e-9) state.glass.contact_tool[i] = 0;
-  EXPECT_NEAR(history_row(scene, state, state, {}).contact_area, M_PI * 0.02 * 0.02, 1e-12);
+  EXPECT_NEAR(history_row(scene, state, {}).contact_area, M_PI * 0.02 * 0.02, 1e-12);
 }
 
 TEST(History, the_imbalance_is_the_heat_that_no_entry_explains) {
@@ -105,6 +105,78 @@ TEST(History, the_force_is_that_of_the_height_beside_it) {
   std::printf("%d rows, force off by %.4f at most\n", count, worst);
   EXPECT_GT(count, 5);
   EXPECT_LT(worst, 0.015);  // the force in the middle of a step is 6 % off and more
+}
+
+/// The disc between plates without friction, whose upper one a force drives, and the force that it takes to press it at
+/// a speed: 3 eta V v / h^2.
+std::string driven_press(const std::string& motion, const std::string& ends) {
+  return replaced("motion.plunger = { offset = [[\"0 s\", \"10 mm\"], [\"0.5 s\", \"5 mm\"]] }",
+                  "motion.plunger = " + motion + "\n" + ends, slipping_press);
+}
+
+TEST(History, no_force_is_larger_than_the_drive_and_a_tool_below_its_speed_limit_has_just_that) {
+  // At 20 mm/s it takes 75 N at 10 mm, 150 N at 7.1 mm.
+  const auto outcome_of = [](const std::string& text) {
+    const std::string folder = tests::absent_folder();
+    EXPECT_TRUE(run_in_folder(scene_of(text), folder).facts.completed);
+    return core::read_text(folder + "/history.csv");
+  };
+  std::istringstream rows(outcome_of(driven_press("{ force = \"-150 N\", speed_limit = \"20 mm/s\" }", "")));
+  std::string header, line;
+  std::getline(rows, header);
+  int limited = 0, balanced = 0;
+  while (std::getline(rows, line)) {
+    auto field = named_fields(header + '\n', line + '\n');
+    const double force = std::stod(field["plunger_force_N"]), speed = std::stod(field["plunger_speed_mm_s"]);
+    EXPECT_GE(force, -150 * (1 + 1e-9)) << line;
+    if (speed > -20 * (1 - 1e-9)) {
+      EXPECT_NEAR(force, -150, 1e-6) << line;
+      ++balanced;
+    } else {
+      ++limited;
+    }
+  }
+  EXPECT_GT(limited, 3);
+  EXPECT_GT(balanced, 3);
+}
+
+TEST(History, a_stage_ends_at_the_moment_at_which_a_force_is_reached) {
+  const Scene scene = scene_of(
+      driven_press("{ offset = [[\"0 s\", \"10 mm\"], [\"0.5 s\", \"5 mm\"]] }", "end = { force = \"100 N\" }"));
+  const auto outcome = run_in_folder(scene, tests::absent_folder());
+  ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+  EXPECT_EQ(outcome.facts.stages.back().end_reason, std::string("force reached"));
+  const double height = std::sqrt(3 * 1e4 * M_PI * 0.02 * 0.02 * 0.01 * 0.01 / 100);
+  std::printf("height %.4f mm, exact %.4f mm, last step %.4f s\n", 1e3 * outcome.state.tools[1].offset, 1e3 * height,
+              outcome.state.last_step);
+  EXPECT_NEAR(outcome.state.tools[1].offset, height, 0.003 * height);
+}
+
+/// The mean contact pressure on the plates at outputs, over the exact one at that time.
+struct PressureWatch : RunObserver {
+  double worst = 0;
+  int count = 0;
+  void fields_due(const RunView& run, const State& at) override {
+    if (at.time == 0 || run.state.totals.steps < 3) return;
+    const double height = at.tools[1].offset, exact = 3 * 1e4 * 0.01 / height;
+    double sum = 0;
+    int nodes = 0;
+    for (Index n = 0; n < at.glass.mesh.node_count(); ++n)
+      if (at.glass.contact_tool[n] >= 0) sum += at.glass.contact_pressure[n], ++nodes;
+    worst = std::max(worst, std::abs(sum / nodes / exact - 1));
+    ++count;
+  }
+};
+
+TEST(History, the_contact_pressure_is_that_of_the_time_of_the_output) {
+  Scene scene = scene_of(slipping_press);
+  scene.output.interval = 0.013;
+  PressureWatch watch;
+  const auto outcome = run_in_folder(scene, tests::absent_folder(), {&watch});
+  ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+  std::printf("%d outputs, pressure off by %.4f at most\n", watch.count, watch.worst);
+  EXPECT_GT(watch.count, 20);
+  EXPECT_LT(watch.worst, 0.01);
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST(ResultFiles, history_rows_are_on_the_disk_at_once) {
   const State state = initial_state(scene);
   const std::string folder = absent_folder();
   ResultFiles files(scene, folder);
-  files.row(history_row(scene, state, state, {}), tool_line(scene, state, tool_surfaces(scene, state)));
+  files.row(history_row(scene, state, {}), tool_line(scene, state, tool_surfaces(scene, state)));
   for (const char* name : {"/history.csv", "/tools.csv"})
     EXPECT_EQ(lines_of(core::read_text(folder + name)).size(), 2u) << name;
 }

@@ -57,7 +57,7 @@ class ProbeHistory : public RunObserver {
  public:
   std::vector<double> time, temperature;
   void step_taken(const RunView& view, const State& before, const StepReport& report) override {
-    const HistoryRow row = history_row(view.scene, before, view.state, report);
+    const HistoryRow row = history_row(view.scene, view.state, report);
     time.push_back(row.time);
     temperature.push_back(row.probe.at(0) - 273.15);
   }
