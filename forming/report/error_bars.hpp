@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "forming/report/quantities.hpp"
@@ -34,13 +35,14 @@ struct ControlledRun {
   double cpu_seconds = 0;  ///< of the run
   bool completed = true;   ///< whether it came to its end
   double estimate = std::numeric_limits<double>::infinity();  ///< error of this run, a share
+  std::vector<std::string> condemned_by = {};  ///< checks, with value and limit, that speak against the estimate
 };
 
 /// How an accuracy that was asked for was reached, or was not.
 struct AccuracyRecord {
   double target;  ///< share of the wall in the mean and of the heat into the tools
   std::vector<ControlledRun> runs;
-  bool reached() const { return !runs.empty() && runs.back().estimate <= target; }
+  bool reached() const { return !runs.empty() && runs.back().estimate <= target && runs.back().condemned_by.empty(); }
 };
 
 /// Error estimates of a run from coarser runs of the same scene, and from nothing else.

@@ -83,13 +83,25 @@ double skin_temperature(const std::vector<ThicknessRow>& rows, bool wall) {
   return sum / area;
 }
 
-void add_heat(const Scene& scene, const Summary& summary, const std::vector<ThicknessRow>& rows, Quantities& found) {
-  const double span = temperature_range(scene).span();
+/// A heat below this, J, is nothing: a hundredth of all that the glass gave away or took, and what changes its mean
+/// temperature by a tenth of a thousandth of the span of the scene.
+double negligible_heat(const Scene& scene, const State& state) {
+  constexpr double of_exchange = 1e-2, of_span = 1e-4;
+  const TemperatureRange range = temperature_range(scene);
+  const double capacity = scene.glass.thermal->heat_capacity(range.max_temperature);
+  return std::max(of_exchange * (std::abs(state.totals.to_tools) + std::abs(state.totals.to_air)),
+                  of_span * state.glass.density * state.glass.initial_volume * capacity * range.span());
+}
+
+void add_heat(const Scene& scene, const State& state, const Summary& summary, const std::vector<ThicknessRow>& rows,
+              Quantities& found) {
+  const double span = temperature_range(scene).span(), negligible = negligible_heat(scene, state);
   found.values.push_back({"glass_mean", "degC", celsius(summary.glass.mean), span});
   found.values.push_back({"glass_skin", "degC", celsius(skin_temperature(rows, has_wall(scene, rows))), span});
   for (const ToolSummary& tool : summary.tools)
     if (tool.heat_received != 0)
-      found.values.push_back({heat_prefix + tool.name, "J", tool.heat_received, std::abs(tool.heat_received)});
+      found.values.push_back(
+          {heat_prefix + tool.name, "J", tool.heat_received, std::max(std::abs(tool.heat_received), negligible)});
 }
 
 /// How far the glass reaches, as shares of the larger of its width and height.
@@ -150,7 +162,7 @@ Quantities quantities(const Scene& scene, const State& state, const Summary& sum
   Quantities found;
   const std::vector<ThicknessRow>& rows = wall.rows;
   if (has_wall(scene, rows) && rows.size() > 1) add_wall(wall, found);
-  if (scene.has_heat()) add_heat(scene, summary, rows, found);
+  if (scene.has_heat()) add_heat(scene, state, summary, rows, found);
   if (!scene.has_flow()) return found;
   add_extent(state, found);
   add_tools(scene, state, summary, found);
@@ -248,13 +260,15 @@ ProfileDifference compare_profiles(const std::vector<double>& profile, const std
 
 double heat_difference(const Quantities& run, const Quantities& reference) {
   double difference = 0, whole = 0;
+  bool matters = false;
   for (const Quantity& quantity : reference.values)
     if (quantity.name.rfind(heat_prefix, 0) == 0) {
       const Quantity* found = run.find(quantity.name);
       difference += std::abs((found ? found->value : 0) - quantity.value);
       whole += quantity.scale;
+      matters = matters || std::abs(quantity.value) >= quantity.scale;
     }
-  return whole > 0 ? difference / whole : none;
+  return matters ? difference / whole : none;
 }
 
 }  // namespace parison::forming

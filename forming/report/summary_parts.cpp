@@ -87,6 +87,9 @@ void add_control(core::JsonWriter& json, const AccuracyRecord& control) {
     json.add("completed", run.completed);
     json.add("cpu_seconds", run.cpu_seconds);
     if (std::isfinite(run.estimate)) json.add("estimated_error", run.estimate);
+    json.open_list("condemned_by");
+    for (const std::string& check : run.condemned_by) json.add("", check);
+    json.close();
     json.close();
   }
   json.close();

@@ -188,6 +188,9 @@ std::string control_lines(const ErrorBars& bars) {
             : std::isfinite(run.estimate) ? fmt::format("error estimated at {:.2g} %\n", 100 * run.estimate)
                                           : "nothing to compare with yet\n";
   }
+  const std::vector<std::string> condemned =
+      control.runs.empty() ? std::vector<std::string>() : control.runs.back().condemned_by;
+  for (const std::string& check : condemned) text += fmt::format("  its checks speak against that: {}\n", check);
   return text + fmt::format("  {}, {:.1f} s CPU in all\n", control.reached() ? "reached" : "not reached", seconds);
 }
 

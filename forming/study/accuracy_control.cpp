@@ -37,6 +37,13 @@ constexpr double coarser_weight = 0.2;  ///< of a pair for each run that lies be
 /// The estimate is larger by how little is known of the scatter: with two runs, three, or more of them.
 constexpr std::array safety{2.4, 1.5, 1.3};
 
+/// By how much a check exceeds what it may be where `target` is asked for; up to 1 it does not speak against the run.
+double excess(const Check& check, double target) {
+  const bool is_error = check.kind == CheckKind::error;
+  const double allowed = is_error ? std::min(std::max(check.limit, target), check.severe_limit) : check.severe_limit;
+  return std::isnan(check.value) ? std::numeric_limits<double>::infinity() : check.value / allowed;
+}
+
 double safe(std::size_t runs) {
   return safety[std::min(runs, safety.size() + 1) - 2];
 }
@@ -73,18 +80,32 @@ double AccuracyControl::likely_error() const {
   return std::sqrt((1 + scatter * scatter) * squares / weights) * std::pow(completed_.back().factor, order);
 }
 
-void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_seconds) {
+void AccuracyControl::judge(const Checks& checks) {
+  double worst = 0;
+  bool may_help = true;
+  for (const Check& check : checks)
+    if (const double found = excess(check, record_.target); found > 1) {
+      record_.runs.back().condemned_by.push_back(value_and_limit(check));
+      may_help = may_help && check.kind != CheckKind::scene;
+      worst = std::max(worst, found);
+    }
+  helpless_ = worst > 0 && (!may_help || (excess_ > 0 && worst >= excess_));
+  excess_ = worst;
+}
+
+void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_seconds, const Checks& checks) {
   record_.runs.push_back({factor_, cpu_seconds, run.has_value()});
   double next = factor_ / least_refinement;
   if (run) {
+    judge(checks);
     completed_.push_back({factor_, *run, cpu_seconds});
     const std::size_t runs = completed_.size();
     if (runs == 1) next = factor_ / refinement;
     if (const double error = runs > 1 ? likely_error() : std::numeric_limits<double>::quiet_NaN();
         std::isfinite(error)) {
       record_.runs.back().estimate = safe(runs) * error;
-      next = factor_ / std::clamp(std::pow(safe(runs + 1) * error / (aim * record_.target), 1 / order),
-                                  least_refinement, most_refinement);
+      const double finer = std::max(safe(runs + 1) * error / (aim * record_.target), excess_);
+      next = factor_ / std::clamp(std::pow(finer, 1 / order), least_refinement, most_refinement);
     }
   }
   if (!finished()) factor_ = std::max(next, min_coarsening);
@@ -103,7 +124,8 @@ std::vector<CoarserRun> AccuracyControl::coarser() const {
 }
 
 bool AccuracyControl::finished() const {
-  return record_.reached() || record_.runs.size() >= most_runs ||
+  const bool near_enough = !record_.runs.empty() && record_.runs.back().estimate <= record_.target;
+  return record_.reached() || (near_enough && helpless_) || record_.runs.size() >= most_runs ||
          (!record_.runs.empty() && factor_ / least_refinement < min_coarsening);
 }
 

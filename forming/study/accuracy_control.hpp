@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "forming/report/checks/check.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/quantities.hpp"
 
@@ -25,8 +26,9 @@ class AccuracyControl {
   /// Edges and steps of the next run, in units of those of the draft preset, and the accuracy that asks for it.
   double factor() const { return factor_; }
   std::string accuracy() const;
-  /// What the run gave; nothing where it stopped before its end.
-  void add(const std::optional<Quantities>& run, double cpu_seconds);
+  /// What the run gave, nothing where it stopped before its end, and its checks. A run with one far beyond its limit,
+  /// or with one that tells of a larger error than asked for, has not reached it: the next is finer while that helps.
+  void add(const std::optional<Quantities>& run, double cpu_seconds, const Checks& checks = {});
   /// Whether there is nothing more to run: the accuracy is reached or out of reach.
   bool finished() const;
   const AccuracyRecord& record() const { return record_; }
@@ -37,9 +39,13 @@ class AccuracyControl {
  private:
   /// Error of the last completed run, a share; at least two have been completed.
   double likely_error() const;
+  /// Notes the checks that speak against the last run, and whether finer runs may mend them.
+  void judge(const Checks& checks);
 
   AccuracyRecord record_;
   double factor_;
+  double excess_ = 0;      ///< of the worst check that speaks against the last completed run, over what is allowed
+  bool helpless_ = false;  ///< finer runs do not mend what the checks say
   std::vector<CoarserRun> completed_;  ///< factors in units of draft
 };
 

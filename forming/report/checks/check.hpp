@@ -11,6 +11,10 @@ namespace parison::forming {
 enum class Verdict { inside, beyond, not_trustworthy };
 const char* name_of(Verdict verdict);
 
+/// What a finer accuracy does to a number: nothing; makes it smaller; makes it smaller, and it is about the share by
+/// which results are wrong.
+enum class CheckKind { scene, resolution, error };
+
 /// A number that tells how far a result can be trusted.
 struct Check {
   std::string name;
@@ -19,6 +23,7 @@ struct Check {
   double severe_limit;    ///< beyond it the results cannot be trusted; infinity: never for this alone
   const char* unit = "";  ///< in which both are shown: "%", "mm" or none
   std::string sentence;   ///< what the number means and what to do
+  CheckKind kind = CheckKind::scene;
   Verdict verdict() const;
 };
 using Checks = std::vector<Check>;

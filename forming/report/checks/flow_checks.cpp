@@ -18,7 +18,8 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
   const double wall = core::mean_wall(state.glass.mesh);
   checks.push_back({"volume_drift", totals.max_drift, 1e-3, 1e-2, "%",
                     "the glass had so much more or less volume than at its start, and its wall is wrong by about as "
-                    "much; a smaller numerics.strain_per_step helps"});
+                    "much; a smaller numerics.strain_per_step helps",
+                    CheckKind::error});
   if (!scene.tools.empty()) {
     const std::string entered = entered_face_sentence(scene, state);
     const auto sentence = [&](const char* what, double depth, const PenetrationPlace& place, const char* advice) {
@@ -29,11 +30,13 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
     };
     checks.push_back({"penetration", std::max(totals.penetration_share, totals.max_penetration / wall), 1e-2, 0.1, "%",
                       sentence("a node of the glass was inside a tool", totals.max_penetration, totals.deepest_node,
-                               "a smaller numerics.strain_per_step or numerics.surface_size helps")});
+                               "a smaller numerics.strain_per_step or numerics.surface_size helps"),
+                      CheckKind::resolution});
     checks.push_back({"edge_penetration", std::max(totals.edge_penetration_share, totals.max_edge_penetration / wall),
                       5e-2, 0.25, "%",
                       sentence("an edge of the glass cut into a tool", totals.max_edge_penetration, totals.deepest_edge,
-                               "a smaller numerics.surface_size, or a finer --accuracy, helps")});
+                               "a smaller numerics.surface_size, or a finer --accuracy, helps"),
+                      CheckKind::resolution});
   }
   const auto is_symmetry = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::symmetry; };
   if (scene.geometry == core::Geometry::axisymmetric ||
@@ -41,7 +44,8 @@ void add_shape_checks(const Scene& scene, const State& state, Checks& checks) {
     checks.push_back({"axis", totals.off_axis / wall, 1e-2, 0.1, "%",
                       "a node of the glass passed the axis in one step and was put back, or lay beyond a plane of "
                       "symmetry, by so much of the mean wall; a smaller numerics.strain_per_step helps, and where a "
-                      "hole closes at such a plane the whole section in place of its half"});
+                      "hole closes at such a plane the whole section in place of its half",
+                      CheckKind::resolution});
 }
 
 /// Whether the glass still has a mapped mesh with a single division from side to side: the recovery has nothing to
@@ -64,7 +68,8 @@ void add_mesh_checks(const Scene& scene, const State& state, Checks& checks) {
   checks.push_back({"flow_resolution", unresolved, unresolved_limit, 0.5, "%",
                     "about so much of the work is dissipated by motion that the glass mesh does not resolve, and "
                     "shapes, forces and times are wrong by up to as much; a "
-                    "smaller numerics.surface_size or mesh.size of the glass, or more numerics.elements_across helps"});
+                    "smaller numerics.surface_size or mesh.size of the glass, or more numerics.elements_across helps",
+                    CheckKind::error});
   if (scene.glass.mesh.mapped)
     checks.push_back(
         {"single_division", has_single_division(scene, state) ? 1.0 : 0.0, 0, no_limit, "",
@@ -97,7 +102,8 @@ void add_step_checks(const Scene& scene, const State& state, const RunFacts& fac
                       0.1, "%",
                       "so many of all contacts were held closed although they pull, because the set of contacts "
                       "cycled: glass sticks there that should come off; a smaller numerics.surface_size or "
-                      "numerics.max_step helps"});
+                      "numerics.max_step helps",
+                      CheckKind::resolution});
   checks.push_back({"step_collapse", static_cast<double>(totals.short_steps) / steps, 0.3, no_limit, "%",
                     fmt::format("so many of the steps were shorter than ten times numerics.min_step, {:g} s: the "
                                 "motion is faster there than any forming, as of a bursting film or of a tool that is "
@@ -109,7 +115,8 @@ void add_step_checks(const Scene& scene, const State& state, const RunFacts& fac
          "%",
          "the heat of the steps changed the viscosity otherwise than they had foreseen, and forces are "
          "wrong by about so much, temperatures too where work warms the glass; a smaller numerics.max_step "
-         "helps"});
+         "helps",
+         CheckKind::error});
   checks.push_back({"inertia", totals.max_reynolds, 1, 20, "",
                     "inertia is neglected, but the Reynolds number reached this: speeds and times are too short; a "
                     "stiffer glass or slower tools are what this program can do"});
@@ -125,7 +132,8 @@ void add_flow_checks(const Scene& scene, const State& state, const RunFacts& fac
   checks.push_back({"work_balance", max_work_imbalance(scene, state, facts), 5e-3, 5e-2, "%",
                     "the work done on the glass and the work dissipated or stored differ by this at a stage's end, and "
                     "forces and times are wrong by about as much; a higher accuracy or a smaller "
-                    "numerics.strain_per_step helps"});
+                    "numerics.strain_per_step helps",
+                    CheckKind::error});
   add_shape_checks(scene, state, checks);
   add_mesh_checks(scene, state, checks);
   add_step_checks(scene, state, facts, checks);

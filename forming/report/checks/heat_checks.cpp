@@ -89,7 +89,8 @@ Check thermal_skin(const Scene& scene, const State& state) {
           fmt::format("the heat exchanged {} is wrong by about this, because the skin that cools or warms is thinner "
                       "than the first cells; smaller first cells (mesh.contact_size of the body, numerics.skin_size "
                       "for glass that flows) or a longer time help",
-                      worst.where.empty() ? "anywhere" : worst.where)};
+                      worst.where.empty() ? "anywhere" : worst.where),
+          CheckKind::error};
 }
 
 /// Share of the jump that a body's surface has seen.
@@ -118,17 +119,18 @@ Check overshoot(const Scene& scene, const State& state, double TemperatureBounds
       fmt::format("inside {} a temperature was {} all that its surface and its start had, in the mean over the run by "
                   "so much of the jump at the surface: the thermal boundary layer is thinner than the mesh resolves; "
                   "smaller first cells (mesh.contact_size of the body, numerics.skin_size for glass that flows) help",
-                  of, direction)};
+                  of, direction),
+      CheckKind::resolution};
 }
 
 }  // namespace
 
 void add_heat_checks(const Scene& scene, const State& state, Checks& checks) {
   const Totals& totals = state.totals;
-  checks.push_back(
-      {"energy_imbalance", glass_facts(scene, state).energy_imbalance, 5e-3, 5e-2, "%",
-       "so much of the heat that the glass lost is not explained by its change of heat content, and "
-       "heat and temperatures are wrong by about as much; a smaller numerics.temperature_tolerance helps"});
+  checks.push_back({"energy_imbalance", glass_facts(scene, state).energy_imbalance, 5e-3, 5e-2, "%",
+                    "so much of the heat that the glass lost is not explained by its change of heat content, and "
+                    "heat and temperatures are wrong by about as much; a smaller numerics.temperature_tolerance helps",
+                    CheckKind::error});
   checks.push_back({"interface_flux", totals.max_flux_mismatch, 1e-6, 1e-2, "%",
                     "the heat out of the glass and the heat into a tool differ; this is an error of the program, "
                     "please report it with the case"});

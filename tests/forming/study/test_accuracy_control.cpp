@@ -233,5 +233,63 @@ TEST(AccuracyControl, refines_after_a_run_that_stopped_and_gives_up_after_eight)
   EXPECT_FALSE(control.record().reached());
 }
 
+Check resolution(double value) {
+  return {"flow_resolution", value, 0.03, 0.5, "%", "", CheckKind::error};
+}
+
+TEST(AccuracyControl, a_run_that_its_own_check_condemns_has_not_reached_what_was_asked_for) {
+  AccuracyControl control(0.02);
+  const auto add = [&](double unresolved) {
+    control.add(off_by(1e-4, 1.5, control.factor()), 1, {resolution(unresolved)});
+  };
+  add(0.4);
+  add(0.35);
+  const ControlledRun& second = control.record().runs.back();
+  EXPECT_LT(second.estimate, 0.02);
+  EXPECT_FALSE(control.record().reached());
+  EXPECT_FALSE(control.finished()) << "a finer run may mend it";
+  ASSERT_EQ(second.condemned_by.size(), 1u);
+  EXPECT_EQ(second.condemned_by[0], "flow_resolution is 35 %, the limit is 3 %");
+  EXPECT_NEAR(second.factor / control.factor(), 2.3, 1e-9) << "as much finer as any";
+  add(0.025);
+  EXPECT_TRUE(control.record().reached());
+}
+
+TEST(AccuracyControl, a_check_within_its_limit_or_the_error_asked_for_speaks_against_nothing) {
+  for (const double value : {0.01, 0.04}) {
+    AccuracyControl control(0.05);
+    for (int run = 0; run < 2; ++run) control.add(off_by(1e-4, 1.5, control.factor()), 1, {resolution(value)});
+    EXPECT_TRUE(control.record().reached()) << value;
+  }
+}
+
+TEST(AccuracyControl, gives_up_where_finer_runs_do_not_mend_what_a_check_says) {
+  AccuracyControl stuck(0.02);
+  for (int run = 0; run < 2; ++run) stuck.add(off_by(1e-4, 1.5, stuck.factor()), 1, {resolution(0.35)});
+  EXPECT_TRUE(stuck.finished());
+  EXPECT_FALSE(stuck.record().reached());
+  AccuracyControl fast(0.02);
+  for (int run = 0; run < 2; ++run)
+    fast.add(off_by(1e-4, 1.5, fast.factor()), 1, {{"inertia", 50.0 - run, 1, 20, "", ""}});
+  EXPECT_TRUE(fast.finished());
+  EXPECT_FALSE(fast.record().reached());
+}
+
+/// A run whose wall is right and whose heats are as given, J; below 100 J a heat is nothing.
+Quantities with_heats(const std::vector<double>& heats) {
+  Quantities run{{}, std::vector<double>(profile_points, 1.0)};
+  for (const double heat : heats) run.values.push_back({"heat_a", "J", heat, std::max(100.0, std::abs(heat))});
+  return run;
+}
+
+TEST(AccuracyControl, the_relative_error_of_a_heat_that_is_nothing_is_not_chased) {
+  EXPECT_EQ(difference_of_runs(with_heats({2}), with_heats({1})), 0);
+  EXPECT_EQ(difference_of_runs(with_heats({}), with_heats({})), 0);
+  EXPECT_NEAR(difference_of_runs(with_heats({1100}), with_heats({1000})), 0.1, 1e-12);
+  Quantities flat = with_heats({1}), other = with_heats({2});
+  flat.profile.clear(), other.profile.clear();
+  EXPECT_NEAR(difference_of_runs(other, flat), 0.01, 1e-12) << "of what counts as a heat, where there is no wall";
+}
+
 }  // namespace
 }  // namespace parison::forming

@@ -79,7 +79,8 @@ int run_to_accuracy(RunRequest request, double target) {
     const Attempt now = attempt(request, control, output);
     const bool completed = now.outcome.facts.completed;
     if (now.outcome.facts.stopped) return report(now, control, request, output);
-    control.add(completed ? std::optional(now.summary.quantities) : std::nullopt, now.outcome.facts.cpu_seconds);
+    control.add(completed ? std::optional(now.summary.quantities) : std::nullopt, now.outcome.facts.cpu_seconds,
+                now.outcome.facts.checks);
     if (control.finished()) return report(now, control, request, output);
     std::filesystem::remove_all(output);  // made by this command; a finer run takes its place
   }
