@@ -96,7 +96,8 @@ void add_step_checks(const Scene& scene, const State& state, const RunFacts& fac
     checks.push_back({"impact", std::abs(work.impact_loss) / lost, 0.03, 0.3, "%",
                       "glass without inertia has no impact, but so much of the work was booked as one, where tools "
                       "acted on glass before they had reached it: forces act too long, and shapes and times are wrong "
-                      "by up to as much; a smaller numerics.landing_per_step or numerics.min_step helps"});
+                      "by up to as much; a smaller numerics.landing_per_step or numerics.min_step helps",
+                      CheckKind::error});
   if (!scene.tools.empty())
     checks.push_back({"locked_contacts", static_cast<double>(facts.solver_statistics.locked_contacts) / contacts, 1e-2,
                       0.1, "%",
