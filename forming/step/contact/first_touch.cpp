@@ -37,9 +37,15 @@ double tool_advance(const State& state, const StageTool& tool, bool touches, dou
   return force == 0 ? 0 : std::copysign(ahead * driven->speed_limit.mean(now, now + ahead), force);
 }
 
-/// Nodes that touch a tool.
-std::vector<bool> nodes_at(const GlassState& glass, Index tool) {
+/// Nodes that touch a tool. Before a stage's first step, when no contact is known yet, by their gaps.
+std::vector<bool> nodes_at(const Scene& scene, const State& state, Index tool) {
+  const GlassState& glass = state.glass;
   std::vector<bool> touch(glass.mesh.nodes.size(), false);
+  const double near = touching_share * scene.accuracy.surface_size;
+  if (state.last_step == 0) {
+    const Eigen::VectorXd gaps = tool_gaps(scene, state, tool, 2 * near);
+    for (std::size_t n = 0; n < touch.size(); ++n) touch[n] = gaps[Index(n)] <= near;
+  }
   const ActiveContacts& contacts = glass.active_contacts;
   for (std::size_t i = 0; i < contacts.node.size(); ++i)
     if (contacts.tool[i] == tool) touch[contacts.node[i]] = true;
@@ -48,8 +54,8 @@ std::vector<bool> nodes_at(const GlassState& glass, Index tool) {
   return touch;
 }
 
-bool touches(const GlassState& glass, Index tool) {
-  const std::vector<bool> touch = nodes_at(glass, tool);
+bool touches(const Scene& scene, const State& state, Index tool) {
+  const std::vector<bool> touch = nodes_at(scene, state, tool);
   return std::find(touch.begin(), touch.end(), true) != touch.end();
 }
 
@@ -58,7 +64,7 @@ bool touches(const GlassState& glass, Index tool) {
 double speed_jump(const Scene& scene, const State& state, double ahead) {
   std::optional<double> jump;
   for (const StageTool& tool : scene.stages[state.stage].tools) {
-    if (!touches(state.glass, tool.tool)) continue;
+    if (!touches(scene, state, tool.tool)) continue;
     const double change = tool_advance(state, tool, true, ahead) / ahead - state.tools[tool.tool].velocity;
     if (jump && std::abs(change - *jump) > 1e-6 * std::max(std::abs(change), std::abs(*jump))) return 0;
     jump = change;
@@ -74,8 +80,8 @@ class Approach {
         tool_(tool),
         velocity_(velocity),
         nodes_(contact_nodes(state.glass.mesh)),
-        held_(nodes_at(state.glass, tool.tool)),
-        touches_(touches(state.glass, tool.tool)),
+        held_(nodes_at(scene, state, tool.tool)),
+        touches_(touches(scene, state, tool.tool)),
         near_(touching_share * scene.accuracy.surface_size),
         way_(way(ahead)),
         gap_(scene.tools[tool.tool].profile, contact_boundaries(scene.tools[tool.tool]), 2 * way_ + near_) {}
