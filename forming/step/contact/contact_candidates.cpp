@@ -6,6 +6,7 @@
 
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/edge_constraints.hpp"
+#include "forming/step/contact/first_touch.hpp"
 #include "forming/step/contact/placed_tools.hpp"
 
 namespace parison::forming {
@@ -217,8 +218,12 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   const auto motions = tool_motions(scene, state, dt);
   std::vector<double> speed, offset;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    speed.push_back(motions[i].force ? state.tools[i].velocity : motions[i].velocity);
-    offset.push_back(state.tools[i].offset + dt * speed.back());
+    speed.push_back(motions[i].velocity);
+    offset.push_back(state.tools[i].offset);
+  }
+  for (const StageTool& tool : scene.stages[state.stage].tools) {
+    if (motions[tool.tool].force) speed[tool.tool] = predicted_speed(scene, state, tool, velocity, dt);
+    offset[tool.tool] += dt * speed[tool.tool];
   }
   const core::Mesh& glass = state.glass.mesh;
   const auto tools = active_tools(scene, state);

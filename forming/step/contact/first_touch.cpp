@@ -54,7 +54,7 @@ std::vector<bool> nodes_at(const Scene& scene, const State& state, Index tool) {
   return touch;
 }
 
-bool touches(const Scene& scene, const State& state, Index tool) {
+bool is_touched(const Scene& scene, const State& state, Index tool) {
   const std::vector<bool> touch = nodes_at(scene, state, tool);
   return std::find(touch.begin(), touch.end(), true) != touch.end();
 }
@@ -64,7 +64,7 @@ bool touches(const Scene& scene, const State& state, Index tool) {
 double speed_jump(const Scene& scene, const State& state, double ahead) {
   std::optional<double> jump;
   for (const StageTool& tool : scene.stages[state.stage].tools) {
-    if (!touches(scene, state, tool.tool)) continue;
+    if (!is_touched(scene, state, tool.tool)) continue;
     const double change = tool_advance(state, tool, true, ahead) / ahead - state.tools[tool.tool].velocity;
     if (jump && std::abs(change - *jump) > 1e-6 * std::max(std::abs(change), std::abs(*jump))) return 0;
     jump = change;
@@ -81,10 +81,16 @@ class Approach {
         velocity_(velocity),
         nodes_(contact_nodes(state.glass.mesh)),
         held_(nodes_at(scene, state, tool.tool)),
-        touches_(touches(scene, state, tool.tool)),
+        touches_(is_touched(scene, state, tool.tool)),
         near_(touching_share * scene.accuracy.surface_size),
         way_(way(ahead)),
         gap_(scene.tools[tool.tool].profile, contact_boundaries(scene.tools[tool.tool]), 2 * way_ + near_) {}
+
+  bool touches() const { return touches_; }
+  /// Whether the tool is at the glass, though no contact with it is known.
+  bool arrived() const {
+    return !touches_ && std::any_of(nodes_.begin(), nodes_.end(), [&](Index node) { return gap_of(node, 0) <= near_; });
+  }
 
   /// Time, s, until a node touches the tool that belongs to no surface in contact with it; infinite where none does
   /// within `ahead`. What would move so far that it is not looked at to the end counts as arriving there.
@@ -175,6 +181,16 @@ double time_to_first_touch(const Scene& scene, const State& state, double ahead)
   for (const StageTool& tool : scene.stages[state.stage].tools)
     first = std::min(first, Approach(scene, state, tool, velocity, ahead).first_touch(ahead));
   return first;
+}
+
+double predicted_speed(const Scene& scene, const State& state, const StageTool& tool, const Eigen::VectorXd& velocity,
+                       double dt) {
+  const double last = state.tools[tool.tool].velocity;
+  if (last == 0) return 0;
+  const Approach approach(scene, state, tool, velocity, dt);
+  if (approach.touches()) return last;
+  if (approach.arrived()) return 0;
+  return last * std::min(1.0, approach.first_touch(dt) / dt);
 }
 
 }  // namespace parison::forming

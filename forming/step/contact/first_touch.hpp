@@ -1,5 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 
@@ -9,5 +11,10 @@ namespace parison::forming {
 /// present and the tools as they are driven; infinite where that is not within `ahead`, s. Contact that only spreads
 /// along the surface from where the tool touches already is no such place.
 double time_to_first_touch(const Scene& scene, const State& state, double ahead);
+
+/// Mean speed along the axis, m/s, that a step of dt, s, begins with for a tool driven by force: that of the last step,
+/// if it touched nothing in it only as far as the glass, which moves with `velocity` (core::dim per node, m/s).
+double predicted_speed(const Scene& scene, const State& state, const StageTool& tool, const Eigen::VectorXd& velocity,
+                       double dt);
 
 }  // namespace parison::forming
