@@ -5,10 +5,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/mesh/element.hpp"
+#include "forming/flow/contact/wedged_corner.hpp"
 
 namespace parison::flow {
 
@@ -62,47 +62,6 @@ NodeEquality sticking(const Problem& problem, const ContactCandidate& candidate)
   const ToolMotion& tool = problem.tools[candidate.tool];
   if (!tool.force) side.value += tool.velocity * tangent.dot(core::axis_direction());
   return side;
-}
-
-/// A corner of two tools in which the glass is wedged along one of them.
-struct WedgedCorner {
-  Point at;
-  Index tool;  ///< along which
-};
-
-/// Whether a tool that moves against another one pushes the glass of their common corner along that, so that it slides
-/// there by more than a small share of their relative speed.
-bool wedges(const Problem& problem, const NodeEquality& other, const NodeEquality& along) {
-  constexpr double small = 1e-3;
-  const ToolMotion &a = problem.tools[along.tool], &b = problem.tools[other.tool];
-  if (!a.force && !b.force && a.velocity == b.velocity) return false;
-  return std::abs(other.normal.dot(core::axis_direction())) >
-         small * std::abs(other.normal.dot(perpendicular(along.normal)));
-}
-
-/// The corners in which the glass is wedged along a tool that it sticks to.
-std::vector<WedgedCorner> wedged_corners(const Problem& problem, const NodeEqualityMap& nodes) {
-  std::vector<WedgedCorner> corners;
-  for (Index node = 0; node < problem.mesh->node_count(); ++node) {
-    if (nodes.of_node[node] < 0) continue;
-    const NodeEqualities& both = nodes.equalities[nodes.of_node[node]];
-    if (both.size() != dim || both[0].tool < 0 || both[1].tool < 0 || both[0].tool == both[1].tool) continue;
-    for (int i = 0; i < dim; ++i)
-      if (both[i].candidate >= 0 && both[1 - i].candidate >= 0 &&
-          sticks(problem, problem.candidates[both[i].candidate]) && wedges(problem, both[1 - i], both[i]))
-        corners.push_back({problem.mesh->nodes[node], both[i].tool});
-  }
-  return corners;
-}
-
-/// Shear stress over viscosity and slip, 1/m, with which a node that sticks to a tool gives way beside the corners;
-/// infinite where it does not.
-double give_way(const Problem& problem, Index node, Index tool, const std::vector<WedgedCorner>& corners) {
-  double nearest = 1;
-  for (const WedgedCorner& corner : corners)
-    if (corner.tool == tool)
-      nearest = std::min(nearest, (problem.mesh->nodes[node] - corner.at).norm() / give_way_length);
-  return nearest < 1 ? nearest / (1 - nearest) / give_way_length : std::numeric_limits<double>::infinity();
 }
 
 /// Local basis and prescribed velocity of a node with the given equalities. One equality: the basis is its normal and
@@ -177,7 +136,9 @@ Constraints make_constraints(const Problem& problem, const std::vector<bool>& ac
   Constraints constraints;
   constraints.index_of.assign(nodes.of_node.size(), -1);
   constraints.nodes.reserve(nodes.equalities.size());
-  const std::vector<WedgedCorner> corners = wedged_corners(problem, nodes);
+  std::vector<WedgedCorner> corners;
+  for (Index node = 0; node < problem.mesh->node_count(); ++node)
+    if (nodes.of_node[node] >= 0) add_wedged_corners(problem, node, nodes.equalities[nodes.of_node[node]], corners);
   constraints.tangential_stiffness = constraints.tangential_load = Eigen::VectorXd::Zero(problem.mesh->node_count());
   for (Index node = 0; node < problem.mesh->node_count(); ++node) {
     if (nodes.of_node[node] < 0) continue;

@@ -62,15 +62,8 @@ inline Point perpendicular(const Point& normal) {
   return {-normal[1], normal[0]};
 }
 
-/// Whether an active contact prevents slip along the tool, but beside a corner (give_way_length).
+/// Whether an active contact prevents slip along the tool, but beside a corner (wedged_corner.hpp).
 bool sticks(const Problem& problem, const ContactCandidate& candidate);
-
-/// Where two tools meet at a node of the glass and one of them, on which the glass would stick, is wedged along by the
-/// other, no velocity fits both beside the corner: the stress would grow with every finer mesh, as that of two plates
-/// in a scraped corner does (G. I. Taylor 1962; for contact lines C. Huh, L. E. Scriven, J. Colloid Interface Sci. 35
-/// (1971) 85-101). The glass gives way there along the tool, freely at the corner and ever less up to this distance, m:
-/// the depth to which it chills in one or two seconds of contact, so that no skin is held nearer than it is thick.
-inline constexpr double give_way_length = 3e-3;
 
 /// Tools whose velocity is an unknown, as indices into Problem::tools.
 std::vector<Index> driven_tools(const Problem& problem);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flow_case.hpp"
+#include "forming/flow/contact/wedged_corner.hpp"
 
 namespace parison::flow {
 namespace {
