@@ -77,6 +77,13 @@ std::optional<FastNode> fast_node(const State& state) {
 std::string falling_glass(const RunInProgress& run) {
   const auto fast = fast_node(run.outcome.state);
   if (!fast || !gravity_alone_moves(run)) return "";
+  const auto& touched = run.outcome.state.glass.contact_tool;
+  if (std::all_of(touched.begin(), touched.end(), [](Index tool) { return tool < 0; }))
+    return fmt::format(
+        "nothing carries the glass: it touches no tool and falls as a whole, at {:.0f} m/s; `parison check` says how "
+        "far "
+        "a gob falls at the start, and gob = {{ mass, diameter, in = \"blank\" }} lays it on the tools",
+        fast->speed);
   return fmt::format(
       "the glass stretches under its weight alone until it falls, near ({:.1f}, {:.1f}) mm at {:.0f} m/s, where no "
       "pressure acts: a shorter time before something holds or shapes it, colder glass, or a tool that carries it "

@@ -222,9 +222,11 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   scene.accuracy_name = accuracy;
   scene.accuracy_choice = accuracy_choice;
   scene.accuracy = accuracy_at(scene.accuracy_choice.level);
-  read_bodies(root, read_context(root, file.directory), scene);
+  const BodyContext context = read_context(root, file.directory);
+  read_bodies(root, context, scene);
   fit_preset_lengths(scene);
   read_stages(root, scene);
+  lay_down_gob(root, context, scene);
   refuse_repeated_names(root.tables("probe"));
   for (const auto* probe : root.tables("probe")) scene.probes.push_back(read_probe(*probe, scene));
   if (const auto* output = root.find("output")) scene.output = read_output(*output);

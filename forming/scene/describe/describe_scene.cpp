@@ -9,6 +9,7 @@
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "forming/scene/describe/named_points.hpp"
+#include "forming/scene/describe/support.hpp"
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/preset_scales.hpp"
 #include "thermal/properties.hpp"
@@ -92,10 +93,12 @@ std::string heat_parts(const Scene& scene) {
                      on ? "the glass does not flow" : no_heat);
 }
 
-std::string number_lines(const DimensionlessNumbers& numbers, core::Geometry geometry) {
+std::string number_lines(const Scene& scene, const DimensionlessNumbers& numbers) {
   const auto shown = [](const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "n/a"; };
-  std::string text = fmt::format("\nglass                 {:.4g} g, {:.4g} cm3{} as drawn\n", 1e3 * numbers.mass,
-                                 1e6 * numbers.volume, geometry == core::Geometry::planar ? " a metre of depth" : "");
+  std::string text =
+      fmt::format("\nglass                 {:.4g} g, {:.4g} cm3{} as drawn\n", 1e3 * numbers.mass, 1e6 * numbers.volume,
+                  scene.geometry == core::Geometry::planar ? " a metre of depth" : "");
+  text += describe_support(scene);
   text += fmt::format("\nnumbers at the start (length {:.3g} mm, speed {} m/s, viscosity {} Pa.s)\n",
                       1e3 * numbers.length, shown(numbers.speed), shown(numbers.viscosity));
   text += fmt::format("  {:<20}{:<12}inertia over viscous stress\n", "Reynolds", shown(numbers.reynolds));
@@ -236,10 +239,9 @@ std::string describe_scene(const Scene& scene) {
   for (const auto& tolerance : scene.tolerances)
     head += fmt::format("  {:<20}{} = {}\n", "tolerance", tolerance.key, tolerance.given);
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
-  return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) +
-         number_lines(numbers, scene.geometry) + friction_lines(scene, numbers) + gap_lines(scene) +
-         describe_container(scene) + stage_lines(scene) + describe_timing(scene) + accuracy_lines(scene) +
-         describe_unusual(scene);
+  return head + flow_parts(scene) + heat_parts(scene) + describe_sensitivity(scene) + number_lines(scene, numbers) +
+         friction_lines(scene, numbers) + gap_lines(scene) + describe_container(scene) + stage_lines(scene) +
+         describe_timing(scene) + accuracy_lines(scene) + describe_unusual(scene);
 }
 
 std::string describe_scene_briefly(const Scene& scene) {
@@ -249,6 +251,7 @@ std::string describe_scene_briefly(const Scene& scene) {
   std::string text =
       fmt::format("{} at {} accuracy: {:.4g} g of glass, tools: {}, stages: {}, at most {:.4g} s\n", scene.name,
                   scene.accuracy_name, 1e3 * numbers.mass, scene.tools.size(), scene.stages.size(), longest);
+  text += describe_support(scene);
   for (const auto& assignment : scene.overrides) text += fmt::format("  {:<20}{}\n", "override", assignment);
   if (scene.radiation_choice) text += fmt::format("  {:<20}{}\n", "radiation", describe(*scene.radiation_choice));
   for (const Setting& setting : settings())

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/describe/support.hpp"
 
 namespace parison::forming {
 namespace {
@@ -111,6 +112,7 @@ std::vector<std::string> unusual_values(const Scene& scene) {
   if (is_gob) add_durations(scene, notes);
   add_pressures(scene, notes);
   for (auto& note : unusual_forces(scene)) notes.push_back(std::move(note));
+  if (auto note = falling_note(scene); !note.empty()) notes.push_back(std::move(note));
   for (auto& note : faces_without_contact(scene)) notes.push_back(std::move(note));
   if (const auto& plan = scene.container) {
     add_wall(*plan, notes);

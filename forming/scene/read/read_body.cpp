@@ -188,7 +188,12 @@ FilmLimit read_film(const CaseNode& node) {
   return film;
 }
 
-/// Uniform or a field, with a skin or without.
+}  // namespace
+
+std::vector<std::string> glass_keys() {
+  return {"material", "temperature", "skin", "gob", "mesh", "film", "boundary"};
+}
+
 void read_glass_temperature(const CaseTable& table, const BodyContext& context, Glass& glass) {
   const bool needed = glass.thermal || !glass.flow->viscosity.constant;
   const auto* item = needed ? &table.get("temperature") : table.find("temperature");
@@ -204,10 +209,8 @@ void read_glass_temperature(const CaseTable& table, const BodyContext& context, 
   if (skin) glass.skin = read_skin(*skin, glass);
 }
 
-}  // namespace
-
 Glass read_glass(const CaseNode& node, const BodyContext& context) {
-  const CaseTable table(node, {"material", "temperature", "skin", "gob", "mesh", "film", "boundary"});
+  const CaseTable table(node, glass_keys());
   Glass glass;
   glass.name = "glass";
   const auto& material = find_material(table.get("material"), context, true);
@@ -224,7 +227,8 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
   if (!gob || table.find("boundary")) read_shape(table, context, glass);
   if (gob) read_gob(*gob, context.geometry, glass);
   if (const auto* mesh = table.find("mesh"); mesh && !table.find("boundary")) glass.mesh = read_mesh(*mesh, glass);
-  read_glass_temperature(table, context, glass);
+  const bool has_its_place = !gob || !CaseTable(*gob, gob_keys()).find("in");
+  if (has_its_place) read_glass_temperature(table, context, glass);
   return glass;
 }
 

@@ -41,37 +41,39 @@ Point pole_of(const CaseNode& node, double size) {
   return Point(0, at[1]);
 }
 
-/// Length of the straight part of a capsule, m.
-double straight_length(const CaseTable& table, double volume, double diameter) {
-  constexpr double longest = 100;  // diameters
-  const double radius = diameter / 2, sphere = 4 * M_PI / 3 * std::pow(radius, 3);
+double sphere_volume(double diameter) {
+  return M_PI / 6 * std::pow(diameter, 3);
+}
+
+void check_length(const CaseTable& table, double volume, double diameter) {
+  constexpr double longest = 100;  // diameters, of the straight part
+  const double sphere = sphere_volume(diameter);
   const CaseNode& node = table.get("diameter");
   if (volume < (1 - 1e-9) * sphere)
     core::refuse(node, fmt::format("a sphere of {:.4g} mm has more than the gob's {:.4g} cm3, allowed is a diameter of "
                                    "up to {:.4g} mm",
-                                   1e3 * diameter, 1e6 * volume, 2e3 * std::cbrt(3 * volume / (4 * M_PI))));
-  const double length = std::max(0.0, (volume - sphere) / (M_PI * radius * radius));
+                                   1e3 * diameter, 1e6 * volume, 1e3 * std::cbrt(6 * volume / M_PI)));
+  const double length = (volume - sphere) / (M_PI / 4 * diameter * diameter);
   if (!(length <= longest * diameter))
     core::refuse(node,
                  fmt::format("the gob would be {:.3g} m long, allowed are up to {:g} diameters", length, longest));
-  return length;
 }
 
-/// A cylinder between two half spheres, its lower pole at `at`.
+/// Draws a capsule with its lower pole at `at`; one that is laid down has names for its sides.
 void draw_capsule(const CaseTable& table, double volume, Glass& glass) {
-  const double diameter = core::positive(table.get("diameter"), dimension::length), radius = diameter / 2;
-  const double length = straight_length(table, volume, diameter);
-  const double pole = pole_of(table.get("at"), diameter)[1];
-  const Point below(0, pole + radius), above(0, pole + radius + length);
-  const Point low(0, pole), high(0, pole + 2 * radius + length), first(radius, below[1]), second(radius, above[1]);
+  const double diameter = core::positive(table.get("diameter"), dimension::length);
+  check_length(table, volume, diameter);
+  const bool is_laid = table.find("in") != nullptr;
   auto& segments = glass.profile.segments;
-  segments.push_back(arc_of(below, radius, -M_PI / 2, 0, low, first));
-  if (length > tolerance::joined * diameter) segments.push_back({first, second});
-  segments.push_back(arc_of(above, radius, 0, M_PI / 2, segments.back().end, high));
-  segments.push_back({high, low});
-  segments.back().boundary_id = 1;
-  glass.profile.boundary_names = {"surface", "axis"};
-  glass.boundaries = {{"surface", BoundaryKind::contact, {}, {}}, {"axis", BoundaryKind::symmetry, {}, {}}};
+  segments = capsule(volume, diameter, is_laid ? 0 : pole_of(table.get("at"), diameter)[1]);
+  glass.boundaries = {{is_laid ? "side" : "surface", BoundaryKind::contact, {}, {}}};
+  if (is_laid) {
+    (segments.end() - 2)->boundary_id = 1;
+    glass.boundaries.push_back({"top", BoundaryKind::contact, {}, {}});
+  }
+  segments.back().boundary_id = static_cast<Index>(glass.boundaries.size());
+  glass.boundaries.push_back({"axis", BoundaryKind::symmetry, {}, {}});
+  for (const Boundary& boundary : glass.boundaries) glass.profile.boundary_names.push_back(boundary.name);
 }
 
 /// The lowest point of an outline on the axis.
@@ -100,8 +102,31 @@ void scale_outline(const CaseTable& table, double volume, Glass& glass) {
 
 }  // namespace
 
+std::vector<Segment> capsule(double volume, double diameter, double pole) {
+  const double radius = diameter / 2;
+  const double length = std::max(0.0, (volume - sphere_volume(diameter)) / (M_PI * radius * radius));
+  const Point below(0, pole + radius), above(0, pole + radius + length);
+  const Point low(0, pole), high(0, pole + 2 * radius + length), first(radius, below[1]), second(radius, above[1]);
+  std::vector<Segment> segments{arc_of(below, radius, -M_PI / 2, 0, low, first)};
+  if (length > tolerance::joined * diameter) segments.push_back({first, second});
+  segments.push_back(arc_of(above, radius, 0, M_PI / 2, segments.back().end, high));
+  segments.push_back({high, low});
+  return segments;
+}
+
+std::vector<std::string> gob_keys() {
+  return {"mass", "diameter", "at", "in"};
+}
+
 void read_gob(const CaseNode& node, core::Geometry geometry, Glass& glass) {
-  const CaseTable table(node, {"mass", "diameter", "at"});
+  const CaseTable table(node, gob_keys());
+  const auto *in = table.find("in"), *at = table.find("at");
+  if (in && at) core::refuse(*in, "\"at\" and \"in\" were found, allowed is one of them");
+  if (!in && !at && glass.boundaries.empty())
+    core::refuse(
+        node,
+        "neither \"in\" nor \"at\" was found, allowed is in = \"blank\", the tool into which the gob is laid, or "
+        "at = \"(0, 20) mm\", its lower pole");
   if (geometry != core::Geometry::axisymmetric)
     core::refuse(node, "a gob was found in a planar scene, allowed is a boundary");
   const double mass = core::positive(table.get("mass"), mass_dimension), volume = mass / density_of(glass);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "forming/scene/describe/support.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -92,17 +93,6 @@ std::string advised_position(const Scene& scene, const GlassAndTool& pair, Index
 bool can_touch(const Body& body) {
   const auto contact = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::contact; };
   return std::any_of(body.boundaries.begin(), body.boundaries.end(), contact);
-}
-
-/// Whether symmetry planes or fixed boundaries keep the glass from moving along the axis.
-bool constrained_along_axis(const Glass& glass) {
-  constexpr double across = 1e-3;  // smallest cosine of the angle between normal and axis
-  return std::any_of(glass.profile.segments.begin(), glass.profile.segments.end(), [&](const core::Segment& segment) {
-    const BoundaryKind kind = glass.boundaries[segment.boundary_id].kind;
-    return kind == BoundaryKind::fixed ||
-           (kind == BoundaryKind::symmetry &&
-            std::abs(core::normal_at(segment, 0.5).dot(core::axis_direction())) > across);
-  });
 }
 
 /// The member of a table, null without one.

@@ -35,8 +35,19 @@ void read_start_temperature(const core::CaseNode& node, const BodyContext& conte
 /// Digits that change with the field, for the fingerprint of a case.
 std::string start_field_text(const StartField& field, const core::Profile& profile);
 
+/// The keys of the table of the glass, and of that of its gob.
+std::vector<std::string> glass_keys();
+std::vector<std::string> gob_keys();
 /// Draws the glass as a capsule of a given mass, or scales its outline to the mass.
 void read_gob(const core::CaseNode& node, core::Geometry geometry, Glass& glass);
+/// A cylinder between two half spheres that has a volume, m3, its lower pole on the axis at `pole`, m; the axis is its
+/// last segment.
+std::vector<core::Segment> capsule(double volume, double diameter, double pole);
+/// Moves a gob that a tool takes in (`in`) along gravity until it touches the tools of the first stage, and reads its
+/// temperature there; refuses one that finds no room. Nothing for glass that has its place.
+void lay_down_gob(const core::CaseTable& root, const BodyContext& context, Scene& scene);
+/// The temperature of the glass, uniform or a field, with a skin or without.
+void read_glass_temperature(const core::CaseTable& glass, const BodyContext& context, Glass& body);
 GobSkin read_skin(const core::CaseNode& node, const Glass& glass);
 /// Refuses a gob given by its mass that does not fit the cavity of its press or mould.
 void check_gob(const Scene& scene, const core::CaseNode& glass);

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forming/scene/container/free_shifts.hpp"
+#include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/read/scene_reading.hpp"
+
+namespace parison::forming {
+namespace {
+
+using core::CaseNode;
+
+/// Lowest and highest place along the axis of an outline, m, or of those of its boundaries that count.
+std::pair<double, double> range_of(const core::Profile& profile, const std::vector<bool>& counts) {
+  std::pair<double, double> range{HUGE_VAL, -HUGE_VAL};
+  for (const core::Segment& segment : profile.segments)
+    if (counts.empty() || counts[segment.boundary_id])
+      for (const double t : {0.0, 0.5, 1.0}) {
+        const double z = core::point_at(segment, t)[1];
+        range = {std::min(range.first, z), std::max(range.second, z)};
+      }
+  return range;
+}
+
+/// The first stage as a gob that is laid down finds it.
+struct Bed {
+  const Scene& scene;
+  const Tool& taker;  ///< the tool that takes the gob in
+
+  double sense() const { return scene.stages.front().gravity < 0 ? -1 : 1; }
+
+  /// The tools of the first stage, without those that move in some stage where these are left out.
+  std::vector<Solid> solids(bool with_moving) const {
+    const auto moves = [&](Index tool) {
+      for (const Stage& stage : scene.stages)
+        for (const StageTool& entry : stage.tools)
+          if (entry.tool == tool && !std::holds_alternative<std::monostate>(entry.motion)) return true;
+      return false;
+    };
+    std::vector<Solid> found;
+    for (const StageTool& entry : scene.stages.front().tools) {
+      const Tool& tool = scene.tools[entry.tool];
+      if (with_moving || !moves(entry.tool)) found.push_back({&tool.profile, contact_boundaries(tool), tool.position});
+    }
+    return found;
+  }
+
+  /// The shift that brings an outline to rest where its middle lies inside the taker's contact boundaries; nothing
+  /// where there is no such place.
+  std::optional<double> shift_of(const core::Profile& outline, bool with_moving = true) const {
+    const auto [low, high] = range_of(outline, {});
+    const auto [bottom, top] = range_of(taker.profile, contact_boundaries(taker));
+    std::optional<double> found;
+    for (const FreeShifts& range : free_shifts({&outline, {}, 0}, solids(with_moving))) {
+      const double shift = sense() < 0 ? range.low.shift : range.high.shift;
+      const double middle = (low + high) / 2 + shift - taker.position;
+      // Of several the first that is met on the way down.
+      if (std::isfinite(shift) && middle > bottom && middle < top && (!found || sense() * shift < sense() * *found))
+        found = shift;
+    }
+    return found;
+  }
+};
+
+/// The diameters of a capsule of a volume that find room, m; nothing where none does.
+std::optional<std::pair<double, double>> fitting_diameters(const Bed& bed, double volume) {
+  constexpr int count = 60, halvings = 12;
+  const double sphere = std::cbrt(6 * volume / M_PI);
+  const auto fits = [&](double diameter) {
+    core::Profile outline;
+    outline.segments = capsule(volume, diameter, 0);
+    return bed.shift_of(outline).has_value();
+  };
+  const auto edge = [&](double inside, double outside) {
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (inside + outside) / 2;
+      (fits(middle) ? inside : outside) = middle;
+    }
+    return inside;
+  };
+  std::optional<std::pair<double, double>> found;
+  for (int i = count; i > count / 10; --i) {
+    const double diameter = sphere * i / count, next = sphere * (i + 1) / count;
+    if (!fits(diameter)) {
+      if (found) return std::pair{edge(found->first, diameter), found->second};
+    } else if (!found) {
+      found = {diameter, i == count ? sphere : edge(diameter, next)};
+    } else {
+      found->first = diameter;
+    }
+  }
+  return found;
+}
+
+[[noreturn]] void refuse_gob(const core::CaseTable& gob, const Bed& bed, double volume) {
+  const std::string& in = gob.get("in").text;
+  const auto* item = gob.find("diameter");
+  if (!item)
+    core::refuse(gob.get("in"),
+                 fmt::format("the outline of the glass finds no room in \"{}\" with the tools of the first "
+                             "stage, allowed is one that does, or \"at\"",
+                             in));
+  const double diameter = core::quantity(*item, core::dimension::length);
+  const auto fit = fitting_diameters(bed, volume);
+  if (!fit)
+    core::refuse(gob.get("mass"), fmt::format("{:.4g} cm3 of glass find no room in \"{}\" with the tools of the first "
+                                              "stage, whatever their diameter; allowed is a mass that does",
+                                              1e6 * volume, in));
+  const double low = 0.01 * std::ceil(1e5 * fit->first), high = 0.01 * std::floor(1e5 * fit->second);
+  const std::string allowed =
+      fmt::format("allowed for this mass are {:.4g} to {:.4g} mm", std::min(low, high), std::max(low, high));
+  if (diameter > fit->second)
+    core::refuse(*item, fmt::format("a gob of {:.4g} mm is {:.3g} mm too wide to lie in \"{}\", {}", 1e3 * diameter,
+                                    1e3 * (diameter - fit->second), in, allowed));
+  const auto length = [&](double d) { return d + (volume - M_PI / 6 * d * d * d) / (M_PI / 4 * d * d); };
+  core::refuse(*item,
+               fmt::format("a gob of {:.4g} mm is {:.4g} mm long, {:.3g} mm too long for \"{}\", {}", 1e3 * diameter,
+                           1e3 * length(diameter), 1e3 * (length(diameter) - length(fit->first)), in, allowed));
+}
+
+void move(core::Profile& profile, double shift) {
+  for (core::Segment& segment : profile.segments)
+    for (core::Point* x : {&segment.start, &segment.end, &segment.centre}) (*x)[1] += shift;
+}
+
+/// Gives the names of a capsule's sides to those that gravity makes them: the upper half sphere is the lower one then.
+void turn_names(Glass& glass) {
+  auto& segments = glass.profile.segments;
+  for (std::size_t i = 1; i + 1 < segments.size(); ++i) segments[i].boundary_id = 1;
+  std::swap(glass.boundaries[0].name, glass.boundaries[1].name);
+  std::swap(glass.profile.boundary_names[0], glass.profile.boundary_names[1]);
+}
+
+}  // namespace
+
+void lay_down_gob(const core::CaseTable& root, const BodyContext& context, Scene& scene) {
+  const core::CaseTable glass(root.get("glass"), glass_keys());
+  const auto* node = glass.find("gob");
+  if (!node) return;
+  const core::CaseTable gob(*node, gob_keys());
+  const auto* in = gob.find("in");
+  if (!in) return;
+  const Stage& first = scene.stages.front();
+  std::vector<std::string> names;
+  for (const StageTool& entry : first.tools) names.push_back(scene.tools[entry.tool].name);
+  if (names.empty() || first.gravity == 0)
+    core::refuse(*in, fmt::format("the first stage, \"{}\", has no {}, allowed is \"at\" with the place of the gob",
+                                  first.name, names.empty() ? "tools" : "gravity that lays the gob down"));
+  const Bed bed{scene, scene.tools[first.tools[static_cast<std::size_t>(core::choice(*in, names))].tool]};
+  if (gob.find("diameter") && first.gravity > 0) turn_names(scene.glass);
+  auto shift = bed.shift_of(scene.glass.profile);
+  // Without room under a tool that moves, that tool starts too near: the check of overlaps says where it would not.
+  if (!shift) shift = bed.shift_of(scene.glass.profile, false);
+  if (!shift) refuse_gob(gob, bed, outline_volume(scene.glass.profile, scene.geometry));
+  move(scene.glass.profile, *shift);
+  read_glass_temperature(glass, context, scene.glass);
+}
+
+}  // namespace parison::forming
