@@ -17,6 +17,7 @@
 #include "forming/report/files/tool_rows.hpp"
 #include "forming/report/process/mould_filling.hpp"
 #include "forming/report/summary_parts.hpp"
+#include "forming/scene/container/container_plan.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
 #include "thermal/properties.hpp"
@@ -161,11 +162,13 @@ void add_bodies(JsonWriter& json, const Summary& summary) {
   json.close();
 }
 
-void add_stages(JsonWriter& json, const RunFacts& run) {
+void add_stages(JsonWriter& json, const Scene& scene, const RunFacts& run) {
   json.open_list("stages");
-  for (const StageRecord& stage : run.stages) {
+  for (std::size_t i = 0; i < run.stages.size(); ++i) {
+    const StageRecord& stage = run.stages[i];
     json.open_object("");
     json.add("name", stage.name);
+    json.add("upright", is_upright(scene, i));
     json.add("start_s", stage.start);
     json.add("end_s", stage.end);
     json.add("end_reason", stage.end_reason);
@@ -209,7 +212,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_solver_statistics(json, summary.run.solver_statistics);
   add_remeshing(json, state, summary);
   add_bodies(json, summary);
-  add_stages(json, summary.run);
+  add_stages(json, scene, summary.run);
   add_cavities(json, scene, state);
   add_thickness(json, summary);
   add_flags(json, summary.flags);

@@ -270,7 +270,34 @@ void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan
                                              : plunger_volume(scene, *plan.press, *plan.rim - level, *plan.rim));
 }
 
+/// What gives the parison its outside: the cavity of the press, or the last one that the tools of a stage close around
+/// glass that air blows up, before a mould of the last stage comes.
+void plan_parison(const Scene& scene, const Placed& placed, ContainerPlan& plan) {
+  if (plan.press) {
+    plan.parison = ParisonPlan{plan.press->stage, plan.press->tool, plan.press->low, plan.press->high};
+    return;
+  }
+  Index mould = 0;  // first use of the tool of the last stage that comes last
+  for (const StageTool& entry : scene.stages.back().tools) mould = std::max(mould, first_use(scene, entry.tool));
+  for (Index i = mould - 1; i >= 0; --i) {
+    const Stage& stage = scene.stages[static_cast<std::size_t>(i)];
+    const bool is_blown = std::any_of(stage.pressure.begin(), stage.pressure.end(),
+                                      [](const auto& pressure) { return pressure.second.max() > 0; });
+    if (!is_blown) continue;
+    if (const auto cavity = closed_region(placed, stage, {})) {
+      plan.parison = ParisonPlan{i, {}, cavity->low, cavity->high};
+      return;
+    }
+  }
+}
+
 }  // namespace
+
+bool is_upright(const Scene& scene, std::size_t stage) {
+  for (std::size_t i = stage + 1; i-- > 0;)
+    if (const double gravity = scene.stages[i].gravity; gravity != 0) return gravity < 0;
+  return true;
+}
 
 std::optional<double> inside_height(const ContainerPlan& plan) {
   if (plan.mould_range) return plan.mould_range->second - plan.mould_range->first;
@@ -297,11 +324,12 @@ std::optional<double> full_offset(const Scene& scene, const std::vector<double>&
 std::optional<ContainerPlan> plan_container(const Scene& scene) {
   if (scene.geometry != core::Geometry::axisymmetric || !scene.has_flow() || scene.tools.empty()) return {};
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
-  ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, "a mass that fits", {}, {}, {}, {}, {}};
+  ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, "a mass that fits", {}, {}, {}, {}, {}, {}};
   Placed placed{scene, {}};
   for (const Tool& tool : scene.tools) placed.offset.emplace_back(tool.position);
   plan_press(scene, placed, plan);
   plan_capacity(scene, placed, plan);
+  plan_parison(scene, placed, plan);
   return plan;
 }
 

@@ -20,6 +20,13 @@ struct PressPlan {
   std::vector<Slice> glass;  ///< the cavity then, on lines across the axis
 };
 
+/// The parison as its drawings have it: what tools of a stage close around it.
+struct ParisonPlan {
+  Index stage;                   ///< index into Scene::stages
+  std::optional<Index> plunger;  ///< that the press moves; none where air forms the parison
+  double low, high;              ///< of the cavity, m along the axis
+};
+
 /// What drawings and mass say about the container before anything is run.
 struct ContainerPlan {
   double mass, glass_volume;       ///< kg, m3
@@ -31,6 +38,7 @@ struct ContainerPlan {
   std::optional<double> capacity;  ///< to the rim, m3; none where the glass would hold nothing
   std::optional<double> filled;    ///< to the fill level, m3, the inside of the finish as the plunger made it
   std::optional<std::pair<double, double>> mould_range;  ///< lowest and highest place of that mould, m
+  std::optional<ParisonPlan> parison;  ///< none where no tools close a cavity before those of the last stage
 };
 
 /// Height inside which a fill level can lie, m: of the closed mould, or of the press cavity; none without either.
@@ -46,6 +54,9 @@ std::optional<ContainerPlan> plan_container(const Scene& scene);
 /// Nothing where it closes none.
 std::optional<double> full_offset(const Scene& scene, const std::vector<double>& offset, Index stage, Index tool,
                                   double volume);
+
+/// Whether +z points up in a stage: against its gravity, or that of the last stage before that has some.
+bool is_upright(const Scene& scene, std::size_t stage);
 
 /// The plan as lines for the terminal, empty without one.
 std::string describe_container(const Scene& scene);

@@ -13,14 +13,14 @@ bool uses(const Stage& stage, Index tool) {
   return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) { return one.tool == tool; });
 }
 
-/// Places of the surface that the press gives the glass, its plunger left out.
-std::vector<core::Point> pressed_surface(const Scene& scene, const PressPlan& press) {
-  const Stage& stage = scene.stages[static_cast<std::size_t>(press.stage)];
+/// Places of the outside of the parison: of the contact boundaries that close its cavity, the plunger's left out.
+std::vector<core::Point> outside_of(const Scene& scene, const ParisonPlan& parison) {
+  const Stage& stage = scene.stages[static_cast<std::size_t>(parison.stage)];
   const double off = 1e-4 * core::size(scene.glass.profile);
-  const auto is_covered = [&](const core::Point& x, Index by) {  // by another tool of the press
+  const auto is_covered = [&](const core::Point& x, Index by) {  // by another tool of the stage
     return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) {
       const Tool& tool = scene.tools[static_cast<std::size_t>(one.tool)];
-      return one.tool != by && one.tool != press.tool &&
+      return one.tool != by && one.tool != parison.plunger &&
              core::contains(tool.profile, x - tool.position * core::axis_direction());
     });
   };
@@ -32,7 +32,7 @@ std::vector<core::Point> pressed_surface(const Scene& scene, const PressPlan& pr
   std::vector<core::Point> surface;
   for (const StageTool& entry : stage.tools) {
     const Tool& tool = scene.tools[static_cast<std::size_t>(entry.tool)];
-    if (entry.tool == press.tool || has_moved_before(scene, press.stage + 1, entry.tool)) continue;
+    if (entry.tool == parison.plunger || has_moved_before(scene, parison.stage + 1, entry.tool)) continue;
     for (const core::Segment& segment : tool.profile.segments) {
       if (tool.boundaries[segment.boundary_id].kind != BoundaryKind::contact) continue;
       for (std::size_t i = 0; i <= per_segment; ++i) {
@@ -40,7 +40,7 @@ std::vector<core::Point> pressed_surface(const Scene& scene, const PressPlan& pr
         const double t = double(i) / per_segment;
         const core::Point x = core::point_at(segment, t) + tool.position * core::axis_direction();
         const core::Point free = x + off * core::normal_at(segment, t);
-        if (free[1] > press.low && free[1] < press.high && !is_covered(free, entry.tool)) surface.push_back(x);
+        if (free[1] > parison.low && free[1] < parison.high && !is_covered(free, entry.tool)) surface.push_back(x);
       }
     }
   }
@@ -51,14 +51,14 @@ std::vector<core::Point> pressed_surface(const Scene& scene, const PressPlan& pr
 
 std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPlan& plan) {
   std::vector<std::string> notes;
-  if (!plan.press) return notes;
-  const std::vector<core::Point> surface = pressed_surface(scene, *plan.press);
-  const Stage& pressed = scene.stages[static_cast<std::size_t>(plan.press->stage)];
+  if (!plan.parison) return notes;
+  const std::vector<core::Point> surface = outside_of(scene, *plan.parison);
+  const Stage& formed = scene.stages[static_cast<std::size_t>(plan.parison->stage)];
   const double allowed = 7.5e-3 * core::size(scene.glass.profile);  // 0.5 mm of a gob of 66 mm
   for (Index t = 0; t < static_cast<Index>(scene.tools.size()); ++t) {
     const Tool& mould = scene.tools[static_cast<std::size_t>(t)];
     const Index first = first_use(scene, t);
-    if (first >= static_cast<Index>(scene.stages.size()) || first <= plan.press->stage || uses(pressed, t)) continue;
+    if (first >= static_cast<Index>(scene.stages.size()) || first <= plan.parison->stage || uses(formed, t)) continue;
     double depth = 0;
     core::Point at = core::Point::Zero();
     for (const core::Point& x : surface) {
@@ -68,12 +68,12 @@ std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPl
     }
     if (depth > allowed)
       notes.push_back(fmt::format(
-          "the parison as stage \"{}\" presses it is too large for \"{}\" of stage \"{}\": it would reach {:.3g} mm "
+          "the parison as stage \"{}\" {} it is too large for \"{}\" of stage \"{}\": it would reach {:.3g} mm "
           "into "
           "that tool near ({:.4g}, {:.4g}) mm even without hanging; a shorter or slimmer blank, or a larger mould, has "
           "room for it",
-          pressed.name, mould.name, scene.stages[static_cast<std::size_t>(first)].name, 1e3 * depth, 1e3 * at[0],
-          1e3 * at[1]));
+          formed.name, plan.parison->plunger ? "presses" : "blows", mould.name,
+          scene.stages[static_cast<std::size_t>(first)].name, 1e3 * depth, 1e3 * at[0], 1e3 * at[1]));
   }
   return notes;
 }

@@ -26,7 +26,8 @@ bool has_moved_before(const Scene& scene, Index stage, Index tool);
 /// may slide in each other.
 std::vector<std::string> tools_run_into(const Scene& scene, const ContainerPlan& plan);
 
-/// The parison that the press makes does not fit into a mould of a later stage: which, where and by how much.
+/// The parison that a press or air makes in its blank does not fit into a mould of a later stage: which, where and by
+/// how much.
 std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPlan& plan);
 
 /// The plunger stops where a part of the glass is thinner than films may be, so that the run would end: which and

@@ -108,6 +108,15 @@ TEST(Unusual, a_parison_longer_than_the_mould_is_told) {
       << notes;
 }
 
+TEST(Unusual, a_parison_of_blow_and_blow_wider_than_the_mould_is_told) {
+  const std::string notes =
+      notes_on("bottle", {"tool.mould.boundary.inner.path=(13, 16) (14, 40) (25, 60) (25, 111) (0, 109) mm"});
+  EXPECT_NE(notes.find("the parison as stage \"counter_blow\" blows it is too large for \"mould\" of stage \"run\": it "
+                       "would reach "),
+            notes.npos)
+      << notes;
+}
+
 TEST(Unusual, glass_that_lies_at_a_face_without_contact_is_told_with_tool_and_boundary) {
   const auto notes = [](const std::string& text) { return describe_unusual(scene_of(text)); };
   const std::string said = notes(replaced("(0, 0) mm\", condition = \"contact\"",

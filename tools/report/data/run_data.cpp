@@ -10,6 +10,7 @@
 
 #include "core/io/files.hpp"
 #include "forming/report/quantity_labels.hpp"
+#include "forming/scene/container/container_plan.hpp"
 #include "forming/study/comparison/same_case.hpp"
 #include "tools/report/data/differences.hpp"
 #include "tools/report/data/packed_table.hpp"
@@ -39,17 +40,17 @@ void replace_volume(ResultTable& history) {
 /// The stages with the side that points up and their tools, where the case could be read.
 Json stages_of(const ResultFolder& folder, const std::optional<forming::Scene>& scene) {
   Json stages = Json::array();
-  bool upright = true;
   for (const StageSpan& span : folder.stages) {
     Json one{{"name", span.name}, {"start", span.start}, {"end", span.end}, {"ended_by", span.ended_by}};
-    for (const forming::Stage& stage : scene ? scene->stages : std::vector<forming::Stage>{}) {
+    one["upright"] = true;
+    for (std::size_t i = 0; i < (scene ? scene->stages.size() : 0); ++i) {
+      const forming::Stage& stage = scene->stages[i];
       if (stage.name != span.name) continue;
-      if (stage.gravity != 0) upright = stage.gravity < 0;
+      one["upright"] = forming::is_upright(*scene, i);
       Json tools = Json::array();
       for (const forming::StageTool& active : stage.tools) tools.push_back(scene->tools[active.tool].name);
       one["tools"] = std::move(tools);
     }
-    one["upright"] = upright;
     stages.push_back(std::move(one));
   }
   return stages;
