@@ -10,6 +10,7 @@
 #include "forming/report/process/extremes.hpp"
 #include "forming/run/run_in_progress.hpp"
 #include "forming/run/stage.hpp"
+#include "forming/run/stall.hpp"
 #include "forming/run/step_loop.hpp"
 #include "forming/run/warnings.hpp"
 #include "forming/state/initial_state.hpp"
@@ -40,15 +41,23 @@ bool is_too_thin(RunInProgress& run) {
   return !run.outcome.facts.reason.empty();
 }
 
+/// Whether the run has no use to go on; the reason goes into the facts.
+bool is_stalled(RunInProgress& run, StallWatch& watch) {
+  if (!run.scene.has_flow()) return false;
+  run.outcome.facts.reason = watch.reason(run.scene, run.outcome.state);
+  return !run.outcome.facts.reason.empty();
+}
+
 /// Steps until the stage is over. Wherever a checkpoint is possible the run can enter here again.
 bool advance_stage(RunInProgress& run) {
   State& state = run.outcome.state;
   AcceptedStep step;
+  StallWatch watch;
   while (stage_end(run.scene, state) == StageEnd::none) {
     if (!advance(run, step)) return false;
     update_motion(run.scene, state);
     report_step(run, step);
-    if (is_too_thin(run)) return false;
+    if (is_too_thin(run) || is_stalled(run, watch)) return false;
     offer_checkpoint(run, false);
     if (stop_requested(run)) return false;
   }
