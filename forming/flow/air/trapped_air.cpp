@@ -2,6 +2,7 @@
 #include "forming/flow/air/trapped_air.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/mesh/element.hpp"
 #include "forming/flow/problem.hpp"
@@ -49,6 +50,16 @@ std::vector<Index> nearest_tools(const Problem& problem) {
   for (const auto& candidate : problem.candidates)
     if (tools[candidate.node] < 0) tools[candidate.node] = candidate.tool;
   return tools;
+}
+
+/// Pressure that the weight of the glass makes over its whole height, Pa.
+double weight_pressure(const Problem& problem) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Point& x : problem.mesh->nodes) {
+    low = std::min(low, x.dot(core::axis_direction()));
+    high = std::max(high, x.dot(core::axis_direction()));
+  }
+  return problem.material->density * std::abs(problem.gravity) * (high - low);
 }
 
 double gauge(const TrappedAir& air, Index behind, const Eigen::VectorXd& pressure) {
@@ -105,11 +116,14 @@ AirLoads air_loads(const Problem& problem, const std::vector<bool>& in_contact) 
 Eigen::VectorXd opening_forces(const Problem& problem, const AirLoads& loads, const Eigen::VectorXd& pressure,
                                const std::vector<bool>& in_contact, const std::vector<bool>& active) {
   const core::Mesh& mesh = *problem.mesh;
+  // Glass that rests on the air of a cavity presses on the wall by less than that air, the more so the higher: air
+  // creeps up there, by rates of the weight over the viscosity that vanish with the length of the seam.
+  const double resting = weight_pressure(problem);
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(dim * mesh.node_count());
   for (std::size_t e = 0; e < loads.behind.size(); ++e) {
     const auto& edge = mesh.boundary_edges()[e];
     if (is_exposed(edge, in_contact) || !carries_air(problem, edge)) continue;
-    const double p = gauge(*problem.air, loads.behind[e], pressure);
+    const double p = gauge(*problem.air, loads.behind[e], pressure) - (loads.behind[e] >= 0 ? resting : 0);
     if (p == 0) continue;
     const auto areas = normal_areas(problem, edge);
     for (int i = 0; i < 3; ++i) nodal.segment<dim>(dim * edge.nodes[i]) -= p * areas[i];

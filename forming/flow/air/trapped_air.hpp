@@ -39,7 +39,8 @@ struct AirLoads {
 AirLoads air_loads(const Problem& problem, const std::vector<bool>& in_contact);
 
 /// Normal force of each active contact at which it would open, N: negative where no air can enter. `pressure` holds the
-/// gauge pressures of the pockets, Pa.
+/// gauge pressures of the pockets, Pa. The air of a pocket enters where it presses by more than the weight of the
+/// glass.
 Eigen::VectorXd opening_forces(const Problem& problem, const AirLoads& loads, const Eigen::VectorXd& pressure,
                                const std::vector<bool>& in_contact, const std::vector<bool>& active);
 
