@@ -17,13 +17,16 @@ double surface_length(const Body& body) {
   return total;
 }
 
-/// m/s: the fastest tool, else what the highest pressure or the weight makes of the viscous glass over the length.
+/// m/s: the fastest tool, else what the highest pressure or the weight makes of the viscous glass over the length. A
+/// pressure drives glass between tools as through a pipe (Poiseuille) as wide as that length and as long as the glass.
 std::optional<double> flow_speed(const Scene& scene, double length, double viscosity) {
   if (!scene.has_flow()) return {};
+  const double in_pipe = length / (32 * core::size(scene.glass.profile));
   double tool = 0, stress = 0;
   for (const Stage& stage : scene.stages) {
     for (const StageTool& stage_tool : stage.tools) tool = std::max(tool, fastest(stage_tool));
-    for (const auto& entry : stage.pressure) stress = std::max(stress, entry.second.max_size());
+    for (const auto& entry : stage.pressure)
+      stress = std::max(stress, entry.second.max_size() * (stage.tools.empty() ? 1 : in_pipe));
     stress = std::max(stress, scene.glass.flow->density * std::abs(stage.gravity) * length);
   }
   if (tool > 0) return tool;

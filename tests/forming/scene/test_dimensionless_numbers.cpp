@@ -41,6 +41,14 @@ TEST(DimensionlessNumbers, a_tools_speed_limit_sets_the_speed) {
   EXPECT_NEAR(*numbers.brinkman, 1e4 * 0.01 * 0.01 / (1.3 * 600), 1e-12);
 }
 
+TEST(DimensionlessNumbers, a_settle_blow_drives_glass_as_through_a_pipe_and_not_as_if_nothing_held_it) {
+  const Scene scene = case_of("bottle");
+  const DimensionlessNumbers numbers = dimensionless_numbers(scene);
+  EXPECT_GT(*numbers.speed, 0.02);
+  EXPECT_LT(*numbers.speed, 0.3) << "a run of it moves with up to 0.1 m/s";
+  EXPECT_LT(*numbers.reynolds, 0.05);
+}
+
 TEST(DimensionlessNumbers, physics_that_is_off_says_why) {
   const std::string heat = describe_scene(case_of("contact_cylinders"));
   EXPECT_EQ(line_with(heat, "  flow "), "  flow                off  the glass's material has no viscosity");
