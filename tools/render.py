@@ -107,6 +107,15 @@ def window(bodies, mirrored):
     return ((-high[0] if mirrored else low[0]) - margin, high[0] + margin), (low[1] - margin, high[1] + margin)
 
 
+def is_upright(results, time):
+    """Whether +z points up at a time, by the stages of the summary; gravity turns over where the machine turns the parison."""
+    try:
+        stages = json.loads((results / "summary.json").read_text())["stages"]
+    except FileNotFoundError:
+        return True
+    return next((stage for stage in stages if time <= stage["end_s"] + 1e-9), stages[-1]).get("upright", True)
+
+
 def draw(results, time, title, mirrored, path):
     bodies, actual = bodies_at(results, time)
     tools = {name: body for name, body in bodies.items() if name != "glass"}
@@ -122,6 +131,8 @@ def draw(results, time, title, mirrored, path):
                             {"colors": (0, 0, 0, 0.35), "linewidths": 0.2})
     axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal", xlabel="r, mm" if mirrored else "x, mm",
              ylabel="z, mm" if mirrored else "y, mm", title=f"{title}   t = {actual:.4g} s")
+    if not is_upright(results, actual):
+        axes.invert_yaxis()
     axes.set_facecolor("#f4f4f2")
     for image, label in ((tool_image, "tools, °C"), (glass_image, "glass, °C")):
         if image is not None:
@@ -157,12 +168,8 @@ def strip_panel(axes, bodies, spans, turned):
     return images
 
 
-def draw_strip(results, stages, turn_at, path):
-    """The ends of all stages side by side on one scale, the right half of each with its mesh."""
-    names = [stage["name"] for stage in stages]
-    if turn_at is not None and turn_at not in names:
-        sys.exit(f"--turn: \"{turn_at}\" was found, allowed are {', '.join(names)}")
-    turned = [turn_at is not None and i >= names.index(turn_at) for i in range(len(names))]
+def draw_strip(results, stages, path):
+    """The ends of all stages side by side on one scale, as the glass stands, the right half of each with its mesh."""
     shown = [bodies_at(results, stage["end_s"])[0] for stage in stages]
     spans = [limits([b["glass"] for b in shown]), limits([t for b in shown for n, t in b.items() if n != "glass"])]
     right = 1.02 * max(t.points[:, 0].max() for b in shown for t in b.values())
@@ -172,9 +179,9 @@ def draw_strip(results, stages, turn_at, path):
     width = 1.75
     figure, row = plt.subplots(1, len(stages), figsize=(width * len(stages) + 1.6, width * (top - bottom) / (2 * right) + 0.5),
                                dpi=90, layout="constrained", squeeze=False)
-    for axes, bodies, stage, over in zip(row[0], shown, stages, turned):
+    for axes, bodies, stage in zip(row[0], shown, stages):
         axes.set(xlim=(-right, right), ylim=(bottom, top))
-        images = strip_panel(axes, bodies, spans, over)
+        images = strip_panel(axes, bodies, spans, not stage.get("upright", True))
         axes.set_title(f"{stage['name']}  {stage['end_s']:.2f} s", fontsize=10)
     for image, label in zip(images[::-1], ("tools, °C", "glass, °C")):
         if image is not None:
@@ -194,7 +201,6 @@ def main():
     parser.add_argument("--time", type=float, help="seconds; the nearest output is drawn")
     parser.add_argument("--stage-ends", action="store_true", help="one picture for the end of each stage (the default)")
     parser.add_argument("--strip", action="store_true", help="the ends of all stages side by side in one picture")
-    parser.add_argument("--turn", metavar="STAGE", help="in a strip: from this stage on +z points down")
     parser.add_argument("--planar", action="store_true", help="do not mirror at the axis, as of planar cases whose run has ended")
     parser.add_argument("--out", type=Path, help="PNG file of a single time or strip, else the folder of the pictures")
     options = parser.parse_args()
@@ -208,7 +214,7 @@ def main():
     except FileNotFoundError:
         sys.exit(f"{results}/summary.json: was not found; give --time, or wait for the end of the run")
     if options.strip:
-        draw_strip(results, stages, options.turn, options.out or results / "strip.png")
+        draw_strip(results, stages, options.out or results / "strip.png")
         return
     folder = options.out or results
     folder.mkdir(parents=True, exist_ok=True)

@@ -90,6 +90,15 @@ def show(source, view, field, colours):
     return display
 
 
+def is_upright(folder, time):
+    """Whether +z points up at a time, by the stages of the summary; gravity turns over where the machine turns the parison."""
+    try:
+        stages = json.loads((folder / "summary.json").read_text())["stages"]
+    except FileNotFoundError:
+        return True
+    return next((stage for stage in stages if time <= stage["end_s"] + 1e-9), stages[-1]).get("upright", True)
+
+
 def look_at(view, revolve):
     view.InteractionMode = "3D" if revolve else "2D"
     view.CameraParallelProjection = 0 if revolve else 1
@@ -137,10 +146,14 @@ def load(folder, field, revolve, span=None):
     return view
 
 
-def go_to(view, time):
-    """Shows the output nearest to a time, or the last one."""
+def go_to(view, time, folder):
+    """Shows the output nearest to a time, or the last one, as the container stands then."""
     times = pv.GetTimeKeeper().TimestepValues
     pv.GetAnimationScene().AnimationTime = min(times, key=lambda t: abs(t - time)) if time is not None else times[-1]
+    if not is_upright(folder, pv.GetAnimationScene().AnimationTime):
+        position, focus = list(view.CameraPosition), list(view.CameraFocalPoint)
+        view.CameraPosition = [position[0], 2 * focus[1] - position[1], position[2]]
+        view.CameraViewUp = [0, -1, 0]
     pv.Render(view)
 
 
@@ -154,8 +167,9 @@ def main():
     parser.add_argument("--picture", help="PNG file")
     parser.add_argument("--state", help="ParaView state file (.pvsm)")
     options, _ = parser.parse_known_args()  # ParaView has arguments of its own
-    view = load(options.results or folder_of_active_source(), options.field, options.revolve, options.range)
-    go_to(view, options.time)
+    folder = Path(options.results or folder_of_active_source())
+    view = load(folder, options.field, options.revolve, options.range)
+    go_to(view, options.time, folder)
     pv.ResetCamera(view)
     pv.Render(view)
     if options.picture:

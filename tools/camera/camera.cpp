@@ -12,9 +12,11 @@
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
 #include "core/io/files.hpp"
+#include "forming/scene/container/container_plan.hpp"
 #include "thermal/radiation/camera/line_of_sight.hpp"
 #include "tools/camera/hot_section.hpp"
 #include "tools/camera/infrared_picture.hpp"
+#include "tools/report/data/result_folder.hpp"
 #include "tools/report/data/scene_text.hpp"
 
 namespace parison::tools {
@@ -52,15 +54,14 @@ std::string name_of(const CameraBand& band) {
   return fmt::format("{:g} to {:g} um", band.from / micrometre, band.to / micrometre);
 }
 
-/// The ambient of the stage that a run is in at a time.
-double ambient_at(const forming::Scene& scene, double time) {
-  double start = 0;
-  const forming::Stage* stage = &scene.stages.front();
-  for (const forming::Stage& each : scene.stages) {
-    if (time > start + 1e-9) stage = &each;
-    start += each.duration;
-  }
-  return stage->air.ambient_temperature(0);
+/// The stage that a run was in at a time, as an index into the scene's.
+std::size_t stage_at(const forming::Scene& scene, const std::string& results, double time) {
+  std::string name = scene.stages.front().name;
+  for (const StageSpan& span : read_folder(results).stages)
+    if (time > span.start + 1e-9) name = span.name;
+  const auto named = [&](const forming::Stage& stage) { return stage.name == name; };
+  const auto found = std::find_if(scene.stages.begin(), scene.stages.end(), named);
+  return found == scene.stages.end() ? 0 : static_cast<std::size_t>(found - scene.stages.begin());
 }
 
 /// Pixels over the right half of what is seen, from the axis outwards, in rows from the lowest up.
@@ -88,8 +89,8 @@ Raster raster_of(const core::Mesh& mesh, double pixel) {
           static_cast<std::size_t>(rows)};
 }
 
-InfraredImage image_of(const LineOfSight& view, const Raster& raster, const std::string& title) {
-  InfraredImage image{title, raster.pixel / millimetre, raster.low / millimetre, {}};
+InfraredImage image_of(const LineOfSight& view, const Raster& raster, const std::string& title, bool upright) {
+  InfraredImage image{title, raster.pixel / millimetre, raster.low / millimetre, {}, upright};
   const double away = 10 * raster.pixel * static_cast<double>(raster.columns + raster.rows);
   for (std::size_t row = 0; row < raster.rows; ++row) {
     auto& values = image.rows.emplace_back();
@@ -145,8 +146,9 @@ int camera(const CameraRequest& request) {
         fmt::format("{}: a camera needs a round container that carries heat, allowed are axisymmetric cases with heat",
                     request.results));
   const HotSection hot = read_hot_section(request.results, time);
+  const std::size_t stage = stage_at(*of.scene, request.results, hot.time);
   const double surroundings = request.surroundings.empty()
-                                  ? ambient_at(*of.scene, hot.time)
+                                  ? of.scene->stages[stage].air.ambient_temperature(0)
                                   : read("--surroundings", request.surroundings, core::dimension::temperature);
   const thermal::Optics optics = thermal::optics_of(*of.scene->glass.thermal);
   const Raster raster = raster_of(hot.mesh, pixel);
@@ -156,7 +158,7 @@ int camera(const CameraRequest& request) {
   fmt::print("{} at {:.4g} s, surroundings {:.0f} degC\n", request.results, hot.time, surroundings - zero_celsius);
   for (const CameraBand& band : bands) {
     const LineOfSight view(hot.mesh, core::Geometry::axisymmetric, hot.temperature, optics, band, surroundings);
-    images.push_back(image_of(view, raster, name_of(band)));
+    images.push_back(image_of(view, raster, name_of(band), forming::is_upright(*of.scene, stage)));
     tell(images.back());
     if (images.size() == bands.size()) profile = profile_text(images, view, raster);
   }

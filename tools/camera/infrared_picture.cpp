@@ -40,15 +40,29 @@ struct Span {
   }
 };
 
+bool is_glass(const InfraredImage& image, std::size_t row, std::size_t column) {
+  return row < image.rows.size() && column < image.rows[row].size() && !std::isnan(image.rows[row][column]);
+}
+
+/// Whether the pixels beside, above and below one show glass too; the image goes on beyond the axis.
+bool is_inside(const InfraredImage& image, std::size_t row, std::size_t column) {
+  return row > 0 && is_glass(image, row - 1, column) && is_glass(image, row + 1, column) &&
+         is_glass(image, row, column + 1) && is_glass(image, row, column) &&
+         (column == 0 || is_glass(image, row, column - 1));
+}
+
 Span span_of(const InfraredImage& image) {
-  Span span;
-  for (const auto& row : image.rows)
-    for (const double value : row)
-      if (!std::isnan(value)) {
-        span.low = std::min(span.low, value);
-        span.high = std::max(span.high, value);
-      }
-  return span;
+  Span inside, all;
+  const auto include = [](double value, Span& span) {
+    span.low = std::min(span.low, value);
+    span.high = std::max(span.high, value);
+  };
+  for (std::size_t j = 0; j < image.rows.size(); ++j)
+    for (std::size_t i = 0; i < image.rows[j].size(); ++i) {
+      if (is_glass(image, j, i)) include(image.rows[j][i], all);
+      if (is_inside(image, j, i)) include(image.rows[j][i], inside);
+    }
+  return inside.high > inside.low ? inside : all;
 }
 
 std::string rectangle(double x, double y, double width, double height, const std::string& fill) {
@@ -93,8 +107,10 @@ std::string infrared_picture(const std::vector<InfraredImage>& images, const std
     const double size = wanted_height / static_cast<double>(image.rows.size());
     const double half = size * static_cast<double>(widest), axis = x + std::max(half, 100.0);
     text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"14\">{}</text>\n", x, top - 14, image.title);
-    for (std::size_t j = 0; j < image.rows.size(); ++j)
-      text += row_of(image.rows[j], span, axis, top + size * static_cast<double>(image.rows.size() - 1 - j), size);
+    for (std::size_t j = 0; j < image.rows.size(); ++j) {
+      const std::size_t from_top = image.upright ? image.rows.size() - 1 - j : j;
+      text += row_of(image.rows[j], span, axis, top + size * static_cast<double>(from_top), size);
+    }
     x = axis + std::max(half, 100.0) + 16;
     text += scale_of(span, x);
     x += scale_width + margin;
