@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <regex>
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/outline_place.hpp"
 #include "forming/scene/scene.hpp"
 #include "tools/program/bundled_cases.hpp"
@@ -33,16 +35,32 @@ void check_name(const std::string& folder, const std::string& name) {
   if (error) throw core::CaseError(fmt::format("{}: the folder cannot be made: {}", folder, error.message()));
 }
 
-/// The capsule as a `gob`, empty where the glass is drawn in another way.
+/// The tool of the first stage that does not move and has its contact boundaries around the middle of the glass.
+std::string taker_of(const forming::Scene& scene, double middle) {
+  for (const forming::StageTool& entry : scene.stages.front().tools) {
+    const forming::Tool& tool = scene.tools[static_cast<std::size_t>(entry.tool)];
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const core::Segment& segment : tool.profile.segments)
+      if (tool.boundaries[static_cast<std::size_t>(segment.boundary_id)].kind == core::BoundaryKind::contact)
+        for (const double z : {segment.start[1], segment.end[1]}) low = std::min(low, z), high = std::max(high, z);
+    const bool moves =
+        forming::has_moved_before(scene, static_cast<forming::Index>(scene.stages.size()), entry.tool);
+    if (!moves && low + tool.position < middle && middle < high + tool.position) return tool.name;
+  }
+  return "";
+}
+
+/// The capsule as a `gob` that is laid into the tool around it, empty where the glass is drawn in another way.
 std::string gob_line(const forming::Scene& scene) {
   const auto& segments = scene.glass.profile.segments;
   const auto& boundaries = scene.glass.boundaries;
   const bool is_capsule = boundaries.size() == 2 && boundaries[0].name == "surface" && boundaries[1].name == "axis" &&
                           segments.size() == 4 && segments[0].is_arc && segments[2].is_arc && !segments[1].is_arc;
   if (!is_capsule || scene.geometry != core::Geometry::axisymmetric) return "";
-  return fmt::format(
-      "gob = {{ mass = \"{:.7g} g\", diameter = \"{:g} mm\", at = \"(0, {:g}) mm\" }} # at: its lower pole\n",
-      1e3 * forming::dimensionless_numbers(scene).mass, 2e3 * segments[0].radius, 1e3 * segments[0].start[1]);
+  const std::string taker = taker_of(scene, (segments[0].start[1] + segments[3].start[1]) / 2);
+  if (taker.empty()) return "";
+  return fmt::format("gob = {{ mass = \"{:.7g} g\", diameter = \"{:g} mm\", in = \"{}\" }} # laid down on the tools\n",
+                     1e3 * forming::dimensionless_numbers(scene).mass, 2e3 * segments[0].radius, taker);
 }
 
 /// The text from a place to the start of the line after the next line that is `end`.
