@@ -43,8 +43,7 @@ std::string taker_of(const forming::Scene& scene, double middle) {
     for (const core::Segment& segment : tool.profile.segments)
       if (tool.boundaries[static_cast<std::size_t>(segment.boundary_id)].kind == core::BoundaryKind::contact)
         for (const double z : {segment.start[1], segment.end[1]}) low = std::min(low, z), high = std::max(high, z);
-    const bool moves =
-        forming::has_moved_before(scene, static_cast<forming::Index>(scene.stages.size()), entry.tool);
+    const bool moves = forming::has_moved_before(scene, static_cast<forming::Index>(scene.stages.size()), entry.tool);
     if (!moves && low + tool.position < middle && middle < high + tool.position) return tool.name;
   }
   return "";

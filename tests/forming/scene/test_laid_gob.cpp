@@ -78,9 +78,7 @@ TEST(LaidGob, an_outline_with_a_mass_is_laid_down_too) {
 
 TEST(LaidGob, one_that_finds_no_room_is_refused_with_what_is_too_much) {
   const std::string wide = complaint("bottle", "mass = \"125 g\", diameter = \"36 mm\", in = \"blank\"");
-  EXPECT_NE(wide.find("glass.gob.diameter: a gob of 36 mm is 1.2),
-            wide.npos)
-      << wide;
+  EXPECT_NE(wide.find("glass.gob.diameter: a gob of 36 mm is 1.2"), wide.npos) << wide;
   const std::string slim = complaint("uneven", "mass = \"219.6 g\", diameter = \"36 mm\", in = \"blank\"");
   EXPECT_NE(slim.find("glass.gob.diameter: a gob of 36 mm is 101.9 mm long, "), slim.npos) << slim;
   EXPECT_NE(slim.find(" mm too long for \"blank\", allowed for this mass are "), slim.npos) << slim;
