@@ -17,7 +17,7 @@ std::string deep_in_tool(const State& state) {
 }  // namespace
 
 std::string StallWatch::reason(const Scene& scene, const State& state) {
-  constexpr Index counted = 300;  // steps
+  constexpr Index counted = 150;  // steps
   constexpr double short_share = 0.9, many = 1e4;
   const Totals& totals = state.totals;
   if (const std::string deep = deep_in_tool(state); !deep.empty()) return deep;

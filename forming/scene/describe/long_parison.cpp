@@ -40,7 +40,10 @@ std::vector<core::Point> outside_of(const Scene& scene, const ParisonPlan& paris
         const double t = double(i) / per_segment;
         const core::Point x = core::point_at(segment, t) + tool.position * core::axis_direction();
         const core::Point free = x + off * core::normal_at(segment, t);
-        if (free[1] > parison.low && free[1] < parison.high && !is_covered(free, entry.tool)) surface.push_back(x);
+        const core::Point inward = free - core::Point(off, 0);  // at the outer end of a face that lies on another tool
+        if (free[1] > parison.low && free[1] < parison.high && !is_covered(free, entry.tool) &&
+            !is_covered(inward, entry.tool))
+          surface.push_back(x);
       }
     }
   }

@@ -106,9 +106,11 @@ std::optional<std::pair<double, double>> fitting_diameters(const Bed& bed, doubl
   const double diameter = core::quantity(*item, core::dimension::length);
   const auto fit = fitting_diameters(bed, volume);
   if (!fit)
-    core::refuse(gob.get("mass"), fmt::format("{:.4g} cm3 of glass find no room in \"{}\" with the tools of the first "
-                                              "stage, whatever their diameter; allowed is a mass that does",
-                                              1e6 * volume, in));
+    core::refuse(gob.get("mass"),
+                 fmt::format("{:.4g} cm3 of glass find no room in \"{}\" with the tools of the first "
+                             "stage, whatever their diameter; allowed is a mass that does, or a baffle of its "
+                             "own that comes in a later stage",
+                             1e6 * volume, in));
   const double low = 0.01 * std::ceil(1e5 * fit->first), high = 0.01 * std::floor(1e5 * fit->second);
   const std::string allowed =
       fmt::format("allowed for this mass are {:.4g} to {:.4g} mm", std::min(low, high), std::max(low, high));
