@@ -7,6 +7,8 @@ from pathlib import Path
 
 import matplotlib
 
+import written_files
+
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
@@ -16,6 +18,9 @@ MARKS = {"accuracy": "o", "mesh": "s", "time": "^", "coupling": "D", "order": "v
 
 def main():
     folder = Path(sys.argv[1])
+    pictures = [folder / f"tradeoff.{kind}" for kind in ("png", "svg")]
+    for picture in pictures:
+        written_files.require_own(picture)
     variants = json.loads((folder / "tradeoff.json").read_text())["variants"]
     shown = [r for r in variants if r["completed"] and r["group"] not in ("reference", "model") and r["error"]]
     figure, axes = plt.subplots(figsize=(7, 4.6))
@@ -45,8 +50,9 @@ def main():
     axes.grid(True, which="both", alpha=0.3)
     axes.legend(frameon=False, loc="lower left")
     figure.tight_layout()
-    for kind in ("png", "svg"):
-        figure.savefig(folder / f"tradeoff.{kind}", dpi=150)
+    for picture in pictures:
+        figure.savefig(picture, dpi=150)
+        written_files.note_written(picture)
     print(f"{folder}/tradeoff.png, tradeoff.svg")
 
 

@@ -12,6 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+import written_files
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.tri import Triangulation
 from PIL import Image
@@ -142,12 +143,14 @@ def draw(results, time, title, mirrored, path):
 
 def save(figure, path, colours=None):
     """A PNG; with a number of colours it is a third as large."""
+    written_files.require_own(path)
     figure.savefig(path, pil_kwargs={"optimize": True})
     plt.close(figure)
     if colours:
         with Image.open(path) as image:
             small = image.convert("RGB").quantize(colours)
         small.save(path, optimize=True)
+    written_files.note_written(path)
     print(path)
 
 

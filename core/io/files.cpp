@@ -6,20 +6,24 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <utility>
 
+#include "core/io/written_files.hpp"
 #include "core/process/run_error.hpp"
 
 namespace parison::core {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
-  throw RunError(fmt::format("{}: {}: {}", path, what, std::strerror(errno)));
+  const int code = errno;
+  throw SystemError(fmt::format("{}: {}: {}", path, what, std::strerror(code)), code);
 }
 
 /// A temporary file, removed unless it was given its name.
@@ -27,6 +31,35 @@ struct Temporary {
   std::string path;
   ~Temporary() { ::unlink(path.c_str()); }
 };
+
+/// Writes a file; a failure names the one that it is for.
+void put(const std::string& file, const std::string& text, const std::string& named) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) fail(named, "cannot be written");
+}
+
+/// A file that was there keeps its content.
+int open_own(const std::string& path, bool may_be_new) {
+  require_own(path);
+  if (may_be_new) note_growing(path);
+  return ::open(path.c_str(), O_RDWR | O_CLOEXEC | (may_be_new ? O_CREAT : 0), 0666);
+}
+
+/// Digest of the first `size` bytes of an open file.
+std::uint64_t digest_of(int file, std::int64_t size) {
+  std::uint64_t digest = fingerprint("");
+  std::string part(1 << 16, '\0');
+  for (std::int64_t done = 0; done < size;) {
+    const auto wanted = std::min<std::int64_t>(size - done, static_cast<std::int64_t>(part.size()));
+    const auto got = ::pread(file, part.data(), static_cast<std::size_t>(wanted), done);
+    if (got <= 0) break;
+    digest = fingerprint(std::string_view(part.data(), static_cast<std::size_t>(got)), digest);
+    done += got;
+  }
+  return digest;
+}
 
 }  // namespace
 
@@ -39,10 +72,7 @@ std::string read_text(const std::string& path) {
 }
 
 void write_text(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) fail(path, "cannot be written");
+  put(path, text, path);
 }
 
 void sync_to_disk(const std::string& path) {
@@ -53,20 +83,18 @@ void sync_to_disk(const std::string& path) {
   if (result != 0) fail(path, "cannot be brought to the disk");
 }
 
-void replace_file(const std::string& path, const std::function<void(const std::string& temporary)>& write) {
-  const Temporary temporary{path + ".part"};
-  write(temporary.path);
+void replace_file(const std::string& path, const std::string& text, Reach reach) {
+  require_own(path);
+  const Temporary temporary{unfinished_name(path)};
+  put(temporary.path, text, path);
+  if (reach == Reach::disk) sync_to_disk(temporary.path);
+  note_written(path, text, reach == Reach::disk);
   if (std::rename(temporary.path.c_str(), path.c_str()) != 0) fail(path, "cannot be replaced");
-}
-
-void replace_file(const std::string& path, const std::string& text) {
-  replace_file(path, [&](const std::string& temporary) { write_text(temporary, text); });
+  if (reach == Reach::disk) sync_to_disk(std::filesystem::absolute(path).parent_path().string());
 }
 
 GrowingFile::GrowingFile(std::string path, std::int64_t size)
-    : path_(std::move(path)),
-      file_(::open(path_.c_str(), O_WRONLY | O_CLOEXEC | (size == 0 ? O_CREAT : 0), 0666)),
-      size_(size) {
+    : path_(std::move(path)), file_(open_own(path_, size == 0)), size_(size) {
   if (file_ < 0) fail(path_, "cannot be opened");
   const auto refuse = [&](const std::string& what) {
     ::close(file_);
@@ -75,10 +103,17 @@ GrowingFile::GrowingFile(std::string path, std::int64_t size)
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse("another process is writing to it");
   const std::int64_t found = ::lseek(file_, 0, SEEK_END);
   if (found < size) refuse(fmt::format("{} bytes were found, it once had {}", found, size));
+  if (size > 0) note_growing(path_);
   if (::ftruncate(file_, size) != 0 || ::lseek(file_, size, SEEK_SET) != size) refuse(std::strerror(errno));
+  digest_ = digest_of(file_, size);
 }
 
 GrowingFile::~GrowingFile() {
+  try {
+    ::fsync(file_);  // before a summary says that the run is done
+    note_written(path_, static_cast<std::uint64_t>(size_), digest_);
+  } catch (const RunError&) {  // it stays a file that grows
+  }
   ::close(file_);
 }
 
@@ -95,6 +130,7 @@ void GrowingFile::append(const std::string& text) {
     done += static_cast<std::size_t>(written);
   }
   size_ += static_cast<std::int64_t>(text.size());
+  digest_ = fingerprint(text, digest_);
 }
 
 std::string csv_text(const std::string& text) {
@@ -104,8 +140,7 @@ std::string csv_text(const std::string& text) {
   return quoted + '"';
 }
 
-std::uint64_t fingerprint(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
+std::uint64_t fingerprint(std::string_view text, std::uint64_t hash) {
   for (const unsigned char c : text) hash = (hash ^ c) * 0x100000001b3u;
   return hash;
 }

@@ -90,11 +90,6 @@ Value only(const Place& place, const std::vector<Value>& values) {
   return values[0];
 }
 
-std::string folder_of(const std::string& path) {
-  const auto folder = std::filesystem::path(path).parent_path();
-  return folder.empty() ? "." : folder.string();
-}
-
 }  // namespace
 
 Hdf5Group::Hdf5Group(Hdf5Group&& other) noexcept
@@ -179,11 +174,7 @@ void write_hdf5(const std::string& path, const std::function<void(Hdf5Group& roo
   if (H5Fflush(id, H5F_SCOPE_GLOBAL) < 0) fail(path, "cannot be made");
   std::string image(H5Fget_file_image(id, nullptr, 0), 0);
   if (H5Fget_file_image(id, image.data(), image.size()) < 0) fail(path, "cannot be made");
-  replace_file(path, [&](const std::string& temporary) {
-    write_text(temporary, with_digest(std::move(image)));
-    sync_to_disk(temporary);
-  });
-  sync_to_disk(folder_of(path));
+  replace_file(path, with_digest(std::move(image)));
 }
 
 Hdf5Content read_hdf5(const std::string& path) {

@@ -3,9 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
 #include "core/process/run_error.hpp"
 
@@ -91,6 +93,13 @@ JsonValue read_json(const std::string& text, const std::string& what) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) throw RunError(fmt::format("{}: no JSON", what));
   return value_of(json);
+}
+
+std::optional<JsonValue> read_json_file(const std::string& path) {
+  std::error_code unreadable;
+  if (!std::filesystem::exists(path, unreadable) && !unreadable) return std::nullopt;
+  const Json json = Json::parse(read_text(path), nullptr, false);
+  return json.is_object() ? std::optional(value_of(json)) : std::nullopt;
 }
 
 }  // namespace parison::core

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,9 @@ struct JsonValue {
 
 /// Parses a whole text; throws RunError with `what`, the name of its source, where it is no JSON.
 JsonValue read_json(const std::string& text, const std::string& what);
+
+/// The object in a file that this program has written; nothing where it is not there, or not whole, as after a loss of
+/// power: it is then made anew.
+std::optional<JsonValue> read_json_file(const std::string& path);
 
 }  // namespace parison::core

@@ -130,7 +130,7 @@ void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& field
     vtkSMPTools::LocalScope({1, "Sequential", false}, [&] { text = vtu_text(mesh, fields); });
   }
   if (text.empty()) throw RunError(path + ": cannot be made");
-  write_text(path, text);
+  replace_file(path, text, Reach::system);
 }
 
 namespace {
@@ -169,8 +169,10 @@ void PvdCollection::set(const std::vector<Entry>& entries) {
 }
 
 void PvdCollection::write() const {
-  replace_file(path_, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" +
-                          lines_ + "  </Collection>\n</VTKFile>\n");
+  replace_file(path_,
+               "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + lines_ +
+                   "  </Collection>\n</VTKFile>\n",
+               Reach::system);
 }
 
 }  // namespace parison::core

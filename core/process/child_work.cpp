@@ -99,7 +99,8 @@ std::string death_of(int status, const ChildLimits& limits) {
 
 ChildWork in_child(const std::function<std::string()>& work, const ChildLimits& limits) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw RunError(fmt::format("no process can be started: {}", std::strerror(errno)));
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw SystemError(fmt::format("no process can be started: {}", std::strerror(errno)), errno);
   const pid_t child = ::fork();
   if (child == 0) {
     ::close(ends[0]);
@@ -110,7 +111,7 @@ ChildWork in_child(const std::function<std::string()>& work, const ChildLimits& 
   ChildWork result;
   const bool in_time = child > 0 && read_until_closed(ends[0], limits.seconds, result.text);
   ::close(ends[0]);
-  if (child < 0) throw RunError(fmt::format("no process can be started: {}", std::strerror(reason)));
+  if (child < 0) throw SystemError(fmt::format("no process can be started: {}", std::strerror(reason)), reason);
   if (!in_time) ::kill(child, SIGKILL);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;

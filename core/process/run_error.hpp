@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <stdexcept>
+#include <string>
 
 namespace parison::core {
 
@@ -8,6 +9,13 @@ namespace parison::core {
 /// does not suffice, an outline that cannot be meshed. The message is a sentence for the user.
 struct RunError : std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+
+/// The system refused a file or a process, as on a full disk: what failed for it can be tried again.
+struct SystemError : RunError {
+  int code;  ///< errno
+
+  SystemError(const std::string& message, int its_code) : RunError(message), code(its_code) {}
 };
 
 }  // namespace parison::core

@@ -9,6 +9,7 @@
 
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
+#include "core/io/written_files.hpp"
 #include "core/process/build_id.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
@@ -47,7 +48,7 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
   }
   json.close();
   json.add("completed", summary.run.completed);
-  json.add("stopped", summary.run.stopped);
+  json.add("stopped", summary.run.stopped || summary.run.interrupted);
   json.add("reason", summary.run.reason);
   json.add("time_s", state.time);
   json.add("wall_seconds", summary.run.wall_seconds);
@@ -230,7 +231,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
 void mark(const std::string& directory, const Checks& checks) {
   const std::string path = directory + "/NOT_TRUSTWORTHY.txt";
   if (trustworthy(checks)) {
-    std::filesystem::remove(path);
+    core::remove_own(path);
     return;
   }
   core::replace_file(path, fmt::format("The results in this folder are not trustworthy.\n{}\n{}\n",
@@ -277,12 +278,13 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
 Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run) {
   const ThicknessProfile profile = thickness_profile(scene, state);
   const Summary summary = summarise(scene, state, run, profile);
-  core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));
   write_thickness(directory + "/thickness.csv", profile.rows);
   const std::vector<ContourPoint> points = contour(scene, state, profile);
-  core::replace_file(directory + "/contour.csv", contour_text(scene, state, points));
-  core::replace_file(directory + "/heights.csv", heights_text(height_rows(scene, state, points)));
+  core::replace_file(directory + "/contour.csv", contour_text(scene, state, points), core::Reach::system);
+  core::replace_file(directory + "/heights.csv", heights_text(height_rows(scene, state, points)), core::Reach::system);
   mark(directory, run.checks);
+  for (const char* name : {"/thickness.csv", "/contour.csv", "/heights.csv"}) core::sync_to_disk(directory + name);
+  core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));  // last: it says done
   return summary;
 }
 

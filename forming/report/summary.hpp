@@ -32,8 +32,9 @@ inline constexpr std::array timed_parts{"flow", "heat", "radiation", "contact", 
 /// What only the run itself knows.
 struct RunFacts {
   bool completed = false;
-  bool stopped = false;  ///< on request
-  std::string reason;    ///< why not, a sentence; empty when completed
+  bool stopped = false;      ///< on request
+  bool interrupted = false;  ///< by the system, as by a full disk: it can go on like one that was stopped
+  std::string reason;        ///< why not, a sentence; empty when completed
   double wall_seconds = 0;
   double cpu_seconds = 0;                ///< of the whole process
   std::map<std::string, double> timing;  ///< s by part

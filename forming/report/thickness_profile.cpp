@@ -258,7 +258,7 @@ void write_thickness(const std::string& path, const std::vector<ThicknessRow>& r
         1e3 * row.position[1], 1e3 * row.thickness, row.inner_temperature - thermal::content_reference,
         row.outer_temperature - thermal::content_reference, wall_mark_names[static_cast<std::size_t>(row.mark)],
         1e3 * row.inner_position[0], 1e3 * row.inner_position[1]);
-  core::replace_file(path, text);
+  core::replace_file(path, text, core::Reach::system);
 }
 
 }  // namespace parison::forming

@@ -88,11 +88,13 @@ RunOutcome finish(RunInProgress& run, const Work& from_here) {
   } catch (const core::RunError& error) {
     facts.completed = false;
     facts.reason = error.what();
+    facts.interrupted = dynamic_cast<const core::SystemError*>(&error) != nullptr;
     end_stage(run, false);
   }
   const std::string& stage = run.scene.stages[state.stage].name;
   const std::string entered = entered_face_sentence(run.scene, state);
-  if (!entered.empty() && !facts.stopped) facts.reason = fmt::format("{} (what stopped it: {})", entered, facts.reason);
+  if (!entered.empty() && !facts.stopped && !facts.interrupted)
+    facts.reason = fmt::format("{} (what stopped it: {})", entered, facts.reason);
   facts.reason = facts.completed ? "" : fmt::format("stage {} at {:.5f} s: {}", stage, state.time, facts.reason);
   if (facts.reason.find(facts.unfilled) == std::string::npos) add_warnings({facts.unfilled}, facts);
   add_warnings(remeshing_warnings(state), facts);

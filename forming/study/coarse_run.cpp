@@ -8,6 +8,7 @@
 
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/scene/accuracy.hpp"
@@ -35,29 +36,28 @@ std::optional<CoarseCase> coarse_case(const Scene& scene, const std::string& dir
 }
 
 bool has_ended(const CoarseCase& coarse) {
-  const std::string path = summary_path(coarse);
-  return std::filesystem::exists(path) && !core::read_json(core::read_text(path), path).flag_of("stopped");
+  const auto summary = core::read_json_file(summary_path(coarse));
+  return summary && !summary->flag_of("stopped");
 }
 
 bool finish(const CoarseCase& coarse, const Observers& observers, const StopRequest& stop, const RunFiles& files) {
   const std::string& folder = coarse.directory;
   const Scene scene = read_scene(coarse.file, coarse.accuracy, coarse.overrides);
   const bool is_begun = has_checkpoint(folder);
-  if (!is_begun) std::filesystem::remove_all(folder);  // what was killed before its first checkpoint
+  if (!is_begun) core::remove_own(folder);  // what was killed before its first checkpoint
   const RunOutcome outcome = is_begun ? resume_in_folder(scene, folder, observers, stop, remesh::triangulate, files)
                                       : run_in_folder(scene, folder, observers, stop, remesh::triangulate, files);
   write_summary(folder, scene, outcome.state, outcome.facts);
-  return !outcome.facts.stopped;
+  return !outcome.facts.stopped && !outcome.facts.interrupted;
 }
 
 std::vector<std::string> failed_coarse_runs(const std::vector<CoarseCase>& coarse) {
   std::vector<std::string> failed;
   for (const CoarseCase& one : coarse) {
-    const std::string path = summary_path(one);
-    const core::JsonValue summary = core::read_json(core::read_text(path), path);
-    if (!summary.flag_of("completed"))
-      failed.push_back(
-          fmt::format("the run {:g} times coarser stopped in {} ({})", one.factor, summary.text_of("reason"), path));
+    const auto summary = core::read_json_file(summary_path(one));
+    if (!summary || !summary->flag_of("completed"))
+      failed.push_back(fmt::format("the run {:g} times coarser stopped in {} ({})", one.factor,
+                                   summary ? summary->text_of("reason") : "no summary", summary_path(one)));
   }
   return failed;
 }
@@ -65,10 +65,9 @@ std::vector<std::string> failed_coarse_runs(const std::vector<CoarseCase>& coars
 ErrorBars estimate_errors(const Quantities& run, const std::vector<CoarseCase>& coarse) {
   std::vector<CoarserRun> completed;
   for (const CoarseCase& one : coarse) {
-    const std::string path = summary_path(one);
-    const core::JsonValue summary = core::read_json(core::read_text(path), path);
-    if (summary.flag_of("completed"))
-      completed.push_back({one.factor, read_quantities(summary), summary.number_of("cpu_seconds")});
+    const auto summary = core::read_json_file(summary_path(one));
+    if (summary && summary->flag_of("completed"))
+      completed.push_back({one.factor, read_quantities(*summary), summary->number_of("cpu_seconds")});
   }
   return error_bars(run, std::move(completed));
 }

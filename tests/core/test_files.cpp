@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -9,6 +10,7 @@
 
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
+#include "core/io/written_files.hpp"
 #include "core/process/child_work.hpp"
 #include "core/process/run_error.hpp"
 #include "test_folder.hpp"
@@ -92,6 +94,7 @@ TEST(GrowingFile, it_goes_on_where_it_was_and_cuts_off_the_rest) {
     EXPECT_EQ(read_text(path), "one\ntwo\nthr");
   }
   GrowingFile(path, 4).append("2\n");
+  EXPECT_TRUE(is_own(path));
   EXPECT_EQ(read_text(path), "one\n2\n");
 }
 
@@ -106,7 +109,7 @@ std::string complaint_of_opening(const std::string& path, std::int64_t size) {
 
 TEST(GrowingFile, a_shorter_file_and_a_second_writer_are_refused) {
   const std::string path = new_folder() + "/rows.csv";
-  write_text(path, "one\n");
+  replace_file(path, "one\n");
   EXPECT_EQ(complaint_of_opening(path, 5), path + ": 4 bytes were found, it once had 5");
   EXPECT_EQ(complaint_of_opening(path + ".absent", 5), path + ".absent: cannot be opened: No such file or directory");
   const GrowingFile file(path, 4);
@@ -135,29 +138,22 @@ TEST(GrowingFile, on_a_full_disk_no_part_of_a_row_is_left) {
 
 TEST(ReplaceFile, a_failed_write_leaves_the_old_file_and_nothing_beside) {
   const std::string folder = new_folder(), path = folder + "/text";
-  write_text(path, "old");
-  const auto write = [](const std::string& temporary) {
-    write_text(temporary, "half");
-    throw std::runtime_error("full");
-  };
-  EXPECT_THROW(replace_file(path, write), std::runtime_error);
-  EXPECT_EQ(read_text(path), "old");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
-}
-
-TEST(Files, a_replaced_file_is_the_old_one_until_the_new_one_is_complete) {
-  const std::string path = new_folder() + "/a.txt";
   replace_file(path, "old");
-  replace_file(path, [&](const std::string& temporary) {
-    write_text(temporary, "new");
-    sync_to_disk(temporary);
-    EXPECT_EQ(read_text(path), "old");
+  const ChildWork work = in_child([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit room{1000, 1000};
+    ::setrlimit(RLIMIT_FSIZE, &room);
+    try {
+      replace_file(path, std::string(2000, 'x'));
+    } catch (const SystemError& error) {
+      return std::to_string(error.code);
+    }
+    return std::string();
   });
-  EXPECT_EQ(read_text(path), "new");
-  EXPECT_THROW(replace_file(path, [](const std::string&) { throw std::runtime_error("disk full"); }),
-               std::runtime_error);
-  EXPECT_EQ(read_text(path), "new");
-  EXPECT_THROW(write_text(new_folder() + "/absent/a.txt", "x"), std::runtime_error);
+  EXPECT_EQ(work.text, std::to_string(EFBIG));
+  EXPECT_EQ(read_text(path), "old");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);  // with the manifest
+  EXPECT_THROW(replace_file(folder + "/absent/a.txt", "x"), SystemError);
 }
 
 TEST(Files, csv_fields_are_quoted_where_they_need_it) {

@@ -15,6 +15,7 @@
 
 #include "core/io/files.hpp"
 #include "core/io/vtu.hpp"
+#include "core/io/written_files.hpp"
 #include "core/mesh/element.hpp"
 #include "structured.hpp"
 #include "test_folder.hpp"
@@ -123,7 +124,7 @@ TEST(Pvd, the_collection_is_complete_after_every_addition) {
     EXPECT_NE(text.find("timestep=\"" + std::string(i == 0 ? "0" : i == 1 ? "0.1" : "0.2")), text.npos);
     EXPECT_NE(text.find("file=\"vtu/glass_" + std::to_string(i) + ".vtu\""), text.npos);
     EXPECT_EQ(text.substr(text.size() - 11), "</VTKFile>\n");
-    EXPECT_EQ(std::filesystem::exists(path + ".part"), false);
+    EXPECT_FALSE(std::filesystem::exists(unfinished_name(path)));
   }
 }
 

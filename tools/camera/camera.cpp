@@ -12,6 +12,7 @@
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
 #include "core/io/files.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "thermal/radiation/camera/line_of_sight.hpp"
 #include "tools/camera/hot_section.hpp"
@@ -155,6 +156,7 @@ int camera(const CameraRequest& request) {
   std::vector<InfraredImage> images;
   std::string profile;
   const std::string name = request.output.empty() ? request.results + "/camera" : request.output;
+  for (const char* ending : {".csv", ".svg"}) core::require_own(name + ending);
   fmt::print("{} at {:.4g} s, surroundings {:.0f} degC\n", request.results, hot.time, surroundings - zero_celsius);
   for (const CameraBand& band : bands) {
     const LineOfSight view(hot.mesh, core::Geometry::axisymmetric, hot.temperature, optics, band, surroundings);
@@ -162,8 +164,9 @@ int camera(const CameraRequest& request) {
     tell(images.back());
     if (images.size() == bands.size()) profile = profile_text(images, view, raster);
   }
-  core::write_text(name + ".csv", profile);
-  core::write_text(name + ".svg", infrared_picture(images, fmt::format("apparent temperature at {:.4g} s", hot.time)));
+  core::replace_file(name + ".csv", profile);
+  core::replace_file(name + ".svg",
+                     infrared_picture(images, fmt::format("apparent temperature at {:.4g} s", hot.time)));
   fmt::print("written: {0}.csv, {0}.svg\n", name);
   return 0;
 }

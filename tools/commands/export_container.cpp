@@ -8,6 +8,7 @@
 #include <initializer_list>
 
 #include "core/case/case_error.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/report/solid/solid_files.hpp"
 
 namespace parison::tools {
@@ -37,6 +38,7 @@ int export_container(const ExportRequest& request) {
   check_name("--step", request.step, {".step", ".stp"});
   check_name("--stl", request.stl, {".stl"});
   check_name("--shell", request.shell, {".inp"});
+  for (const std::string& path : {request.step, request.stl, request.shell}) core::require_own(path);
   const forming::ContainerShape shape = forming::read_container_shape(request.results);
   const double glass = forming::revolved_volume(shape);
   fmt::print("glass of {}: {:.3f} cm3; all files in mm\n", request.results, glass / cubic_centimetre);

@@ -136,7 +136,7 @@ int new_case(const NewRequest& request) {
   for (const auto& entry : fs::directory_iterator(scene.directory))
     if (text.find("\"" + entry.path().filename().string() + "\"") != text.npos)
       fs::copy_file(entry.path(), folder / entry.path().filename());
-  core::replace_file((folder / "case.toml").string(), head + text);
+  core::write_text((folder / "case.toml").string(), head + text);
   forming::read_scene(folder.string(), "draft");
   fmt::print("{}\n", (folder / "case.toml").string());
   if (!gob.empty())

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/case/case_error.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/study_folder.hpp"
 #include "forming/study/comparison/what_if/finished_base.hpp"
@@ -17,16 +18,6 @@ namespace parison::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The folder of a what-if or a cycle has a table of its own.
-void refuse_folder_of_others(const std::string& output) {
-  std::error_code unreadable;
-  for (const char* run : {forming::base_name, "first_gob"})
-    if (fs::exists(output + '/' + run, unreadable))
-      throw core::CaseError(fmt::format(
-          "--output: {} is the folder of a what-if or a cycle, whose table would be lost; allowed is another one",
-          output));
-}
 
 /// The runs of a what-if or a cycle that have ended; the others are told.
 std::vector<std::string> ended_runs(const forming::StudyFolder& study) {
@@ -97,12 +88,12 @@ std::string better_base(const std::vector<std::string>& folders) {
 }  // namespace
 
 int compare(const CompareRequest& request) {
-  if (!request.output.empty()) refuse_folder_of_others(request.output);
   const auto [folders, failed] = compared_of(request);
   forming::Comparison comparison = forming::compare_folders(folders.front(), {folders.begin() + 1, folders.end()});
   for (const forming::FailedVariant& one : failed)
     comparison.others.push_back({one.name, one.settings, one.reason, {}});
   if (!request.quantity.empty()) forming::require_quantity(request.quantity, comparison.base.quantities.values);
+  if (!request.output.empty()) core::claim_folder(request.output, "compare", forming::comparison_files());
   const std::string quantity = request.quantity.empty() ? forming::ranked_quantity(comparison) : request.quantity;
   fmt::print("{}{}", forming::comparison_tables(comparison), forming::ranking_table(comparison, quantity));
   fmt::print("{}", better_base(folders));

@@ -13,6 +13,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
+#include "core/io/written_files.hpp"
 #include "core/process/build_id.hpp"
 #include "core/process/gmsh_module.hpp"
 #include "forming/run/checkpoint.hpp"
@@ -109,13 +110,12 @@ const QueuedRun* run_in(const Queue& queue, const std::string& directory) {
 
 /// What the summary of a run says; false where it was stopped and has to go on.
 bool end_by_summary(Queue& queue, QueuedRun& run, const std::string& remark) {
-  const std::string path = summary_path(run.plan);
-  const core::JsonValue summary = core::read_json(core::read_text(path), path);
-  if (summary.flag_of("stopped")) return false;
-  if (summary.flag_of("completed"))
+  const auto summary = core::read_json_file(summary_path(run.plan));
+  if (!summary || summary->flag_of("stopped")) return false;
+  if (summary->flag_of("completed"))
     queue.end(run, Status::done, fmt::format("done{}", remark));
   else
-    queue.end(run, Status::failed, summary.text_of("reason"));
+    queue.end(run, Status::failed, summary->text_of("reason"));
   return true;
 }
 
@@ -174,43 +174,27 @@ void start_partner(Queue& queue, QueuedRun& run, const std::string& what) {
   queue.say(run, what);
 }
 
-/// Refuses a folder that holds something and is none of a run: what a run has left before its first checkpoint is
-/// removed, what somebody else has put there is not.
-void require_folder_of_run(const PlannedRun& plan) {
-  std::error_code error;
-  const fs::path folder = plan.directory;
-  if (!fs::exists(folder, error) || fs::exists(summary_path(plan), error) ||
-      fs::exists(folder / "case/command.txt", error))
-    return;
-  if (!fs::is_directory(folder, error) || !fs::is_empty(folder, error))
-    throw core::CaseError(fmt::format(
-        "{}: a file or a folder that holds something other than a run was found, allowed is a new folder here or "
-        "another --output",
-        plan.directory));
-}
-
 /// What is in the folder of a planned run may be that run, whole or in part, and nothing else.
 void require_folder_for(const PlannedRun& plan, const std::string& case_path) {
-  require_folder_of_run(plan);
-  if (fs::exists(summary_path(plan)))
-    require_same(core::read_json(core::read_text(summary_path(plan)), summary_path(plan)), plan, case_path);
-  else if (forming::has_checkpoint(plan.directory))
-    require_same_origin(plan);
+  const auto summary = core::read_json_file(summary_path(plan));
+  const bool is_begun = forming::has_checkpoint(plan.directory), is_over = summary && !summary->flag_of("stopped");
+  if (summary) require_same(*summary, plan, case_path);
+  if (!summary && is_begun) require_same_origin(plan);
+  if (!is_begun && !is_over) core::require_own(plan.directory);  // it is removed
+  core::require_own(log_path(plan));
 }
 
 void start(Queue& queue, QueuedRun& run) {
   const PlannedRun& plan = run.plan;
-  const bool is_copied = !plan.copy_of.empty() && !fs::exists(summary_path(plan));
+  const bool is_copied = !plan.copy_of.empty() && !core::read_json_file(summary_path(plan));
   if (is_copied) forming::copy_results(plan);
   require_folder_for(plan, queue.case_path);
-  if (fs::exists(summary_path(plan)) &&
-      end_by_summary(queue, run, is_copied ? ", from " + plan.copy_of : ", from before"))
-    return;
+  if (end_by_summary(queue, run, is_copied ? ", from " + plan.copy_of : ", from before")) return;
   const bool is_partner = !plan.inside.empty();
   if (forming::has_checkpoint(plan.directory))
     return is_partner ? start_partner(queue, run, "goes on") : resume(queue, run, "goes on");
-  fs::remove_all(plan.directory);  // what was killed before its first checkpoint
-  fs::remove(log_path(plan));
+  core::remove_own(plan.directory);  // what was killed before its first checkpoint
+  core::remove_own(log_path(plan));
   if (plan.branch) {
     forming::make_branch(plan, queue.case_path);
     const std::string how = fmt::format("starts after {}", plan.branch->stage);
@@ -233,16 +217,19 @@ void start_or_fail(Queue& queue, QueuedRun& run) {
   }
 }
 
+/// Why a run that can go on has not come to its end, by its summary or its last words.
+std::string why_it_stopped(const PlannedRun& plan) {
+  const auto summary = core::read_json_file(summary_path(plan));
+  return (summary ? "it was interrupted in " + summary->text_of("reason") : last_line(log_path(plan))) +
+         "; the same command goes on with it";
+}
+
 void collect_ended(Queue& queue) {
   for (QueuedRun& run : queue.runs) {
     if (run.status != Status::running || !has_ended(run.child)) continue;
     run.status = Status::waiting;
-    if (fs::exists(summary_path(run.plan))) {
-      if (end_by_summary(queue, run, "") || stop_requested()) continue;
-      queue.end(run, Status::failed, "it was stopped from outside");
-    } else if (!stop_requested()) {
-      queue.end(run, Status::failed, last_line(log_path(run.plan)));
-    }
+    if (end_by_summary(queue, run, "") || stop_requested()) continue;
+    queue.end(run, Status::failed, why_it_stopped(run.plan));
   }
 }
 

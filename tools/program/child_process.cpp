@@ -13,10 +13,15 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/io/written_files.hpp"
 #include "core/process/run_error.hpp"
 
 namespace parison::tools {
 namespace {
+
+[[noreturn]] void fail(const std::string& message) {
+  throw core::SystemError(message, errno);
+}
 
 /// Pointers to the words as exec takes them; they live as long as the words.
 std::vector<char*> as_arguments(std::vector<std::string>& words) {
@@ -30,11 +35,13 @@ std::vector<char*> as_arguments(std::vector<std::string>& words) {
 /// Does something in a copy of this process that ends with the code which that gives.
 template <typename Work>
 int start_child(const std::string& log, const Work& work) {
+  core::require_own(log);
+  core::note_growing(log);
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file < 0) throw core::RunError(fmt::format("{}: cannot be written: {}", log, std::strerror(errno)));
+  if (file < 0) fail(fmt::format("{}: cannot be written: {}", log, std::strerror(errno)));
   std::fflush(nullptr);
   const pid_t parent = getpid(), child = fork();
-  if (child < 0) throw core::RunError(fmt::format("no process can be started: {}", std::strerror(errno)));
+  if (child < 0) fail(fmt::format("no process can be started: {}", std::strerror(errno)));
   if (child == 0) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);  // it stops where this process is killed
@@ -74,9 +81,9 @@ bool run_program(std::vector<std::string> words) {
 ProgramOutput output_of_program(std::vector<std::string> words) {
   const std::vector<char*> arguments = as_arguments(words);
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw core::RunError(fmt::format("no pipe can be made: {}", std::strerror(errno)));
+  if (pipe2(ends, O_CLOEXEC) != 0) fail(fmt::format("no pipe can be made: {}", std::strerror(errno)));
   const pid_t child = fork();
-  if (child < 0) throw core::RunError(fmt::format("no process can be started: {}", std::strerror(errno)));
+  if (child < 0) fail(fmt::format("no process can be started: {}", std::strerror(errno)));
   if (child == 0) {
     setpgid(0, 0);  // Ctrl-C is for this program
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);

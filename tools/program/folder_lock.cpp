@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/io/written_files.hpp"
 #include "core/process/run_error.hpp"
 
 namespace parison::tools {
@@ -17,7 +18,7 @@ namespace parison::tools {
 FolderLock::FolderLock(const std::string& folder) {
   const std::string path = folder + "/.lock";
   file_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file_ < 0) throw core::RunError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+  if (file_ < 0) throw core::SystemError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)), errno);
   constexpr unsigned poll_microseconds = 50000;
   constexpr int tries = 200;
   for (int i = 0; flock(file_, LOCK_EX | LOCK_NB) != 0; ++i) {
@@ -35,8 +36,10 @@ FolderLock::~FolderLock() {
 }
 
 FileLock::FileLock(std::string path) : path_(std::move(path)) {
+  core::require_own(path_);
+  core::note_growing(path_);
   file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file_ < 0) throw core::RunError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+  if (file_ < 0) throw core::SystemError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)), errno);
 }
 
 bool FileLock::is_held(double patience) {

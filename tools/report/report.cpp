@@ -8,6 +8,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/study/comparison/study_folder.hpp"
 #include "tools/report/data/result_folder.hpp"
 #include "tools/report/data/run_data.hpp"
@@ -65,13 +66,14 @@ int report(const ReportRequest& given) {
   check(request);
   for (const std::string& path : request.folders)
     if (const ResultFolder folder = read_folder(path); !folder.told.empty()) fmt::print("{}: {}\n", path, folder.told);
+  const std::string output =
+      request.output.empty() ? (fs::path(given.folders[0]) / "report.html").string() : request.output;
+  core::require_own(output);
   ReportCache cache;
   const std::string title = fmt::format("{}", fmt::join(run_names(request.folders), ", "));
   if (const std::string mixed = mixed_cases(request.folders, cache); !mixed.empty())
     fmt::print(stderr, "parison: {}\n", mixed);
   const std::string page = page_text(title, report_data(request.folders, false, cache, request.search, runs.failed));
-  const std::string output =
-      request.output.empty() ? (fs::path(given.folders[0]) / "report.html").string() : request.output;
   core::replace_file(output, page);
   fmt::print("{}: {:.1f} MB, open it in a browser\n", output, static_cast<double>(page.size()) / megabyte);
   return 0;

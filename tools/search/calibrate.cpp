@@ -9,6 +9,7 @@
 
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/study/search/calibration/intervals.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
 #include "tools/program/exit_codes.hpp"
@@ -209,7 +210,7 @@ int calibrate(const CalibrateRequest& request) {
   fmt::print("  rms of the misfit in units of the noise, then the constants\n");
   std::fflush(stdout);
   catch_signals();
-  fs::create_directories(output);
+  core::claim_folder(output, "calibrate", {"step_*", "calibration.json", "fit.csv"});
   const FolderLock lock(output);
   Fit fit{calibration, output, SearchRuns(calibration, output, jobs), request.runs};
   return fit_constants(fit, calibration, scene.has_flow());

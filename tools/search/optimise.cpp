@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "core/io/written_files.hpp"
 #include "forming/study/search/fidelity.hpp"
 #include "forming/study/search/goal_file.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
@@ -289,6 +290,15 @@ int close_search(const Goal& goal, Course& course) {
   return 0;
 }
 
+/// The folder of the search, before the first run.
+void claim(const Goal& goal, const std::string& output) {
+  std::set<std::string> names{"case", "step_*", "confirmed*", "runs.csv", "result.json", "wall.csv", "report.html"};
+  for (const forming::Tool& tool : forming::read_scene(goal.case_path, goal.accuracy).tools)
+    names.insert(tool.name + ".dxf");
+  core::claim_folder(output, "optimise", names);
+  core::require_own(output + "/case");
+}
+
 void print_opening(const Goal& goal, const std::string& output, int jobs) {
   fmt::print("{} at {} accuracy: {} to vary, up to {} runs, {} at once, in {}\n", goal.case_path, goal.accuracy,
              goal.variables.size(), goal.runs, jobs, output);
@@ -309,7 +319,7 @@ int optimise(const OptimiseRequest& request) {
   print_opening(goal, output, jobs);
   if (request.check) return 0;
   catch_signals();
-  fs::create_directories(output);
+  claim(goal, output);
   const FolderLock lock(output);
   Course course{goal, output, SearchRuns(goal, output, jobs)};
   find_answer(course, jobs);

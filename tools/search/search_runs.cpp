@@ -45,7 +45,7 @@ std::vector<MadeRun> SearchRuns::make(const std::vector<Eigen::VectorXd>& places
 }
 
 bool make_runs(const forming::SweepPlan& plan, std::vector<forming::SweepState>& states, int jobs, std::size_t& made) {
-  fs::create_directories(plan.output);
+  forming::claim_sweep(plan);
   forming::write_manifest(plan);
   states.clear();
   for (const forming::SweepRun& run : plan.runs) states.push_back(forming::state_of(plan, run));

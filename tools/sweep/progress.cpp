@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/io/files.hpp"
+#include "core/io/written_files.hpp"
 #include "core/process/clock.hpp"
 #include "tools/program/folder_lock.hpp"
 #include "tools/program/stop_request.hpp"
@@ -116,7 +117,7 @@ std::string last_words(const std::string& path) {
   if (!fs::exists(path, unreadable)) return {};
   std::string text = core::read_text(path);
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  if (text.empty()) fs::remove(path, unreadable);
+  if (text.empty()) core::remove_own(path);
   return text.substr(text.rfind('\n') + 1);
 }
 

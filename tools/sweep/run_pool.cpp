@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/io/written_files.hpp"
 #include "core/process/gmsh_module.hpp"
 #include "tools/program/child_process.hpp"
 #include "tools/program/stop_request.hpp"
@@ -25,7 +26,7 @@ void start_next(Progress& progress, Running& running) {
   const std::size_t row = progress.ready.front();
   progress.ready.pop_front();
   const std::string log = log_path(progress.plan, row);
-  fs::remove(log);
+  core::remove_own(log);
   running[start_work([&] { return make_row(progress.plan, row); }, log)] = row;
 }
 
@@ -36,7 +37,9 @@ void collect(Progress& progress, Running& running, int child) {
   SweepState state = forming::state_of(progress.plan, progress.plan.runs[row]);
   if (state.status == Status::waiting) {
     if (stop_requested()) return;
-    state = {Status::failed, words.empty() ? "its process was ended from outside" : words};
+    const std::string interrupted =
+        state.reason.empty() ? "its process was ended from outside" : "it was interrupted in " + state.reason;
+    state = {Status::failed, words.empty() ? interrupted + "; the same command goes on with it" : words};
   }
   end_run(progress, row, state);
 }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/io/files.hpp"
+#include "core/io/written_files.hpp"
 #include "core/process/clock.hpp"
 #include "core/process/run_error.hpp"
 #include "tools/program/stop_request.hpp"
@@ -50,6 +51,10 @@ std::string absolute(const std::string& path) {
 }
 
 void write_script(const SweepPlan& plan, const SlurmJobs& jobs) {
+  core::note_growing(jobs.messages);
+  for (std::size_t row = 0; row < plan.runs.size(); ++row)  // by the tasks, on whichever machines
+    for (const std::string& path : {log_path(plan, row), plan.folder(plan.runs[row]) + ".lock"})
+      core::note_growing(path);
   const std::string output = absolute(plan.output), program = fs::read_symlink("/proc/self/exe").string();
   core::replace_file(jobs.script, fmt::format(R"(#!/bin/sh
 # A task of `parison sweep --engine slurm`: $1 is the row of array index 0, rows counted from 0. Written anew by each call.

@@ -139,7 +139,7 @@ int sweep(const SweepRequest& request) {
   SlurmJobs slurm = slurm_jobs(plan, request.slurm_options, request.jobs);
   if (request.engine == "slurm") require_slurm(slurm);
   catch_signals();
-  fs::create_directories(plan.output);
+  forming::claim_sweep(plan);
   const FolderLock lock(plan.output);
   forming::write_manifest(plan);
   std::vector<SweepState> states;

@@ -8,6 +8,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
+#include "core/io/written_files.hpp"
 
 namespace parison::tools {
 
@@ -37,7 +38,7 @@ void add_timing(const std::string& folder, double cpu) {
 }
 
 void forget_timings(const std::string& folder) {
-  std::filesystem::remove(path_of(folder));
+  core::remove_own(path_of(folder));
 }
 
 }  // namespace parison::tools

@@ -12,6 +12,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/scene/scene.hpp"
 #include "tools/program/child_process.hpp"
@@ -44,12 +45,10 @@ void require_same(const core::JsonValue& summary, const Variant& variant, const 
 }
 
 RunStatus run_status(const Variant& variant, const std::string& case_path, const std::string& folder) {
-  const std::string path = folder + "/summary.json";
-  if (fs::exists(path)) {
-    const core::JsonValue summary = core::read_json(core::read_text(path), path);
-    require_same(summary, variant, case_path, folder);
-    if (summary.flag_of("completed")) return RunStatus::done;
-    if (!summary.flag_of("stopped")) return RunStatus::failed;
+  if (const auto summary = core::read_json_file(folder + "/summary.json")) {
+    require_same(*summary, variant, case_path, folder);
+    if (summary->flag_of("completed")) return RunStatus::done;
+    if (!summary->flag_of("stopped")) return RunStatus::failed;
   }
   if (forming::has_checkpoint(folder)) return RunStatus::started;
   return RunStatus::fresh;
@@ -83,10 +82,8 @@ std::string timing_folder(const std::string& folder) {
 }
 
 double cpu_of(const std::string& folder) {
-  const std::string path = folder + "/summary.json";
-  if (!fs::exists(path)) return 0;
-  const core::JsonValue summary = core::read_json(core::read_text(path), path);
-  return summary.flag_of("completed") ? summary.number_of("cpu_seconds") : 0;
+  const auto summary = core::read_json_file(folder + "/summary.json");
+  return summary && summary->flag_of("completed") ? summary->number_of("cpu_seconds") : 0;
 }
 
 void say(const Study& study, const Variant& variant, const std::string& what) {
@@ -95,13 +92,12 @@ void say(const Study& study, const Variant& variant, const std::string& what) {
 }
 
 std::string result_line(const Study& study, const Variant& variant) {
-  const std::string path = study.folder(variant) + "/summary.json";
-  if (!fs::exists(path) && stop_requested()) return "stopped before its first checkpoint, will start anew";
-  if (!fs::exists(path)) return fmt::format("ended without a summary, see {}.log", study.folder(variant));
-  const core::JsonValue summary = core::read_json(core::read_text(path), path);
-  return summary.flag_of("completed") ? fmt::format("{:.1f} s CPU", summary.number_of("cpu_seconds"))
-         : summary.flag_of("stopped") ? "stopped"
-                                      : fmt::format("failed: {}", summary.text_of("reason"));
+  const auto summary = core::read_json_file(study.folder(variant) + "/summary.json");
+  if (!summary && stop_requested()) return "stopped before its first checkpoint, will start anew";
+  if (!summary) return fmt::format("ended without a summary, see {}.log", study.folder(variant));
+  return summary->flag_of("completed") ? fmt::format("{:.1f} s CPU", summary->number_of("cpu_seconds"))
+         : summary->flag_of("stopped") ? "stopped in " + summary->text_of("reason")
+                                       : fmt::format("failed: {}", summary->text_of("reason"));
 }
 
 std::vector<std::string> run_arguments(const Study& study, const Variant& variant, const std::string& folder) {
@@ -130,7 +126,7 @@ bool start_variant(Study& study, const Task& task) {
   if (now == RunStatus::started) {
     start(study, task, {"resume", folder}, folder, "goes on");
   } else {
-    fs::remove_all(folder);  // what was killed before its first checkpoint
+    core::remove_own(folder);  // what was killed before its first checkpoint
     forget_timings(folder);
     start(study, task, run_arguments(study, variant, folder), folder, "starts");
   }
@@ -147,7 +143,7 @@ bool start_timing(Study& study, const Task& task) {
     ++study.ended;
     return false;
   }
-  fs::remove_all(again);
+  core::remove_own(again);
   start(study, task, run_arguments(study, variant, again), again,
         fmt::format("runs for its time, {} of {}", task.round + 1, study.request.timings));
   return true;
@@ -172,8 +168,8 @@ void collect_timing(Study& study, const Variant& variant) {
   const double cpu = cpu_of(again);
   if (cpu > 0) add_timing(folder, cpu);
   say(study, variant, cpu > 0 ? fmt::format("{:.1f} s CPU", cpu) : "stopped");
-  fs::remove_all(again);
-  fs::remove(again + ".log");
+  core::remove_own(again);
+  core::remove_own(again + ".log");
 }
 
 void collect_ended(Study& study) {
@@ -208,6 +204,17 @@ bool run_study(Study& study) {
 
 bool wanted(const TradeoffRequest& request, const Variant& variant) {
   return request.groups.empty() || std::count(request.groups.begin(), request.groups.end(), variant.group);
+}
+
+/// The folder of the study, and in it those of runs that begin anew, before the first of them.
+void claim(const Study& study) {
+  std::set<std::string> names{"tradeoff.csv", "tradeoff.json", "tradeoff.md", "tradeoff.png", "tradeoff.svg"};
+  for (const Variant& variant : study.variants)
+    for (const char* ending : {"", ".log", ".timings", ".again", ".again.log"}) names.insert(variant.name + ending);
+  core::claim_folder(study.request.output, "tradeoff", names);
+  for (const Variant& variant : study.variants)
+    if (run_status(variant, study.request.case_path, study.folder(variant)) == RunStatus::fresh)
+      core::require_own(study.folder(variant));
 }
 
 /// The reference, the base, and the variants of the groups asked for.
@@ -249,14 +256,7 @@ int tradeoff(const TradeoffRequest& given) {
                  fmt::join(variant.overrides, ", "));
   }
   if (request.list) return 0;
-  std::error_code error;
-  if (fs::exists(request.output + "/summary.json", error))
-    throw core::CaseError(
-        fmt::format("{}: the results of a run were found, allowed is a folder of its own for a study", request.output));
-  fs::create_directories(request.output, error);
-  if (error)
-    throw core::CaseError(
-        fmt::format("{}: the folder for the study cannot be made: {}", request.output, error.message()));
+  claim(study);
   if (!run_study(study)) {
     fmt::print(stderr, "parison: the study was stopped on request; the same command goes on with it\n");
     return 1;

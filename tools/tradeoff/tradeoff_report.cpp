@@ -24,12 +24,12 @@ using Results = std::vector<VariantResult>;
 VariantResult read_result(const std::string& folder, const forming::Variant& variant) {
   VariantResult result;
   result.variant = variant;
-  const std::string path = folder + '/' + variant.name + "/summary.json";
-  if (!std::filesystem::exists(path)) {
+  const auto found = core::read_json_file(folder + '/' + variant.name + "/summary.json");
+  if (!found) {
     result.reason = "no summary";
     return result;
   }
-  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  const core::JsonValue& summary = *found;
   result.completed = summary.flag_of("completed");
   result.reason = summary.text_of("reason");
   result.cpu = summary.number_of("cpu_seconds");
@@ -220,9 +220,9 @@ bool report_tradeoff(const std::string& folder, const std::vector<forming::Varia
   forming::compare_variants(results, base_name);
   forming::mark_front(results);
   const std::string table = numerics_table(results) + model_table(results, base, estimates) + error_laws(results);
-  core::write_text(folder + "/tradeoff.csv", as_csv(results, base));
-  core::write_text(folder + "/tradeoff.json", as_json(results, base, estimates));
-  core::write_text(folder + "/tradeoff.md", table);
+  core::replace_file(folder + "/tradeoff.csv", as_csv(results, base));
+  core::replace_file(folder + "/tradeoff.json", as_json(results, base, estimates));
+  core::replace_file(folder + "/tradeoff.md", table);
   fmt::print("\n{}\n", table);
   std::fflush(stdout);
   plot(folder);

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "core/io/written_files.hpp"
 #include "forming/study/uncertainty/uncertainty.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/folder_lock.hpp"
@@ -52,7 +53,7 @@ void print_list(const UncertaintyPlan& plan) {
 
 /// Makes the runs of a part that are not done; false where stopped.
 bool make_part(const forming::SweepPlan& plan, const char* what, int jobs) {
-  fs::create_directories(plan.output);
+  forming::claim_sweep(plan);
   forming::write_manifest(plan);
   std::vector<forming::SweepState> states;
   states.reserve(plan.runs.size());
@@ -139,7 +140,9 @@ int uncertainty(const UncertaintyRequest& request) {
   }
   const int jobs = request.jobs > 0 ? request.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   catch_signals();
-  fs::create_directories(plan.study.output);
+  core::claim_folder(plan.study.output, "uncertainty",
+                     {"uncertainty.json", "uncertainty.csv", "uncertainty.svg", "sobol_indices.csv", "wall.csv", "mean",
+                      "noise", "drawn"});
   const FolderLock lock(plan.study.output);
   print_tolerances(plan);
   const bool ended = make_part(plan.mean, "values at their means, with error bars", jobs) &&

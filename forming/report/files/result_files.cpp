@@ -5,9 +5,12 @@
 
 #include <chrono>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "core/case/case_error.hpp"
+#include "core/io/manifest.hpp"
+#include "core/io/written_files.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/report/files/body_fields.hpp"
 #include "forming/report/files/case_copy.hpp"
@@ -32,16 +35,23 @@ void make_folder(const std::string& directory) {
     throw core::CaseError(fmt::format(
         "{}: a file or a folder that holds something was found, allowed is a new or an empty folder for the results",
         directory));
-  if (!error) fs::create_directories(fs::path(directory) / "vtu", error);
-  if (error)
-    throw core::CaseError(fmt::format("{}: the folder for the results cannot be made: {}", directory, error.message()));
+  core::claim_folder(directory, "run", {});
+  core::claim_folder(directory + "/vtu", "run", {});
+}
+
+/// A folder with the files of a run up to `written`; refuses one in which a file was changed that would be written
+/// anew.
+void require_folder(const Scene& scene, const std::string& directory) {
+  std::set<std::string> names{"summary.json", "thickness.csv", "contour.csv",   "heights.csv",
+                              "history.csv",  "tools.csv",     "interface.csv", "NOT_TRUSTWORTHY.txt"};
+  for (std::size_t body = 0; body <= scene.tools.size(); ++body) names.insert(body_file(scene, body) + ".pvd");
+  core::claim_folder(directory, "run", names);
 }
 
 /// Whether there was such a file.
 bool remove_file(const std::string& path) {
-  std::error_code error;
-  const bool found = fs::remove(path, error);
-  if (error) throw core::RunError(fmt::format("{}: cannot be removed: {}", path, error.message()));
+  const bool found = fs::exists(path);
+  if (found) core::remove_own(path);
   return found;
 }
 
@@ -56,7 +66,7 @@ ResultFiles::ResultFiles(const Scene& scene, const std::string& directory)
 
 ResultFiles::ResultFiles(const Scene& scene, const std::string& directory, const WrittenFiles& written)
     : scene_(scene),
-      directory_(directory),
+      directory_((require_folder(scene, directory), directory)),
       history_(directory + "/history.csv", written.history_size),
       tools_(directory + "/tools.csv", written.tools_size),
       interface_(directory + "/interface.csv", written.interface_size),
@@ -108,7 +118,7 @@ void ResultFiles::fields(const State& state, const std::vector<core::InterfacePo
 
 void ResultFiles::start_sync() {
   if (synced_ == output_times_.size()) return;
-  std::vector<std::string> files;
+  std::vector<std::string> files{directory_ + "/vtu/" + core::manifest_name};
   for (; synced_ < output_times_.size(); ++synced_)
     for (std::size_t body = 0; body <= scene_.tools.size(); ++body)
       files.push_back(directory_ + '/' + vtu_file(body, synced_));

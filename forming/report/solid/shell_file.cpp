@@ -135,7 +135,7 @@ ShellMesh write_shell(const std::string& path, const ContainerShape& shape, int 
       "** Soda-lime glass at room temperature: Young's modulus, Poisson's ratio, density.\n"
       "*MATERIAL, NAME=GLASS\n*ELASTIC\n70000., 0.22\n*DENSITY\n2.5e-9\n"
       "*SHELL SECTION, ELSET=WALL, MATERIAL=GLASS, NODAL THICKNESS\n1.\n";
-  core::write_text(path, text);
+  core::replace_file(path, text);
   return {count, nodes.count(), shell_volume(points)};
 }
 

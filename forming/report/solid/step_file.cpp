@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "core/io/written_files.hpp"
 #include "core/process/child_work.hpp"
 #include "core/process/gmsh_module.hpp"
 #include "core/process/run_error.hpp"
@@ -32,8 +33,10 @@ double volume_from_kernel(const std::string& path, const std::function<void(std:
 
 double write_step(const std::string& path, const ContainerShape& shape) {
   static auto& write = core::gmsh_function<decltype(parison_write_solid)>("parison_write_solid");
-  const double volume = volume_from_kernel(path, [&](std::string& text) { write(path, shape, text); });
+  const double volume =
+      volume_from_kernel(path, [&](std::string& text) { write(core::unfinished_name(path), shape, text); });
   if (!(volume > 0)) throw core::RunError(fmt::format("{}: the CAD kernel made no solid of the outline", path));
+  core::take_made(path);
   return volume;
 }
 

@@ -81,7 +81,7 @@ double write_stl(const std::string& path, const ContainerShape& shape, double de
       if (b[0] > 0) triangles.add(at(a, side + 1), at(b, side + 1), at(b, side));
     }
   }
-  core::write_text(path, triangles.file());
+  core::replace_file(path, triangles.file());
   return millimetre * millimetre * millimetre * triangles.volume();
 }
 

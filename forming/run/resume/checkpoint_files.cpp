@@ -10,6 +10,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
+#include "core/io/written_files.hpp"
 #include "core/process/run_error.hpp"
 
 namespace parison::forming {
@@ -36,28 +37,18 @@ bool is_intact(const std::string& path) {
   return is_there(path) && core::read_hdf5(path).problem.empty();
 }
 
-void rename_file(const std::string& from, const std::string& to) {
-  std::error_code error;
-  std::filesystem::rename(from, to, error);
-  if (error) throw core::RunError(fmt::format("{}: cannot be renamed: {}", from, error.message()));
-}
-
 }  // namespace
 
 void put_in_place(const std::string& directory, const std::string& made) {
   const std::string last = last_path(directory);
-  if (is_intact(last)) rename_file(last, path_before(directory));  // a damaged one never takes the place of a good one
-  rename_file(made, last);
+  if (is_intact(last))  // a damaged one never takes the place of a good one
+    core::rename_own(last, path_before(directory));
+  core::rename_own(made, last);
   core::sync_to_disk(directory);
 }
 
 void keep_checkpoint(const std::string& directory, const std::string& stage) {
-  const std::string kept = path_after(directory, stage);
-  std::error_code error;
-  std::filesystem::remove(kept, error);
-  std::filesystem::create_hard_link(last_path(directory), kept, error);
-  if (error) std::filesystem::copy_file(last_path(directory), kept, error);
-  if (error) throw core::RunError(fmt::format("{}: cannot be written: {}", kept, error.message()));
+  core::link_own(last_path(directory), path_after(directory, stage));
 }
 
 std::string find_stage_end(const std::string& directory, const std::string& stage) {
@@ -80,9 +71,10 @@ void return_to_stage_end(const std::string& directory, const std::string& stage)
     if (entry.path().stem().string().rfind(kept_prefix, 0) == 0 && is_intact(entry.path().string()) &&
         core::open_hdf5(entry.path().string()).read_integer("stages_done") > done)
       later.push_back(entry.path());
+  if (is_there(last_path(directory)) && !is_intact(last_path(directory))) core::set_aside(last_path(directory));
   core::replace_file(last_path(directory), core::read_text(kept));
   later.emplace_back(path_before(directory));
-  for (const auto& path : later) std::filesystem::remove(path);
+  for (const auto& path : later) core::remove_own(path.string());
 }
 
 bool has_checkpoint(const std::string& directory) {

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ std::string ranking_table(const Comparison& comparison, const std::string& quant
 std::string remark_lines(const Comparison& comparison);
 /// The quantity of that table where none is named: the thinnest wall, else the first quantity.
 std::string ranked_quantity(const Comparison& comparison);
+
+/// The names of the files of a comparison.
+std::set<std::string> comparison_files();
 
 /// Writes comparison.csv, comparison.json, profiles.csv and profiles.svg, the last two where the walls of base and
 /// another run are compared; where they are not, those of an earlier comparison in the folder go. Returns which, and

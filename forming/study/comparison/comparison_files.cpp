@@ -7,6 +7,7 @@
 
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
+#include "core/io/written_files.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/same_case.hpp"
@@ -133,10 +134,11 @@ std::string profiles_csv(const Comparison& comparison) {
 
 }  // namespace
 
+std::set<std::string> comparison_files() {
+  return {"comparison.csv", "comparison.json", "profiles.csv", "profiles.svg"};
+}
+
 std::string write_comparison(const Comparison& comparison, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw core::RunError(fmt::format("{}: cannot be made: {}", folder, error.message()));
   const std::vector<std::pair<std::string, std::string>> files{{"comparison.csv", quantities_csv(comparison)},
                                                                {"comparison.json", comparison_json(comparison)},
                                                                {"profiles.csv", profiles_csv(comparison)},
@@ -144,7 +146,7 @@ std::string write_comparison(const Comparison& comparison, const std::string& fo
   std::vector<std::string> written;
   for (const auto& [name, text] : files) {
     if (text.empty()) {
-      std::filesystem::remove(folder + '/' + name, error);  // of a comparison before
+      core::remove_own(folder + '/' + name);  // of a comparison before
       continue;
     }
     core::replace_file(folder + '/' + name, text);

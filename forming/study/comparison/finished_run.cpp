@@ -8,7 +8,6 @@
 #include <filesystem>
 
 #include "core/case/case_error.hpp"
-#include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/coarse_run.hpp"
@@ -45,10 +44,9 @@ std::vector<StageMark> read_stages(const core::JsonValue& summary) {
 
 /// The run of a folder alone; nothing where it has not ended.
 std::optional<FinishedRun> read_run(const std::string& directory) {
-  const std::string path = summary_path(directory);
-  std::error_code unreadable;
-  if (!fs::exists(path, unreadable)) return std::nullopt;
-  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  const auto found = core::read_json_file(summary_path(directory));
+  if (!found) return std::nullopt;
+  const core::JsonValue& summary = *found;
   FinishedRun run;
   run.directory = directory;
   run.name = last_word(directory);
@@ -103,8 +101,8 @@ void add_errors(FinishedRun& run) {
 FinishedRun read_finished_run(const std::string& directory) {
   auto run = read_run(directory);
   if (!run)
-    throw core::CaseError(
-        fmt::format("{}: no summary.json was found, allowed is the result folder of a run that has ended", directory));
+    throw core::CaseError(fmt::format(
+        "{}: no whole summary.json was found, allowed is the result folder of a run that has ended", directory));
   run->twins = read_twins(*run);
   for (const char* folder : {coarse_folders.front(), partner_folders.front(), coarse_folders.back()}) {
     auto coarser = read_run(directory + '/' + folder);

@@ -131,11 +131,11 @@ std::string cycles_text(const Scene& scene, const std::vector<StartUpCycle>& cyc
 
 void write_periodic_state(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state,
                           const std::string& reason) {
-  core::write_text(request.directory + "/cycle.json", json_text(scene, request, state, reason));
+  core::replace_file(request.directory + "/cycle.json", json_text(scene, request, state, reason));
   const std::string& folder = request.directory;
-  if (!state.start_up.empty()) core::write_text(folder + "/start_up.csv", cycles_text(scene, state.start_up));
-  if (!state.since_swab.empty()) core::write_text(folder + "/swab.csv", cycles_text(scene, state.since_swab));
-  if (!state.settled.samples.empty()) core::write_text(request.directory + "/cycle.csv", cycle_text(scene, state));
+  if (!state.start_up.empty()) core::replace_file(folder + "/start_up.csv", cycles_text(scene, state.start_up));
+  if (!state.since_swab.empty()) core::replace_file(folder + "/swab.csv", cycles_text(scene, state.since_swab));
+  if (!state.settled.samples.empty()) core::replace_file(request.directory + "/cycle.csv", cycle_text(scene, state));
 }
 
 std::string periodic_table(const Scene& scene, const PeriodicState& state) {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/io/written_files.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/state/initial_state.hpp"
@@ -204,7 +205,7 @@ Eigen::VectorXd search_for_state(Search& search) {
     const auto runs = static_cast<int>(search.estimates.runs().size());
     if (result.is_confirmed(tolerance) || runs >= search.request.max_runs) break;
     search.progress("the plain cycles do not confirm the state: the search goes on");
-    std::filesystem::remove_all(search.request.directory + "/settled");
+    core::remove_own(search.request.directory + "/settled");
   }
   for (const SettledEstimate& run : search.estimates.runs()) result.search.push_back({run.change, run.distance});
   return state;

@@ -145,7 +145,7 @@ void add_wall(const Wall& wall, const WallPart& part, Quantities& quantities) {
 
 Outcome read_outcome(const std::string& folder, const WallPart& part) {
   const std::string path = folder + "/summary.json", wall = folder + "/thickness.csv";
-  const core::JsonValue summary = core::read_json(core::read_text(path), path);
+  const core::JsonValue summary = core::read_json_file(path).value_or(core::JsonValue{});
   if (!summary.flag_of("completed")) return {summary.text_of("reason"), {}, {}};
   Outcome outcome{"", read_quantities(summary), {}};
   add_summary(summary, outcome.quantities);

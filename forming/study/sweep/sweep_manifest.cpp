@@ -5,11 +5,15 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "core/io/json_read.hpp"
+#include "core/io/manifest.hpp"
+#include "core/io/written_files.hpp"
+#include "forming/run/checkpoint.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/sweep/sweep_plan.hpp"
@@ -22,14 +26,19 @@ using Status = SweepState::Status;
 
 constexpr std::array kept_files{"summary.json", "thickness.csv", "history.csv"};  ///< the last one on request
 
-/// Of one folder, without its coarser runs.
-SweepState state_of_folder(const std::string& folder) {
-  const std::string path = folder + "/summary.json";
-  if (!fs::exists(path)) return {};
-  const core::JsonValue summary = core::read_json(core::read_text(path), path);
-  if (summary.flag_of("stopped")) return {};
-  if (summary.flag_of("completed")) return {Status::done};
-  return {Status::failed, summary.text_of("reason")};
+/// Of one folder, without its coarser runs. Refuses a run of another case or with other settings than the fingerprint
+/// stands for; an empty one stands for all.
+SweepState state_of_folder(const std::string& folder, const std::string& fingerprint) {
+  const auto summary = core::read_json_file(folder + "/summary.json");
+  if (!summary) return {};
+  if (!fingerprint.empty() && summary->text_of("case_fingerprint") != fingerprint)
+    throw core::CaseError(
+        fmt::format("{}: a run of another case or with other settings was found, allowed is the run of this row, or "
+                    "another --output",
+                    folder));
+  if (summary->flag_of("stopped")) return {Status::waiting, summary->text_of("reason")};
+  if (summary->flag_of("completed")) return {Status::done};
+  return {Status::failed, summary->text_of("reason")};
 }
 
 std::vector<std::string> coarser_folders(const SweepPlan& plan, const std::string& folder) {
@@ -103,7 +112,7 @@ SweepPlan begun_plan(const Sweep& sweep, const std::string& output) {
   const std::string path = manifest_path(plan);
   if (!fs::exists(path))
     throw core::CaseError(fmt::format("{}: no such file, allowed is a sweep that was begun", path));
-  const core::JsonValue manifest = core::read_json(core::read_text(path), path);
+  const core::JsonValue manifest = core::read_json_file(path).value_or(core::JsonValue{});
   const core::JsonValue* runs = manifest.find("runs");
   const auto values = sweep_values(sweep);
   std::map<std::string, std::size_t> rows;
@@ -122,20 +131,29 @@ SweepPlan begun_plan(const Sweep& sweep, const std::string& output) {
 
 SweepState state_of(const SweepPlan& plan, const SweepRun& run) {
   const std::string folder = plan.folder(run);
-  const SweepState own = state_of_folder(folder);
+  const SweepState own = state_of_folder(folder, run.fingerprint);
   if (own.status != Status::done) return own;
   for (const std::string& coarser : coarser_folders(plan, folder))
-    if (state_of_folder(coarser).status == Status::waiting) return {};
+    if (state_of_folder(coarser, "").status == Status::waiting) return {};
   return own;
+}
+
+void claim_sweep(const SweepPlan& plan) {
+  std::set<std::string> names{"sweep.json", "results.csv", "results.h5", "slurm_*"};
+  for (const SweepRun& run : plan.runs)
+    for (const char* ending : {"", ".log", ".lock"}) names.insert(run.name + ending);
+  core::claim_folder(plan.output, "sweep", names);
+  for (const SweepRun& run : plan.runs) {
+    const std::string folder = plan.folder(run);
+    const auto summary = core::read_json_file(folder + "/summary.json");
+    const bool is_over = summary && !summary->flag_of("stopped");
+    if (!is_over && !has_checkpoint(folder)) core::require_own(folder);  // it is removed
+  }
 }
 
 void write_manifest(const SweepPlan& plan) {
   const std::string path = manifest_path(plan);
-  if (fs::exists(path))
-    require_same_runs(plan, core::read_json(core::read_text(path), path));
-  else if (fs::exists(plan.output + "/summary.json") || fs::exists(plan.output + "/" + plan.runs.front().name))
-    throw core::CaseError(
-        fmt::format("{}: other results were found, allowed is a folder of its own for a sweep", plan.output));
+  if (const auto before = core::read_json_file(path)) require_same_runs(plan, *before);
   core::replace_file(path, manifest_text(plan));
 }
 
@@ -147,10 +165,10 @@ void keep_only(Keep keep, const std::string& folder) {
     const std::string name = entry.path().filename().string();
     if (std::count(coarse_folders.begin(), coarse_folders.end(), name))
       keep_only(keep, entry.path().string());
-    else if (!std::count(kept_files.begin(), last, name))
+    else if (!std::count(kept_files.begin(), last, name) && name != core::manifest_name)
       removed.push_back(entry.path());
   }
-  for (const fs::path& path : removed) fs::remove_all(path);
+  for (const fs::path& path : removed) core::remove_own_files(path.string());
 }
 
 }  // namespace parison::forming

@@ -46,15 +46,19 @@ SweepPlan begun_plan(const Sweep& sweep, const std::string& output);
 struct SweepState {
   enum class Status { waiting, done, failed };
   Status status = Status::waiting;
-  std::string reason = {};  ///< why it failed
+  std::string reason = {};  ///< why it failed, or was stopped
 };
 
 /// What the folder of a run says: done or failed with a complete summary, and with those of its coarser runs where
 /// error bars are asked for.
 SweepState state_of(const SweepPlan& plan, const SweepRun& run);
 
-/// Writes `sweep.json`, the list of the runs of a folder. Throws core::CaseError where the folder has another list, of
-/// which this one is no continuation, or anything else.
+/// Takes the folder of a sweep, with those of the runs that begin anew. Throws core::CaseError where something in it is
+/// in the way.
+void claim_sweep(const SweepPlan& plan);
+
+/// Writes `sweep.json`, the list of the runs of the folder. Throws core::CaseError where the folder has another list,
+/// of which this one is no continuation.
 void write_manifest(const SweepPlan& plan);
 
 /// Makes a run that is not done, or the rest of it, with the coarser runs of its error bars. `stop` is asked after each

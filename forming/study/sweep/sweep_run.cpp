@@ -32,7 +32,6 @@ std::vector<CoarseCase> cases_of(const SweepPlan& plan, const SweepRun& run, con
 void take_over(const SweepPlan& plan, const SweepRun& run, const CoarseCase& one) {
   const std::string below = one.directory.substr(plan.folder(run).size());
   const std::string source = plan.folder(plan.runs[run.start->run]) + below, &stage = run.start->stage;
-  fs::remove_all(one.directory);
   if (fs::exists(source + "/checkpoint_after_" + stage + ".h5"))
     make_branch({run.name, one.directory, one.accuracy, one.overrides, BranchPoint{source, stage}, ""}, one.file);
 }

@@ -173,11 +173,9 @@ SweepTable read_results(const SweepPlan& plan, const std::vector<SweepState>& st
 }
 
 void write_results(const SweepPlan& plan, const SweepTable& table) {
-  core::replace_file(plan.output + "/results.csv", [&](const std::string& temporary) {
-    std::string text = csv_header(plan, table);
-    for (std::size_t i = 0; i < plan.runs.size(); ++i) text += csv_line(plan, table, i);
-    core::write_text(temporary, text);
-  });
+  std::string text = csv_header(plan, table);
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) text += csv_line(plan, table, i);
+  core::replace_file(plan.output + "/results.csv", text);
   core::write_hdf5(plan.output + "/results.h5", [&](core::Hdf5Group& root) { fill_hdf5(plan, table, root); });
 }
 

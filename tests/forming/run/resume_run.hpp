@@ -12,6 +12,7 @@
 #include "../pot_scene.hpp"
 #include "../scene_text.hpp"
 #include "core/io/files.hpp"
+#include "core/io/manifest.hpp"
 #include "forming/run/run.hpp"
 
 namespace parison::forming {
@@ -49,7 +50,8 @@ inline std::map<std::string, std::string> results(const std::string& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder);
-    if (!entry.is_regular_file() || entry.path().extension() == ".h5") continue;
+    if (!entry.is_regular_file() || entry.path().extension() == ".h5" || entry.path().filename() == core::manifest_name)
+      continue;
     files[name] = core::read_text(entry.path());
     if (name == "summary.json")
       files[name] = std::regex_replace(

@@ -163,7 +163,7 @@ TEST(Checkpoint, the_last_two_are_kept_and_the_earlier_one_serves_where_the_last
     state.time = time;
     write_checkpoint(folder, scene, {{state, {}}, {}});
   }
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 3);  // with the manifest
   const std::string last = find_checkpoint(folder);
   EXPECT_EQ(read_checkpoint(last, scene).outcome.state.time, 0.75);
   core::write_text(last, core::read_text(last).substr(0, 1000));

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "core/io/written_files.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
@@ -82,7 +83,7 @@ int run_to_accuracy(RunRequest request, double target) {
     control.add(completed ? std::optional(now.summary.quantities) : std::nullopt, now.outcome.facts.cpu_seconds,
                 now.outcome.facts.checks);
     if (control.finished()) return report(now, control, request, output);
-    std::filesystem::remove_all(output);  // made by this command; a finer run takes its place
+    core::remove_own(output);  // made by this command; a finer run takes its place
   }
 }
 

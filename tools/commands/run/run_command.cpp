@@ -8,6 +8,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/report/files/case_copy.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/checkpoint.hpp"
@@ -93,7 +94,7 @@ int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& requ
   std::fflush(stdout);
   if (!facts.completed && !facts.stopped && coarser)
     fmt::print(stderr, "parison: no error bars: only a run that has completed can have them\n");
-  if (facts.stopped) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
+  if (facts.stopped || facts.interrupted) fmt::print(stderr, "parison: `parison resume {}` continues it\n", output);
   return facts.completed && !stopped ? code_of(facts, request.keep_going) : run_failed;
 }
 
@@ -113,8 +114,10 @@ int check(const RunRequest& request) {
   if (!request.picture.empty()) {
     if (std::filesystem::path(request.picture).extension() != ".svg")
       throw core::CaseError(fmt::format("--picture: \"{}\" was found, allowed is a file named .svg", request.picture));
+    const std::string timing = request.picture.substr(0, request.picture.size() - 4) + "_timing.svg";
+    for (const std::string& path : {request.picture, timing}) core::require_own(path);
     core::replace_file(request.picture, section_picture(scene));
-    core::replace_file(request.picture.substr(0, request.picture.size() - 4) + "_timing.svg", timing_picture(scene));
+    core::replace_file(timing, timing_picture(scene));
   }
   fmt::print("{}", forming::describe_scene(scene));
   std::fflush(stdout);

@@ -11,6 +11,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/production/cycle_files.hpp"
@@ -122,6 +123,7 @@ int cycle(const CycleRequest& request) {
   }
   const forming::PeriodicRequest asked{plan.tolerance, request.max_runs, folder};
   const forming::MachineCycle machine = forming::machine_cycle(scene, plan.seconds, plan.sets);
+  core::claim_folder(folder, "cycle", {});
   print_notes_on_cycle(scene, machine, "");
   fmt::print("{} at {} accuracy: a machine cycle of {:.4g} s\n", scene.name, scene.accuracy_name, machine.seconds);
   std::fflush(stdout);

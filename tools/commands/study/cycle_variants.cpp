@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/case/case_error.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/production/cycle_files.hpp"
 #include "forming/study/production/lost_changes.hpp"
@@ -148,6 +149,7 @@ forming::Comparison compare_settled(const std::vector<Production>& all) {
 
 int cycle_variants(const CycleRequest& request, const CyclePlan& plan) {
   std::vector<Production> all = read_all(request, plan);
+  core::claim_folder(request.output, "cycle", {});
   for (const Production& one : all) print_notes_on_cycle(one.scene, one.machine, one.name + ": ");
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!settle(request, plan, i > 0 ? all.front().folder : "", all[i]) || !all.front().failure.empty())

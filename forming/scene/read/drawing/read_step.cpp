@@ -117,6 +117,9 @@ std::vector<Segment> read_step(const CaseNode& file, const std::string& path) {
                              "STEP file",
                              path));
   const auto curves = read_curves(file, path);
+  if (core::read_given_file(file, path, "a drawing") != content)  // the kernel has read it once more
+    core::refuse(file,
+                 fmt::format("\"{}\" has changed while it was read, allowed is a file that stays as it is", path));
   const auto [first, second] = find_plane(file, path, curves);
   const auto flat = [first = first, second = second](const Space& x) { return Point(x[first], x[second]); };
   double size = 0;

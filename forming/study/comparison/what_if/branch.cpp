@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/io/written_files.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/study/coarse_run.hpp"
@@ -24,12 +25,12 @@ bool is_taken_over(const std::string& name, const std::string& stage) {
 
 /// Writes the checkpoint again with the tools warmer. The case that the run was made of may be gone, or start from
 /// results that are: the one given is as it was.
-void warm_tools(const PlannedRun& run, const std::string& case_path) {
-  const CaseOrigin origin = read_origin(find_checkpoint(run.directory));
+void warm_tools(const std::string& directory, const std::string& case_path) {
+  const CaseOrigin origin = read_origin(find_checkpoint(directory));
   const Scene scene = read_scene(case_path, origin.accuracy, origin.overrides);
-  Checkpoint checkpoint = read_checkpoint(find_checkpoint(run.directory), scene);
+  Checkpoint checkpoint = read_checkpoint(find_checkpoint(directory), scene);
   for (ToolState& tool : checkpoint.outcome.state.tools) tool.temperature.array() += twin_warmer;
-  write_checkpoint(run.directory, scene, checkpoint);
+  write_checkpoint(directory, scene, checkpoint);
 }
 
 }  // namespace
@@ -42,16 +43,23 @@ bool is_run_folder(const std::string& name) {
 
 void make_branch(const PlannedRun& run, const std::string& case_path) {
   const BranchPoint& from = *run.branch;
+  const std::string made = core::unfinished_name(run.directory);
+  core::remove_own(run.directory);
+  core::remove_own(made);
   std::error_code error;
-  fs::create_directories(run.directory, error);
+  fs::create_directories(made, error);
   for (const auto& entry : fs::directory_iterator(from.directory)) {
     if (error) break;
     if (is_taken_over(entry.path().filename().string(), from.stage))
-      fs::copy(entry.path(), run.directory / entry.path().filename(), fs::copy_options::recursive, error);
+      fs::copy(entry.path(), fs::path(made) / entry.path().filename(), fs::copy_options::recursive, error);
   }
-  if (error) throw core::RunError(fmt::format("{}: cannot be made: {}", run.directory, error.message()));
-  return_to_stage_end(run.directory, from.stage);
-  if (from.warmer_tools) warm_tools(run, case_path);
+  if (!error) {
+    return_to_stage_end(made, from.stage);
+    if (from.warmer_tools) warm_tools(made, case_path);
+    fs::rename(made, run.directory, error);
+  }
+  if (error)
+    throw core::SystemError(fmt::format("{}: cannot be made: {}", run.directory, error.message()), error.value());
 }
 
 }  // namespace parison::forming

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
+#include "core/io/written_files.hpp"
 #include "core/process/build_id.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/report/files/case_copy.hpp"
@@ -19,9 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-core::JsonValue read_summary(const std::string& directory) {
-  const std::string path = directory + "/summary.json";
-  return core::read_json(core::read_text(path), path);
+std::optional<core::JsonValue> summary_of(const std::string& directory) {
+  return core::read_json_file(directory + "/summary.json");
 }
 
 bool is_of_this_build(const core::JsonValue& summary) {
@@ -47,13 +48,12 @@ bool is_result_folder(const std::string& path) {
 }
 
 bool has_completed_here(const std::string& directory) {
-  if (!is_result_folder(directory)) return false;
-  const core::JsonValue summary = read_summary(directory);
-  return summary.flag_of("completed") && is_of_this_build(summary);
+  const auto summary = summary_of(directory);
+  return summary && summary->flag_of("completed") && is_of_this_build(*summary);
 }
 
 FinishedBase read_finished_base(const std::string& directory) {
-  const core::JsonValue summary = read_summary(directory);
+  const core::JsonValue summary = summary_of(directory).value_or(core::JsonValue{});
   if (!summary.flag_of("completed")) throw core::CaseError(no_base(directory, summary.text_of("reason")));
   if (!is_of_this_build(summary))
     throw core::CaseError(
@@ -74,19 +74,20 @@ FinishedBase read_finished_base(const std::string& directory) {
 }
 
 void copy_results(const PlannedRun& run) {
-  const std::string made = run.directory + "_copying";
+  const std::string made = core::unfinished_name(run.directory);
   std::error_code error;
-  fs::remove_all(made, error);
+  core::remove_own(made);
   fs::create_directories(made, error);
   for (const auto& entry : fs::directory_iterator(run.copy_of, error)) {
     if (is_run_folder(entry.path().filename().string())) continue;
-    fs::copy(entry.path(), made / entry.path().filename(), fs::copy_options::recursive, error);
+    fs::copy(entry.path(), fs::path(made) / entry.path().filename(), fs::copy_options::recursive, error);
     if (error) break;
   }
-  fs::remove_all(run.directory, error);
+  if (!error) core::remove_own(run.directory);
   if (!error) fs::rename(made, run.directory, error);
   if (error)
-    throw core::RunError(fmt::format("{}: cannot be copied to {}: {}", run.copy_of, run.directory, error.message()));
+    throw core::SystemError(fmt::format("{}: cannot be copied to {}: {}", run.copy_of, run.directory, error.message()),
+                            error.value());
 }
 
 }  // namespace parison::forming
