@@ -46,9 +46,7 @@ struct Parts {
 
 /// Names of the materials, which the scene itself does not keep.
 void find_materials(Parts& parts) {
-  auto file = core::read_case_file(parts.scene.file);
-  add_library_materials(file);
-  for (const auto& assignment : parts.scene.overrides) core::override_value(file, assignment);
+  const auto file = read_case(parts.scene.file, parts.scene.overrides);
   const auto member = [](const core::CaseNode& node, const std::string& name) -> const core::CaseNode* {
     for (const auto& item : node.items)
       if (item.name == name) return &item;

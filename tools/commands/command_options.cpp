@@ -5,6 +5,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/text/case_text.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/study/comparison/study_folder.hpp"
 #include "tools/program/bundled_cases.hpp"
 
@@ -18,8 +19,9 @@ std::string case_of(const std::string& given) {
 void require_keys_once(const std::string& case_path, const std::vector<std::string>& before,
                        const std::vector<std::string>& assignments) {
   if (assignments.size() < 2) return;
-  core::CaseFile file = core::read_case_file(case_path);
-  for (const std::string& assignment : before) core::override_value(file, assignment);
+  std::vector<std::string> all = before;
+  all.insert(all.end(), assignments.begin(), assignments.end());
+  const core::CaseFile file = forming::read_case(case_path, all);
   if (const std::string repeated = core::repeated_key(file, assignments); !repeated.empty())
     throw core::CaseError(fmt::format("--set: {}; allowed is one of them", repeated));
 }

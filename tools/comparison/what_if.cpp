@@ -11,8 +11,10 @@
 #include "core/case/text/case_text.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/describe/unusual.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/what_if/finished_base.hpp"
 #include "forming/study/comparison/what_if/resolution.hpp"
@@ -41,8 +43,8 @@ double cpu_of(const std::vector<QueuedRun>& runs, double measured) {
   if (std::all_of(runs.begin(), runs.end(), [](const QueuedRun& run) { return run.child != 0; })) return measured;
   double seconds = 0;
   for (const QueuedRun& run : runs)
-    if (const std::string path = run.plan.directory + "/summary.json"; fs::exists(path))
-      seconds += core::read_json(core::read_text(path), path).number_of("cpu_seconds");
+    if (const auto summary = core::read_json_file(run.plan.directory + "/summary.json"))
+      seconds += summary->number_of("cpu_seconds");
   return seconds;
 }
 
@@ -97,10 +99,20 @@ void print_notes(const WhatIf& asked) {
   }
 }
 
+/// The folder of the runs of one accuracy, before the first of them.
+void claim(const WhatIf& asked) {
+  std::set<std::string> names = forming::comparison_files();
+  const auto add = [&](const std::string& name) { names.insert({name, name + ".log"}); };
+  add(forming::base_name);
+  for (const auto& variant : asked.variants) add(variant.name);
+  core::claim_folder(asked.directory, "what-if", names);
+}
+
 /// Plans, runs and compares at one accuracy.
 Round run_round(const WhatIf& asked, int jobs, bool is_first = true) {
   std::vector<QueuedRun> runs;
   for (auto& plan : forming::plan_runs(asked)) runs.push_back({std::move(plan)});
+  claim(asked);
   if (is_first) print_notes(asked);
   const auto variants =
       std::count_if(runs.begin() + 1, runs.end(), [](const QueuedRun& run) { return run.plan.inside.empty(); });
@@ -190,6 +202,10 @@ int what_if_to_resolve(const WhatIfRequest& request, WhatIf asked, const std::st
   for (;;) {
     asked.accuracy = control.accuracy();
     asked.directory = output + '/' + folder_name(asked.accuracy);
+    if (control.rounds() == 0) {
+      forming::plan_runs(asked);  // what is refused leaves no folder
+      core::claim_folder(output, "what-if", forming::comparison_files());
+    }
     const Round round = run_round(asked, request.jobs, control.rounds() == 0);
     if (!round.comparison) return failed(round);
     control.add(*round.comparison, round.cpu_seconds);
@@ -232,7 +248,7 @@ WhatIf asked_of_case(const WhatIfRequest& request) {
 /// The case of all runs; a mistake in what --base sets is told as one of that option.
 forming::Scene read_base(const WhatIf& asked) {
   try {
-    if (const auto repeated = core::repeated_key(core::read_case_file(asked.case_path), asked.overrides);
+    if (const auto repeated = core::repeated_key(forming::read_case(asked.case_path, asked.overrides), asked.overrides);
         asked.base_results.empty() && !repeated.empty())
       throw core::CaseError(fmt::format("--base: {}; allowed is one of them", repeated));
     return forming::read_scene(asked.case_path, "draft", asked.overrides);
@@ -267,10 +283,6 @@ int what_if(const WhatIfRequest& request) {
   const std::string output = request.output.empty() ? "results/what_if_" + scene.name : request.output;
   asked.directory = output;
   asked.twice = request.twice;
-  std::error_code error;
-  if (fs::exists(output + "/summary.json", error))
-    throw core::CaseError(
-        fmt::format("{}: the results of a run were found, allowed is a folder of its own for a what-if", output));
   const std::vector<forming::Quantity> possible = forming::possible_quantities(scene);
   if (!request.quantity.empty()) forming::require_quantity(request.quantity, possible);
   if (!request.resolve.empty()) return what_if_to_resolve(request, asked, output, {request.resolve, possible});

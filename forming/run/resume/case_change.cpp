@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "forming/run/resume/case_differences.hpp"
 
@@ -39,8 +40,7 @@ class Change {
  public:
   Change(const std::string& folder_before, const std::vector<std::string>& overrides_before, const Scene& scene,
          Index stage)
-      : before_(case_without_tolerances(folder_before, overrides_before)),
-        now_(case_without_tolerances(scene.file, scene.overrides)),
+      : cases_(comparable_cases(folder_before, overrides_before, scene.file, scene.overrides)),
         scene_before_(read_scene(folder_before, scene.accuracy_name, overrides_before)),
         scene_(scene),
         stage_(stage) {}
@@ -123,7 +123,8 @@ class Change {
     return false;
   }
 
-  CaseFile before_, now_;
+  std::pair<CaseFile, CaseFile> cases_;
+  const CaseFile &before_ = cases_.first, &now_ = cases_.second;
   Scene scene_before_;
   const Scene& scene_;
   Index stage_;

@@ -7,6 +7,7 @@
 
 #include "core/case/case_file.hpp"
 #include "core/case/tolerance.hpp"
+#include "forming/scene/materials/material_library.hpp"
 
 namespace parison::forming {
 
@@ -90,11 +91,14 @@ const CaseNode* member(const CaseNode& table, const std::string& name) {
   return nullptr;
 }
 
-CaseFile case_without_tolerances(const std::string& path, const std::vector<std::string>& overrides) {
-  CaseFile file = core::read_case_file(path);
-  for (const std::string& assignment : overrides) core::override_value(file, assignment);
-  core::take_tolerances(file);
-  return file;
+std::pair<CaseFile, CaseFile> comparable_cases(const std::string& before,
+                                               const std::vector<std::string>& overrides_before, const std::string& now,
+                                               const std::vector<std::string>& overrides_now) {
+  std::pair<CaseFile, CaseFile> cases{read_case(before, overrides_before), read_case(now, overrides_now)};
+  share_materials(cases.first, cases.second);
+  core::take_tolerances(cases.first);
+  core::take_tolerances(cases.second);
+  return cases;
 }
 
 std::vector<CaseDifference> item_differences(const CaseNode& before, const CaseNode& now, const std::string& item) {
@@ -124,8 +128,8 @@ std::vector<CaseDifference> case_differences(const std::string& before,
                                              const std::vector<std::string>& overrides_before, const std::string& now,
                                              const std::vector<std::string>& overrides_now) {
   std::vector<CaseDifference> found;
-  add_differences(case_without_tolerances(before, overrides_before).root,
-                  case_without_tolerances(now, overrides_now).root, "", found);
+  const auto [one, other] = comparable_cases(before, overrides_before, now, overrides_now);
+  add_differences(one.root, other.root, "", found);
   return found;
 }
 

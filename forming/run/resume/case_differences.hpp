@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/case/case_file.hpp"
@@ -17,8 +18,12 @@ std::vector<CaseDifference> case_differences(const std::string& before,
                                              const std::vector<std::string>& overrides_before, const std::string& now,
                                              const std::vector<std::string>& overrides_now);
 
-/// A case file with assignments, without its tolerances, which no run uses.
-core::CaseFile case_without_tolerances(const std::string& path, const std::vector<std::string>& overrides);
+/// Two case files with assignments, with the bundled materials that either names, without tolerances, which no run
+/// uses.
+std::pair<core::CaseFile, core::CaseFile> comparable_cases(const std::string& before,
+                                                           const std::vector<std::string>& overrides_before,
+                                                           const std::string& now,
+                                                           const std::vector<std::string>& overrides_now);
 
 /// The entry of a table by its name; null without one.
 const core::CaseNode* member(const core::CaseNode& table, const std::string& name);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "core/case/given_file.hpp"
+
 namespace parison::forming {
 
 /// The text of cases/materials.toml; the build makes the file that defines it.
@@ -75,6 +77,11 @@ void complete(CaseNode& material, std::vector<std::string>& used) {
   used.push_back(entry->name);
 }
 
+/// Whether an assignment is to a value of a material.
+bool is_of_material(const std::string& assignment) {
+  return core::trimmed(assignment).rfind("material.", 0) == 0;
+}
+
 }  // namespace
 
 const std::vector<NamedMaterial>& library_materials() {
@@ -112,6 +119,34 @@ std::vector<std::string> add_library_materials(core::CaseFile& file) {
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   return used;
+}
+
+core::CaseFile read_case(const std::string& path, const std::vector<std::string>& overrides,
+                         std::vector<std::string>* used) {
+  core::CaseFile file = core::read_case_file(path);
+  std::vector<std::string> names = add_library_materials(file);
+  for (const bool in_materials : {false, true}) {  // what names a material goes before what changes it
+    for (const std::string& assignment : overrides)
+      if (is_of_material(assignment) == in_materials) core::override_value(file, assignment);
+    for (std::string& name : add_library_materials(file)) names.push_back(std::move(name));
+  }
+  file.overrides = overrides;
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  if (used) *used = std::move(names);
+  return file;
+}
+
+void share_materials(core::CaseFile& one, core::CaseFile& other) {
+  std::vector<std::string> added;
+  for (auto [from, to] : {std::pair(&one, &other), std::pair(&other, &one)})
+    if (CaseNode* materials = member(from->root, "material"); materials && materials->kind == CaseNode::Kind::table)
+      for (const CaseNode& item : std::vector<CaseNode>(materials->items)) {
+        CaseNode name;
+        name.kind = CaseNode::Kind::text;
+        name.text = item.name;
+        add_named(name, *to, added);
+      }
 }
 
 }  // namespace parison::forming

@@ -41,4 +41,11 @@ std::string library_entry(const std::string& name);
 /// material `like` one of them does not give. Returns the names of those used.
 std::vector<std::string> add_library_materials(core::CaseFile& file);
 
+/// A case with what is set in it, also in the bundled materials that it then names. `used` gets their names.
+core::CaseFile read_case(const std::string& path, const std::vector<std::string>& overrides,
+                         std::vector<std::string>* used = nullptr);
+
+/// Gives each of two cases the bundled materials that only the other names: they then differ in what is set alone.
+void share_materials(core::CaseFile& one, core::CaseFile& other);
+
 }  // namespace parison::forming

@@ -16,6 +16,7 @@
 #include "forming/run/resume/case_change.hpp"
 #include "forming/run/resume/checkpoint_files.hpp"
 #include "forming/run/stage.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/finished_run.hpp"
 #include "forming/study/comparison/same_case.hpp"
@@ -41,8 +42,7 @@ Scene checked_scene(const WhatIf& what_if, const std::vector<std::string>& overr
 
 /// Two assignments to one key, of which the last would count, were meant as two variants.
 void require_keys_once(const WhatIf& what_if, const WhatIfVariant& variant) {
-  core::CaseFile file = core::read_case_file(what_if.case_path);
-  for (const std::string& assignment : what_if.overrides) core::override_value(file, assignment);
+  const core::CaseFile file = read_case(what_if.case_path, joined(what_if.overrides, variant.overrides));
   if (const std::string repeated = core::repeated_key(file, variant.overrides); !repeated.empty())
     throw core::CaseError(
         fmt::format("{}; allowed is one of them, another --variant NAME goes before the second", repeated));

@@ -8,6 +8,7 @@
 
 #include "core/case/text/case_text.hpp"
 #include "core/io/files.hpp"
+#include "core/io/written_files.hpp"
 #include "forming/report/files/case_copy.hpp"
 #include "forming/scene/materials/material_library.hpp"
 
@@ -69,18 +70,19 @@ std::string dxf_text(const core::Profile& outline, const std::string& layer) {
 }
 
 std::vector<std::string> write_case(const SearchCase& search, const Eigen::VectorXd& at, const std::string& output) {
-  core::CaseFile file = core::read_case_file(search.case_path);
   std::vector<std::string> overrides = search.overrides;
   for (std::string& setting : settings_at(search.variables, at)) overrides.push_back(std::move(setting));
   const bool changes_material = std::any_of(overrides.begin(), overrides.end(), [](const std::string& assignment) {
     return assignment.rfind("material.", 0) == 0;
   });
-  if (changes_material) add_library_materials(file);
-  for (const std::string& assignment : overrides) core::override_value(file, assignment);
+  core::CaseFile file =
+      changes_material ? read_case(search.case_path, overrides) : core::read_case_file(search.case_path);
+  if (!changes_material)
+    for (const std::string& assignment : overrides) core::override_value(file, assignment);
   const Scene found = read_scene(search.case_path, search.accuracy, overrides);
-  std::filesystem::remove_all(case_copy_folder(output));
+  core::remove_own(case_copy_folder(output));
   copy_case(found, output);
-  std::filesystem::remove(case_copy_folder(output) + "/command.txt");
+  core::remove_own(case_copy_folder(output) + "/command.txt");
   const std::string path = case_copy_folder(output) + "/case.toml";
   core::replace_file(path, fmt::format("# {} with what a search of {} found.\n", found.name,
                                        std::filesystem::path(search.file).filename().string()) +

@@ -26,14 +26,6 @@ bool same_dimension(const std::string& one, const std::string& other) {
   return one == other || (a && b && core::same_exponents(a->dimension, b->dimension));
 }
 
-/// The case with what holds for all runs, and the bundled materials that it names.
-core::CaseFile case_with(const std::string& path, const std::vector<std::string>& overrides) {
-  core::CaseFile file = core::read_case_file(path);
-  add_library_materials(file);
-  for (const std::string& assignment : overrides) core::override_value(file, assignment);
-  return file;
-}
-
 void require_inside(const CaseNode& node, double value, const SearchVariable& variable) {
   const Bounds& bounds = variable.bounds;
   if (value >= bounds.from && value <= bounds.to) return;
@@ -124,7 +116,7 @@ std::string SearchVariable::text(double coordinate) const {
 std::vector<SearchVariable> read_search_variables(const CaseTable& root, const std::string& file,
                                                   const std::string& case_path,
                                                   const std::vector<std::string>& overrides) {
-  const core::CaseFile held = case_with(case_path, overrides);
+  const core::CaseFile held = read_case(case_path, overrides);
   std::vector<SearchVariable> variables;
   for (const CaseNode* node : root.tables("variable")) {
     variables.push_back(read_variable(*node, held));
