@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 namespace parison::core {
 namespace {
@@ -33,7 +34,28 @@ InputFile too_large(std::size_t max_bytes) {
   return problem(fmt::format("is too large, allowed are files of up to {} MB", max_bytes / 1'000'000));
 }
 
+thread_local ReadRecord* innermost = nullptr;
+
+void record(const std::string& path, const std::string& content) {
+  if (!innermost) return;
+  const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
+  for (ReadFile& file : innermost->files)
+    if (file.path == absolute) {
+      file.content = content;
+      return;
+    }
+  innermost->files.push_back({absolute, content});
+}
+
 }  // namespace
+
+ReadRecord::ReadRecord() : outer_(innermost) {
+  innermost = this;
+}
+
+ReadRecord::~ReadRecord() {
+  innermost = outer_;
+}
 
 InputFile read_input_file(const std::string& path, std::size_t max_bytes) {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
@@ -52,6 +74,7 @@ InputFile read_input_file(const std::string& path, std::size_t max_bytes) {
     if (size > max_bytes) return too_large(max_bytes);
     if (read > 0) continue;
     result.content.resize(size);
+    record(path, result.content);
     return result;
   }
 }

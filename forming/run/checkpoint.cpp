@@ -262,7 +262,7 @@ void require_unchanged_copy(const std::string& directory, const Scene& scene) {
   const std::string folder = case_copy_folder(directory), copy = folder + "/case.toml";
   std::error_code error;
   if (!std::filesystem::is_regular_file(copy, error) || std::filesystem::equivalent(scene.file, copy, error)) return;
-  const bool has_same_text = core::read_text(copy) == core::read_text(scene.file);
+  const bool has_same_text = core::read_text(copy) == scene.files->front().content;
   if (is_of_a_checkpoint(folder, directory).value_or(has_same_text)) return;
   throw core::CaseError(
       fmt::format("{}: this copy of the case, or a drawing beside it, is no longer that of the run, which is taken up "

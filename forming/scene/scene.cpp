@@ -99,7 +99,7 @@ void read_stages(const CaseTable& root, Scene& scene) {
 
 /// The case file, what was set, the bundled materials that it uses, and the model of radiation that was chosen.
 std::string text_of(const Scene& scene, const std::vector<std::string>& library) {
-  std::string text = fmt::format("{}{}", core::read_text(scene.file), fmt::join(scene.overrides, "\n"));
+  std::string text = fmt::format("{}{}", scene.files->front().content, fmt::join(scene.overrides, "\n"));
   for (const auto& name : library) text += library_entry(name);
   if (scene.radiation_choice) text += scene.radiation_choice->model.name;
   return text;
@@ -198,10 +198,9 @@ std::vector<std::string> tool_names(const Scene& scene) {
 }
 
 Scene read_scene(const std::string& path, const std::string& accuracy, const std::vector<std::string>& overrides) {
-  auto file = core::read_case_file(path);
-  auto library = add_library_materials(file);  // before the overrides, which may change their values
-  for (const auto& assignment : overrides) core::override_value(file, assignment);
-  for (auto& name : add_library_materials(file)) library.push_back(std::move(name));
+  core::ReadRecord record;
+  std::vector<std::string> library;
+  auto file = read_case(path, overrides, &library);
   auto tolerances = core::take_tolerances(file);
   const auto dimensions = core::read_dimensions(file);
   auto timing = read_timing(file, dimensions);
@@ -240,6 +239,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   check_interfaces(scene, root.tables("stage"));
   check_support(scene, root);
   check_motions(scene, root.tables("stage"));
+  scene.files = std::make_shared<const std::vector<core::ReadFile>>(std::move(record.files));
   scene.fingerprint = fingerprint_of(text_of(scene, library), scene);
   return scene;
 }

@@ -14,6 +14,7 @@
 #include "core/case/arithmetic/named_dimensions.hpp"
 #include "core/case/table.hpp"
 #include "core/case/tolerance.hpp"
+#include "core/io/input_file.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/profile.hpp"
 #include "forming/flow/material.hpp"
@@ -240,7 +241,8 @@ struct ContainerPlan;
 /// A whole case in SI units, validated; nothing changes it during a run.
 struct Scene {
   std::string name;
-  std::string file, directory;    ///< the case file and its folder
+  std::string file, directory;                               ///< the case file and its folder
+  std::shared_ptr<const std::vector<core::ReadFile>> files;  ///< what was read, as it was read: the case file first
   std::uint64_t fingerprint = 0;  ///< of the case file's text, the overrides and all outlines
   std::vector<core::NamedDimension> dimensions;
   std::vector<core::Tolerance> tolerances;  ///< of its values, in the order of the keys

@@ -246,6 +246,7 @@ PYBIND11_MODULE(_core, module) {
   py::class_<Scene, std::shared_ptr<Scene>>(module, "Scene")
       .def_readonly("name", &Scene::name)
       .def_readonly("accuracy", &Scene::accuracy_name)
+      .def_property_readonly("text", [](const Scene& scene) { return scene.files->front().content; })
       .def("describe", [](const Scene& scene) { return forming::describe_scene(scene); })
       .def("first_stage_failure", [](const Scene& scene) { return forming::first_stage_failure(scene); });
   module.def("read", &read, py::arg("path"), py::arg("accuracy"), py::arg("overrides"));

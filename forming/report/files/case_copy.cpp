@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* checkpoint_file = "checkpoint.h5";
+
 /// All that a text has in quotes.
 std::set<std::string> quoted_words(const std::string& text) {
   std::set<std::string> found;
@@ -26,33 +28,26 @@ std::set<std::string> quoted_words(const std::string& text) {
   return found;
 }
 
-/// The regular files below the folder of a case among them, by their relative paths.
-std::set<fs::path> named_files(const std::set<std::string>& words, const fs::path& folder) {
-  std::set<fs::path> found;
-  for (const std::string& word : words) {
-    const fs::path named = fs::path(word).lexically_normal();
-    std::error_code unreadable;
-    const bool is_below = named.is_relative() && !named.empty() && *named.begin() != "..";
-    if (is_below && fs::is_regular_file(folder / named, unreadable)) found.insert(named);
-  }
-  return found;
+/// A file that was read; null where it was not.
+const core::ReadFile* find_file(const Scene& scene, const fs::path& path) {
+  const std::string absolute = fs::absolute(path).lexically_normal().string();
+  for (const core::ReadFile& file : *scene.files)
+    if (file.path == absolute) return &file;
+  return nullptr;
 }
 
-/// The checkpoint of a result folder that is named, kept beside this copy of the case already, beside the case or in
-/// the working folder; empty where the word names none.
-fs::path named_checkpoint(const std::string& word, const std::string& folder) {
-  std::error_code unreadable;
+/// The checkpoint of a result folder that is named, as it was read: kept beside this copy of the case already, beside
+/// the case or in the working folder; null where the word names none.
+const core::ReadFile* named_checkpoint(const Scene& scene, const std::string& word) {
+  const std::string folder = fs::path(scene.files->front().path).parent_path().string();
   for (const fs::path& place : {fs::path(kept_results(folder, word)), fs::path(folder) / word, fs::path(word)})
-    if (const fs::path file = place / "checkpoint.h5"; fs::is_regular_file(file, unreadable)) return file;
-  return {};
+    if (const core::ReadFile* file = find_file(scene, place / checkpoint_file)) return file;
+  return nullptr;
 }
 
-void copy_to(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::create_directories(to.parent_path(), error);
-  if (!error) fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-  if (error)
-    throw core::RunError(fmt::format("{}: cannot be copied to {}: {}", from.string(), to.string(), error.message()));
+void write_copy(const fs::path& to, const std::string& content) {
+  fs::create_directories(to.parent_path());
+  core::replace_file(to.string(), content, core::Reach::system);  // a resumed run writes it anew
 }
 
 /// A word as the shell takes it.
@@ -67,26 +62,28 @@ std::string case_copy_folder(const std::string& directory) {
 }
 
 void copy_case(const Scene& scene, const std::string& directory) {
-  const fs::path folder = case_copy_folder(directory);
+  const fs::path folder = case_copy_folder(directory), own = scene.files->front().path;
   std::error_code error;
-  if (!fs::is_regular_file(scene.file, error) || fs::equivalent(scene.file, folder / "case.toml", error)) return;
-  const std::string text = core::read_text(scene.file);
+  if (fs::equivalent(own, folder / "case.toml", error)) return;
+  const std::string& text = scene.files->front().content;
   std::string command = fmt::format("parison run case --accuracy {}", in_quotes(scene.accuracy_name));
   std::string naming = text;
   for (const std::string& assignment : scene.overrides) {
     command += " --set " + in_quotes(assignment);
     naming += '\n' + assignment;
   }
-  copy_to(scene.file, folder / "case.toml");
+  write_copy(folder / "case.toml", text);
+  for (const core::ReadFile& file : *scene.files)
+    if (const fs::path named = fs::path(file.path).lexically_relative(own.parent_path());
+        file.path != own && *named.begin() != ".." && named.filename() != checkpoint_file)
+      write_copy(folder / named, file.content);
   std::set<std::string> words = quoted_words(naming);
   for (const std::string& assignment : scene.overrides)  // a value may stand there without quotes
     words.insert(std::string(core::trimmed(assignment.substr(assignment.find('=') + 1))));
-  for (const fs::path& named : named_files(words, scene.directory))
-    copy_to(fs::path(scene.directory) / named, folder / named);
   for (const std::string& word : words)
-    if (const fs::path checkpoint = named_checkpoint(word, scene.directory); !checkpoint.empty())
-      copy_to(checkpoint, fs::path(kept_results(folder.string(), word)) / "checkpoint.h5");
-  core::replace_file((folder / "command.txt").string(), command + '\n');
+    if (const core::ReadFile* checkpoint = named_checkpoint(scene, word))
+      write_copy(fs::path(kept_results(folder.string(), word)) / checkpoint_file, checkpoint->content);
+  write_copy(folder / "command.txt", command + '\n');
 }
 
 }  // namespace parison::forming

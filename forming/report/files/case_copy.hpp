@@ -9,8 +9,8 @@ namespace parison::forming {
 /// Folder of a result folder that holds its case.
 std::string case_copy_folder(const std::string& directory);
 
-/// Copies the case file, the files of its folder and the states at the end of other results that it names into the
-/// result folder, with the command that runs them. Nothing where the case file is no longer there.
+/// Writes the case file, the files of its folder and the states at the end of other results that it names into the
+/// result folder, as they were read for the scene, with the command that runs them.
 void copy_case(const Scene& scene, const std::string& directory);
 
 }  // namespace parison::forming

@@ -114,7 +114,7 @@ class Case:
     """
 
     def __init__(self, source: PathLike, accuracy: str = "standard", changes: Optional[Mapping[str, Any]] = None) -> None:
-        self._path = _place_of(os.fspath(source))
+        self._path = os.path.abspath(_place_of(os.fspath(source)))  # the same case also after os.chdir
         self._accuracy = accuracy
         self._changes: dict[str, str] = {}
         self._scene: Optional[_core.Scene] = None
@@ -143,8 +143,7 @@ class Case:
         KeyError where neither says it."""
         import tomllib
 
-        place = Path(self._path)
-        tree: Any = tomllib.loads((place / "case.toml" if place.is_dir() else place).read_text(encoding="utf-8"))
+        tree: Any = tomllib.loads(self._read().text)  # as it was read and runs, whatever the file is by now
         for changed, text in self._changes.items():
             _assign(tree, changed, text)
         path = _path(tree, key)
@@ -161,7 +160,7 @@ class Case:
         return tree
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (os.path.abspath(self._path), self._accuracy, dict(self._changes))
+        return type(self), (self._path, self._accuracy, dict(self._changes))
 
     @property
     def name(self) -> str:
