@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <string>
 #include <system_error>
 
 #include "core/case/case_error.hpp"
@@ -22,6 +24,16 @@ using namespace parison;
 int fail(tools::ExitCode code, const char* what) {
   fmt::print(stderr, "parison: {}\n", what);
   return code;
+}
+
+/// What the system refuses is a mistake in the command line where it is about the path that was given.
+tools::ExitCode code_of(const std::error_code& error) {
+  for (const std::errc wrong :
+       {std::errc::permission_denied, std::errc::operation_not_permitted, std::errc::no_such_file_or_directory,
+        std::errc::not_a_directory, std::errc::is_a_directory, std::errc::filename_too_long,
+        std::errc::too_many_symbolic_link_levels, std::errc::read_only_file_system})
+    if (error == wrong) return tools::case_wrong;
+  return tools::run_failed;
 }
 
 /// Runs the command; its results may be there, yet what it printed is lost where that could not be written.
@@ -50,9 +62,15 @@ int main(int argc, char** argv) {
   } catch (const core::CaseError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return tools::case_wrong;
+  } catch (const core::SystemError& error) {
+    return fail(code_of({error.code, std::generic_category()}), error.what());
   } catch (const core::RunError& error) {
     return fail(tools::run_failed, error.what());
-  } catch (const std::system_error& error) {  // of std::filesystem
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string what = fmt::format("{}: {}; allowed is a file or folder that can be used", error.path1().string(),
+                                         error.code().message());
+    return fail(code_of(error.code()), what.c_str());
+  } catch (const std::system_error& error) {
     return fail(tools::run_failed, error.what());
   } catch (const std::bad_alloc&) {
     return fail(tools::internal_error, "out of memory; a run can be resumed from its last checkpoint");

@@ -126,7 +126,9 @@ Tcp::acceptor listen(asio::io_context& context, int port) {
 }  // namespace
 
 int watch(const WatchRequest& request) {
-  if (std::filesystem::exists(request.folder) && !std::filesystem::is_directory(request.folder))
+  std::error_code error;
+  const auto found = std::filesystem::status(request.folder, error).type();
+  if (found != std::filesystem::file_type::not_found && found != std::filesystem::file_type::directory)
     throw core::CaseError(fmt::format(
         "{}: is no folder, allowed is the result folder of a run, also one that is still to come", request.folder));
   if (const std::string runs = run_folders_hint(request.folder); !runs.empty())

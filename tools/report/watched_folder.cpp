@@ -23,7 +23,8 @@ std::string WatchedFolder::stamp() const {
     const auto time = fs::last_write_time(file, missing);
     text += missing ? "-" : fmt::format("{} {},", size, time.time_since_epoch().count());
   }
-  const bool ended = fs::exists(fs::path(path_) / "summary.json");
+  std::error_code unreadable;  // as of a link to itself
+  const bool ended = fs::exists(fs::path(path_) / "summary.json", unreadable);
   return core::fingerprint_text(core::fingerprint(text + (ended || is_written(path_) ? "1" : "0")));
 }
 

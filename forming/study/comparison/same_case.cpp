@@ -41,8 +41,7 @@ std::vector<std::pair<std::string, std::string>> identity_of(const Scene& scene)
   std::vector<std::string> tools, stages;
   for (const Tool& tool : scene.tools) tools.push_back(tool.name);
   for (const Stage& stage : scene.stages) stages.push_back(stage.name);
-  return {{"case", scene.name},
-          {"geometry", scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar"},
+  return {{"geometry", scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar"},
           {"tools", names_of(tools)},
           {"stages", names_of(stages)}};
 }

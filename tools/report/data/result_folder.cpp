@@ -138,7 +138,8 @@ const std::vector<double>* ResultTable::column(const std::string& name) const {
 
 ResultTable read_table(const std::string& path) {
   ResultTable table;
-  if (!fs::is_regular_file(path)) return table;
+  std::error_code unreadable;
+  if (!fs::is_regular_file(path, unreadable)) return table;
   std::string text = core::read_text(path);
   text.erase(text.find_last_of('\n') + 1);
   core::Lines lines(text);
@@ -168,8 +169,11 @@ bool is_written(const std::string& path) {
 
 ResultFolder read_folder(const std::string& path) {
   std::error_code unreadable;
-  if (!fs::exists(path, unreadable))
+  if (fs::status(path, unreadable).type() == fs::file_type::not_found)
     throw core::CaseError(fmt::format("{}: no such folder, allowed is the result folder of a run", path));
+  if (unreadable)
+    throw core::CaseError(
+        fmt::format("{}: {}, allowed is the result folder of a run that can be read", path, unreadable.message()));
   if (!is_result_folder(path)) {
     const std::string runs = run_folders_hint(path);
     throw core::CaseError(fmt::format(

@@ -28,15 +28,16 @@ std::string refusal_of(const SearchCase& search, const Scene& base, const Eigen:
 }
 
 void check_corners(const SearchCase& search) {
-  constexpr std::size_t most_corners = 1024;
+  constexpr std::size_t most_corners = 1024, most_told = 8;
   const Scene base = read_scene(search.case_path, search.accuracy, search.overrides);
   const std::size_t count = search.variables.size();
   const std::size_t corners = count < 10 ? std::size_t(1) << count : most_corners;
   Eigen::VectorXd at(static_cast<Eigen::Index>(count));
+  std::vector<std::string> refused;
   const auto check = [&](const char* where) {
     if (const std::string reason = refusal_of(search, base, at); !reason.empty())
-      throw core::CaseError(fmt::format("{}: at {} ({}): {}", search.file, where,
-                                        fmt::join(settings_at(search.variables, at), ", "), reason));
+      refused.push_back(
+          fmt::format("at {} ({}): {}", where, fmt::join(settings_at(search.variables, at), ", "), reason));
   };
   for (std::size_t i = 0; i < count; ++i) at[Eigen::Index(i)] = search.variables[i].start;
   check("the start");
@@ -47,6 +48,11 @@ void check_corners(const SearchCase& search) {
     }
     check("a corner of the bounds");
   }
+  if (refused.empty()) return;
+  const std::size_t told = std::min(refused.size(), most_told);
+  std::string text = fmt::format("{}: {}", search.file, fmt::join(refused.begin(), refused.begin() + told, "; "));
+  if (told < refused.size()) text += fmt::format("; and at {} of {} corners more", refused.size() - told, corners);
+  throw core::CaseError(text);
 }
 
 SweepPlan plan_runs(const SearchCase& search, const std::vector<Eigen::VectorXd>& places, const std::string& output) {

@@ -26,7 +26,7 @@ std::vector<std::string> settings_at(const std::vector<SearchVariable>& variable
 std::string refusal_of(const SearchCase& search, const Scene& base, const Eigen::VectorXd& at);
 
 /// Reads the case at the start and at the corners of the bounds, of which there are up to 1024; throws core::CaseError
-/// with the values where it is refused or tools overlap.
+/// with the values and reasons of all that are refused or whose tools overlap, eight of them at most.
 void check_corners(const SearchCase& search);
 
 /// The runs of some places, which are asked for together.
