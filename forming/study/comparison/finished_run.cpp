@@ -101,8 +101,8 @@ void add_errors(FinishedRun& run) {
 FinishedRun read_finished_run(const std::string& directory) {
   auto run = read_run(directory);
   if (!run)
-    throw core::CaseError(fmt::format(
-        "{}: no whole summary.json was found, allowed is the result folder of a run that has ended", directory));
+    throw core::CaseError(
+        fmt::format("{}: no summary.json was found, allowed is the result folder of a run that has ended", directory));
   run->twins = read_twins(*run);
   for (const char* folder : {coarse_folders.front(), partner_folders.front(), coarse_folders.back()}) {
     auto coarser = read_run(directory + '/' + folder);

@@ -36,14 +36,25 @@ std::string names_of(const std::vector<std::string>& names) {
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// What makes a case the one it is, whatever its settings: a title and a value each.
-std::vector<std::pair<std::string, std::string>> identity_of(const Scene& scene) {
+using Identity = std::vector<std::pair<std::string, std::string>>;
+
+/// What makes a case the one it is, whatever its settings: a title and a value each, its name first.
+Identity identity_of(const Scene& scene) {
   std::vector<std::string> tools, stages;
   for (const Tool& tool : scene.tools) tools.push_back(tool.name);
   for (const Stage& stage : scene.stages) stages.push_back(stage.name);
-  return {{"geometry", scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar"},
+  return {{"case", scene.name},
+          {"geometry", scene.geometry == core::Geometry::axisymmetric ? "axisymmetric" : "planar"},
           {"tools", names_of(tools)},
           {"stages", names_of(stages)}};
+}
+
+constexpr std::size_t name_of_case = 1;  ///< entries of the identity: what comes behind it makes runs comparable
+
+std::optional<OtherCase> first_difference(const Identity& expected, const Identity& found, std::size_t from) {
+  for (std::size_t i = from; i < expected.size(); ++i)
+    if (found[i].second != expected[i].second) return OtherCase{found[i].first, expected[i].second, found[i].second};
+  return std::nullopt;
 }
 
 bool is_same_field(const StartField& a, const StartField& b) {
@@ -72,15 +83,12 @@ bool is_field_of_tool(const CaseDifference& setting) {
 }  // namespace
 
 std::optional<OtherCase> other_case(const Scene& base, const Scene& other) {
-  const auto expected = identity_of(base), found = identity_of(other);
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    if (found[i].second != expected[i].second) return OtherCase{found[i].first, expected[i].second, found[i].second};
-  return std::nullopt;
+  return first_difference(identity_of(base), identity_of(other), 0);
 }
 
 std::vector<CaseDifference> settings_that_differ(const FinishedRun& base, const FinishedRun& other) {
   const Scene a = scene_in(base), b = scene_in(other);
-  if (const auto found = other_case(a, b))
+  if (const auto found = first_difference(identity_of(a), identity_of(b), name_of_case))
     throw core::CaseError(fmt::format(
         "{}: {} {} was found in the copy of its case, where {} has {}; allowed are runs of the same case up "
         "to the values of its settings",

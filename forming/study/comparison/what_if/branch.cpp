@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/io/manifest.hpp"
 #include "core/io/written_files.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/run/checkpoint.hpp"
@@ -37,7 +38,9 @@ void warm_tools(const std::string& directory, const std::string& case_path) {
 
 bool is_run_folder(const std::string& name) {
   const auto begins_with = [&](const char* word) { return name.rfind(word, 0) == 0; };
-  return begins_with(twin_folder) || std::any_of(coarse_folders.begin(), coarse_folders.end(), begins_with) ||
+  const bool is_unfinished = begins_with(core::reserved_prefix) && name != core::manifest_name;
+  return is_unfinished || begins_with(twin_folder) ||
+         std::any_of(coarse_folders.begin(), coarse_folders.end(), begins_with) ||
          std::any_of(partner_folders.begin(), partner_folders.end(), begins_with);
 }
 

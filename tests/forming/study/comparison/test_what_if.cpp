@@ -334,7 +334,10 @@ TEST_F(WhatIfTest, results_of_another_case_are_refused_and_those_of_other_settin
       EXPECT_NE(std::string(error.what()).find(sentence), std::string::npos) << error.what();
     }
   };
-  refused(copy("named", replaced("case = \"pot\"", "case = \"mug\"", two_stages()), {}), "case mug was found");
+  const auto renamed = settings_that_differ(
+      copy("first", two_stages(), {}), copy("named", replaced("case = \"pot\"", "case = \"mug\"", two_stages()), {}));
+  ASSERT_EQ(renamed.size(), 1u);  // another name alone is told as what differs
+  EXPECT_EQ(renamed[0].key + ": " + renamed[0].before + " -> " + renamed[0].now, "case: pot -> mug");
   refused(copy("stages", pot, {}), "stages press was found");
   FinishedRun bare;
   bare.directory = in("nowhere");
