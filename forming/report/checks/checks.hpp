@@ -14,6 +14,9 @@ void add_heat_checks(const Scene& scene, const State& state, Checks& checks);
 /// Those of the motion: work, volume, penetration, axis, contacts, steps, inertia, caps.
 void add_flow_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks);
 
+/// Those of a container: two ways to one volume from the drawings, and that of the formed glass beside it.
+void add_capacity_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks);
+
 /// That of tables over temperature, where the scene has some.
 void add_table_check(const Scene& scene, const State& state, Checks& checks);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "forming/scene/container/closed_region.hpp"
 #include "forming/scene/container/free_space.hpp"
 #include "forming/scene/container/hollow.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
@@ -17,38 +18,6 @@ namespace parison::forming {
 namespace {
 
 constexpr double fits = 1e-3;  // share of the cavity that sampled outlines leave open
-
-/// The tools of a scene at their offsets, as far as these are known before a run.
-struct Placed {
-  const Scene& scene;
-  std::vector<std::optional<double>> offset;  ///< by tool, m
-
-  Solid solid(Index tool) const {
-    const Tool& body = scene.tools[tool];
-    return {&body.profile, contact_boundaries(body), offset[tool].value_or(0)};
-  }
-  double sealed_gap() const { return tolerance::sealed * core::size(scene.glass.profile); }
-};
-
-/// The closed region that tools of a stage bound, the largest; with `needed` one that this tool touches.
-std::optional<FreeRegion> closed_region(const Placed& placed, const Stage& stage, std::optional<Index> needed) {
-  std::vector<Solid> solids;
-  std::size_t which = 0;
-  for (const StageTool& entry : stage.tools) {
-    if (!placed.offset[entry.tool]) return {};
-    if (needed && entry.tool == *needed) which = solids.size();
-    solids.push_back(placed.solid(entry.tool));
-  }
-  const auto regions = free_regions(solids, {{}, {}, placed.sealed_gap()});
-  std::optional<FreeRegion> best;
-  if (regions)
-    for (const FreeRegion& region : *regions) {
-      const auto touched = std::count(region.touches.begin(), region.touches.end(), true);
-      const bool wanted = needed ? region.touches[which] && touched > 1 : touched > 0;
-      if (wanted && !region.is_open && (!best || region.volume > best->volume)) best = region;
-    }
-  return best;
-}
 
 struct Press {
   const Stage& stage;
@@ -169,8 +138,8 @@ void plan_driven(Press& press, double sense, ContainerPlan& plan) {
     const double stop = offset_of_volume(press, plan.glass_volume, *wide, offset);
     const auto full = press.cavity(stop);
     if (!full || std::abs(full->volume - plan.glass_volume) > fits * plan.glass_volume) break;
-    plan.press =
-        PressPlan{press.stage_index, press.tool, true, stop, full->volume, full->low, full->high, full->slices};
+    plan.press = PressPlan{press.stage_index, press.tool,         true, stop, full->volume, full->low, full->high,
+                           full->slices,      press.placed.offset};
     return;
   }
   if (!most) return;
@@ -188,8 +157,8 @@ void plan_driven(Press& press, double sense, ContainerPlan& plan) {
 void plan_moved(Press& press, double end, ContainerPlan& plan) {
   const auto cavity = press.cavity(end);
   if (!cavity) return;
-  plan.press =
-      PressPlan{press.stage_index, press.tool, false, end, cavity->volume, cavity->low, cavity->high, cavity->slices};
+  plan.press = PressPlan{press.stage_index, press.tool,         false, end, cavity->volume, cavity->low, cavity->high,
+                         cavity->slices,    press.placed.offset};
   if (cavity->volume < (1 - fits) * plan.glass_volume)
     plan.misfit = fmt::format("{}, but the cavity of stage \"{}\" has {:.4g} cm3 at its end", volume_text(plan),
                               press.stage.name, 1e6 * cavity->volume);
@@ -291,6 +260,20 @@ void plan_parison(const Scene& scene, const Placed& placed, ContainerPlan& plan)
   }
 }
 
+/// The largest share by which the volumes of mould and press differ from those within chords of the outlines.
+double difference_by_chords(const Scene& scene, Placed placed, const ContainerPlan& plan) {
+  placed.draw_chords();
+  const auto difference = [](double volume, const std::optional<FreeRegion>& other) {
+    return other ? std::abs(other->volume / volume - 1) : 1;
+  };
+  double largest = 0;
+  if (plan.outside) largest = difference(*plan.outside, closed_region(placed, scene.stages.back(), {}));
+  if (!plan.press) return largest;
+  for (std::size_t i = 0; i < plan.press->offsets.size(); ++i) placed.offset[i] = plan.press->offsets[i];
+  const Stage& stage = scene.stages[plan.press->stage];
+  return std::max(largest, difference(plan.press->cavity, closed_region(placed, stage, plan.press->tool)));
+}
+
 }  // namespace
 
 bool is_upright(const Scene& scene, std::size_t stage) {
@@ -310,7 +293,7 @@ std::optional<double> full_offset(const Scene& scene, const std::vector<double>&
   const Stage& present = scene.stages[stage];
   const auto entry = std::find_if(present.tools.begin(), present.tools.end(),
                                   [&](const StageTool& candidate) { return candidate.tool == tool; });
-  Press press{present, stage, tool, {scene, {offset.begin(), offset.end()}}};
+  Press press{present, stage, tool, {scene, {offset.begin(), offset.end()}, {}}};
   const auto cavity = press.cavity(offset[tool]);
   if (!cavity) return {};
   if (cavity->volume <= (1 + fits) * volume) return offset[tool];
@@ -324,12 +307,13 @@ std::optional<double> full_offset(const Scene& scene, const std::vector<double>&
 std::optional<ContainerPlan> plan_container(const Scene& scene) {
   if (scene.geometry != core::Geometry::axisymmetric || !scene.has_flow() || scene.tools.empty()) return {};
   const DimensionlessNumbers numbers = dimensionless_numbers(scene);
-  ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, "a mass that fits", {}, {}, {}, {}, {}, {}};
-  Placed placed{scene, {}};
+  ContainerPlan plan{numbers.mass, numbers.volume, {}, {}, "a mass that fits", {}, {}, {}, {}, {}, {}, 0};
+  Placed placed{scene, {}, {}};
   for (const Tool& tool : scene.tools) placed.offset.emplace_back(tool.position);
   plan_press(scene, placed, plan);
   plan_capacity(scene, placed, plan);
   plan_parison(scene, placed, plan);
+  plan.doubt = difference_by_chords(scene, placed, plan);
   return plan;
 }
 

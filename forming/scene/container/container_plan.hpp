@@ -12,12 +12,13 @@ namespace parison::forming {
 
 /// The press as its drawings have it: the cavity that tools and plunger close.
 struct PressPlan {
-  Index stage, tool;         ///< indices into Scene::stages and tools
-  bool is_driven;            ///< by a force: the plunger stops where the glass fills the cavity
-  double stop;               ///< offset of the plunger then, or at the end of its given motion, m
-  double cavity;             ///< volume with the plunger there, m3
-  double low, high;          ///< of the cavity then, m along the axis
-  std::vector<Slice> glass;  ///< the cavity then, on lines across the axis
+  Index stage, tool;                           ///< indices into Scene::stages and tools
+  bool is_driven;                              ///< by a force: the plunger stops where the glass fills the cavity
+  double stop;                                 ///< offset of the plunger then, or at the end of its given motion, m
+  double cavity;                               ///< volume with the plunger there, m3
+  double low, high;                            ///< of the cavity then, m along the axis
+  std::vector<Slice> glass;                    ///< the cavity then, on lines across the axis
+  std::vector<std::optional<double>> offsets;  ///< of all tools then, as far as known, m
 };
 
 /// The parison as its drawings have it: what tools of a stage close around it.
@@ -39,7 +40,11 @@ struct ContainerPlan {
   std::optional<double> filled;    ///< to the fill level, m3, the inside of the finish as the plunger made it
   std::optional<std::pair<double, double>> mould_range;  ///< lowest and highest place of that mould, m
   std::optional<ParisonPlan> parison;  ///< none where no tools close a cavity before those of the last stage
+  double doubt = 0;  ///< share by which the volumes differ from those within chords of the same outlines
 };
+
+/// Beyond it two ways to one volume contradict each other.
+inline constexpr double most_doubt = 0.01;
 
 /// Height inside which a fill level can lie, m: of the closed mould, or of the press cavity; none without either.
 std::optional<double> inside_height(const ContainerPlan& plan);

@@ -7,29 +7,42 @@
 namespace parison::forming {
 namespace {
 
-/// Whether an arc has the point at an angle, rad.
-bool covers(const core::Segment& arc, double angle) {
-  const double low = std::min(arc.from, arc.to), high = std::max(arc.from, arc.to);
-  const double turns = std::ceil((low - angle) / (2 * M_PI));
-  return angle + 2 * M_PI * turns <= high;
+/// Calls `use` with the parts of an arc over which coordinate `across` only rises or only falls: its values at the ends
+/// of the part, m, and 1 or -1 for the side of the centre on which the part lies in the other coordinate. Neighbours
+/// share the number at their common end, the first and last part have those of the segment: an outline is crossed an
+/// even number of times whatever the round-off of its arcs.
+template <typename Use>
+void for_monotone_parts(const core::Segment& arc, int across, const Use& use) {
+  const double first_turn = across == 1 ? M_PI / 2 : 0, sense = arc.to > arc.from ? 1 : -1;
+  double at = arc.from, value = arc.start[across];
+  const auto side = [across](double angle) { return (across == 1 ? std::cos(angle) : std::sin(angle)) > 0 ? 1 : -1; };
+  for (double k = std::ceil(sense * (arc.from - first_turn) / M_PI);; ++k) {
+    const double turn = first_turn + sense * k * M_PI;
+    if (sense * (arc.to - turn) <= 0) break;
+    const double direction = across == 1 ? std::sin(turn) : std::cos(turn);
+    const double extreme = arc.centre[across] + (direction > 0 ? arc.radius : -arc.radius);
+    use(value, extreme, side(0.5 * (at + turn)));
+    at = turn, value = extreme;
+  }
+  use(value, arc.end[across], side(0.5 * (at + arc.to)));
 }
 
 /// Crossings with the line on which coordinate `across` has a value; the other coordinate is their place.
 void add(const core::Segment& segment, int across, double value, bool contact, std::vector<Crossing>& crossings) {
   const int along = 1 - across;
+  const auto is_between = [value](double a, double b) { return (a <= value) != (b <= value); };
   if (!segment.is_arc) {
     const core::Point &a = segment.start, &b = segment.end;
-    if ((a[across] <= value) == (b[across] <= value)) return;
+    if (!is_between(a[across], b[across])) return;
     const double t = (value - a[across]) / (b[across] - a[across]);
     crossings.push_back({a[along] + t * (b[along] - a[along]), contact});
     return;
   }
   const double offset = value - segment.centre[across], square = segment.radius * segment.radius - offset * offset;
-  if (square <= 0) return;
-  for (const double half : {-std::sqrt(square), std::sqrt(square)}) {
-    const double angle = across == 1 ? std::atan2(offset, half) : std::atan2(half, offset);
-    if (covers(segment, angle)) crossings.push_back({segment.centre[along] + half, contact});
-  }
+  for_monotone_parts(segment, across, [&](double first, double last, int side) {
+    if (is_between(first, last))
+      crossings.push_back({segment.centre[along] + side * std::sqrt(std::max(square, 0.0)), contact});
+  });
 }
 
 }  // namespace
@@ -44,8 +57,10 @@ void add_crossings_along(const core::Segment& segment, double radius, bool conta
 
 std::pair<double, double> range_along_axis(const core::Segment& segment) {
   double low = std::min(segment.start[1], segment.end[1]), high = std::max(segment.start[1], segment.end[1]);
-  if (segment.is_arc && covers(segment, -M_PI / 2)) low = segment.centre[1] - segment.radius;
-  if (segment.is_arc && covers(segment, M_PI / 2)) high = segment.centre[1] + segment.radius;
+  if (segment.is_arc)
+    for_monotone_parts(segment, 1, [&](double first, double last, int) {
+      low = std::min({low, first, last}), high = std::max({high, first, last});
+    });
   return {low, high};
 }
 

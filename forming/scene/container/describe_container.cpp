@@ -76,6 +76,11 @@ std::string describe_container(const Scene& scene) {
     line("fill level", fmt::format("{:.5g} ml to {:.4g} mm below the rim, ullage {:.4g} ml", 1e6 * *plan->filled,
                                    1e3 * *scene.output.fill_level, 1e6 * (*plan->capacity - *plan->filled)));
   if (!plan->misfit.empty()) line("does not fit", plan->misfit);
+  if (plan->doubt > most_doubt)
+    line("contradiction",
+         fmt::format("the volumes within the outlines and within chords of them differ by {:.2g} %: an "
+                     "error of the program or of an outline, none of them is to be trusted",
+                     100 * plan->doubt));
   return text;
 }
 
