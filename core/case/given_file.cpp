@@ -38,6 +38,13 @@ std::string_view trimmed(std::string_view text) {
   return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+std::string in_small_ascii(std::string_view text) {
+  std::string small(text);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
 std::vector<std::string_view> split_at_commas(std::string_view text) {
   constexpr std::size_t most = 1000;
   std::vector<std::string_view> parts;

@@ -28,6 +28,9 @@ class Lines {
 /// A text without the blanks, tabs and line breaks at its ends.
 std::string_view trimmed(std::string_view text);
 
+/// A text with small letters for its capitals from A to Z.
+std::string in_small_ascii(std::string_view text);
+
 /// The parts of a text between its commas; the last has the rest where there are more than a thousand.
 std::vector<std::string_view> split_at_commas(std::string_view text);
 

@@ -19,6 +19,8 @@ struct NamedUnit {
 };
 constexpr NamedUnit named_units[] = {
     {"m", {1, dimension::length}, true},
+    {"in", {0.0254, dimension::length}, false},
+    {"mil", {2.54e-5, dimension::length}, false},
     {"g", {1e-3, {0, 1}}, true},
     {"t", {1e3, {0, 1}}, false},
     {"s", {1, dimension::time}, true},

@@ -26,17 +26,25 @@ struct Column {
 
 using Row = std::array<double, 3>;  ///< r, z, T in SI; 0 where there is no such column
 
+/// A column by its heading in small letters or capitals: r_mm, Z_MM, T_degC. Nothing where it is another one.
+std::optional<Column> column_of(std::string_view heading) {
+  const std::string small = core::in_small_ascii(heading);
+  if (small.size() < 3 || small[1] != '_') return {};
+  const std::string unit = small.substr(2);
+  if (small[0] == 'r' || small[0] == 'z') return Column{small[0], unit};
+  if (small[0] != 't') return {};
+  return Column{'T', unit == "degc" ? "degC" : unit == "k" ? "K" : std::string(heading.substr(2))};
+}
+
 std::vector<Column> read_heading(const CaseNode& row, std::string_view line) {
   std::vector<Column> columns;
   std::string found;
   for (const auto cell : core::split_at_commas(line)) {
-    const auto heading = core::trimmed(cell);
-    const bool known =
-        heading.size() > 2 && heading[1] == '_' && std::string_view("rzT").find(heading[0]) != heading.npos;
-    if (!known || found.find(heading[0]) != found.npos)
+    const auto column = column_of(core::trimmed(cell));
+    if (!column || found.find(column->what) != found.npos)
       core::refuse(row, fmt::format("the heading \"{}\" was found, {}", line, allowed_heading));
-    found += heading[0];
-    columns.push_back({heading[0], std::string(heading.substr(2))});
+    found += column->what;
+    columns.push_back(*column);
   }
   if (columns.size() < 2 || found.find('T') == found.npos)
     core::refuse(row, fmt::format("the heading \"{}\" was found, {}", line, allowed_heading));
