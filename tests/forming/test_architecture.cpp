@@ -146,11 +146,15 @@ TEST(Architecture, what_the_whole_process_shares_has_one_owner_in_core) {
 
 TEST(Architecture, gmsh_is_called_by_its_module_alone) {
   const std::set<std::string> module{"core/process/gmsh_session.cpp", "remesh/mesher/gmsh_triangulation.cpp",
-                                     "forming/scene/read/drawing/step_curves.cpp",
                                      "forming/report/solid/step_solid.cpp"};
   const std::regex header("#include <gmsh");
   EXPECT_EQ(lines_with(header, module), std::vector<std::string>{});
   EXPECT_EQ(lines_with(header).size(), module.size());
+  const std::string step = "forming/scene/read/drawing/step/";
+  const std::regex cad_kernel("#include <.*\\.hxx>");
+  EXPECT_EQ(lines_with(cad_kernel, {step + "step_curves.cpp", step + "solid_section.cpp", step + "solid_section.hpp"}),
+            std::vector<std::string>{});
+  EXPECT_GE(lines_with(cad_kernel).size(), 3u);
 }
 
 }  // namespace

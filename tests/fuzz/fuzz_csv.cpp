@@ -10,8 +10,9 @@ using namespace parison;
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   tests::try_bytes(data, size, "fuzz.csv", [] {
     core::CaseNode place;
+    std::vector<std::string> notes;
     const auto node = core::parse_value("[{ name = \"all\", csv = \"fuzz.csv\", condition = \"air\" }]", place);
-    tests::require_finite(forming::read_outline(node, tests::fuzz_folder()));
+    tests::require_finite(forming::read_outline(node, tests::fuzz_folder(), notes));
   });
   return tests::try_bytes(data, size, "fuzz.csv", [] {
     for (const auto& row : contact::read_law_data(tests::fuzz_folder() + "/fuzz.csv", [](double) { return 1e3; }))

@@ -9,7 +9,8 @@ using namespace parison;
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return tests::try_bytes(data, size, "fuzz.dxf", [] {
     core::CaseNode place;
+    std::vector<std::string> notes;
     const auto node = core::parse_value("{ file = \"fuzz.dxf\", unit = \"mm\", from = \"(0, 0) mm\" }", place);
-    tests::require_finite({forming::read_section(node, tests::fuzz_folder()), {}});
+    tests::require_finite({forming::read_section(node, tests::fuzz_folder(), notes), {}});
   });
 }

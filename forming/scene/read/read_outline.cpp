@@ -91,10 +91,12 @@ std::vector<Segment> parse_path(const CaseNode& node) {
   return parts;
 }
 
-std::vector<Segment> read_path_parts(const CaseNode& node, const std::string& directory);
+using Notes = std::vector<std::string>;
+
+std::vector<Segment> read_path_parts(const CaseNode& node, const std::string& directory, Notes& notes);
 
 /// The mirror image of a path about a line, drawn from its end to its start.
-std::vector<Segment> read_mirror(const CaseNode& node, const std::string& directory) {
+std::vector<Segment> read_mirror(const CaseNode& node, const std::string& directory, Notes& notes) {
   const CaseTable table(node, {"mirror", "about"});
   const CaseNode& about = table.get("about");
   core::text(about);
@@ -103,7 +105,7 @@ std::vector<Segment> read_mirror(const CaseNode& node, const std::string& direct
     core::refuse(about,
                  fmt::format("\"{}\" was found, allowed are two points of the line such as \"(0, 40) (10, 40) mm\"",
                              about.text));
-  return mirrored(read_path_parts(table.get("mirror"), directory), line[0].end, line[1].end);
+  return mirrored(read_path_parts(table.get("mirror"), directory, notes), line[0].end, line[1].end);
 }
 
 bool is_mirror(const CaseNode& node) {
@@ -111,10 +113,10 @@ bool is_mirror(const CaseNode& node) {
 }
 
 /// Points, an arc, a mirror image, or a part of a drawing preceded by the point where it starts.
-std::vector<Segment> read_path_part(const CaseNode& node, const std::string& directory) {
+std::vector<Segment> read_path_part(const CaseNode& node, const std::string& directory, Notes& notes) {
   if (node.kind != CaseNode::Kind::table) return parse_path(node);
-  if (is_mirror(node)) return read_mirror(node, directory);
-  std::vector<Segment> parts = read_section(node, directory);
+  if (is_mirror(node)) return read_mirror(node, directory, notes);
+  std::vector<Segment> parts = read_section(node, directory, notes);
   if (parts.empty())
     core::refuse(node, "the part of the drawing between from and to has no length, allowed are two different points");
   parts.insert(parts.begin(), Segment{});
@@ -122,22 +124,22 @@ std::vector<Segment> read_path_part(const CaseNode& node, const std::string& dir
   return parts;
 }
 
-std::vector<Segment> read_path_parts(const CaseNode& node, const std::string& directory) {
-  if (node.kind != CaseNode::Kind::list) return read_path_part(node, directory);
+std::vector<Segment> read_path_parts(const CaseNode& node, const std::string& directory, Notes& notes) {
+  if (node.kind != CaseNode::Kind::list) return read_path_part(node, directory, notes);
   std::vector<Segment> parts;
   for (const auto& item : core::list(node))
-    for (const auto& part : read_path_part(item, directory)) parts.push_back(part);
+    for (const auto& part : read_path_part(item, directory, notes)) parts.push_back(part);
   return parts;
 }
 
-std::vector<Segment> read_path(const CaseTable& boundary, const std::string& directory) {
+std::vector<Segment> read_path(const CaseTable& boundary, const std::string& directory, Notes& notes) {
   const auto *path = boundary.find("path"), *csv = boundary.find("csv");
   if (path && csv) core::refuse(*csv, "path and csv were found, allowed is one of them");
   const auto* smooth = boundary.find("smooth");
   if (smooth && !csv) core::refuse(*smooth, "found without csv, allowed is to smooth the points of a CSV file");
   if (csv && smooth && core::flag(*smooth)) return smoothed(*smooth, read_csv_points(*csv, directory));
   if (csv) return read_csv_points(*csv, directory);
-  return read_path_parts(boundary.get("path"), directory);
+  return read_path_parts(boundary.get("path"), directory, notes);
 }
 
 /// Draws segments one after the other, joining what does not meet by lines.
@@ -200,14 +202,14 @@ Point read_point(const CaseNode& node) {
   return parts.front().end;
 }
 
-Profile read_outline(const CaseNode& boundaries, const std::string& directory) {
+Profile read_outline(const CaseNode& boundaries, const std::string& directory, Notes& notes) {
   std::vector<std::string> names;
   std::vector<std::vector<Segment>> paths;
   std::size_t count = 0;
   for (const auto& item : core::list(boundaries)) {
     const CaseTable boundary = boundary_table(item);
     names.push_back(core::text(boundary.get("name")));
-    paths.push_back(read_path(boundary, directory));
+    paths.push_back(read_path(boundary, directory, notes));
     count += paths.back().size();
     if (count > max_segments)
       core::refuse(item, fmt::format("{} points and arcs were found so far, allowed are up to {} in an outline", count,

@@ -57,7 +57,9 @@ core::CaseTable boundary_table(const core::CaseNode& node);
 /// A point such as "(31, 14) mm".
 core::Point read_point(const core::CaseNode& node);
 /// The closed outline of a list of boundaries, each with its path or CSV file, in the order and sense of the file.
-core::Profile read_outline(const core::CaseNode& boundaries, const std::string& directory);
+/// `notes` gets sentences about what was not taken just as it was drawn.
+core::Profile read_outline(const core::CaseNode& boundaries, const std::string& directory,
+                           std::vector<std::string>& notes);
 /// Refuses an outline that crosses itself or leaves the half-plane of an axisymmetric scene.
 void check_outline(const core::Profile& profile, core::Geometry geometry, const core::CaseNode& boundaries);
 

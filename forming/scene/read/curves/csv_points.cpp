@@ -9,7 +9,6 @@
 #include "core/case/given_file.hpp"
 #include "forming/scene/read/curves/curve_arcs.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
-#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
@@ -21,15 +20,15 @@ namespace dimension = core::dimension;
 
 struct Column {
   std::size_t coordinate;  ///< 0 for r or x, 1 for z or y
-  std::string_view unit;
+  std::string unit;
 };
 
-/// What each column has, by its heading: r_mm, or r_outer_mm.
+/// What each column has, by its heading: r_mm, or r_outer_mm, in small letters or capitals.
 std::vector<Column> columns_of(const CaseNode& row, std::string_view line,
                                const std::vector<std::string_view>& headings) {
   std::vector<Column> columns;
   for (const auto cell : headings) {
-    const auto heading = core::trimmed(cell), name = heading.substr(0, heading.find('_'));
+    const std::string heading = core::in_small_ascii(core::trimmed(cell)), name = heading.substr(0, heading.find('_'));
     const auto coordinate = name == "r" || name == "x" ? 0U : name == "z" || name == "y" ? 1U : 2U;
     if (name.size() == heading.size() || coordinate >= core::dim)
       core::refuse(
@@ -88,7 +87,7 @@ std::vector<Segment> smoothed(const CaseNode& node, const std::vector<Segment>& 
   for (const Point& x : places) size = std::max(size, (x - places.front()).norm());
   std::vector<Segment> parts(1);
   parts.front().start = parts.front().end = places.front();
-  for (const Segment& arc : smooth_through(places, tolerance::curve * size)) parts.push_back(arc);
+  for (const Segment& arc : smooth_through(places, curve_tolerance(size))) parts.push_back(arc);
   return parts;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "forming/scene/read/tolerances.hpp"
+
 namespace parison::forming {
 namespace {
 
@@ -93,28 +95,66 @@ struct Fit {
   }
 };
 
-/// The slopes of the cubics through values over rising places: continuous second derivative, end slopes of the parabola
-/// through three.
-std::vector<Point> slopes(const std::vector<double>& at, const std::vector<Point>& x) {
+/// Solves slope[i-1] / width[i-1] + 2 (1 / width[i-1] + 1 / width[i]) slope[i] + slope[i+1] / width[i] = ..., which
+/// makes the second derivative continuous, where the first and the last slope are known.
+void solve_inner_slopes(const std::vector<double>& at, const std::vector<Point>& x, std::vector<Point>& slope) {
+  const std::size_t last = x.size() - 1;
+  std::vector<double> factor(x.size(), 0);
+  for (std::size_t i = 1; i < last; ++i) {
+    const double before = 1 / (at[i] - at[i - 1]), after = 1 / (at[i + 1] - at[i]),
+                 diagonal = 2 * (before + after) - before * factor[i - 1];
+    factor[i] = after / diagonal;
+    slope[i] = (3 * (before * before * (x[i] - x[i - 1]) + after * after * (x[i + 1] - x[i])) - before * slope[i - 1]) /
+               diagonal;
+  }
+  for (std::size_t i = last - 1; i > 0; --i) slope[i] -= factor[i] * slope[i + 1];
+}
+
+/// The slopes of the cubics through values over rising places.
+std::vector<Point> slopes(const std::vector<double>& at, const std::vector<Point>& x, const CurveEnds& ends) {
   const std::size_t last = x.size() - 1;
   const auto width = [&](std::size_t i) { return at[i + 1] - at[i]; };
   const auto chord = [&](std::size_t i) -> Point { return (x[i + 1] - x[i]) / width(i); };
   std::vector<Point> slope(x.size());
-  slope[0] = chord(0) - (chord(1) - chord(0)) * width(0) / (width(0) + width(1));
-  slope[last] =
-      chord(last - 1) + (chord(last - 1) - chord(last - 2)) * width(last - 1) / (width(last - 1) + width(last - 2));
-  std::vector<double> factor(x.size(), 0);
-  for (std::size_t i = 1; i < last; ++i) {
-    const double before = 1 / width(i - 1), after = 1 / width(i),
-                 diagonal = 2 * (before + after) - before * factor[i - 1];
-    factor[i] = after / diagonal;
-    slope[i] = (3 * (before * chord(i - 1) + after * chord(i)) - before * slope[i - 1]) / diagonal;
-  }
-  for (std::size_t i = last - 1; i > 0; --i) slope[i] -= factor[i] * slope[i + 1];
+  const bool is_parabola = last > 1;  // else a line
+  if (ends.start)
+    slope[0] = ends.start->normalized();
+  else
+    slope[0] = is_parabola ? Point(chord(0) - (chord(1) - chord(0)) * width(0) / (width(0) + width(1))) : chord(0);
+  if (ends.end)
+    slope[last] = ends.end->normalized();
+  else
+    slope[last] = is_parabola ? Point(chord(last - 1) + (chord(last - 1) - chord(last - 2)) * width(last - 1) /
+                                                            (width(last - 1) + width(last - 2)))
+                              : chord(last - 1);
+  solve_inner_slopes(at, x, slope);
   return slope;
 }
 
+/// The same of a closed curve, whose last point is the first: the common slope there makes the curvature the same on
+/// both sides. The slopes are linear in it, so that two of its values tell all.
+std::vector<Point> closed_slopes(const std::vector<double>& at, const std::vector<Point>& x) {
+  const std::size_t last = x.size() - 1;
+  const double after = 1 / (at[1] - at[0]), before = 1 / (at[last] - at[last - 1]);
+  std::vector<Point> zero(x.size(), Point::Zero()), one = zero;
+  one.front() = one.back() = Point::Ones();
+  solve_inner_slopes(at, x, zero);
+  solve_inner_slopes(at, x, one);
+  const Point load = 3 * (before * before * (x[last] - x[last - 1]) + after * after * (x[1] - x[0]));
+  const auto rest = [&](const std::vector<Point>& slope) -> Point {
+    return before * slope[last - 1] + 2 * (before + after) * slope[0] + after * slope[1] - load;
+  };
+  const Point at_zero = rest(zero), share = at_zero.array() / (at_zero - rest(one)).array();
+  for (std::size_t i = 0; i <= last; ++i) zero[i] += (share.array() * (one[i] - zero[i]).array()).matrix();
+  return zero;
+}
+
 }  // namespace
+
+double curve_tolerance(double size) {
+  constexpr double largest = 0.9e-6;  // m; the distance is measured at samples
+  return std::min(tolerance::curve * size, largest);
+}
 
 std::vector<Segment> arcs_of(const PlaneCurve& curve, double from, double to, double tolerance) {
   Fit fit{curve, tolerance, {}};
@@ -131,10 +171,11 @@ PlaneCurve cubic(const CurvePoint& start, const CurvePoint& end) {
   };
 }
 
-std::vector<Segment> smooth_through(const std::vector<Point>& points, double tolerance) {
+std::vector<Segment> smooth_through(std::vector<Point> points, double tolerance, const CurveEnds& ends) {
+  if (ends.closed) points.push_back(points.front());
   std::vector<double> at{0};
   for (std::size_t i = 1; i < points.size(); ++i) at.push_back(at.back() + (points[i] - points[i - 1]).norm());
-  const auto slope = slopes(at, points);
+  const auto slope = ends.closed ? closed_slopes(at, points) : slopes(at, points, ends);
   std::vector<Segment> segments;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double width = at[i + 1] - at[i];

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/mesh/profile.hpp"
@@ -13,6 +14,9 @@ struct CurvePoint {
 };
 using PlaneCurve = std::function<CurvePoint(double)>;
 
+/// Distance that arcs may have from a curve in a drawing of some size, m: 1 um, and less in drawings below 66 mm.
+double curve_tolerance(double size);
+
 /// Arcs and lines with a common tangent wherever two meet (biarcs: K. M. Bolton, Computer-Aided Design 7 (1975) 89-92)
 /// that stay within `tolerance`, m, of a curve between two parameters.
 std::vector<core::Segment> arcs_of(const PlaneCurve& curve, double from, double to, double tolerance);
@@ -20,8 +24,16 @@ std::vector<core::Segment> arcs_of(const PlaneCurve& curve, double from, double 
 /// The cubic with given ends and derivatives over the parameter from 0 to 1.
 PlaneCurve cubic(const CurvePoint& start, const CurvePoint& end);
 
-/// The smooth curve through three or more points: cubics over the chords with continuous curvature, at the ends as the
-/// parabola through three points begins; arcs within `tolerance`.
-std::vector<core::Segment> smooth_through(const std::vector<core::Point>& points, double tolerance);
+/// How a smooth curve ends: along a direction of any length other than zero, or none for that of the parabola through
+/// its first (last) three points.
+struct CurveEnds {
+  std::optional<core::Point> start, end;
+  bool closed = false;  ///< goes on from the last point to the first, as smooth there as elsewhere
+};
+
+/// The smooth curve through two or more points, of which no two neighbours are the same: cubics over the chords with
+/// continuous curvature; arcs within `tolerance`.
+std::vector<core::Segment> smooth_through(std::vector<core::Point> points, double tolerance,
+                                          const CurveEnds& ends = {});
 
 }  // namespace parison::forming

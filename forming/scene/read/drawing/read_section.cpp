@@ -10,6 +10,8 @@
 #include <limits>
 #include <utility>
 
+#include "forming/scene/read/drawing/chain.hpp"
+#include "forming/scene/read/drawing/placement.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -20,60 +22,6 @@ using core::CaseNode;
 using core::CaseTable;
 using core::Point;
 using core::Segment;
-using Chain = std::vector<Segment>;
-
-/// Whether two ends in a drawing of this size meet.
-bool meet(const Point& a, const Point& b, double size) {
-  return (a - b).norm() <= tolerance::joined * size;
-}
-
-Chain turned(const Chain& chain) {
-  return core::reversed({chain, {}}).segments;
-}
-
-std::string in_mm(const Point& x) {
-  return fmt::format("({:.6g}, {:.6g}) mm", 1e3 * x[0], 1e3 * x[1]);
-}
-
-bool is_closed(const Chain& chain, double size) {
-  return chain.size() > 1 && meet(chain.front().start, chain.back().end, size);
-}
-
-/// Moves the curves that follow the chain's end, one after the other, from `left` to it.
-void extend(const CaseNode& file, Chain& chain, Chain& left, double size) {
-  while (!is_closed(chain, size)) {
-    const Point end = chain.back().end;
-    const auto follows = [&](const Segment& s) { return meet(s.start, end, size) || meet(s.end, end, size); };
-    const auto next = std::find_if(left.begin(), left.end(), follows);
-    if (next == left.end()) return;
-    if (std::count_if(left.begin(), left.end(), follows) > 1)
-      core::refuse(
-          file, fmt::format("more than two curves of the drawing meet at {}, allowed is one outline without branches",
-                            in_mm(end)));
-    chain.push_back(meet(next->start, end, size) ? *next : turned({*next})[0]);
-    left.erase(next);
-  }
-}
-
-/// Says why curves are left over: a gap where an end of theirs is near one of the chain, else several outlines.
-[[noreturn]] void refuse_rest(const CaseNode& file, const Chain& chain, const Chain& left, double size) {
-  double nearest = std::numeric_limits<double>::infinity();
-  Point where = Point::Zero();
-  if (!is_closed(chain, size))
-    for (const Segment& segment : left)
-      for (const Point& x : {segment.start, segment.end})
-        for (const Point& end : {chain.front().start, chain.back().end})
-          if ((x - end).norm() < nearest) nearest = (x - end).norm(), where = end;
-  if (nearest < tolerance::drawing_gap * size)
-    core::refuse(
-        file,
-        fmt::format("the curves of the drawing leave a gap of {:.3g} mm at {}, allowed are ends that meet to {:.1g} mm",
-                    1e3 * nearest, in_mm(where), 1e3 * tolerance::joined * size));
-  core::refuse(
-      file, fmt::format("several outlines were found in the drawing, one with {} curves and {} more curves, allowed is "
-                        "one (in a DXF file a layer can select it)",
-                        chain.size(), left.size()));
-}
 
 /// A position on a chain: the index of the segment plus the parameter on it, 0 to 1.
 double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
@@ -148,7 +96,13 @@ void check_curves(const CaseNode& file, const Chain& curves) {
   }
 }
 
-Chain read_drawing(const CaseTable& table, const std::string& directory) {
+/// The curves of a file in its own frame.
+struct Drawing {
+  Chain curves;
+  bool is_cut = false;  ///< the section of a solid, in the frame of its axis
+};
+
+Drawing read_drawing(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
   const CaseNode& file = table.get("file");
   const auto path = std::filesystem::path(directory) / core::text(file);
   std::string kind = path.extension().string();
@@ -162,69 +116,93 @@ Chain read_drawing(const CaseTable& table, const std::string& directory) {
         core::refuse(
             *node,
             fmt::format("a {} was found, allowed only for DXF files; a STEP file has its own unit and no layers", key));
-    Chain curves = read_step(file, path.string());
-    check_curves(file, curves);
-    return curves;
+    Drawing drawing;
+    drawing.curves = read_step(table, path.string(), drawing.is_cut, notes);
+    return drawing;
   }
-  const auto unit = core::parse_quantity("1 " + core::text(table.get("unit")), core::dimension::length);
-  if (!unit.problem.empty()) core::refuse(table.get("unit"), unit.problem);
-  const auto* layer = table.find("layer");
-  Chain curves = read_dxf(file, path.string(), layer ? core::text(*layer) : "", unit.value);
+  Chain curves = read_dxf(table, path.string(), notes);
   check_curves(file, curves);
   curves = with_length(std::move(curves));
   if (curves.empty())
-    core::refuse(layer ? *layer : file,
-                 fmt::format("no lines or arcs were found in \"{}\", allowed is a DXF file with some{}", path.string(),
-                             layer ? " on this layer" : ""));
+    core::refuse(file,
+                 fmt::format("no lines or arcs with a length were found in \"{}\", allowed is a DXF file with some",
+                             path.string()));
+  return {std::move(curves)};
+}
+
+/// How far apart the ends of curves may be, m.
+double gap_of(const CaseTable& table, double size) {
+  constexpr double usual = 1e-5;  // m
+  const auto* gap = table.find("gap");
+  if (!gap) return std::min(usual, 0.1 * tolerance::drawing_gap * size);
+  const double value = core::not_negative(*gap, core::dimension::length);
+  if (value > tolerance::drawing_gap * size)
+    core::refuse(*gap, fmt::format("{} was found, allowed are up to {:.3g} mm in this drawing", gap->text,
+                                   1e3 * tolerance::drawing_gap * size));
+  return value;
+}
+
+/// The drawing as one chain of curves in the frame of the case.
+Chain read_chain(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
+  const CaseNode& file = table.get("file");
+  auto [curves, is_cut] = read_drawing(table, directory, notes);
+  check_curves(file, curves);
+  place(table, is_cut, curves);
+  ClosedGaps closed;
+  const double gap = gap_of(table, size_of(curves));
+  curves = chained(file, std::move(curves), gap, closed);
+  if (closed.count > 0)
+    notes.push_back(
+        fmt::format("gaps between curves of \"{}\" were closed, {} in all, the widest of {:.2g} mm at {}; with gap = "
+                    "\"0 mm\" they are refused",
+                    file.text, closed.count, 1e3 * closed.widest, in_mm(closed.where)));
+  clean(curves);
   return curves;
 }
 
-/// Brings curves into one chain, each end meeting the next start; refuses gaps, branches and several chains.
-Chain chained(const CaseNode& file, Chain curves) {
-  const double size = size_of(curves);
-  Chain one{curves.front()};
-  curves.erase(curves.begin());
-  extend(file, one, curves, size);
-  one = turned(one);
-  extend(file, one, curves, size);
-  if (!curves.empty()) refuse_rest(file, one, curves, size);
-  return one;
+/// The whole outline from a place on it, or the whole drawn line from one of its ends.
+Chain whole(const CaseTable& table, const Chain& curves, bool closed) {
+  const CaseNode& first = table.get("from");
+  const double count = static_cast<double>(curves.size()), from = place_on(first, curves, read_point(first));
+  if (closed) return interval(curves, from, from + count);
+  if (from == 0 || from == count) return from == 0 ? curves : turned(curves);
+  refuse_nearly_closed(table.get("file"), curves, gap_of(table, size_of(curves)));
+  core::refuse(
+      first,
+      fmt::format("{} is not an end of the drawn line, allowed are its ends, or any point together with a \"to\"",
+                  first.text));
+}
+
+/// The way round a closed outline that passes a place.
+Chain way_round(const CaseNode& place, const Chain& curves, double from, double to) {
+  const double count = static_cast<double>(curves.size());
+  double via = place_on(place, curves, read_point(place));
+  if (to <= from) to += count;
+  if (via < from) via += count;
+  return via < to ? interval(curves, from, to) : interval(turned(curves), count - from, 2 * count - to);
 }
 
 }  // namespace
 
-/// core::size takes the end of each segment for the start of another.
-double size_of(Chain curves) {
-  const Chain back = turned(curves);
-  curves.insert(curves.end(), back.begin(), back.end());
-  return core::size(core::Profile{std::move(curves), {}});
-}
-
-std::vector<Segment> read_section(const CaseNode& node, const std::string& directory) {
-  const CaseTable table(node, {"file", "from", "via", "to", "unit", "layer"});
-  Chain curves = chained(table.get("file"), read_drawing(table, directory));
-  clean(curves);
-  const bool closed = is_closed(curves, size_of(curves));
+std::vector<Segment> read_section(const CaseNode& node, const std::string& directory, std::vector<std::string>& notes) {
+  const CaseTable table(node, {"file", "from", "via", "to", "unit", "layer", "origin", "axis", "turn", "gap"});
+  const Chain curves = read_chain(table, directory, notes);
+  const bool closed = is_closed(curves);
   const CaseNode &first = table.get("from"), *via = table.find("via"), *last = table.find("to");
-  const double count = static_cast<double>(curves.size()), from = place_on(first, curves, read_point(first));
-  if (via && !closed) core::refuse(*via, "a via was found, allowed only where the drawn outline is closed");
-  if (!last && closed) return interval(curves, from, from + count);
-  if (!last && from != 0 && from != count)
-    core::refuse(
-        first,
-        fmt::format("{} is not an end of the drawn line, allowed are its ends, or any point together with a \"to\"",
-                    first.text));
-  double to = last ? place_on(*last, curves, read_point(*last)) : count - from;
-  if (!closed) return to > from ? interval(curves, from, to) : interval(turned(curves), count - from, count - to);
-  if (!via)
+  if (via && !closed) {
+    refuse_nearly_closed(table.get("file"), curves, gap_of(table, size_of(curves)));
+    core::refuse(*via, "a via was found, allowed only where the drawn outline is closed");
+  }
+  if (!last) return whole(table, curves, closed);
+  if (closed && !via)
     core::refuse(*last,
                  "a closed outline can be followed to this point in two directions, allowed is \"to\" together with a "
                  "\"via\": a "
                  "point on the part that is wanted");
-  double via_place = place_on(*via, curves, read_point(*via));
-  if (to <= from) to += count;
-  if (via_place < from) via_place += count;
-  return via_place < to ? interval(curves, from, to) : interval(turned(curves), count - from, 2 * count - to);
+  const double count = static_cast<double>(curves.size()), from = place_on(first, curves, read_point(first)),
+               to = place_on(*last, curves, read_point(*last));
+  if (closed) return way_round(*via, curves, from, to);
+  return to > from ? interval(curves, from, to) : interval(turned(curves), count - from, count - to);
 }
 
 }  // namespace parison::forming

@@ -15,15 +15,20 @@ inline constexpr std::size_t max_segments = 20'000;
 /// Diagonal of the box around curves in any order, m.
 double size_of(std::vector<core::Segment> curves);
 
-/// The curves of a DXF file in the order of the file, m, those without length included; `layer` empty for all layers,
-/// `unit` of a drawing unit in m.
-std::vector<core::Segment> read_dxf(const core::CaseNode& file, const std::string& path, const std::string& layer,
-                                    double unit);
+/// The curves of a DXF file in the order of the file, m, those without length included: of the `layer` that the table
+/// of the drawing names or of all that are shown, in its `unit` or that of the file. `notes` gets a sentence about what
+/// was left out.
+std::vector<core::Segment> read_dxf(const core::CaseTable& table, const std::string& path,
+                                    std::vector<std::string>& notes);
 
-/// The curves of a section in a STEP file, m; the section must lie in a coordinate plane.
-std::vector<core::Segment> read_step(const core::CaseNode& file, const std::string& path);
+/// The curves of a section in a STEP file, m: those in a coordinate plane, or the section of a solid by a half plane
+/// from its axis, which `is_cut` tells. `notes` gets a sentence about the axis that was found.
+std::vector<core::Segment> read_step(const core::CaseTable& table, const std::string& path, bool& is_cut,
+                                     std::vector<std::string>& notes);
 
-/// The part of a drawing that a table { file, from, via, to, unit, layer } selects.
-std::vector<core::Segment> read_section(const core::CaseNode& node, const std::string& directory);
+/// The part of a drawing that a table { file, from, via, to, unit, layer, origin, axis, turn, gap } selects. `notes`
+/// gets a sentence for what was not taken just as it was drawn.
+std::vector<core::Segment> read_section(const core::CaseNode& node, const std::string& directory,
+                                        std::vector<std::string>& notes);
 
 }  // namespace parison::forming

@@ -170,10 +170,9 @@ TEST(CurvedOutlines, mistakes_have_their_sentences) {
       key + "a SPLINE whose knots fall was found, allowed are rising knots");
   EXPECT_EQ(spline({{71, "1"}, {10, "30"}, {20, "14"}, {10, "0"}}),
             key + "a SPLINE with 2 values of group 10 and 1 of group 20 was found, allowed are pairs");
-  EXPECT_EQ(
-      spline({{11, "30"}, {21, "14"}}),
-      key +
-          "a SPLINE without control points and without three points to go through was found, allowed is one with them");
+  EXPECT_EQ(spline({{11, "30"}, {21, "14"}}), key +
+                                                  "a SPLINE without control points and with 1 different points to go "
+                                                  "through was found, allowed are at least 2");
   EXPECT_EQ(
       said("path = [\"(30, 14) mm\", { mirror = \"(30, 14) (30, 50) mm\", about = \"(0, 50) mm\" }]", "no.csv", ""),
       "tool.boundary.path.about: \"(0, 50) mm\" was found, allowed are two points of the line such as \"(0, 40) (10, "

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/profile.hpp"
-#include "forming/scene/read/drawing/dxf_file.hpp"
+#include "forming/scene/read/drawing/dxf/dxf_file.hpp"
+#include "forming/scene/read/drawing/placement.hpp"
 
 namespace parison::forming {
 
@@ -19,28 +19,24 @@ struct DxfBlock {
 /// Gathers the blocks of a file from the entities of its section BLOCKS.
 class DxfBlocks {
  public:
-  explicit DxfBlocks(const DxfFile& file) : file_(file) {}
+  DxfBlocks(const DxfFile& file, const DxfHeader& header) : file_(file), header_(header) {}
   void take(const DxfEntity& entity);
   /// The block that an INSERT names; refuses one that the file does not have.
   const DxfBlock& inserted(const DxfEntity& insert) const;
 
  private:
+  /// The name of a block in small letters.
+  std::string name_of(const DxfEntity& entity) const;
+
   const DxfFile& file_;
+  const DxfHeader& header_;
   std::map<std::string, DxfBlock, std::less<>> blocks_;
   DxfBlock* open_ = nullptr;
   std::size_t groups_ = 0;
 };
 
-/// A shift, a turn, one scale and perhaps a reflection.
-struct DxfPlacement {
-  core::Point base, place;  ///< m
-  double turn, scale;       ///< rad, above zero
-  bool mirrored;            ///< about the y axis, before the turn
-
-  core::Segment operator()(const core::Segment& segment) const;
-};
-
-/// Where an INSERT puts its block; refuses arrays and scales that would bend circles.
-DxfPlacement placement_of(const DxfFile& file, const DxfEntity& insert, const DxfBlock& block, double unit);
+/// Where an INSERT puts its block, seen from behind where it says so; refuses arrays and scales that would bend
+/// circles.
+Placement placement_of(const DxfFile& file, const DxfEntity& insert, const DxfBlock& block, double unit);
 
 }  // namespace parison::forming

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/scene/read/drawing/dxf_file.hpp"
+#include "forming/scene/read/drawing/dxf/dxf_file.hpp"
 
 #include <fmt/core.h>
 
@@ -41,17 +41,14 @@ std::optional<DxfGroup> next_group(const DxfFile& file, core::Lines& lines) {
 /// Follows the groups of a file and knows where it is in it.
 class Sections {
  public:
-  Sections(const DxfFile& file, const std::function<void(const DxfEntity&)>& use) : file_(file), use_(use) {}
+  Sections(const DxfFile& file, DxfHeader& header, const std::function<void(const DxfEntity&)>& use)
+      : file_(file), header_(header), use_(use) {}
 
   /// False at the end of the file.
   bool take(const DxfGroup& group) {
     if (group.code == 0) return begin(group);
-    if (after_units_ && group.code == 70) units_ = group;
-    after_units_ = group.code == 9 && group.value == "$INSUNITS";
-    if (after_section_ && group.code == 2) {
-      blocks_ = group.value == "BLOCKS";
-      inside_ = blocks_ || group.value == "ENTITIES";
-    }
+    take_variable(group);
+    if (after_section_ && group.code == 2) open_section(group.value);
     after_section_ = false;
     if (!entity_.kind.empty()) entity_.groups.push_back(group);
     if (entity_.groups.size() > max_groups)
@@ -60,25 +57,39 @@ class Sections {
     return true;
   }
 
-  bool inside_entities() const { return inside_; }
-  const std::optional<DxfGroup>& units() const { return units_; }
+  bool inside_entities() const { return inside_ && section_ != DxfEntity::Section::tables; }
 
  private:
+  void take_variable(const DxfGroup& group) {
+    if (variable_ == "$INSUNITS" && group.code == 70) header_.units = group;
+    if (variable_ == "$ACADVER" && group.code == 1) header_.version = group.value;
+    if (variable_ == "$DWGCODEPAGE" && group.code == 3) header_.code_page = group.value;
+    variable_ = group.code == 9 ? group.value : std::string_view{};
+  }
+
+  void open_section(std::string_view name) {
+    using Section = DxfEntity::Section;
+    inside_ = name == "TABLES" || name == "BLOCKS" || name == "ENTITIES";
+    section_ = name == "TABLES" ? Section::tables : name == "BLOCKS" ? Section::blocks : Section::entities;
+  }
+
   /// A section, an entity or an end.
   bool begin(const DxfGroup& group) {
     if (!entity_.kind.empty()) use_(entity_);
     entity_ = {};
     if (group.value == "ENDSEC") inside_ = false;
-    if (inside_) entity_ = {std::string(group.value), {}, group.line, blocks_};
+    if (inside_) entity_ = {std::string(group.value), {}, group.line, section_};
     after_section_ = group.value == "SECTION";
     return group.value != "EOF";
   }
 
   const DxfFile& file_;
+  DxfHeader& header_;
   const std::function<void(const DxfEntity&)>& use_;
   DxfEntity entity_;
-  std::optional<DxfGroup> units_;  ///< of the variable $INSUNITS
-  bool inside_ = false, blocks_ = false, after_section_ = false, after_units_ = false;
+  std::string_view variable_;  ///< of the group before
+  bool inside_ = false, after_section_ = false;
+  DxfEntity::Section section_ = DxfEntity::Section::entities;
 };
 
 /// A unit of lengths by its number in a DXF file.
@@ -92,6 +103,14 @@ constexpr std::array dxf_units{
     DxfUnit{"cm", 1e-2},       DxfUnit{"m", 1.0},        DxfUnit{"km", 1e3},          DxfUnit{"microinches", 2.54e-8},
     DxfUnit{"mils", 2.54e-5},  DxfUnit{"yards", 0.9144}, DxfUnit{"angstroms", 1e-10}, DxfUnit{"nm", 1e-9},
     DxfUnit{"um", 1e-6},       DxfUnit{"dm", 0.1}};
+
+/// The unit that $INSUNITS names; null where it names none.
+const DxfUnit* unit_named(const DxfFile& file, const DxfHeader& header) {
+  if (!header.units) return nullptr;
+  const double number = file.number(*header.units);
+  if (!(number >= 1 && number <= double(dxf_units.size()) && number == std::floor(number))) return nullptr;
+  return &dxf_units[static_cast<std::size_t>(number) - 1];
+}
 
 }  // namespace
 
@@ -111,30 +130,33 @@ double DxfFile::number(const DxfGroup& group) const {
   return *value;
 }
 
-void require_same_unit(const DxfFile& file, const DxfGroup& drawn, double unit) {
-  constexpr double same = 1e-4;
-  const double number = file.number(drawn);
-  if (!(number >= 1 && number <= double(dxf_units.size()) && number == std::floor(number))) return;
-  const DxfUnit& own = dxf_units[static_cast<std::size_t>(number) - 1];
-  if (std::abs(own.metres / unit - 1) > same)
-    file.refuse(drawn.line,
-                fmt::format("$INSUNITS {:g} was found, a drawing in {}, where the case says that its unit is {:g} m; "
-                            "allowed is the same unit, or 0 for none (set the units in the CAD program, or correct "
-                            "unit in the case)",
-                            number, own.name, unit));
+std::optional<double> unit_of(const DxfFile& file, const DxfHeader& header) {
+  const DxfUnit* unit = unit_named(file, header);
+  if (!unit) return {};
+  return unit->metres;
 }
 
-std::optional<DxfGroup> read_entities(const DxfFile& file, const std::string& content,
-                                      const std::function<void(const DxfEntity&)>& use) {
+void require_same_unit(const DxfFile& file, const DxfHeader& header, double unit) {
+  constexpr double same = 1e-4;
+  const DxfUnit* own = unit_named(file, header);
+  if (own && std::abs(own->metres / unit - 1) > same)
+    file.refuse(header.units->line,
+                fmt::format("$INSUNITS {} was found, a drawing in {}, where the case says that its unit is {:g} m; "
+                            "allowed is the same unit, no unit in the case, or 0 in the drawing",
+                            header.units->value, own->name, unit));
+}
+
+void read_entities(const DxfFile& file, const std::string& content, DxfHeader& header,
+                   const std::function<void(const DxfEntity&)>& use) {
   core::Lines lines(content);
-  Sections sections(file, use);
+  Sections sections(file, header, use);
   bool ended = false;
   while (!ended) {
     const auto group = next_group(file, lines);
     if (!group) break;
     ended = !sections.take(*group);
   }
-  if (ended && !sections.inside_entities()) return sections.units();
+  if (ended && !sections.inside_entities()) return;
   file.refuse(lines.number(),
               fmt::format("the file ends without {}, so a part of it is missing, allowed is a whole DXF file",
                           sections.inside_entities() ? "the ENDSEC of its entities" : "EOF"));

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaps between the curves of a drawing, its layers and its unit: what is taken with a note and what is refused.
+#include <gtest/gtest.h>
+
+#include "dxf_writer.hpp"
+
+namespace parison::tests {
+namespace {
+
+const std::string mm = "unit = \"mm\", ";
+
+/// Sides of a rectangle of 20 by 30 mm, the third of which starts `gap` too late.
+std::string rectangle_with_gap(double gap) {
+  DxfWriter writer;
+  writer.line({20, 0}, {40, 0});
+  writer.line({40, 0}, {40, 30});
+  writer.line({40 - gap, 30}, {20, 30});
+  writer.line({20, 30}, {20, 0});
+  return dxf_of(writer.text);
+}
+
+TEST(DrawnGaps, ends_up_to_a_hundredth_of_a_millimetre_apart_are_brought_together_with_a_note) {
+  const Taken taken = take("a.dxf", rectangle_with_gap(0.009), mm + from({20, 0}));
+  EXPECT_EQ(taken.refusal, "");
+  EXPECT_NEAR(taken.area, 600, 0.15);
+  ASSERT_EQ(taken.notes.size(), 1);
+  EXPECT_NE(taken.notes[0].find("1 in all"), std::string::npos) << taken.notes[0];
+  EXPECT_NE(taken.notes[0].find("0.009 mm at (40"), std::string::npos) << taken.notes[0];
+  EXPECT_TRUE(take("a.dxf", rectangle_with_gap(0), mm + from({20, 0})).notes.empty());
+}
+
+TEST(DrawnGaps, wider_ones_and_those_that_the_case_forbids_are_refused_and_a_key_takes_them) {
+  const auto refusal = [](double gap, const std::string& keys) {
+    return take("a.dxf", rectangle_with_gap(gap), mm + keys + from({20, 0})).refusal;
+  };
+  EXPECT_NE(refusal(0.02, "").find("gap of 0.02 mm at"), std::string::npos) << refusal(0.02, "");
+  EXPECT_NE(refusal(0.009, "gap = \"0 mm\", ").find("gap of 0.009 mm at"), std::string::npos);
+  EXPECT_EQ(refusal(0.02, "gap = \"0.03 mm\", "), "");
+  EXPECT_NE(refusal(0.02, "gap = \"5 mm\", ").find("allowed are up to"), std::string::npos);
+}
+
+TEST(DrawnGaps, an_arc_keeps_its_shape_where_a_line_is_brought_to_it) {
+  DxfWriter writer;
+  writer.line({20, 0}, {40.004, 0});
+  writer.arc({40, 0}, {40, 20}, 1);
+  writer.line({40, 19.997}, {20, 20});
+  writer.line({20, 20}, {20, 0});
+  const Taken taken = take("a.dxf", dxf_of(writer.text), mm + from({20, 0}));
+  EXPECT_NEAR(taken.area, 400 + 50 * M_PI, 1e-9) << taken.refusal;
+  EXPECT_EQ(taken.notes.size(), 1);
+}
+
+TEST(DrawnGaps, a_layer_that_is_not_there_is_refused_with_those_that_are) {
+  DxfWriter writer;
+  for (const char* layer : {"Blank", "Mould"}) {
+    writer.layer = layer;
+    writer.light_polyline({{{20, 0}}, {{40, 0}}, {{40, 30}}, {{20, 30}}});
+  }
+  const std::string refusal = take("a.dxf", dxf_of(writer.text), mm + "layer = \"BLANC\", " + from({20, 0})).refusal;
+  EXPECT_NE(refusal.find("layer: no lines or arcs were found on layer \"BLANC\""), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("allowed are \"Blank\", \"Mould\""), std::string::npos) << refusal;
+}
+
+TEST(DrawnGaps, a_frozen_layer_is_taken_where_the_case_names_it_and_told_where_not) {
+  DxfWriter writer;
+  for (const char* layer : {"Blank", "Mould"}) {
+    writer.layer = layer;
+    writer.light_polyline({{{20, 0}}, {{40, 0}}, {{40, 30}}, {{20, 30}}});
+  }
+  const std::string tables = "0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nMOULD\n70\n1\n62\n7\n0\nENDTAB\n";
+  const std::string file = dxf_of(writer.text, "", tables);
+  const Taken all = take("a.dxf", file, mm + from({20, 0}));
+  EXPECT_NEAR(all.area, 600, 1e-9) << all.refusal;
+  ASSERT_EQ(all.notes.size(), 1);
+  EXPECT_NE(all.notes[0].find("\"Mould\" (frozen or switched off)"), std::string::npos) << all.notes[0];
+  EXPECT_NEAR(take("a.dxf", file, mm + "layer = \"mould\", " + from({20, 0})).area, 600, 1e-9);
+}
+
+TEST(DrawnGaps, a_drawing_without_any_unit_is_refused_and_one_of_another_unit_too) {
+  const std::string file = rectangle_with_gap(0);
+  EXPECT_NE(take("a.dxf", file, from({20, 0})).refusal.find("unit: missing"), std::string::npos);
+  std::string inches = file;
+  inches.insert(0, section("HEADER", "9\n$INSUNITS\n70\n1\n"));
+  EXPECT_NE(take("a.dxf", inches, mm + from({20, 0})).refusal.find("a drawing in inches"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace parison::tests
