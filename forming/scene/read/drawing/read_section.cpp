@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "forming/scene/read/curves/curve_arcs.hpp"
 #include "forming/scene/read/drawing/chain.hpp"
 #include "forming/scene/read/drawing/placement.hpp"
 #include "forming/scene/read/scene_reading.hpp"
@@ -151,7 +152,9 @@ Chain read_chain(const CaseTable& table, const std::string& directory, std::vect
   ClosedGaps closed;
   const double gap = gap_of(table, size_of(curves));
   curves = chained(file, std::move(curves), gap, closed);
-  if (closed.count > 0)
+  // The CAD kernel finds where a plane cuts a curved surface within less than that.
+  const bool is_of_kernel = is_cut && closed.widest <= curve_tolerance(size_of(curves));
+  if (closed.count > 0 && !is_of_kernel)
     notes.push_back(
         fmt::format("gaps between curves of \"{}\" were closed, {} in all, the widest of {:.2g} mm at {}; with gap = "
                     "\"0 mm\" they are refused",

@@ -163,7 +163,7 @@ TEST(StepDialects, the_section_of_a_solid_of_revolution_whole_or_half) {
         const Taken taken = take_step([&] { draw_solid(section, with_spline, angle, start); }, from({5, 0}));
         ASSERT_EQ(taken.refusal, "") << with_spline << " " << angle << " " << start;
         EXPECT_NEAR(taken.area / section.area, 1, 1e-5) << with_spline << " " << angle << " " << start;
-        ASSERT_EQ(taken.notes.size(), 1);
+        ASSERT_EQ(taken.notes.size(), 1) << taken.notes.back();
         EXPECT_NE(taken.notes[0].find("axis along (0, 0, 1)"), std::string::npos) << taken.notes[0];
       }
 }
