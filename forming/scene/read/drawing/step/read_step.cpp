@@ -170,8 +170,9 @@ void add_curve(const StepCurve& curve, const Flat& plane, double tolerance, std:
   segments.insert(segments.end(), arcs.begin(), arcs.end());
 }
 
-void require_whole_file(const CaseNode& file, const std::string& path) {
-  const std::string content = core::read_given_file(file, path, "a drawing with its path relative to the case file");
+/// The text of a STEP file, which is refused where it is none or is cut.
+std::string whole_file(const CaseNode& file, const std::string& path) {
+  std::string content = core::read_given_file(file, path, "a drawing with its path relative to the case file");
   if (content.rfind("ISO-10303-21", 0) != 0)
     core::refuse(
         file,
@@ -182,6 +183,7 @@ void require_whole_file(const CaseNode& file, const std::string& path) {
                  fmt::format("\"{}\" ends without END-ISO-10303-21, so a part of it is missing, allowed is a whole "
                              "STEP file",
                              path));
+  return content;
 }
 
 }  // namespace
@@ -189,9 +191,12 @@ void require_whole_file(const CaseNode& file, const std::string& path) {
 std::vector<Segment> read_step(const CaseTable& table, const std::string& path, bool& is_cut,
                                std::vector<std::string>& notes) {
   const CaseNode &file = table.get("file"), *axis = table.find("axis"), *turn = table.find("turn");
-  require_whole_file(file, path);
+  const std::string content = whole_file(file, path);
   const StepCut cut{axis ? core::text(*axis) : "", turn ? core::quantity(*turn, core::dimension::none) : 0};
   const auto curves = read_curves(file, path, cut, is_cut, notes);
+  if (core::read_given_file(file, path, "a drawing") != content)  // the kernel has read it once more
+    core::refuse(file,
+                 fmt::format("\"{}\" has changed while it was read, allowed is a file that stays as it is", path));
   const Flat plane = find_plane(file, path, curves);
   double size = 0;
   for (const StepCurve& curve : curves)
