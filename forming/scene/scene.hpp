@@ -68,7 +68,8 @@ struct Body {
   std::optional<StartField> start_field;     ///< none: the temperature is uniform, or has a skin
   std::optional<thermal::Material> thermal;  ///< none: the body carries no heat in this scene
   double emissivity = 0;                     ///< of its open surfaces; of glass with light in bands where it is opaque
-  double position = 0;  ///< offset along the axis at the start, m (the profile is given at offset 0)
+  double position = 0;                     ///< offset along the axis at the start, m (the profile is given at offset 0)
+  std::vector<std::string> drawing_notes;  ///< sentences about what was not taken just as it was drawn
 };
 
 /// What becomes of glass between tools that gets thinner than the mesh can follow.

@@ -102,10 +102,16 @@ void add_fill_level(const Scene& scene, const ContainerPlan& plan, std::vector<s
                   1e3 * *scene.output.fill_level, 1e3 * *inside));
 }
 
+void add_drawings(const Body& body, std::vector<std::string>& notes) {
+  for (const std::string& note : body.drawing_notes) notes.push_back(fmt::format("\"{}\": {}", body.name, note));
+}
+
 }  // namespace
 
 std::vector<std::string> unusual_values(const Scene& scene) {
   std::vector<std::string> notes;
+  add_drawings(scene.glass, notes);
+  for (const Tool& tool : scene.tools) add_drawings(tool, notes);
   const bool is_gob = forms_a_gob(scene);
   if (is_gob) add_gob_temperature(scene, notes);
   if (scene.has_heat()) add_tool_temperatures(scene, is_gob, notes);

@@ -110,8 +110,7 @@ void check_symmetry(const Body& body, core::Geometry geometry, const CaseNode& b
 void read_shape(const CaseTable& table, const BodyContext& context, Body& body) {
   const auto& boundaries = table.get("boundary");
   refuse_repeated_names(table.tables("boundary"));
-  std::vector<std::string> notes;
-  body.profile = read_outline(boundaries, context.directory, notes);
+  body.profile = read_outline(boundaries, context.directory, body.drawing_notes);
   for (const auto& boundary : boundaries.items) body.boundaries.push_back(read_boundary(boundary));
   check_outline(body.profile, context.geometry, boundaries);
   check_axis(body, context.geometry, boundaries);
