@@ -4,7 +4,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "thermal/skin_column.hpp"
 
 namespace parison::thermal {
 
@@ -12,66 +13,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Penetration depths sqrt(alpha t) beyond which a half-space has not changed, and the smallest cell that matters, in
-/// the same measure.
-constexpr double depth_of_column = 12, smallest_cell = 0.03;
-constexpr int fewest_cells = 4;
-/// Growth of the cells of the fine mesh that stands for an exact solution.
-constexpr double fine_growth = 0.15;
-
-double penetration(const SkinSide& side, double time) {
-  return std::sqrt(side.conductivity / side.capacity * time);
-}
-
-/// Stiffness and mass of the columns of a contact, one after the other, W/m2/K and J/m2/K.
-struct Column {
-  MatrixXd stiffness, mass;
-};
-
-/// Whether the heat comes to the back of a layer.
-bool reaches_back(const SkinSide& side, double time) {
-  return side.depth < depth_of_column * penetration(side, time);
-}
-
-/// Positions of the vertices of a column under the surface, m. The last cell ends at the layer's back.
-std::vector<double> vertices(const SkinSide& side, double time) {
-  const double reach = penetration(side, time);
-  const double first = std::max(side.first_cell, smallest_cell * std::min(reach, side.depth));
-  const double end = reaches_back(side, time) ? side.depth : depth_of_column * reach;
-  std::vector<double> x{0};
-  while (x.back() < end || (std::isinf(side.depth) && static_cast<int>(x.size()) <= fewest_cells))
-    x.push_back(x.back() + first + side.growth * x.back());
-  if (x.back() <= side.depth) return x;
-  const std::size_t last = x.size() - 1;
-  if (last > 1 && side.depth - x[last - 1] < 0.5 * (x[last] - x[last - 1])) x.pop_back();  // no cell thinner than half
-  x.back() = side.depth;
-  return x;
-}
-
-Column column(const SkinSide& side, double time) {
-  static const Eigen::Matrix3d mass = (Eigen::Matrix3d() << 4, 2, -1, 2, 16, 2, -1, 2, 4).finished() / 30;
-  static const Eigen::Matrix3d stiffness = (Eigen::Matrix3d() << 7, -8, 1, -8, 16, -8, 1, -8, 7).finished() / 3;
-  static const Eigen::Matrix2d linear_mass = (Eigen::Matrix2d() << 2, 1, 1, 2).finished() / 6;
-  static const Eigen::Matrix2d linear_stiffness = (Eigen::Matrix2d() << 1, -1, -1, 1).finished();
-  const auto x = vertices(side, time);
-  const int order = side.order == 1 ? 1 : 2, cells = static_cast<int>(x.size()) - 1, size = order * cells + 1;
-  Column result{MatrixXd::Zero(size, size), MatrixXd::Zero(size, size)};
-  for (int cell = 0; cell < cells; ++cell) {
-    const double height = x[cell + 1] - x[cell];
-    const double conductance = side.conductivity / height, capacity = side.capacity * height;
-    auto k = result.stiffness.block(order * cell, order * cell, order + 1, order + 1);
-    auto m = result.mass.block(order * cell, order * cell, order + 1, order + 1);
-    if (order == 1) {
-      k += conductance * linear_stiffness;
-      m += capacity * linear_mass;
-    } else {
-      k += conductance * stiffness;
-      m += capacity * mass;
-    }
-  }
-  return result;
-}
 
 double effusivity(const SkinSide& side) {
   return std::sqrt(side.conductivity * side.capacity);
@@ -89,8 +30,8 @@ double exact_heat(double inverse_effusivity, double h, double time) {
 /// Heat that the unknowns which are `hot`, 1, give up in a time, J/m2: by the conductance h times the `jump` between
 /// two surfaces, from the modes of the system, which begins at `start`, K. The sum over the jump keeps its digits where
 /// the heat is next to nothing of what the layers hold.
-double discrete_heat(const Column& system, const VectorXd& hot, const VectorXd& start, const VectorXd& jump, double h,
-                     double time) {
+double discrete_heat(const SkinColumn& system, const VectorXd& hot, const VectorXd& start, const VectorXd& jump,
+                     double h, double time) {
   const VectorXd scale = system.mass.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd mass = scale.asDiagonal() * system.mass * scale.asDiagonal();
   const MatrixXd stiffness = scale.asDiagonal() * system.stiffness * scale.asDiagonal();
@@ -107,7 +48,7 @@ double discrete_heat(const Column& system, const VectorXd& hot, const VectorXd& 
 
 /// Heat that one layer gives to surroundings, on its mesh, J/m2.
 double discrete_heat(const SkinSide& side, double h, bool prescribed, double time) {
-  Column system = column(side, time);
+  SkinColumn system = skin_column(side, time, time);
   system.stiffness(0, 0) += h;
   const Eigen::Index n = system.mass.rows();
   const VectorXd hot = VectorXd::Ones(n);
@@ -118,9 +59,9 @@ double discrete_heat(const SkinSide& side, double h, bool prescribed, double tim
 
 /// Heat that the first of two layers gives to the second, on their meshes, J/m2.
 double discrete_heat(const SkinSide& first, const SkinSide& second, double h, double time) {
-  const Column a = column(first, time), b = column(second, time);
+  const SkinColumn a = skin_column(first, time, time), b = skin_column(second, time, time);
   const Eigen::Index n = a.mass.rows(), m = b.mass.rows();
-  Column system{MatrixXd::Zero(n + m, n + m), MatrixXd::Zero(n + m, n + m)};
+  SkinColumn system{MatrixXd::Zero(n + m, n + m), MatrixXd::Zero(n + m, n + m)};
   system.stiffness.topLeftCorner(n, n) = a.stiffness;
   system.stiffness.bottomRightCorner(m, m) = b.stiffness;
   system.mass.topLeftCorner(n, n) = a.mass;
@@ -134,21 +75,13 @@ double discrete_heat(const SkinSide& first, const SkinSide& second, double h, do
   return discrete_heat(system, hot, hot, VectorXd::Unit(n + m, 0) - VectorXd::Unit(n + m, n), h, time);
 }
 
-/// A layer on a mesh so fine that it stands for the exact solution.
-SkinSide fine(SkinSide side) {
-  side.first_cell = 0;
-  side.growth = fine_growth;
-  side.order = 2;
-  return side;
-}
-
 }  // namespace
 
 double skin_error(const SkinSide& side, double h, double time) {
   if (!(h > 0) || !(time > 0)) return 0;
   const bool prescribed = std::isinf(h);
   h = std::min(h, perfect_conductance(side.conductivity, std::min(side.first_cell, side.depth)));
-  const double exact = reaches_back(side, time) ? discrete_heat(fine(side), h, prescribed, time)
+  const double exact = reaches_back(side, time) ? discrete_heat(fine_side(side), h, prescribed, time)
                                                 : exact_heat(1 / effusivity(side), h, time);
   return discrete_heat(side, h, prescribed, time) / exact - 1;
 }
@@ -158,18 +91,9 @@ double skin_error(const SkinSide& first, const SkinSide& second, double h, doubl
   h = std::min(h, 1 / (1 / perfect_conductance(first.conductivity, std::min(first.first_cell, first.depth)) +
                        1 / perfect_conductance(second.conductivity, std::min(second.first_cell, second.depth))));
   const double exact = reaches_back(first, time) || reaches_back(second, time)
-                           ? discrete_heat(fine(first), fine(second), h, time)
+                           ? discrete_heat(fine_side(first), fine_side(second), h, time)
                            : exact_heat(1 / effusivity(first) + 1 / effusivity(second), h, time);
   return discrete_heat(first, second, h, time) / exact - 1;
-}
-
-double fitting_first_cell(const SkinSide& side, double h, double time, double tolerance) {
-  constexpr double step = 0.8;   // from one cell that is tried to the next
-  constexpr double small = 0.1;  // of the penetration depth: smaller ones always do
-  SkinSide tried = side;
-  const double least = small * penetration(side, time);
-  while (tried.first_cell > least && std::abs(skin_error(tried, h, time)) > tolerance) tried.first_cell *= step;
-  return tried.first_cell;
 }
 
 double perfect_conductance(double conductivity, double thickness) {

@@ -26,9 +26,6 @@ double skin_error(const SkinSide& side, double h, double time);
 /// The same of two layers of different temperatures brought together at time 0.
 double skin_error(const SkinSide& first, const SkinSide& second, double h, double time);
 
-/// The largest first cell, m, not above that of `side`, with which the error keeps within `tolerance`.
-double fitting_first_cell(const SkinSide& side, double h, double time, double tolerance);
-
 /// Conductance, W/m2/K, beyond which a contact counts as perfect: its resistance is 1e-6 of that of layers of such
 /// conductivity and thickness, W/m/K and m. More changes nothing but the round-off.
 double perfect_conductance(double conductivity, double thickness);

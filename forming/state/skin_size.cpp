@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "forming/state/skin_history.hpp"
 #include "forming/state/state.hpp"
+#include "thermal/skin_history.hpp"
 
 namespace parison::forming {
 
@@ -16,15 +18,12 @@ constexpr double skin_tolerance = 3e-3;
 /// Share of the scene's range of temperatures below which two temperatures are the same.
 constexpr double same_temperature = 1e-9;
 
-bool differ(const Scene& scene, double first, const core::TimeFunction& second) {
-  const double small = same_temperature * temperature_range(scene).span();
-  return std::abs(second.max() - first) > small || std::abs(second.min() - first) > small;
+bool differ(const Scene& scene, double first, double second) {
+  return std::abs(second - first) > same_temperature * temperature_range(scene).span();
 }
 
-double run_time(const Scene& scene) {
-  double time = 0;
-  for (const Stage& stage : scene.stages) time += stage.duration;
-  return time;
+bool is_active(const Stage& stage, Index tool) {
+  return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& t) { return t.tool == tool; });
 }
 
 /// Cells for which a mesh has room: a layer of `wanted` edges that grow from there has a few cells for each.
@@ -54,14 +53,6 @@ thermal::SkinSide skin_side(const Scene& scene, Index body, double first_cell) {
           first_cell, growth, scene.accuracy.temperature_order};
 }
 
-double active_time(const Scene& scene, Index tool, Index last_stage) {
-  double time = 0;
-  for (Index s = 0; s <= last_stage; ++s)
-    for (const StageTool& place : scene.stages[s].tools)
-      if (place.tool == tool) time += scene.stages[s].duration;
-  return time;
-}
-
 double perfect_contact(const Scene& scene, const Interface& interface) {
   if (!scene.glass.thermal || !scene.tools[interface.tool].thermal) return std::numeric_limits<double>::infinity();
   const auto layer = [&](Index body, double edge) {
@@ -73,61 +64,65 @@ double perfect_contact(const Scene& scene, const Interface& interface) {
   return 1 / (1 / glass + 1 / tool);
 }
 
-double glass_edge_at_tool(const Scene& scene, const Interface& interface, double wanted, Index last_stage) {
-  const Tool& tool = scene.tools[interface.tool];
-  if (!tool.thermal || !differ(scene, scene.glass.initial_temperature, tool.initial_temperature)) return wanted;
-  return std::max(std::min(wanted, least_edge(scene, scene.glass)),
-                  thermal::fitting_first_cell(skin_side(scene, glass_body, wanted), contact::highest(interface.law),
-                                              active_time(scene, interface.tool, last_stage), skin_tolerance));
-}
-
 namespace {
 
-/// The greatest h of what cools a boundary of a tool in the stages up to one, W/m2/K.
-double stage_cooling(const Scene& scene, Index body, std::size_t boundary, Index last_stage) {
-  double h = 0;
-  for (Index s = 0; s <= last_stage; ++s)
-    for (const StageCooling& cooling : scene.stages[s].cooling)
-      if (body_of_tool(cooling.tool) == body && cooling.boundary == boundary &&
-          differ(scene, body_of(scene, body).initial_temperature, cooling.air_temperature))
-        h = std::max(h, cooling.h.max());
-  return h;
+/// Conductance of a contact without pressure, W/m2/K.
+double lowest(const Scene& scene, const Interface& interface) {
+  const double highest = contact::highest(interface.law);
+  if (std::holds_alternative<contact::GapConductance>(interface.law)) return highest;
+  const double viscosity = scene.has_flow() ? scene.glass.flow->viscosity(scene.glass.initial_temperature) : 1;
+  return std::min(highest, contact::conductance(interface.law, 0, viscosity).h);
 }
 
-/// Of air and radiation at the start, where they differ from the body, W/m2/K.
-double air_conductance(const Scene& scene, const Body& body, const Air& air) {
-  const double start = body.initial_temperature;
-  double h = differ(scene, start, air.air_temperature) ? air.h.max() : 0;
-  if (body.emissivity > 0 && differ(scene, start, air.ambient_temperature))
-    h = std::max(h, 4 * body.emissivity * thermal::stefan_boltzmann *
-                        std::pow(std::max(start, air.ambient_temperature.max()), 3));
-  return h;
+/// Of the contact of a body with one of another temperature, K, up to the end of a stage: perfect as the law lets it be
+/// while the tool is active.
+thermal::SkinHistory contact_history(const Scene& scene, const Interface& interface, double other, Index last_stage) {
+  thermal::SkinHistory history;
+  const double h = contact::highest(interface.law);
+  for (Index s = 0; s <= last_stage; ++s) {
+    const Stage& stage = scene.stages[s];
+    if (is_active(stage, interface.tool))
+      add_pressed_intervals(stage, {h, other}, lowest(scene, interface), history);
+    else
+      add_interval(history, {stage.duration, {0, other}, {0, other}});
+  }
+  return history;
+}
+
+double edge_at_contact(const Scene& scene, const Interface& interface, Index body, double wanted, Index last_stage) {
+  const double glass = scene.glass.initial_temperature, tool = scene.tools[interface.tool].initial_temperature;
+  if (!scene.tools[interface.tool].thermal || !differ(scene, glass, tool)) return wanted;
+  return thermal::fitting_first_cell(skin_side(scene, body, wanted), body == glass_body ? glass : tool,
+                                     contact_history(scene, interface, body == glass_body ? tool : glass, last_stage),
+                                     skin_tolerance);
 }
 
 }  // namespace
 
-double surroundings_conductance(const Scene& scene, Index body, std::size_t boundary, Index last_stage) {
-  const Body& data = body_of(scene, body);
-  const Boundary& given = data.boundaries[boundary];
-  const double start = data.initial_temperature;
-  if (given.kind == BoundaryKind::temperature)
-    return differ(scene, start, given.temperature(0)) ? std::numeric_limits<double>::infinity() : 0;
-  double h = stage_cooling(scene, body, boundary, last_stage);
-  if (given.kind == BoundaryKind::cooled)
-    return differ(scene, start, given.cooling.air_temperature) ? std::max(h, given.cooling.h.max()) : h;
-  if (given.kind != BoundaryKind::contact && given.kind != BoundaryKind::air) return h;
-  for (Index s = 0; s <= last_stage; ++s)
-    for (const Air* air : airs_of(scene.stages[s]))
-      if (body == glass_body || air == &scene.stages[s].air) h = std::max(h, air_conductance(scene, data, *air));
-  return h;
+double glass_edge_at_tool(const Scene& scene, const Interface& interface, double wanted, Index last_stage) {
+  return std::max(std::min(wanted, least_edge(scene, scene.glass)),
+                  edge_at_contact(scene, interface, glass_body, wanted, last_stage));
 }
 
 double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, double wanted) {
   const Body& data = body_of(scene, body);
   if (!data.thermal) return wanted;
-  const double h = surroundings_conductance(scene, body, boundary, static_cast<Index>(scene.stages.size()) - 1);
+  std::vector<double> durations;
+  for (const Stage& stage : scene.stages) durations.push_back(stage.duration);
   return std::max(std::min(wanted, least_edge(scene, data)),
-                  thermal::fitting_first_cell(skin_side(scene, body, wanted), h, run_time(scene), skin_tolerance));
+                  thermal::fitting_first_cell(skin_side(scene, body, wanted), data.initial_temperature,
+                                              surroundings_history(scene, body, boundary, durations), skin_tolerance));
+}
+
+double flowing_edge_in_air(const Scene& scene, std::size_t boundary, double wanted, Index last_stage, double depth) {
+  std::vector<double> durations;
+  for (Index s = 0; s <= last_stage; ++s) durations.push_back(scene.stages[s].duration);
+  const thermal::SkinSide side = skin_side(scene, glass_body, wanted);
+  const double content = side.capacity * depth * temperature_range(scene).span();
+  return std::max(std::min(wanted, least_edge(scene, scene.glass)),
+                  thermal::fitting_first_cell(side, scene.glass.initial_temperature,
+                                              surroundings_history(scene, glass_body, boundary, durations),
+                                              skin_tolerance, content));
 }
 
 double contact_edge(const Scene& scene, Index body, double wanted) {
@@ -135,14 +130,9 @@ double contact_edge(const Scene& scene, Index body, double wanted) {
   if (!data.thermal) return wanted;
   double edge = wanted;
   const Index last_stage = static_cast<Index>(scene.stages.size()) - 1;
-  for (const Interface& interface : scene.interfaces) {
-    if (body == glass_body) edge = glass_edge_at_tool(scene, interface, edge, last_stage);
-    if (body != body_of_tool(interface.tool) ||
-        !differ(scene, scene.glass.initial_temperature, data.initial_temperature))
-      continue;
-    edge = thermal::fitting_first_cell(skin_side(scene, body, edge), contact::highest(interface.law),
-                                       active_time(scene, interface.tool, last_stage), skin_tolerance);
-  }
+  for (const Interface& interface : scene.interfaces)
+    if (body == glass_body || body == body_of_tool(interface.tool))
+      edge = edge_at_contact(scene, interface, body, edge, last_stage);
   return std::max(std::min(wanted, least_edge(scene, data)), edge);
 }
 

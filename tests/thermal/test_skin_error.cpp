@@ -63,15 +63,6 @@ TEST(SkinError, falls_to_nothing_with_time_and_with_the_cell) {
   EXPECT_EQ(skin_error(side, 0, 1), 0);
 }
 
-TEST(SkinError, a_fitting_cell_keeps_the_tolerance_and_is_not_refined_without_need) {
-  SkinSide side{conductivity, density * heat_capacity, 1e-3};
-  EXPECT_EQ(fitting_first_cell(side, 100, 10, 3e-3), side.first_cell);
-  const double fitting = fitting_first_cell(side, 1e9, 1e-3, 3e-3);
-  EXPECT_LT(fitting, 0.2 * side.first_cell);
-  side.first_cell = fitting;
-  EXPECT_LE(std::abs(skin_error(side, 1e9, 1e-3)), 3e-3);
-}
-
 TEST(SkinError, of_next_to_no_heat_is_next_to_nothing) {
   // Layers of one temperature each: the heat is h times the jump, to the share of their contents that it is.
   const double content = 2400 * 1300, depth = 5e-3, time = 0.5;

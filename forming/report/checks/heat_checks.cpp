@@ -7,6 +7,7 @@
 #include "core/mesh/element.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/files/history.hpp"
+#include "forming/state/skin_history.hpp"
 #include "forming/state/skin_size.hpp"
 #include "forming/step/heat/contact_skin.hpp"
 
@@ -59,18 +60,30 @@ BoundaryLayer layer_under(const core::Mesh& mesh, Index boundary, core::Geometry
   return {area / length, core::volume(mesh, geometry) / surface};
 }
 
+/// How long the stages up to the present one took, s: those before it, which may have ended early, in proportion to
+/// their durations.
+std::vector<double> durations_so_far(const Scene& scene, const State& state) {
+  std::vector<double> durations;
+  double planned = 0;
+  for (Index s = 0; s < state.stage; ++s) planned += scene.stages[s].duration;
+  for (Index s = 0; s < state.stage; ++s) durations.push_back(scene.stages[s].duration * state.stage_start / planned);
+  durations.push_back(state.time - state.stage_start);
+  return durations;
+}
+
 Skin skin_at_surroundings(const Scene& scene, const State& state) {
   Skin worst;
+  const std::vector<double> durations = durations_so_far(scene, state);
   for (Index body = 0; body < body_count(state); ++body) {
     const Body& data = body_of(scene, body);
     if (!data.thermal) continue;
     for (std::size_t b = 0; b < data.boundaries.size(); ++b) {
-      const double h = surroundings_conductance(scene, body, b, state.stage);
       const BoundaryLayer layer = layer_under(mesh_of(state, body), static_cast<Index>(b), scene.geometry);
-      if (h == 0 || layer.first_cell == 0) continue;
+      if (layer.first_cell == 0) continue;
       thermal::SkinSide side = skin_side(scene, body, layer.first_cell);
       side.depth = layer.depth;
-      const double error = std::abs(thermal::skin_error(side, h, state.time));
+      const double error =
+          thermal::skin_error(side, data.initial_temperature, surroundings_history(scene, body, b, durations));
       if (is_worse(error, worst.error))
         worst = {error, fmt::format("at boundary {} of {}", data.boundaries[b].name, data.name)};
     }

@@ -15,6 +15,8 @@ namespace {
 
 /// Share of its greatest area below which a contact is over.
 constexpr double lost_contact = 0.02;
+/// Ratio of conductances from which on a contact begins anew: a pulse has a skin of its own.
+constexpr double another_conductance = 4;
 
 /// Height of the cell on each edge of a mesh's surface, m, by node: the least of those at a node.
 Eigen::VectorXd surface_cells(const core::Mesh& mesh) {
@@ -39,6 +41,14 @@ double error_of(const Scene& scene, const State& state, Index tool, const Contac
   };
   return std::abs(thermal::skin_error(side(glass_body, skin.glass_cell), side(body_of_tool(tool), skin.tool_cell),
                                       mean * skin.conductance, time));
+}
+
+/// Whether a contact has become another one, by its area and conductance, each summed over its points.
+bool is_another(const ContactSkin& skin, double area, double conductance) {
+  if (!(skin.area_time > 0)) return false;
+  if (area < lost_contact * skin.peak_area) return true;
+  const double mean = skin.conductance / skin.area_time, now = conductance / area;
+  return now > another_conductance * mean || mean > another_conductance * now;
 }
 
 /// Makes an end of a contact.
@@ -76,7 +86,7 @@ void update_contact_skins(const Scene& scene, const std::vector<core::InterfaceP
   }
   for (std::size_t tool = 0; tool < tools; ++tool) {
     ContactSkin& skin = state.tools[tool].skin;
-    if (skin.peak_area > 0 && area[tool] < lost_contact * skin.peak_area) close(scene, state, Index(tool), skin);
+    if (is_another(skin, area[tool], conductance[tool])) close(scene, state, Index(tool), skin);
     const double heat = state.tools[tool].heat_received - heat_before[tool];
     skin.exchanged += std::abs(heat);
     if (area[tool] == 0) continue;
