@@ -101,6 +101,21 @@ void for_each_curve(const Scene& scene, const Stage& stage, const Visit& visit) 
     }
 }
 
+/// The time, s, in which no pressure and no force given over time changes by more than numerics.strain_per_step of its
+/// largest size: contact presses and conducts by them.
+double load_step(const Scene& scene, const State& state) {
+  double longest = std::numeric_limits<double>::infinity();
+  const auto include = [&](const core::TimeFunction& load) {
+    const double rate = std::abs(load.derivative(state.stage_time + same_time));
+    if (rate > 0) longest = std::min(longest, scene.accuracy.strain_per_step * load.max_size() / rate);
+  };
+  const Stage& stage = scene.stages[state.stage];
+  for (const auto& [name, pressure] : stage.pressure) include(pressure);
+  for (const StageTool& tool : stage.tools)
+    if (const auto* driven = std::get_if<ForceMotion>(&tool.motion)) include(driven->force);
+  return longest;
+}
+
 /// The next time in the stage, s, at which something given over time bends; infinite for none.
 double next_corner(const Scene& scene, const State& state) {
   double next = std::numeric_limits<double>::infinity();
@@ -139,6 +154,7 @@ bool rejected_for_work(const Scene& scene, const StepReport& report) {
 }
 
 double clip_step_to_event(const Scene& scene, const State& state, double proposed) {
+  proposed = std::max(std::min(proposed, load_step(scene, state)), scene.accuracy.min_step);
   double left = std::min({longest_stage_time(scene, state), next_kink(scene, state), next_corner(scene, state)}) -
                 state.stage_time;
   left = std::min(left, std::max(time_to_rest(scene, state), shortest_to_rest * proposed));

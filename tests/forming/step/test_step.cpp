@@ -205,6 +205,18 @@ TEST_F(Pot, glass_that_lands_by_turns_two_edges_and_none_is_not_held_up_by_the_t
   EXPECT_NEAR(next(two).dt, 0.9 / 4 * two.dt, 1e-12) << "a step that is refused counts by itself";
 }
 
+TEST(StepControl, a_load_that_falls_within_a_step_is_followed_by_several) {
+  Scene scene = scene_of(small_scene);
+  State state = initial_state(scene);
+  const double free = clip_step_to_event(scene, state, 0.2);
+  EXPECT_EQ(free, 0.2);
+  scene.stages[0].pressure["surface"] = core::TimeFunction(core::Table{{0.0, 0.2, 0.9}, {1e5, 0.0, 0.0}});
+  const double share = scene.accuracy.strain_per_step;
+  EXPECT_LE(clip_step_to_event(scene, state, 0.2), 1.001 * share * 0.2);
+  state.stage_time = 0.2;
+  EXPECT_EQ(clip_step_to_event(scene, state, 0.2), 0.2) << "a load that stays limits nothing";
+}
+
 TEST_F(Pot, glass_above_the_tools_is_told_how_far_it_would_fall_onto_which) {
   scene.stages[0].gravity = -9.81;
   State state = initial_state(scene);
