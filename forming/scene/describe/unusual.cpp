@@ -8,6 +8,7 @@
 
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/support.hpp"
+#include "forming/scene/read/temperature/temperature_table.hpp"
 
 namespace parison::forming {
 namespace {
@@ -55,6 +56,15 @@ void add_tool_temperatures(const Scene& scene, bool is_around_gob, std::vector<s
           "where cooling is strong";
     notes.push_back(std::move(note));
   }
+}
+
+void add_table_of_start(const Body& body, core::Geometry geometry, std::vector<std::string>& notes) {
+  constexpr double little = 0.01;
+  if (const double beyond = share_beyond_table(body, geometry); beyond > little)
+    notes.push_back(fmt::format(
+        "{:.0f} % of \"{}\" lies beyond the temperatures of {}, where the nearest of them count; usual are tables "
+        "that cover the body",
+        100 * beyond, body.name, body.start_field->source));
 }
 
 void add_pressures(const Scene& scene, std::vector<std::string>& notes) {
@@ -116,6 +126,8 @@ std::vector<std::string> unusual_values(const Scene& scene) {
   if (is_gob) add_gob_temperature(scene, notes);
   if (scene.has_heat()) add_tool_temperatures(scene, is_gob, notes);
   if (is_gob) add_durations(scene, notes);
+  add_table_of_start(scene.glass, scene.geometry, notes);
+  for (const Tool& tool : scene.tools) add_table_of_start(tool, scene.geometry, notes);
   add_pressures(scene, notes);
   for (auto& note : unusual_forces(scene)) notes.push_back(std::move(note));
   if (auto note = falling_note(scene); !note.empty()) notes.push_back(std::move(note));

@@ -31,17 +31,27 @@ Box box_of(const std::vector<Point>& points) {
   return box;
 }
 
-/// Places inside and on an outline.
-std::vector<Point> places(const core::Profile& profile) {
-  constexpr int across = 40;
-  const double size = core::size(profile);
-  std::vector<Point> points = core::polyline(profile, size / across, 1e-3 * size);
-  const Box box = box_of(points);
+constexpr int across = 40;  ///< places along each side of a body
+
+std::vector<Point> outline_places(const core::Profile& profile) {
+  return core::polyline(profile, core::size(profile) / across, 1e-3 * core::size(profile));
+}
+
+std::vector<Point> inner_places(const core::Profile& profile) {
+  std::vector<Point> points;
+  const Box box = box_of(outline_places(profile));
   for (int i = 0; i < across; ++i)
     for (int k = 0; k < across; ++k) {
       const Point x = box.low + Point(i + 0.5, k + 0.5).cwiseProduct(box.high - box.low) / across;
       if (core::contains(profile, x)) points.push_back(x);
     }
+  return points;
+}
+
+/// Places on an outline and inside it.
+std::vector<Point> places(const core::Profile& profile) {
+  std::vector<Point> points = outline_places(profile), inner = inner_places(profile);
+  points.insert(points.end(), inner.begin(), inner.end());
   return points;
 }
 
@@ -158,7 +168,33 @@ double complete(StartField& field, const core::Profile& profile, core::Geometry 
   return sum / weights;
 }
 
+/// A table of another place, or in another unit than its heading says, would give one temperature to all.
+void refuse_table_elsewhere(const CaseNode& node, const Body& body, core::Geometry geometry) {
+  constexpr double least = 1e-3;
+  if (share_beyond_table(body, geometry) <= 1 - least) return;
+  const TemperatureGrid& grid = *body.start_field->at.target<TemperatureGrid>();
+  const Box there = box_of(outline_places(body.profile));
+  const auto range = [](const char* along, const std::vector<double>& axis) {
+    return axis.size() > 1 ? fmt::format(" {} from {:g} to {:g} mm", along, 1e3 * axis.front(), 1e3 * axis.back()) : "";
+  };
+  core::refuse(node, fmt::format("a table with{}{} was found and the body lies from {}, allowed is a table that covers "
+                                 "the body or a part of it",
+                                 range("r", grid.r), range("z", grid.z), text_of(there)));
+}
+
 }  // namespace
+
+double share_beyond_table(const Body& body, core::Geometry geometry) {
+  const auto* grid = body.start_field ? body.start_field->at.target<TemperatureGrid>() : nullptr;
+  if (!grid) return 0;
+  double beyond = 0, all = 0;
+  for (const Point& x : inner_places(body.profile)) {
+    const double weight = geometry == core::Geometry::planar ? 1 : x[0];
+    all += weight;
+    if (!grid->covers(x, 1e-6 * core::size(body.profile))) beyond += weight;
+  }
+  return beyond / all;
+}
 
 void read_start_temperature(const CaseNode& node, const BodyContext& context, Body& body) {
   if (node.kind != CaseNode::Kind::table) {
@@ -177,6 +213,7 @@ void read_start_temperature(const CaseNode& node, const BodyContext& context, Bo
                              : read_result(table, context, body);
   body.initial_temperature = complete(field, body.profile, context.geometry);
   body.start_field = std::move(field);
+  if (csv) refuse_table_elsewhere(*csv, body, context.geometry);
 }
 
 std::string start_field_text(const StartField& field, const core::Profile& profile) {

@@ -91,22 +91,8 @@ Place place_on(const std::vector<double>& axis, double value) {
   return {first, (value - axis[first]) / (axis[first + 1] - axis[first])};
 }
 
-struct Grid {
-  std::vector<double> r, z, T;  ///< T row by row of z
-
-  double operator()(const core::Point& x) const {
-    const Place a = place_on(r, x[0]), b = place_on(z, x[1]);
-    const auto along_r = [&](std::size_t k) {
-      const double first = T[k * r.size() + a.first];
-      return a.share == 0 ? first : first + a.share * (T[k * r.size() + a.first + 1] - first);
-    };
-    const double first = along_r(b.first);
-    return b.share == 0 ? first : first + b.share * (along_r(b.first + 1) - first);
-  }
-};
-
-Grid grid_of(const CaseNode& node, const std::vector<Row>& rows) {
-  Grid grid{axis_of(rows, 0), axis_of(rows, 1), {}};
+TemperatureGrid grid_of(const CaseNode& node, const std::vector<Row>& rows) {
+  TemperatureGrid grid{axis_of(rows, 0), axis_of(rows, 1), {}};
   if (grid.r.size() * grid.z.size() != rows.size())
     core::refuse(node,
                  fmt::format("{} rows with {} different r and {} different z were found, allowed is each pair of them "
@@ -123,6 +109,23 @@ Grid grid_of(const CaseNode& node, const std::vector<Row>& rows) {
 }
 
 }  // namespace
+
+double TemperatureGrid::operator()(const core::Point& x) const {
+  const Place a = place_on(r, x[0]), b = place_on(z, x[1]);
+  const auto along_r = [&](std::size_t k) {
+    const double first = T[k * r.size() + a.first];
+    return a.share == 0 ? first : first + a.share * (T[k * r.size() + a.first + 1] - first);
+  };
+  const double first = along_r(b.first);
+  return b.share == 0 ? first : first + b.share * (along_r(b.first + 1) - first);
+}
+
+bool TemperatureGrid::covers(const core::Point& x, double near) const {
+  const auto lies_on = [near](const std::vector<double>& axis, double value) {
+    return axis.size() == 1 || (value >= axis.front() - near && value <= axis.back() + near);
+  };
+  return lies_on(r, x[0]) && lies_on(z, x[1]);
+}
 
 StartField read_temperature_table(const CaseNode& node, const std::string& directory) {
   const auto path = std::filesystem::path(directory) / core::text(node);
