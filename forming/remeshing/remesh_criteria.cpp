@@ -9,6 +9,7 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/remeshing/tool_corners.hpp"
 #include "forming/state/skin_size.hpp"
+#include "forming/state/start_temperature.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "remesh/mesher/quality.hpp"
 #include "remesh/sizing/recovery.hpp"
@@ -36,6 +37,16 @@ std::vector<double> solution_target_sizes(const Scene& scene, const State& state
   return target_sizes;
 }
 
+/// Makes the sizes, m, by cell, no larger than the temperatures at the start want them; none given: any.
+void add_start_field_sizes(const Scene& scene, const core::Mesh& mesh, std::vector<double>& sizes) {
+  const PlacedTemperature function = scene.has_heat() ? start_function(scene, glass_body) : PlacedTemperature{};
+  if (!function) return;
+  const FieldMisfit found = misfit(mesh, scene.geometry, start_temperature(scene, glass_body, mesh), function);
+  const std::vector<double> wanted = fitting_sizes(mesh, found);
+  sizes.resize(wanted.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t cell = 0; cell < sizes.size(); ++cell) sizes[cell] = std::min(sizes[cell], wanted[cell]);
+}
+
 /// Edge length at each node of the surface, m, over which the logarithm of the viscosity changes by
 /// numerics.viscosity_per_edge; infinite inside. A chilled skin carries most of the load of a wall, also when the tool
 /// that chilled it has gone.
@@ -60,6 +71,31 @@ std::vector<double> viscosity_target_sizes(const Scene& scene, const State& stat
   return target_sizes;
 }
 
+/// The volume of the glass over its surface, m.
+double depth_of_glass(const Scene& scene, const core::Mesh& mesh) {
+  double surface = 0;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    if (mesh.kind_of(edge) != BoundaryKind::symmetry)
+      surface += (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm() *
+                 core::depth(scene.geometry, mesh.nodes[edge.nodes[2]]);
+  return core::volume(mesh, scene.geometry) / surface;
+}
+
+/// Makes the edges of open surface no longer than short and strong cooling by air wants them.
+void refine_in_air(const Scene& scene, const State& state, remesh::Criteria& criteria) {
+  const core::Mesh& mesh = state.glass.mesh;
+  const double wanted = scene.accuracy.surface_size, depth = depth_of_glass(scene, mesh);
+  double edge = wanted;
+  for (std::size_t b = 0; b < scene.glass.boundaries.size(); ++b)
+    edge = std::min(edge, flowing_edge_in_air(scene, b, wanted, state.stage, depth));
+  if (edge >= wanted) return;
+  criteria.min_size = std::min(criteria.min_size, min_edge_fraction * edge);
+  for (const core::BoundaryEdge& boundary : mesh.boundary_edges())
+    if (mesh.kind_of(boundary) != BoundaryKind::symmetry)
+      for (const Index node : boundary.nodes)
+        criteria.target_skin_size[node] = std::min(criteria.target_skin_size[node], edge);
+}
+
 /// Whether an edge of the surface is longer, or turns more, than a new mesh may have it, by `max_stretch` and
 /// `max_bend`: a bent edge at the end of a contact keeps the surface beside it off the tool. Not where it lies on a
 /// tool, round which it may bend, or where a new mesh would have it no shorter.
@@ -79,6 +115,31 @@ bool has_worn_edges(const Scene& scene, const State& state) {
     const double turn = 2 * std::abs(std::atan2(before[0] * after[1] - before[1] * after[0], before.dot(after)));
     return length > max_length || (!on_tool && length > dividable && turn > max_bend * remesh::max_turn);
   });
+}
+
+/// Whether the cells on a tenth of the surface have become too large for the viscosity in them, by more than
+/// `max_stretch` from what a new mesh would have. Not where it lies on a tool, where the skin of the contact has its
+/// own size.
+bool has_coarse_skin(const Scene& scene, const State& state) {
+  constexpr double max_stretch = 1.5, max_share = 0.1;
+  if (!scene.has_flow() || state.glass.temperature.size() == 0) return false;
+  const core::Mesh& mesh = state.glass.mesh;
+  const std::vector<double> wanted = viscosity_target_sizes(scene, state);
+  const double smallest = scene.accuracy.skin_size, coarsening = state.totals.remeshing.coarsening_factor;
+  double coarse = 0, all = 0;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
+    const auto& cell = mesh.cells()[edge.cell];
+    const Point a = mesh.nodes[cell[1]] - mesh.nodes[cell[0]], b = mesh.nodes[cell[2]] - mesh.nodes[cell[0]];
+    const double length = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
+    const double height = std::abs(a[0] * b[1] - a[1] * b[0]) / length,
+                 size = std::min(length, 2 / std::sqrt(3) * height);
+    const bool on_tool = std::all_of(edge.nodes.begin(), edge.nodes.end(),
+                                     [&](Index node) { return state.glass.contact_tool[node] >= 0; });
+    all += length;
+    if (!on_tool && size > max_stretch * coarsening * std::max(wanted[edge.nodes[2]], smallest)) coarse += length;
+  }
+  return coarse > max_share * all;
 }
 
 }  // namespace
@@ -111,6 +172,7 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
       for (Index n = 0; n < mesh.node_count(); ++n)
         if (gaps[n] < contact_proximity) result.target_skin_size[n] = std::min(result.target_skin_size[n], edge);
     }
+  if (scene.has_heat()) refine_in_air(scene, state, result);
   result.min_film_thickness = scene.glass.film.min_thickness;
   result.max_cells = accuracy.max_cells;
   result.keep = tool_corners(scene, state);
@@ -120,6 +182,7 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
     return (out - x).norm() > depth ? out : x;
   };
   if (accuracy.solution_error > 0) result.target_cell_size = solution_target_sizes(scene, state);
+  if (state.totals.steps == 0) add_start_field_sizes(scene, mesh, result.target_cell_size);
   return result;
 }
 
@@ -127,7 +190,8 @@ bool needs_remesh(const Scene& scene, const State& state) {
   if (state.totals.remeshing.before_step == state.totals.steps) return false;
   return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
          (scene.geometry == core::Geometry::axisymmetric && remesh::has_reached_axis(state.glass.mesh)) ||
-         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_worn_edges(scene, state));
+         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_worn_edges(scene, state)) ||
+         has_coarse_skin(scene, state);
 }
 
 }  // namespace parison::forming

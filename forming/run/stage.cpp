@@ -86,7 +86,9 @@ bool begin_stage(RunInProgress& run, Index stage) {
   notify(run, &RunObserver::stage_begins);
   if (stage == 0) notify(run, &RunObserver::fields_due, state);
   const bool keeps_mesh = !run.scene.has_flow() || (stage == 0 && has_own_mesh(run.scene.glass));
-  return good && (keeps_mesh || remesh_at_start(run, stage));
+  if (!good || !(keeps_mesh || remesh_at_start(run, stage))) return false;
+  if (stage == 0) add_warnings(start_field_warnings(run.scene, state), run.outcome.facts);
+  return true;
 }
 
 void update_motion(const Scene& scene, State& state) {

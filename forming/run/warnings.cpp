@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "forming/scene/container/container_plan.hpp"
+#include "forming/state/start_temperature.hpp"
 #include "forming/step/step_control.hpp"
 
 namespace parison::forming {
@@ -161,12 +162,33 @@ Warnings unused_interface_warnings(const Scene& scene, const State& state) {
   Warnings warnings;
   for (const Interface& interface : scene.interfaces) {
     const Tool& tool = scene.tools[interface.tool];
-    if (state.tools[interface.tool].heat_received == 0 && tool.initial_temperature != scene.glass.initial_temperature)
+    const ToolState& body = state.tools[interface.tool];
+    if (body.heat_received == 0 && tool.initial_temperature != scene.glass.initial_temperature)
       warnings.push_back(fmt::format(
           "the glass never reached {0}: during the whole run they stayed farther apart than {1:.4g} mm, and no heat "
-          "passed between them. Where it should reach it, the glass was too cold or too little, or was not pressed or "
+          "passed between them{2}. Where it should reach it, the glass was too cold or too little, or was not pressed "
+          "or "
           "blown far enough, or the tool is not where it should be (`parison check --picture` draws it)",
-          tool.name, 1e3 * interface.transition_gap));
+          tool.name, 1e3 * interface.transition_gap,
+          body.heat_from_enclosure == 0
+              ? ""
+              : fmt::format(" by contact; {:.4g} J came to {} as light", body.heat_from_enclosure, tool.name)));
+  }
+  return warnings;
+}
+
+Warnings start_field_warnings(const Scene& scene, const State& state) {
+  Warnings warnings;
+  for (Index body = 0; body < body_count(state); ++body) {
+    const PlacedTemperature function = start_function(scene, body);
+    if (!function || temperature_of(state, body).size() == 0) continue;
+    const double share = misfit(mesh_of(state, body), scene.geometry, temperature_of(state, body), function).share();
+    if (share > 2 * start_field_tolerance)
+      warnings.push_back(fmt::format(
+          "the temperatures of {} at the start are steeper than its mesh: it has the heat that was given, but differs "
+          "from place to place by {:.2g} % of what they vary. Smaller cells (mesh.size, mesh.contact_size of the body, "
+          "numerics.skin_size for glass that flows) show them",
+          body_of(scene, body).name, 100 * share));
   }
   return warnings;
 }

@@ -27,6 +27,9 @@ Warnings remeshing_warnings(const State& state);
 /// Of interfaces that exchanged no heat in the whole run; bodies that start at the same temperature are skipped.
 Warnings unused_interface_warnings(const Scene& scene, const State& state);
 
+/// Bodies whose temperatures at the start are steeper than the meshes of the state, which has just begun.
+Warnings start_field_warnings(const Scene& scene, const State& state);
+
 /// Adds them to the warnings of a run.
 void add_warnings(const Warnings& warnings, RunFacts& facts);
 

@@ -32,12 +32,33 @@ remesh::ProfileSizes first_sizes(const Scene& scene, Index index, double size, d
   return sizes;
 }
 
+/// A mesh of the profile in which the temperatures at the start fit, as far as its cells suffice.
+core::Mesh fitting_mesh(const Scene& scene, Index index, remesh::ProfileSizes sizes) {
+  constexpr int most = 8;
+  const Body& body = body_of(scene, index);
+  core::Mesh mesh = remesh::mesh_profile(body.profile, sizes);
+  const PlacedTemperature function = start_function(scene, index);
+  for (int pass = 0; function && pass < most && mesh.cell_count() < 0.5 * scene.accuracy.max_cells; ++pass) {
+    const FieldMisfit found = misfit(mesh, scene.geometry, start_temperature(scene, index, mesh), function);
+    if (found.share() <= start_field_tolerance) break;
+    const std::vector<double> wanted = fitting_sizes(mesh, found);
+    sizes.sources.clear();
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+      const auto& nodes = mesh.cells()[cell];
+      const Point middle = (mesh.nodes[nodes[0]] + mesh.nodes[nodes[1]] + mesh.nodes[nodes[2]]) / 3;
+      sizes.sources.push_back({middle, wanted[cell], wanted[cell]});
+    }
+    mesh = remesh::mesh_profile(body.profile, sizes);
+  }
+  return mesh;
+}
+
 core::Mesh mesh_of(const Scene& scene, Index index, double size, double contact_size, double growth) {
   const Body& body = body_of(scene, index);
   const auto& mapped = body.mesh.mapped;
   core::Mesh mesh = mapped ? remesh::mesh_mapped(body.profile, mapped->along_first, mapped->along_second,
                                                  mapped->ratio_first, mapped->ratio_second)
-                           : remesh::mesh_profile(body.profile, first_sizes(scene, index, size, contact_size, growth));
+                           : fitting_mesh(scene, index, first_sizes(scene, index, size, contact_size, growth));
   for (std::size_t i = 0; i < body.boundaries.size(); ++i) mesh.edit().boundaries[i].kind = body.boundaries[i].kind;
   return mesh;
 }

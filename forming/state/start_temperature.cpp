@@ -21,12 +21,6 @@ double skin_temperature(const Glass& glass, const core::Point& x) {
   return core_temperature + (glass.skin->temperature - core_temperature) * std::exp(-distance / glass.skin->depth);
 }
 
-Eigen::VectorXd at_nodes(const core::Mesh& mesh, const std::function<double(const core::Point&)>& value) {
-  Eigen::VectorXd result(mesh.node_count());
-  for (Index node = 0; node < mesh.node_count(); ++node) result[node] = value(mesh.nodes[node]);
-  return result;
-}
-
 /// A projection of the field of a result whose heat in each kilogram is that of the result.
 Eigen::VectorXd handed_over(const Scene& scene, const Body& body, const core::Mesh& mesh) {
   const StartField& field = *body.start_field;
@@ -44,12 +38,24 @@ Eigen::VectorXd handed_over(const Scene& scene, const Body& body, const core::Me
 
 }  // namespace
 
+PlacedTemperature start_function(const Scene& scene, Index body) {
+  const Body& data = body_of(scene, body);
+  if (data.start_field) return data.start_field->at;
+  if (body == 0 && scene.glass.skin)
+    return [&glass = scene.glass](const core::Point& x) { return skin_temperature(glass, x); };
+  return {};
+}
+
 Eigen::VectorXd start_temperature(const Scene& scene, Index body, const core::Mesh& mesh) {
   const Body& data = body_of(scene, body);
-  if (data.start_field && data.start_field->at) return at_nodes(mesh, data.start_field->at);
+  if (const PlacedTemperature function = start_function(scene, body)) {
+    const auto fitted = [&](const std::function<double(double)>& heat) {
+      return fitted_field(mesh, scene.geometry, function, heat, scene.accuracy.temperature_order);
+    };
+    if (!data.thermal) return fitted([](double T) { return T; });
+    return fitted([enthalpy = thermal::Enthalpy(data.thermal->heat_capacity)](double T) { return enthalpy(T).h; });
+  }
   if (data.start_field) return handed_over(scene, data, mesh);
-  if (body == 0 && scene.glass.skin)
-    return at_nodes(mesh, [&](const core::Point& x) { return skin_temperature(scene.glass, x); });
   return Eigen::VectorXd::Constant(mesh.node_count(), data.initial_temperature);
 }
 

@@ -22,7 +22,7 @@ std::vector<core::MeshBoundary> boundaries_of(const core::Profile& profile) {
 }
 
 std::vector<SizeSource> size_sources(const core::Profile& profile, const ProfileSizes& sizes) {
-  std::vector<SizeSource> sources;
+  std::vector<SizeSource> sources = sizes.sources;
   for (const core::Segment& segment : profile.segments) {
     double target_size = sizes.fine_boundaries.at(segment.boundary_id) ? sizes.contact_size : sizes.size;
     if (segment.is_arc) target_size = std::min(target_size, max_turn * segment.radius);

@@ -3,15 +3,17 @@
 #include <vector>
 
 #include "core/mesh/profile.hpp"
+#include "remesh/sizing/size_field.hpp"
 
 namespace parison::remesh {
 
 /// Edge lengths for a body meshed from its profile.
 struct ProfileSizes {
-  double size;                        ///< largest edge, m
-  double contact_size;                ///< edge on the fine boundaries, m
-  double growth;                      ///< increase of the edge per metre of distance from the fine boundaries
-  std::vector<bool> fine_boundaries;  ///< one flag for each boundary of the profile
+  double size;                           ///< largest edge, m
+  double contact_size;                   ///< edge on the fine boundaries, m
+  double growth;                         ///< increase of the edge per metre of distance from the fine boundaries
+  std::vector<bool> fine_boundaries;     ///< one flag for each boundary of the profile
+  std::vector<SizeSource> sources = {};  ///< wishes for smaller edges anywhere
 };
 
 /// Quadratic mesh of a body, its boundary nodes on the exact lines and arcs. Throws core::RunError with the

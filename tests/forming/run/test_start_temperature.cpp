@@ -9,6 +9,7 @@
 #include "../scene_text.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/run/run.hpp"
+#include "forming/scene/describe/unusual.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
 #include "thermal/problem.hpp"
@@ -75,6 +76,63 @@ TEST(StartTemperature, a_table_is_linear_between_its_points_and_constant_beyond)
   EXPECT_NEAR(T({0, -9e-3}), 573.15, 1e-9);
   EXPECT_NEAR(T({0.02, -3e-3}), 593.15, 1e-9);
   EXPECT_NEAR(T({0, 0}), 603.15, 1e-9);
+}
+
+TEST(StartTemperature, a_table_of_another_place_is_refused_and_one_of_a_part_is_told) {
+  const auto said_of = [](const std::string& table) {
+    const std::string folder = write_scene(with_plate("{ csv = \"T.csv\" }"));
+    std::ofstream(folder + "/T.csv") << table;
+    try {
+      return describe_unusual(read_scene(folder, "draft"));
+    } catch (const core::CaseError& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string metres = said_of("r_mm,z_mm,T_degC\n0,-0.01,300\n0,0,400\n0.03,-0.01,300\n0.03,0,400\n");
+  EXPECT_NE(metres.find("a table with r from 0 to 0.03 mm z from -0.01 to 0 mm was found and the body lies from (0, "
+                        "-10) to (30, 0) mm, allowed is a table that covers the body or a part of it"),
+            std::string::npos)
+      << metres;
+  EXPECT_NE(said_of("z_mm,T_degC\n2,300\n9,400\n").find("allowed is a table that covers"), std::string::npos);
+  const std::string half = said_of("z_mm,T_degC\n-5,300\n0,330\n");
+  EXPECT_NE(half.find("50 % of \"plate\" lies beyond the temperatures of T.csv, where the nearest of them count"),
+            std::string::npos)
+      << half;
+  EXPECT_EQ(said_of("z_mm,T_degC\n-10,300\n0,330\n").find("lies beyond"), std::string::npos);
+}
+
+/// Integral of a function of the place over the disc of the small scene, by its own fine grid.
+double over_disc(const std::function<double(double, double)>& value) {
+  constexpr int across = 2000, up = 1000;
+  double sum = 0;
+  for (int i = 0; i < across; ++i)
+    for (int k = 0; k < up; ++k) {
+      const double r = (i + 0.5) * 0.02 / across, z = (k + 0.5) * 0.01 / up;
+      sum += 2 * M_PI * r * value(r, z) * (0.02 / across) * (0.01 / up);
+    }
+  return sum;
+}
+
+TEST(StartTemperature, a_skin_thinner_than_the_cells_and_a_step_have_their_heat) {
+  const std::string still = replaced("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }\n", "");
+  const std::string rest =
+      still.substr(0, still.find("[[stage]]\nname = \"press\"")) + still.substr(still.find("[[probe]]"));
+  for (const std::string& text : {small_scene, rest}) {
+    const std::string skin = replaced(
+        "boundary = [\n  { name = \"surface\"",
+        "skin = { temperature = \"700 degC\", depth = \"0.1 mm\" }\nboundary = [\n  { name = \"surface\"", text);
+    const double given = 2400 * 1300 * over_disc([](double r, double z) {
+                           return 300 * std::exp(-std::min({0.02 - r, z, 0.01 - z}) / 1e-4);
+                         });
+    const double core = 2400 * 1300 * M_PI * 4e-6 * 1000,
+                 found = core - initial_state(scene_of(skin)).glass.initial_heat;
+    EXPECT_NEAR(found / given, 1, 0.03) << "of the skin";
+  }
+  const std::string step = "r_mm,T_degC\n0,1000\n9.99,1000\n10,200\n20,200\n";
+  const Scene scene =
+      scene_with_table(replaced("temperature = \"1000 degC\"", "temperature = { csv = \"T.csv\" }", rest), step);
+  const double given = 2400 * 1300 * M_PI * 0.01 * (1e-4 * 1000 + 3e-4 * 200);
+  EXPECT_NEAR(initial_state(scene).glass.initial_heat / given, 1, 2e-3);
 }
 
 /// The first stage of the small scene, in which nothing moves, run into a folder.

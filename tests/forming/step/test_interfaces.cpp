@@ -115,6 +115,22 @@ TEST(Interfaces, one_on_bodies_that_never_meet_is_warned_of) {
   EXPECT_TRUE(together.facts.warnings.empty());
 }
 
+TEST(Interfaces, light_between_bodies_that_never_meet_is_not_called_no_heat) {
+  std::string text = replaced("geometry =", "enclosure = true\ngeometry =", static_scene("30"));
+  text = replaced("conductivity = \"1.3 W/m/K\"", "conductivity = \"1.3 W/m/K\"\nemissivity = 0.8", text);
+  text = replaced("conductivity = \"46 W/m/K\"", "conductivity = \"46 W/m/K\"\nemissivity = 0.8", text);
+  text = replaced(
+      "geometry =", "air = { temperature = \"20 degC\", h = \"0 W/m2/K\", ambient = \"20 degC\" }\ngeometry =", text);
+  const auto outcome = run_in_folder(scene_of(text), tests::absent_folder());
+  const double light = outcome.state.tools[1].heat_from_enclosure;
+  EXPECT_GT(light, 0);
+  ASSERT_EQ(outcome.facts.warnings.size(), 1u);
+  EXPECT_NE(outcome.facts.warnings[0].find(
+                fmt::format("no heat passed between them by contact; {:.4g} J came to plunger as light. Where", light)),
+            std::string::npos)
+      << outcome.facts.warnings[0];
+}
+
 TEST(Interfaces, contact_without_resistance_neither_shortens_the_steps_nor_changes_the_heat) {
   // Two half-spaces brought together: heat = area 2 dT/(1/e1 + 1/e2) sqrt(t/pi), e the effusivities.
   const double e1 = std::sqrt(1.3 * 2400 * 1300), e2 = std::sqrt(46.0 * 7200 * 490), time = 0.2;
