@@ -117,31 +117,6 @@ bool has_worn_edges(const Scene& scene, const State& state) {
   });
 }
 
-/// Whether the cells on a tenth of the surface have become too large for the viscosity in them, by more than
-/// `max_stretch` from what a new mesh would have. Not where it lies on a tool, where the skin of the contact has its
-/// own size.
-bool has_coarse_skin(const Scene& scene, const State& state) {
-  constexpr double max_stretch = 1.5, max_share = 0.1;
-  if (!scene.has_flow() || state.glass.temperature.size() == 0) return false;
-  const core::Mesh& mesh = state.glass.mesh;
-  const std::vector<double> wanted = viscosity_target_sizes(scene, state);
-  const double smallest = scene.accuracy.skin_size, coarsening = state.totals.remeshing.coarsening_factor;
-  double coarse = 0, all = 0;
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
-    if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
-    const auto& cell = mesh.cells()[edge.cell];
-    const Point a = mesh.nodes[cell[1]] - mesh.nodes[cell[0]], b = mesh.nodes[cell[2]] - mesh.nodes[cell[0]];
-    const double length = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
-    const double height = std::abs(a[0] * b[1] - a[1] * b[0]) / length,
-                 size = std::min(length, 2 / std::sqrt(3) * height);
-    const bool on_tool = std::all_of(edge.nodes.begin(), edge.nodes.end(),
-                                     [&](Index node) { return state.glass.contact_tool[node] >= 0; });
-    all += length;
-    if (!on_tool && size > max_stretch * coarsening * std::max(wanted[edge.nodes[2]], smallest)) coarse += length;
-  }
-  return coarse > max_share * all;
-}
-
 }  // namespace
 
 remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
@@ -190,8 +165,7 @@ bool needs_remesh(const Scene& scene, const State& state) {
   if (state.totals.remeshing.before_step == state.totals.steps) return false;
   return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
          (scene.geometry == core::Geometry::axisymmetric && remesh::has_reached_axis(state.glass.mesh)) ||
-         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_worn_edges(scene, state)) ||
-         has_coarse_skin(scene, state);
+         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_worn_edges(scene, state));
 }
 
 }  // namespace parison::forming

@@ -12,8 +12,8 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state);
 
 /// Whether the glass needs a new mesh: its worst cell is below numerics.quality_floor, its surface has reached the axis
 /// or folded onto itself, or, after a first remeshing, an edge of its surface has stretched to 1.5 times
-/// numerics.surface_size, or its skin has come to vary in viscosity more than its cells resolve. Not where it has been
-/// given one since the last step: a run that was stopped before it could try that step goes on with it.
+/// numerics.surface_size. Not where it has been given one since the last step: a run that was stopped before it could
+/// try that step goes on with it.
 bool needs_remesh(const Scene& scene, const State& state);
 
 }  // namespace parison::forming
