@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "forming/remeshing/remesh_criteria.hpp"
+#include "forming/scene/describe/support.hpp"
 #include "forming/step/contact/film.hpp"
 #include "forming/step/step.hpp"
 #include "forming/step/step_control.hpp"
@@ -77,13 +78,8 @@ std::optional<FastNode> fast_node(const State& state) {
 std::string falling_glass(const RunInProgress& run) {
   const auto fast = fast_node(run.outcome.state);
   if (!fast || !gravity_alone_moves(run)) return "";
-  const auto& touched = run.outcome.state.glass.contact_tool;
-  if (std::all_of(touched.begin(), touched.end(), [](Index tool) { return tool < 0; }))
-    return fmt::format(
-        "nothing carries the glass: it touches no tool and falls as a whole, at {:.0f} m/s; `parison check` says how "
-        "far "
-        "a gob falls at the start, and gob = {{ mass, diameter, in = \"blank\" }} lays it on the tools",
-        fast->speed);
+  if (const std::string note = run.outcome.state.stage == 0 ? falling_note(run.scene) : ""; !note.empty())
+    return note;
   return fmt::format(
       "the glass stretches under its weight alone until it falls, near ({:.1f}, {:.1f}) mm at {:.0f} m/s, where no "
       "pressure acts: a shorter time before something holds or shapes it, colder glass, or a tool that carries it "
