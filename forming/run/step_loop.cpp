@@ -78,8 +78,7 @@ std::optional<FastNode> fast_node(const State& state) {
 std::string falling_glass(const RunInProgress& run) {
   const auto fast = fast_node(run.outcome.state);
   if (!fast || !gravity_alone_moves(run)) return "";
-  if (const std::string note = run.outcome.state.stage == 0 ? falling_note(run.scene) : ""; !note.empty())
-    return note;
+  if (const std::string note = run.outcome.state.stage == 0 ? falling_note(run.scene) : ""; !note.empty()) return note;
   return fmt::format(
       "the glass stretches under its weight alone until it falls, near ({:.1f}, {:.1f}) mm at {:.0f} m/s, where no "
       "pressure acts: a shorter time before something holds or shapes it, colder glass, or a tool that carries it "
