@@ -56,7 +56,7 @@ boundary = [{ name = "contact", path = "(2, 0) (0, 0) mm", condition = "contact"
 class ProbeHistory : public RunObserver {
  public:
   std::vector<double> time, temperature;
-  void step_taken(const RunView& view, const State& before, const StepReport& report) override {
+  void step_taken(const RunView& view, const State&, const StepReport& report) override {
     const HistoryRow row = history_row(view.scene, view.state, report);
     time.push_back(row.time);
     temperature.push_back(row.probe.at(0) - 273.15);
