@@ -15,9 +15,6 @@ using core::Mesh;
 
 namespace {
 
-/// Misfit up to which the values at the nodes are the field.
-constexpr double fits = 1e-3;
-
 /// The middles of the `divisions` squared equal parts of the reference triangle.
 std::vector<core::TriangleRulePoint> fine_rule(int divisions) {
   std::vector<core::TriangleRulePoint> rule;
@@ -99,7 +96,7 @@ Eigen::VectorXd fitted_field(const Mesh& mesh, core::Geometry geometry, const Pl
                              const std::function<double(double)>& heat, int order) {
   constexpr int divisions = 8;
   const Eigen::VectorXd interpolated = at_nodes(mesh, function);
-  if (misfit(mesh, geometry, interpolated, function).share() <= fits) return interpolated;
+  if (misfit(mesh, geometry, interpolated, function).share() <= start_field_tolerance) return interpolated;
   const bool quadratic = order == 2;
   const Eigen::VectorXd start = quadratic ? interpolated : Eigen::VectorXd(interpolated.head(mesh.vertex_count()));
   const Eigen::VectorXd nodal = quadratic ? start : core::from_vertices(mesh, start);

@@ -121,12 +121,12 @@ TEST(GrowingFile, on_a_full_disk_no_part_of_a_row_is_left) {
   const std::string path = new_folder() + "/rows.csv";
   const ChildWork work = in_child([&] {
     std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit room{10, 10};
+    const rlimit room{1000, 1000};  // the manifest needs some of it
     ::setrlimit(RLIMIT_FSIZE, &room);
     GrowingFile file(path, 0);
     file.append("one\n");
     try {
-      file.append("0.123456789\n");
+      file.append(std::string(2000, '1') + '\n');
     } catch (const RunError& error) {
       return std::string(error.what()) + ", " + std::to_string(file.size());
     }

@@ -90,7 +90,10 @@ TEST(SkinHistory, cells_that_fit_are_those_of_the_shortest_event_and_all_smaller
   for (double cell = pulsed; cell > 0.2 * pulsed; cell *= 0.7)
     EXPECT_LE(skin_error(layer(cell), start, history), 3.3e-3);
   const SkinHistory then_long{steady(0.2, 1000), steady(9.8, 0)};
-  EXPECT_LT(fitting_first_cell(layer(1e-3), start, then_long, 3e-3), 0.5 * whole);
+  const double of_short = fitting_first_cell(layer(1e-3), start, then_long, 3e-3);
+  EXPECT_LT(of_short, whole);
+  EXPECT_LE(skin_error(layer(of_short), start, then_long), 3e-3);
+  EXPECT_GT(skin_error(layer(whole), start, then_long), 3e-3);
 }
 
 TEST(SkinHistory, a_coarse_cell_is_not_taken_because_its_error_changes_its_sign) {

@@ -66,10 +66,10 @@ TEST(GivenCurves, a_shell_under_a_pressure_that_rises_and_falls_has_the_exact_ra
 
 TEST(GivenCurves, a_pressure_over_time_keeps_the_second_order_in_time) {
   double last = 0;
-  for (const double strain : {0.16, 0.08, 0.04}) {
+  for (const double strain : {0.08, 0.04, 0.02}) {
     Scene scene = blown_shell();
     scene.accuracy.strain_per_step = strain;
-    scene.accuracy.work_per_step = 1;  // the strain alone sets the step
+    scene.accuracy.work_per_step = 1;  // strain and pressure alone set the step
     scene.accuracy.max_step = strain / 20;
     scene.accuracy.initial_step = strain / 200;
     const double error = radius_error(steps_to(scene, initial_state(scene), blown));
