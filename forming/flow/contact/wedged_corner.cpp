@@ -31,15 +31,18 @@ void add_wedged_corners(const Problem& problem, Index node, const NodeEqualities
   if (a.candidate < 0 || b.candidate < 0 || a.tool == b.tool) return;
   for (const auto& [along, other] : {std::pair(a, b), std::pair(b, a)})
     if (sticks(problem, problem.candidates[along.candidate]) && wedges(problem, other, along))
-      corners.push_back({problem.mesh->nodes[node], along.tool});
+      corners.push_back({problem.mesh->nodes[node], along.tool, give_way_share * core::size(*problem.mesh)});
 }
 
 double give_way(const Problem& problem, Index node, Index tool, const std::vector<WedgedCorner>& corners) {
-  double nearest = 1;
+  double nearest = 1, length = 0;
   for (const WedgedCorner& corner : corners)
     if (corner.tool == tool)
-      nearest = std::min(nearest, (problem.mesh->nodes[node] - corner.at).norm() / give_way_length);
-  return nearest < 1 ? nearest / (1 - nearest) / give_way_length : std::numeric_limits<double>::infinity();
+      if (const double share = (problem.mesh->nodes[node] - corner.at).norm() / corner.length; share < nearest) {
+        nearest = share;
+        length = corner.length;
+      }
+  return nearest < 1 ? nearest / (1 - nearest) / length : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace parison::flow

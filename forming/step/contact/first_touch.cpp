@@ -125,7 +125,7 @@ class Approach {
 
   /// Just before the first of some nodes enters the tool, s: a step that ends there has no contact with it yet.
   double moment(const std::vector<Index>& nodes, double before, double after) const {
-    const double close_enough = 1e-6 * after;
+    const double close_enough = 1e-12 * after;  // no decision by round-off is seen in the step
     while (after - before > close_enough) {
       const double middle = 0.5 * (before + after);
       (least_gap(nodes, middle) > 0 ? before : after) = middle;
@@ -134,28 +134,27 @@ class Approach {
   }
 
   /// The nodes that will be in the tool after a time, s, without those that are joined along the surface, by nodes that
-  /// will be in it too, to one that touches it now.
+  /// will be at it too, to one that touches it now.
   std::vector<Index> arriving_apart(double ahead) const {
-    std::vector<bool> inside(held_.size(), false);
-    bool any = false;
+    std::vector<double> gap(held_.size(), std::numeric_limits<double>::infinity());
     for (const Index node : nodes_)
-      if (!held_[node] && gap_of(node, ahead) < 0) inside[node] = any = true;
-    if (!any) return {};
+      if (!held_[node]) gap[node] = gap_of(node, ahead);
+    if (*std::min_element(gap.begin(), gap.end()) >= 0) return {};
     std::vector<bool> joined = held_;
     for (const Index node : nodes_)
-      if (inside[node] && gap_of(node, 0) <= near_) joined[node] = true;
+      if (gap[node] <= near_ && gap_of(node, 0) <= near_) joined[node] = true;
     for (bool grows = true; grows;) {
       grows = false;
       for (const auto& edge : state_.glass.mesh.boundary_edges()) {
         const auto& [first, last, middle] = edge.nodes;
         if (!joined[first] && !joined[last] && !joined[middle]) continue;
         for (const Index node : edge.nodes)
-          if (inside[node] && !joined[node]) joined[node] = grows = true;
+          if (gap[node] <= near_ && !joined[node]) joined[node] = grows = true;
       }
     }
     std::vector<Index> apart;
     for (const Index node : nodes_)
-      if (inside[node] && !joined[node]) apart.push_back(node);
+      if (gap[node] < 0 && !joined[node]) apart.push_back(node);
     return apart;
   }
 
