@@ -140,16 +140,22 @@ std::string repeated_key(CaseFile file, const std::vector<std::string>& assignme
   const auto replaces = [](const std::string& now, const std::string& before) {
     return now == before || before.rfind(now + '.', 0) == 0;
   };
-  std::vector<std::pair<std::string, std::string>> found;  // as given, and with numbers for names
+  const auto sentence = [](const std::string& now, const std::string& before) {
+    return fmt::format("{} was found{}, of which the last would count alone", now,
+                       before == now ? " twice" : fmt::format(" after {}, which it replaces", before));
+  };
+  std::vector<std::string> keys;  // by their words first: what has been replaced has no numbers
   for (const std::string& assignment : assignments) {
-    const std::string given = trimmed(assignment.substr(0, assignment.find('=')));
-    override_value(file, assignment);
-    const std::string key = numbered_key(file, given);
-    for (const auto& [before, numbered] : found)
-      if (replaces(key, numbered))
-        return fmt::format("{} was found{}, of which the last would count alone", given,
-                           before == given ? " twice" : fmt::format(" after {}, which it replaces", before));
-    found.emplace_back(given, key);
+    keys.push_back(trimmed(assignment.substr(0, assignment.find('='))));
+    for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+      if (replaces(keys.back(), keys[i])) return sentence(keys.back(), keys[i]);
+  }
+  std::vector<std::string> numbered;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    override_value(file, assignments[i]);
+    numbered.push_back(numbered_key(file, keys[i]));
+    for (std::size_t before = 0; before < i; ++before)
+      if (replaces(numbered[i], numbered[before])) return sentence(keys[i], keys[before]);
   }
   return {};
 }

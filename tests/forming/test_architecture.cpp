@@ -45,7 +45,7 @@ TEST(Architecture, every_include_points_down_the_layers) {
       {"tools/tradeoff", {"tools/tradeoff", "tools/program", "forming/study", "forming/run", "forming/scene", "core"}},
       {"tools/pictures", {"tools/pictures", "forming/scene", "core"}},
       {"tools/report", {"tools/report", "tools/program", "forming/study", "forming/report", "forming/scene", "core"}},
-      {"tools/camera", {"tools/camera", "tools/report", "thermal", "core"}},
+      {"tools/camera", {"tools/camera", "tools/report", "forming/scene", "thermal", "core"}},
       {"tools/materials", {"tools/materials", "forming/scene", "core"}},
       {"tools/comparison",
        {"tools/comparison", "tools/program", "forming/study", "forming/run", "forming/scene", "core"}},

@@ -159,7 +159,8 @@ TEST(Observers, a_run_without_fields_writes_tables_alone_until_it_is_stopped_and
   const RunOutcome whole = run_in_folder(scene, folder + "/whole", {}, {}, remesh::triangulate, tables);
   ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
   EXPECT_EQ(fingerprint(whole.state), fingerprint(run(scene).state));
-  EXPECT_TRUE(fs::is_empty(folder + "/whole/vtu"));
+  for (const auto& entry : fs::directory_iterator(folder + "/whole/vtu"))
+    EXPECT_EQ(entry.path().filename(), ".parison_written") << "nothing but the manifest";
   EXPECT_FALSE(has("/whole/glass.pvd") || has("/whole/checkpoint.h5"));
   EXPECT_GT(fs::file_size(folder + "/whole/history.csv"), 0u);
 

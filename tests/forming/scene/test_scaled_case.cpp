@@ -71,10 +71,12 @@ TEST(Scaling, a_case_file_of_any_size_is_accepted_or_refused_alike) {
   });
 }
 
-/// The small scene with the top of its plate from a drawing, in a file beside the case.
+/// The small scene with the top of its plate from a drawing, in a file beside the case; the gap that is closed unless a
+/// case says so is 0.01 mm whatever the size, and this one says none.
 std::string with_drawing(const std::string& name, const std::string& from = "(30, 0)") {
-  return with("path = \"(30, 0) (0, 0) mm\"",
-              "path = { file = \"" + name + "\", unit = \"mm\", from = \"" + from + " mm\", to = \"(0, 0) mm\" }");
+  return with("path = \"(30, 0) (0, 0) mm\"", "path = { file = \"" + name +
+                                                  "\", unit = \"mm\", gap = \"0 mm\", from = \"" + from +
+                                                  " mm\", to = \"(0, 0) mm\" }");
 }
 
 /// A drawing of the plate's top in two lines, the second beginning at (x, y).

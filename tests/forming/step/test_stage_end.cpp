@@ -20,7 +20,7 @@ StageEnd end_with(const std::string& conditions, double offset = 0, double force
   state.stage = 1;
   state.stage_time = 0.1;
   state.tools[1].offset = 0.01 + offset;
-  state.tools[1].force = force;
+  state.tools[1].end_force = force;
   state.glass.temperature.setConstant(temperature);
   return stage_end(scene, state);
 }

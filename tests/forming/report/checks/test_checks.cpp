@@ -65,6 +65,8 @@ const std::vector<Spoilt> spoilt_numbers = {
     {"conductance_table", [](State& state, RunFacts&, double) { state.totals.clamped_lookups = 1; }},
     {"work_balance", [](State&, RunFacts& facts,
                         double x) { facts.stages.back().work.tools += x * facts.stages.back().work.dissipation; }},
+    {"impact",
+     [](State& state, RunFacts&, double x) { state.totals.work.impact_loss = x * state.totals.work.dissipation; }},
     {"volume_drift", [](State& state, RunFacts&, double x) { state.totals.max_drift = x; }},
     {"penetration", [](State& state, RunFacts&, double x) { state.totals.penetration_share = x; }},
     {"edge_penetration", [](State& state, RunFacts&, double x) { state.totals.edge_penetration_share = x; }},

@@ -204,7 +204,7 @@ TEST(Checks, a_run_that_stops_after_glass_has_entered_a_tool_says_that_first) {
   EXPECT_FALSE(outcome.facts.completed);
   EXPECT_NE(outcome.facts.reason.find("s: glass has entered tool plate through"), std::string::npos)
       << outcome.facts.reason;
-  EXPECT_NE(outcome.facts.reason.find("(what stopped it: active tool plate overlaps"), std::string::npos)
+  EXPECT_NE(outcome.facts.reason.find("(what stopped it: glass is inside the tool by"), std::string::npos)
       << outcome.facts.reason;
 }
 
