@@ -28,13 +28,15 @@ std::string body_file(const Scene& scene, std::size_t body) {
   return body == 0 ? "glass" : scene.tools[body - 1].name;
 }
 
+/// Refuses a folder that holds something, with the name of a file of the user where there is one.
 void make_folder(const std::string& directory) {
   std::error_code error;
-  const bool is_there = fs::exists(directory, error);
-  if (!error && is_there && (!fs::is_directory(directory) || !fs::is_empty(directory, error)) && !error)
-    throw core::CaseError(fmt::format(
-        "{}: a file or a folder that holds something was found, allowed is a new or an empty folder for the results",
-        directory));
+  const bool is_there = fs::exists(directory, error), is_folder = fs::is_directory(directory, error);
+  if (is_there && !(is_folder && fs::is_empty(directory, error)) && !error) {
+    core::require_own(directory);
+    throw core::CaseError(fmt::format("{}: {} was found, allowed is a new or an empty folder for the results",
+                                      directory, is_folder ? "an earlier result" : "a file"));
+  }
   core::claim_folder(directory, "run", {});
   core::claim_folder(directory + "/vtu", "run", {});
 }

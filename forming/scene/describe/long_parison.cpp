@@ -50,26 +50,65 @@ std::vector<core::Point> outside_of(const Scene& scene, const ParisonPlan& paris
   return surface;
 }
 
+/// How deep some of these places lie in a tool, the deepest of them; 0 where none does.
+struct Depth {
+  double depth = 0;  ///< m
+  core::Point at = core::Point::Zero();
+};
+Depth depth_in(const Tool& tool, const std::vector<core::Point>& places) {
+  Depth found;
+  for (const core::Point& x : places) {
+    const core::Point own = x - tool.position * core::axis_direction();
+    if (!core::contains(tool.profile, own)) continue;
+    if (const double here = core::distance(tool.profile, own); here > found.depth) found = {here, x};
+  }
+  return found;
+}
+
+/// An overlap from which on it is told: 0.5 mm of a gob of 66 mm.
+double told_from(const Scene& scene) {
+  return 7.5e-3 * core::size(scene.glass.profile);
+}
+
+/// Whether pressure or a moving tool forms the glass in a stage.
+bool forms(const Stage& stage) {
+  return std::any_of(stage.pressure.begin(), stage.pressure.end(),
+                     [](const auto& pressure) { return pressure.second.max() > 0; }) ||
+         std::any_of(stage.tools.begin(), stage.tools.end(),
+                     [](const StageTool& tool) { return !std::holds_alternative<std::monostate>(tool.motion); });
+}
+
 }  // namespace
+
+std::vector<std::string> gob_in_later_tools(const Scene& scene) {
+  std::vector<std::string> notes;
+  if (!scene.has_flow() || scene.geometry != core::Geometry::axisymmetric) return notes;
+  const core::Profile& gob = scene.glass.profile;
+  const auto places = core::polyline(gob, core::size(gob) / 100, HUGE_VAL);
+  for (std::size_t s = 1; s < scene.stages.size() && !forms(scene.stages[s - 1]); ++s)
+    for (const StageTool& entry : scene.stages[s].tools) {
+      const Tool& tool = scene.tools[static_cast<std::size_t>(entry.tool)];
+      if (first_use(scene, entry.tool) != static_cast<Index>(s)) continue;
+      if (const auto [depth, at] = depth_in(tool, places); depth > told_from(scene))
+        notes.push_back(fmt::format(
+            "\"{}\", which comes in stage \"{}\", reaches {:.3g} mm into the glass as it lies at the start, at "
+            "({:.4g}, {:.4g}) mm, and nothing but its weight forms the glass before; a wider gob is shorter, and one "
+            "without a diameter takes the shape of its tool",
+            tool.name, scene.stages[s].name, 1e3 * depth, 1e3 * at[0], 1e3 * at[1]));
+    }
+  return notes;
+}
 
 std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPlan& plan) {
   std::vector<std::string> notes;
   if (!plan.parison) return notes;
   const std::vector<core::Point> surface = outside_of(scene, *plan.parison);
   const Stage& formed = scene.stages[static_cast<std::size_t>(plan.parison->stage)];
-  const double allowed = 7.5e-3 * core::size(scene.glass.profile);  // 0.5 mm of a gob of 66 mm
   for (Index t = 0; t < static_cast<Index>(scene.tools.size()); ++t) {
     const Tool& mould = scene.tools[static_cast<std::size_t>(t)];
     const Index first = first_use(scene, t);
     if (first >= static_cast<Index>(scene.stages.size()) || first <= plan.parison->stage || uses(formed, t)) continue;
-    double depth = 0;
-    core::Point at = core::Point::Zero();
-    for (const core::Point& x : surface) {
-      const core::Point own = x - mould.position * core::axis_direction();
-      if (core::contains(mould.profile, own))
-        if (const double here = core::distance(mould.profile, own); here > depth) depth = here, at = x;
-    }
-    if (depth > allowed)
+    if (const auto [depth, at] = depth_in(mould, surface); depth > told_from(scene))
       notes.push_back(fmt::format(
           "the parison as stage \"{}\" {} it is too large for \"{}\" of stage \"{}\": it would reach {:.3g} mm "
           "into "

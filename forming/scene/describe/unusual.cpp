@@ -131,6 +131,7 @@ std::vector<std::string> unusual_values(const Scene& scene) {
   add_pressures(scene, notes);
   for (auto& note : unusual_forces(scene)) notes.push_back(std::move(note));
   if (auto note = falling_note(scene); !note.empty()) notes.push_back(std::move(note));
+  for (auto& note : gob_in_later_tools(scene)) notes.push_back(std::move(note));
   for (auto& note : faces_without_contact(scene)) notes.push_back(std::move(note));
   if (const auto& plan = scene.container) {
     add_wall(*plan, notes);

@@ -30,6 +30,10 @@ std::vector<std::string> tools_run_into(const Scene& scene, const ContainerPlan&
 /// how much.
 std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPlan& plan);
 
+/// A tool that comes in a later stage, before anything has formed the glass, stands in the gob: which, where and how
+/// deep.
+std::vector<std::string> gob_in_later_tools(const Scene& scene);
+
 /// The plunger stops where a part of the glass is thinner than films may be, so that the run would end: which and
 /// where.
 std::vector<std::string> films_too_thin(const Scene& scene, const ContainerPlan& plan);

@@ -6,7 +6,9 @@
 
 #include "forming/scene/container/free_shifts.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/read/gob_shape.hpp"
 #include "forming/scene/read/scene_reading.hpp"
+#include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {
 namespace {
@@ -23,6 +25,21 @@ std::pair<double, double> range_of(const core::Profile& profile, const std::vect
         range = {std::min(range.first, z), std::max(range.second, z)};
       }
   return range;
+}
+
+/// The place of an outline that has to lie in the tool that takes it in, m: its middle, or its widest place where that
+/// is lower; a gob may stand out of a shallow mould, but not lie on the rim of a narrow one.
+double place_inside(const core::Profile& profile, double sense) {
+  const auto [low, high] = range_of(profile, {});
+  double widest = 0, place = HUGE_VAL;  // rising against gravity
+  for (const core::Segment& segment : profile.segments)
+    for (const double t : {0.0, 0.5, 1.0}) {
+      const core::Point x = core::point_at(segment, t);
+      const bool is_wider = x[0] > widest * (1 + tolerance::joined);
+      if (is_wider || x[0] > widest * (1 - tolerance::joined)) place = std::min(is_wider ? HUGE_VAL : place, -sense * x[1]);
+      widest = std::max(widest, x[0]);
+    }
+  return -sense * std::min(place, -sense * (low + high) / 2);
 }
 
 /// The first stage as a gob that is laid down finds it.
@@ -48,20 +65,33 @@ struct Bed {
     return found;
   }
 
-  /// The shift that brings an outline to rest where its middle lies inside the taker's contact boundaries; nothing
-  /// where there is no such place.
+  /// The shift that brings an outline to rest inside the taker's contact boundaries; nothing where there is no such
+  /// place.
   std::optional<double> shift_of(const core::Profile& outline, bool with_moving = true) const {
-    const auto [low, high] = range_of(outline, {});
+    const double place = place_inside(outline, sense());
     const auto [bottom, top] = range_of(taker.profile, contact_boundaries(taker));
     std::optional<double> found;
     for (const FreeShifts& range : free_shifts({&outline, {}, 0}, solids(with_moving))) {
       const double shift = sense() < 0 ? range.low.shift : range.high.shift;
-      const double middle = (low + high) / 2 + shift - taker.position;
+      const double inside = place + shift - taker.position;
       // Of several the first that is met on the way down.
-      if (std::isfinite(shift) && middle > bottom && middle < top && (!found || sense() * shift < sense() * *found))
+      if (std::isfinite(shift) && inside > bottom && inside < top && (!found || sense() * shift < sense() * *found))
         found = shift;
     }
     return found;
+  }
+
+  /// The room that the taker gives to a gob of some size, m.
+  GobRoom room(double size) const {
+    const auto [bottom, top] = range_of(taker.profile, contact_boundaries(taker));
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Solid& solid : solids(true)) {
+      const auto range = range_of(*solid.profile, solid.contact);
+      low = std::min(low, range.first + solid.shift);
+      high = std::max(high, range.second + solid.shift);
+    }
+    (sense() < 0 ? high : low) = (sense() < 0 ? top : bottom) + taker.position;  // nothing stands out of the taker
+    return {solids(true), low, high, -sense(), tolerance::sealed * size};
   }
 };
 
@@ -95,6 +125,25 @@ std::optional<std::pair<double, double>> fitting_diameters(const Bed& bed, doubl
   return found;
 }
 
+/// Refuses a mass for which no capsule finds room, with what does.
+[[noreturn]] void refuse_mass(const core::CaseTable& gob, const Bed& bed, double volume) {
+  const core::CaseNode& mass = gob.get("mass");
+  const std::string& in = gob.get("in").text;
+  const double most = shape_gob(bed.room(std::cbrt(volume)), volume).most;
+  const std::string largest =
+      fmt::format("{:.4g} g", 1e3 * 0.999 * most / volume * core::quantity(mass, core::Dimension{0, 1}));
+  const auto* diameter = gob.find("diameter");
+  std::string allowed = most <= 0       ? "is a mass that does"
+                        : !diameter     ? "are up to " + largest
+                        : most < volume ? fmt::format("are up to {} without a diameter", largest)
+                                        : "is one without a diameter";
+  if (diameter && most > 0) allowed += fmt::format(", for a gob that takes the shape of \"{}\"", in);
+  if (most < volume) allowed += ", or a tool that starts further away or comes in a later stage";
+  core::refuse(mass, fmt::format("{:.4g} cm3 of glass find no room in \"{}\" with the tools of the first stage{}; "
+                                 "allowed {}",
+                                 1e6 * volume, in, diameter ? ", whatever their diameter" : "", allowed));
+}
+
 [[noreturn]] void refuse_gob(const core::CaseTable& gob, const Bed& bed, double volume) {
   const std::string& in = gob.get("in").text;
   const auto* item = gob.find("diameter");
@@ -105,12 +154,7 @@ std::optional<std::pair<double, double>> fitting_diameters(const Bed& bed, doubl
                              in));
   const double diameter = core::quantity(*item, core::dimension::length);
   const auto fit = fitting_diameters(bed, volume);
-  if (!fit)
-    core::refuse(gob.get("mass"),
-                 fmt::format("{:.4g} cm3 of glass find no room in \"{}\" with the tools of the first "
-                             "stage, whatever their diameter; allowed is a mass that does, or a baffle of its "
-                             "own that comes in a later stage",
-                             1e6 * volume, in));
+  if (!fit) refuse_mass(gob, bed, volume);
   const double low = 0.01 * std::ceil(1e5 * fit->first), high = 0.01 * std::floor(1e5 * fit->second);
   const std::string allowed =
       fmt::format("allowed for this mass are {:.4g} to {:.4g} mm", std::min(low, high), std::max(low, high));
@@ -126,6 +170,20 @@ std::optional<std::pair<double, double>> fitting_diameters(const Bed& bed, doubl
 void move(core::Profile& profile, double shift) {
   for (core::Segment& segment : profile.segments)
     for (core::Point* x : {&segment.start, &segment.end, &segment.centre}) (*x)[1] += shift;
+}
+
+/// Gives a gob that is a sphere the shape of its room.
+void take_shape(const core::CaseTable& gob, const Bed& bed, core::Profile& profile) {
+  const double volume = 4.0 / 3 * M_PI * std::pow(profile.segments.front().radius, 3);
+  GobShape shape = shape_gob(bed.room(core::size(profile)), volume);
+  if (shape.sides.empty()) refuse_mass(gob, bed, volume);
+  for (std::size_t i = 0; i < shape.tops; ++i) shape.sides[shape.first_top + i].boundary_id = 1;
+  core::Segment axis = profile.segments.back();
+  axis.start = shape.sides.back().end;
+  axis.end = shape.sides.front().start;
+  profile.segments = std::move(shape.sides);
+  profile.segments.push_back(axis);
+  scale_to(profile, volume, axis.end);
 }
 
 /// Gives the names of a capsule's sides to those that gravity makes them: the upper half sphere is the lower one then.
@@ -153,6 +211,7 @@ void lay_down_gob(const core::CaseTable& root, const BodyContext& context, Scene
                                   first.name, names.empty() ? "tools" : "gravity that lays the gob down"));
   const Bed bed{scene, scene.tools[first.tools[static_cast<std::size_t>(core::choice(*in, names))].tool]};
   if (gob.find("diameter") && first.gravity > 0) turn_names(scene.glass);
+  if (!gob.find("diameter") && !glass.find("boundary")) take_shape(gob, bed, scene.glass.profile);
   auto shift = bed.shift_of(scene.glass.profile);
   // Without room under a tool that moves, that tool starts too near: the check of overlaps says where it would not.
   if (!shift) shift = bed.shift_of(scene.glass.profile, false);

@@ -59,11 +59,13 @@ void check_length(const CaseTable& table, double volume, double diameter) {
                  fmt::format("the gob would be {:.3g} m long, allowed are up to {:g} diameters", length, longest));
 }
 
-/// Draws a capsule with its lower pole at `at`; one that is laid down has names for its sides.
+/// Draws a capsule with its lower pole at `at`; one that is laid down has names for its sides. Without a diameter it is
+/// a sphere until it takes the shape of its room.
 void draw_capsule(const CaseTable& table, double volume, Glass& glass) {
-  const double diameter = core::positive(table.get("diameter"), dimension::length);
-  check_length(table, volume, diameter);
-  const bool is_laid = table.find("in") != nullptr;
+  const bool is_laid = table.find("in") != nullptr, takes_shape = is_laid && !table.find("diameter");
+  const double diameter =
+      takes_shape ? std::cbrt(6 * volume / M_PI) : core::positive(table.get("diameter"), dimension::length);
+  if (!takes_shape) check_length(table, volume, diameter);
   auto& segments = glass.profile.segments;
   segments = capsule(volume, diameter, is_laid ? 0 : pole_of(table.get("at"), diameter)[1]);
   glass.boundaries = {{is_laid ? "side" : "surface", BoundaryKind::contact, {}, {}}};
@@ -87,20 +89,24 @@ Point lower_pole(const CaseNode& node, const Body& body) {
   return Point(0, lowest);
 }
 
-/// Makes the drawn outline larger or smaller about a point of the axis.
+/// Scales the drawn outline about a point of the axis.
 void scale_outline(const CaseTable& table, double volume, Glass& glass) {
   if (const auto* item = table.find("diameter"))
     core::refuse(*item, "a diameter and a boundary were found, allowed is one of them");
   const auto* at = table.find("at");
   const Point fixed = at ? pole_of(*at, core::size(glass.profile)) : lower_pole(table.node(), glass);
-  const double factor = std::cbrt(volume / outline_volume(glass.profile, core::Geometry::axisymmetric));
-  for (Segment& segment : glass.profile.segments) {
+  scale_to(glass.profile, volume, fixed);
+}
+
+}  // namespace
+
+void scale_to(core::Profile& profile, double volume, const Point& fixed) {
+  const double factor = std::cbrt(volume / outline_volume(profile, core::Geometry::axisymmetric));
+  for (Segment& segment : profile.segments) {
     for (Point* x : {&segment.start, &segment.end, &segment.centre}) *x = fixed + factor * (*x - fixed);
     segment.radius *= factor;
   }
 }
-
-}  // namespace
 
 std::vector<Segment> capsule(double volume, double diameter, double pole) {
   const double radius = diameter / 2;

@@ -43,8 +43,11 @@ void read_gob(const core::CaseNode& node, core::Geometry geometry, Glass& glass)
 /// A cylinder between two half spheres that has a volume, m3, its lower pole on the axis at `pole`, m; the axis is its
 /// last segment.
 std::vector<core::Segment> capsule(double volume, double diameter, double pole);
+/// Makes an outline larger or smaller about a point of the axis, so that it has a volume, m3.
+void scale_to(core::Profile& profile, double volume, const core::Point& fixed);
 /// Moves a gob that a tool takes in (`in`) along gravity until it touches the tools of the first stage, and reads its
-/// temperature there; refuses one that finds no room. Nothing for glass that has its place.
+/// temperature there; one without a diameter gets the shape of its room before. Refuses one that finds no room. Nothing
+/// for glass that has its place.
 void lay_down_gob(const core::CaseTable& root, const BodyContext& context, Scene& scene);
 /// The temperature of the glass, uniform or a field, with a skin or without.
 void read_glass_temperature(const core::CaseTable& glass, const BodyContext& context, Glass& body);

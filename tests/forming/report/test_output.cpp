@@ -73,19 +73,25 @@ TEST(Csv, every_heading_has_a_unit_but_names_counts_and_shares) {
     }
 }
 
-TEST(ResultFiles, an_earlier_result_folder_is_refused_and_left_as_it_is) {
+std::string refusal(const Scene& scene, const std::string& folder) {
+  try {
+    ResultFiles files(scene, folder);
+  } catch (const core::CaseError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ResultFiles, a_folder_that_holds_something_is_refused_with_the_name_of_a_foreign_file_and_left_as_it_is) {
   const Scene scene = scene_of(small_scene);
   const std::string folder = absent_folder();
   { ResultFiles files(scene, folder); }
-  core::write_text(folder + "/history.csv", "precious");
-  try {
-    ResultFiles files(scene, folder);
-    FAIL() << "nothing was thrown";
-  } catch (const core::CaseError& error) {
-    EXPECT_EQ(std::string(error.what()).rfind(folder + ": a file or a folder that holds something was found", 0), 0u);
-  }
-  EXPECT_EQ(core::read_text(folder + "/history.csv"), "precious");
-  EXPECT_THROW(ResultFiles(scene, folder + "/history.csv"), core::CaseError);
+  EXPECT_EQ(refusal(scene, folder),
+            folder + ": an earlier result was found, allowed is a new or an empty folder for the results");
+  core::write_text(folder + "/notes.txt", "precious");
+  EXPECT_EQ(refusal(scene, folder).rfind(folder + "/notes.txt: this was not written by parison", 0), 0u);
+  EXPECT_EQ(core::read_text(folder + "/notes.txt"), "precious");
+  EXPECT_EQ(refusal(scene, folder + "/notes.txt").rfind(folder + "/notes.txt: this was not written by parison", 0), 0u);
 }
 
 TEST(ResultFiles, every_output_has_a_file_for_each_body_and_repeats_are_left_out) {

@@ -86,6 +86,57 @@ TEST(LaidGob, one_that_finds_no_room_is_refused_with_what_is_too_much) {
   EXPECT_NE(heavy.find("glass.gob.mass: 833.3 cm3 of glass find no room in \"mould\""), heavy.npos) << heavy;
 }
 
+/// A blank of 16.6 cm3 above a neck of 16 mm, closed by its baffle: no capsule of 38 g finds room in it.
+std::vector<std::string> small_blank(double plunger) {
+  return {"tool.blank.boundary.inner.path=(11.3, 16) (11.6, 22) (13, 42) (13, 53) (0, 53) mm",
+          "tool.plunger.position=" + std::to_string(plunger) + " mm"};
+}
+
+TEST(LaidGob, without_a_diameter_it_takes_the_shape_of_its_room) {
+  const std::string path =
+      "tool.blank.boundary.inner.path=(12.6, 16) (12, 26) (13, 56) (17.2, 109) (17.2, 132) (0, 144) mm";
+  const Scene scene = with_gob("nnpb", "mass = \"170 g\", in = \"blank\"", {path});
+  const auto& profile = scene.glass.profile;
+  EXPECT_NEAR(outline_volume(profile, scene.geometry) * scene.glass.flow->density, 0.170, 1e-9);
+  EXPECT_EQ(profile.boundary_names, (std::vector<std::string>{"side", "top", "axis"}));
+  EXPECT_NEAR(lowest(scene), 0.010, 1e-4) << "it stands on the plunger";
+  double low_of_top = HUGE_VAL, high_of_side = -HUGE_VAL;
+  for (const core::Segment& segment : profile.segments) {
+    const double z = segment.start[1], wall = z > 0.056 ? 13 + 4.2 * (1e3 * z - 56) / 53 : 12 + (1e3 * z - 26) / 30;
+    if (z > 0.030 && z < 0.100 && segment.boundary_id == 0)
+      EXPECT_NEAR(1e3 * segment.start[0], wall, 0.15) << "beside the wall at " << 1e3 * z << " mm";
+    if (segment.boundary_id == 1) low_of_top = std::min(low_of_top, segment.end[1]);
+    if (segment.boundary_id == 0) high_of_side = std::max(high_of_side, segment.end[1]);
+  }
+  EXPECT_GE(low_of_top, high_of_side);
+  const Scene turned = with_gob("uneven", "mass = \"219.6 g\", in = \"blank\"", {"stage.settle.gravity=9.81 m/s2"});
+  const core::Segment& low = turned.glass.profile.segments.front();
+  EXPECT_EQ(turned.glass.boundaries[static_cast<std::size_t>(low.boundary_id)].name, "top");
+  EXPECT_NEAR(highest(turned), 0.098, 1e-4) << "with gravity along the axis it comes to rest on the baffle";
+}
+
+TEST(LaidGob, a_tool_that_comes_down_on_it_later_is_told) {
+  const auto notes = [](const std::string& blow) {
+    return describe_unusual(with_gob("bottle", "mass = \"125 g\", diameter = \"28 mm\", in = \"blank\"", {blow}));
+  };
+  const std::string unpressed = notes("stage.settle_blow.pressure.top=0 bar");
+  EXPECT_NE(unpressed.find("\"baffle\", which comes in stage \"corkage\", reaches "), unpressed.npos) << unpressed;
+  EXPECT_EQ(notes("stage.settle_blow.pressure.top=1 bar"), "") << "the air presses it down before";
+}
+
+TEST(LaidGob, a_mass_for_which_no_capsule_finds_room_is_told_what_does) {
+  const std::string capsule =
+      complaint("nnpb", "mass = \"60 g\", diameter = \"22 mm\", in = \"blank\"", small_blank(6));
+  EXPECT_NE(capsule.find("glass.gob.mass: 25 cm3 of glass find no room in \"blank\" with the tools of the first stage, "
+                         "whatever their diameter; allowed are up to "),
+            capsule.npos)
+      << capsule;
+  EXPECT_NE(capsule.find(" g without a diameter, for a gob that takes the shape of \"blank\", or a tool that starts "
+                         "further away or comes in a later stage"),
+            capsule.npos)
+      << capsule;
+}
+
 TEST(LaidGob, mistakes_have_their_sentences) {
   EXPECT_NE(
       complaint("bottle", "mass = \"125 g\", diameter = \"28 mm\", in = \"mould\"").find("glass.gob.in: \"mould\""),
