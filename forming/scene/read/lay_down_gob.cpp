@@ -28,7 +28,8 @@ std::pair<double, double> range_of(const core::Profile& profile, const std::vect
 }
 
 /// The place of an outline that has to lie in the tool that takes it in, m: its middle, or its widest place where that
-/// is lower; a gob may stand out of a shallow mould, but not lie on the rim of a narrow one.
+/// is lower and the gob stands out by no more than its width. So it may stand out of a shallow mould, but not lie on
+/// the rim of a narrow one.
 double place_inside(const core::Profile& profile, double sense) {
   const auto [low, high] = range_of(profile, {});
   double widest = 0, place = HUGE_VAL;  // rising against gravity
@@ -36,10 +37,12 @@ double place_inside(const core::Profile& profile, double sense) {
     for (const double t : {0.0, 0.5, 1.0}) {
       const core::Point x = core::point_at(segment, t);
       const bool is_wider = x[0] > widest * (1 + tolerance::joined);
-      if (is_wider || x[0] > widest * (1 - tolerance::joined)) place = std::min(is_wider ? HUGE_VAL : place, -sense * x[1]);
+      if (is_wider || x[0] > widest * (1 - tolerance::joined))
+        place = std::min(is_wider ? HUGE_VAL : place, -sense * x[1]);
       widest = std::max(widest, x[0]);
     }
-  return -sense * std::min(place, -sense * (low + high) / 2);
+  const double end = sense < 0 ? high : -low;
+  return -sense * std::min(std::max(place, end - 2 * widest), -sense * (low + high) / 2);
 }
 
 /// The first stage as a gob that is laid down finds it.
