@@ -88,11 +88,12 @@ bool find_velocities(const StepStart& start, MidpointPredictor& predictor, Works
 }
 
 /// Whether every cell of the glass has kept its sense.
-bool has_no_inverted_cells(StepResult& result) {
+bool has_no_inverted_cells(const Scene& scene, StepResult& result) {
   const core::Mesh& mesh = result.state.glass.mesh;
   if (remesh::min_quality(mesh) > 0) return true;
   const Point at = mesh.nodes[mesh.cells()[remesh::quality(mesh).min_quality_cell][0]];
-  result.reason = fmt::format("a cell of the glass mesh is inverted at ({:.2f}, {:.2f}) mm", 1e3 * at[0], 1e3 * at[1]);
+  result.reason = fmt::format("a cell of the glass mesh is inverted at ({:.2f}, {:.2f}) mm{}", 1e3 * at[0], 1e3 * at[1],
+                              end_of_contact(scene, result.state, at));
   return false;
 }
 
@@ -165,10 +166,10 @@ bool pass_once(const StepStart& start, MidpointPredictor& predictor, Workspace& 
   const double dt = start.dt;
   if (!find_velocities(start, predictor, workspace, result)) return false;
   move_bodies(scene, 0.5 * dt, result.state);
-  if (scene.has_flow() && !has_no_inverted_cells(result)) return false;
+  if (scene.has_flow() && !has_no_inverted_cells(scene, result)) return false;
   if (!step_heat(scene, dt, workspace, result)) return false;
   move_bodies(scene, 0.5 * dt, result.state);
-  return !scene.has_flow() || (has_no_inverted_cells(result) && has_no_glass_in_glass(start, result));
+  return !scene.has_flow() || (has_no_inverted_cells(scene, result) && has_no_glass_in_glass(start, result));
 }
 
 }  // namespace

@@ -171,6 +171,25 @@ std::optional<ToolFace> entered_face(const Scene& scene, const State& state) {
   return {};
 }
 
+std::string end_of_contact(const Scene& scene, const State& state, const Point& x) {
+  const double near = core::tolerance::junction * core::size(scene.glass.profile);
+  for (const Index tool : active_tools(scene, state)) {
+    const Tool& body = scene.tools[tool];
+    const Point local = x - state.tools[tool].offset * core::axis_direction();
+    const Boundary *touching = nullptr, *free = nullptr;
+    for (const core::Segment& segment : body.profile.segments) {
+      if (std::min((segment.start - local).norm(), (segment.end - local).norm()) > near) continue;
+      const Boundary& boundary = body.boundaries[segment.boundary_id];
+      if (boundary.kind != BoundaryKind::symmetry)
+        (boundary.kind == BoundaryKind::contact ? touching : free) = &boundary;
+    }
+    if (touching && free)
+      return fmt::format(", where contact boundary {} of {} ends at its boundary {}, which has no contact",
+                         touching->name, body.name, free->name);
+  }
+  return "";
+}
+
 void note_penetration(const Scene& scene, State& state) {
   Totals& totals = state.totals;
   const double wall = core::mean_wall(state.glass.mesh);

@@ -48,6 +48,10 @@ struct ToolFace {
 /// glass, than steps leave it behind a contact face.
 std::optional<ToolFace> entered_face(const Scene& scene, const State& state);
 
+/// ", where contact boundary under of ring ends at its boundary hole, which has no contact" of a place at such an end
+/// in an active tool; else empty.
+std::string end_of_contact(const Scene& scene, const State& state, const Point& x);
+
 /// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then,
 /// and stores where and when the deepest were and the first face without contact through which glass has come.
 void note_penetration(const Scene& scene, State& state);

@@ -197,6 +197,15 @@ TEST(Penetration, glass_behind_a_face_without_contact_is_as_deep_as_it_is_behind
   EXPECT_EQ(entered_face_sentence(scene, pushed(15e-3, 1e-6)), "") << "round-off";
 }
 
+TEST(Penetration, a_place_where_a_contact_boundary_ends_at_one_without_contact_is_told) {
+  const Scene scene = scene_of(puddle_on_ledge);
+  const State state = initial_state(scene);
+  EXPECT_EQ(end_of_contact(scene, state, {10e-3, 0}),
+            ", where contact boundary face of plate ends at its boundary ledge, which has no contact");
+  EXPECT_EQ(end_of_contact(scene, state, {9e-3, 0}), "");
+  EXPECT_EQ(end_of_contact(scene, state, {0, 0}), "") << "the axis is no such boundary";
+}
+
 TEST(Checks, a_run_that_stops_after_glass_has_entered_a_tool_says_that_first) {
   const Scene scene =
       scene_of(puddle_on_ledge + "[[stage]]\nname = \"cool\"\nduration = \"1 s\"\ntools = [\"plate\"]\n");
