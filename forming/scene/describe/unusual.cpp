@@ -137,6 +137,7 @@ std::vector<std::string> unusual_values(const Scene& scene) {
     add_wall(*plan, notes);
     add_fill_level(scene, *plan, notes);
     for (auto& note : tools_run_into(scene, *plan)) notes.push_back(std::move(note));
+    for (auto& note : cavity_without_contact(scene, *plan)) notes.push_back(std::move(note));
     for (auto& note : films_too_thin(scene, *plan)) notes.push_back(std::move(note));
     for (auto& note : parison_too_large(scene, *plan)) notes.push_back(std::move(note));
   }

@@ -18,6 +18,9 @@ std::vector<std::string> unusual_forces(const Scene& scene);
 /// A tool of the first stage whose face at the glass has no contact: the glass would enter the tool there.
 std::vector<std::string> faces_without_contact(const Scene& scene);
 
+/// The same of the cavity of the press, once the glass fills it.
+std::vector<std::string> cavity_without_contact(const Scene& scene, const ContainerPlan& plan);
+
 /// Whether a stage before this one has moved a tool.
 bool has_moved_before(const Scene& scene, Index stage, Index tool);
 

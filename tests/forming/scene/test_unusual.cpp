@@ -30,6 +30,19 @@ TEST(Unusual, a_gob_of_kelvins_that_were_meant_as_degrees_is_told) {
   expect_note("jar", "glass.temperature=1300 degC", "usual are gobs of 1050 to 1200 degC");
 }
 
+TEST(Unusual, a_press_cavity_that_a_boundary_without_contact_closes_is_told) {
+  const std::string early = "tool.ring.boundary.under.path=(33.5, 90) (40, 90) mm";  // a hole wider than the plunger
+  const std::vector<std::string> wide{early, "tool.ring.boundary.top.path=(33.5, 115) mm",
+                                      "tool.ring.boundary.hole.path=(33.5, 90) mm",
+                                      "tool.plunger.boundary.outer.path=(0, 0) (27, 0) (32, 85) (34, 95) (34, 170) mm"};
+  const std::string notes = notes_on("tumbler", wide);
+  EXPECT_NE(notes.find("once full, the cavity of stage \"press\" has "), notes.npos) << notes;
+  EXPECT_NE(notes.find(" mm of boundary \"hole\" of \"ring\" for its wall, from (33.5, "), notes.npos) << notes;
+  auto kept_out = wide;
+  kept_out.push_back("tool.ring.boundary.hole.condition=contact");
+  EXPECT_EQ(notes_on("tumbler", kept_out).find("for its wall"), std::string::npos);
+}
+
 TEST(Unusual, a_tool_at_room_temperature_is_told) {
   expect_note("jar", "tool.blank.temperature=20 degC", "\"blank\" starts at 20 degC; usual are 400 to 530 degC");
 }
