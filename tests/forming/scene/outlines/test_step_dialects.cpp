@@ -168,6 +168,22 @@ TEST(StepDialects, the_section_of_a_solid_of_revolution_whole_or_half) {
       }
 }
 
+TEST(StepDialects, a_solid_that_closes_around_its_axis) {
+  for (const bool is_half : {false, true}) {
+    const Taken taken = take_step(
+        [&] {  // a blank with its baffle: a cup of 40 mm with a bore of 20 mm and a round bottom
+          const int wall = is_half ? occ::addBox(-40, 0, 0, 80, 40, 60) : occ::addCylinder(0, 0, 0, 0, 0, 60, 40);
+          gmsh::vectorpair cut, bored;
+          std::vector<gmsh::vectorpair> parents;
+          occ::cut({{3, wall}}, {{3, occ::addCylinder(0, 0, 0, 0, 0, 30, 20)}}, cut, parents);
+          occ::cut(cut, {{3, occ::addSphere(0, 0, 30, 20)}}, bored, parents);
+        },
+        from({40, 0}));
+    ASSERT_EQ(taken.refusal, "") << is_half;
+    EXPECT_NEAR(taken.area, 40 * 60 - 20 * 30 - M_PI * 400 / 4, 2e-2) << is_half;
+  }
+}
+
 TEST(StepDialects, a_solid_about_another_axis_away_from_the_origin) {
   std::mt19937 random(13);
   const Section section = random_section(random, true);

@@ -118,6 +118,23 @@ gp_Ax3 frame_of(const TopoDS_Shape& solids, const gp_Ax1& axis, double turn) {
   return frame;
 }
 
+/// The common part of a shape and a face of a plane between radii; null where there is none.
+TopoDS_Shape common_part(const TopoDS_Shape& shape, const gp_Pln& plane, double inner, double reach) {
+  BRepAlgoAPI_Common common(shape, BRepBuilderAPI_MakeFace(plane, inner, reach, -reach, reach).Face());
+  const bool has_faces =
+      common.IsDone() && !common.Shape().IsNull() && TopExp_Explorer(common.Shape(), TopAbs_FACE).More();
+  return has_faces ? common.Shape() : TopoDS_Shape();
+}
+
+/// The section of a solid by the half plane at positive radii. Where the axis runs inside the solid, the kernel finds
+/// nothing on a half plane that begins there: the section by the whole plane is halved then.
+TopoDS_Shape half_section(const TopoDS_Shape& solids, const gp_Pln& plane, double reach) {
+  const TopoDS_Shape half = common_part(solids, plane, 0, reach);
+  if (!half.IsNull()) return half;
+  const TopoDS_Shape whole = common_part(solids, plane, -reach, reach);
+  return whole.IsNull() ? whole : common_part(whole, plane, 0, reach);
+}
+
 /// What bounds the parts of a section outside; `text` tells the holes that are left out, such as cooling bores.
 TopoDS_Shape outside_of(const TopoDS_Shape& section, std::string& text) {
   TopoDS_Compound outside;
@@ -149,8 +166,8 @@ TopoDS_Shape section_of_solid(const TopoDS_Shape& solids, const StepCut& cut, st
   const double reach = 2 * std::sqrt(box.SquareExtent()) + gp_Pnt(0, 0, 0).Distance(frame.Location());
   // A plane whose first direction is the radius and whose second one is the axis.
   const gp_Pln plane(gp_Ax3(frame.Location(), frame.YDirection().Reversed(), frame.XDirection()));
-  BRepAlgoAPI_Common common(solids, BRepBuilderAPI_MakeFace(plane, 0, reach, -reach, reach).Face());
-  if (!common.IsDone() || common.Shape().IsNull() || !TopExp_Explorer(common.Shape(), TopAbs_FACE).More()) {
+  const TopoDS_Shape section = half_section(solids, plane, reach);
+  if (section.IsNull()) {
     text =
         "refuse the half plane from the axis of the solid meets no glass or metal, allowed is a turn about the axis at "
         "which it does";
@@ -164,7 +181,7 @@ TopoDS_Shape section_of_solid(const TopoDS_Shape& solids, const StepCut& cut, st
       z.X(), z.Y(), z.Z(), o.X(), o.Y(), o.Z(), x.X(), x.Y(), x.Z());
   gp_Trsf to_frame;
   to_frame.SetTransformation(frame);
-  return BRepBuilderAPI_Transform(outside_of(common.Shape(), text), to_frame, true).Shape();
+  return BRepBuilderAPI_Transform(outside_of(section, text), to_frame, true).Shape();
 }
 
 }  // namespace parison::forming
