@@ -49,20 +49,24 @@ void join(Segment& before, Segment& next) {
 /// A chain that grows at its end by the curves that are left.
 class Chaining {
  public:
-  Chaining(const CaseNode& file, Chain curves, double gap, ClosedGaps& closed)
-      : file_(file), left_(std::move(curves)), closed_(closed), size_(size_of(left_)) {
+  Chaining(const CaseNode& file, Chain curves, double gap)
+      : file_(file), left_(std::move(curves)), size_(size_of(left_)) {
     joined_ = tolerance::joined * size_;
     gap_ = std::max(gap, joined_);
   }
 
-  Chain chain() {
-    chain_ = {left_.front()};
-    left_.erase(left_.begin());
+  Chained from(const Point& x) {
+    double apart = HUGE_VAL;
+    auto first = left_.begin();
+    for (auto curve = left_.begin(); curve != left_.end(); ++curve)
+      if (const double here = core::distance(*curve, x, apart); here < apart) apart = here, first = curve;
+    chain_ = {*first};
+    left_.erase(first);
     extend();
     chain_ = turned(chain_);
     extend();
-    if (!left_.empty()) refuse_rest();
-    return chain_;
+    refuse_end_near_rest();
+    return {chain_, left_, closed_};
   }
 
  private:
@@ -118,8 +122,8 @@ class Chaining {
     if (apart > closed_.widest) closed_.widest = apart, closed_.where = where;
   }
 
-  /// Says why curves are left over: a gap where an end of theirs is near one of the chain, else several outlines.
-  [[noreturn]] void refuse_rest() const {
+  /// Refuses a gap, where an end of the curves that are left over is near one of the chain.
+  void refuse_end_near_rest() const {
     double nearest = std::numeric_limits<double>::infinity();
     Point where = Point::Zero();
     if (!is_closed_within(joined_))
@@ -127,16 +131,11 @@ class Chaining {
         for (const Point& end : {chain_.front().start, chain_.back().end})
           if (const double apart = distance(segment, end); apart < nearest) nearest = apart, where = end;
     if (nearest < tolerance::drawing_gap * size_) refuse_gap(file_, nearest, where, gap_);
-    core::refuse(
-        file_,
-        fmt::format("several outlines were found in the drawing, one with {} curves and {} more curves, allowed is "
-                    "one (in a DXF file a layer can select it)",
-                    chain_.size(), left_.size()));
   }
 
   const CaseNode& file_;
   Chain chain_, left_;
-  ClosedGaps& closed_;
+  ClosedGaps closed_;
   double size_, joined_ = 0, gap_ = 0;  ///< m
 };
 
@@ -160,8 +159,14 @@ void refuse_nearly_closed(const CaseNode& file, const Chain& chain, double gap) 
     refuse_gap(file, apart, chain.back().end, gap);
 }
 
-Chain chained(const CaseNode& file, Chain curves, double gap, ClosedGaps& closed) {
-  return Chaining(file, std::move(curves), gap, closed).chain();
+Chained chained(const CaseNode& file, Chain curves, const Point& from, double gap) {
+  return Chaining(file, std::move(curves), gap).from(from);
+}
+
+void refuse_several(const CaseNode& file, const Chained& drawn, const std::string& why) {
+  core::refuse(file,
+               fmt::format("several outlines were found in the drawing, one with {} curves and {} more curves; {}",
+                           drawn.chain.size(), drawn.rest.size(), why));
 }
 
 /// core::size takes the end of each segment for the start of another.

@@ -29,8 +29,18 @@ struct ClosedGaps {
   core::Point where = core::Point::Zero();  ///< of the widest
 };
 
-/// Brings curves into one chain, each end meeting the next start; ends up to `gap` apart, m, are brought together: that
-/// of a line to that of an arc, else both to the middle. Refuses wider gaps, branches and several chains.
-Chain chained(const core::CaseNode& file, Chain curves, double gap, ClosedGaps& closed);
+/// A chain of a drawing, and the curves of its other outlines.
+struct Chained {
+  Chain chain, rest;
+  ClosedGaps closed;
+};
+
+/// Brings the curve that is closest to a place and those that follow it at both ends into a chain, each end meeting the
+/// next start; ends up to `gap` apart, m, are brought together: that of a line to that of an arc, else both to the
+/// middle. Refuses wider gaps and branches.
+Chained chained(const core::CaseNode& file, Chain curves, const core::Point& from, double gap);
+
+/// Refuses a drawing for the outlines that it has besides a chain.
+[[noreturn]] void refuse_several(const core::CaseNode& file, const Chained& drawn, const std::string& why);
 
 }  // namespace parison::forming

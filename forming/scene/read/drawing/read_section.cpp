@@ -143,24 +143,47 @@ double gap_of(const CaseTable& table, double size) {
   return value;
 }
 
-/// The drawing as one chain of curves in the frame of the case.
+/// Refuses a drawing of several outlines where it is not clear which is meant: two go through the first place, or the
+/// one that does is open and does not come to the last.
+void check_choice(const CaseTable& table, const Chained& drawn, std::vector<std::string>& notes) {
+  if (drawn.rest.empty()) return;
+  const CaseNode &file = table.get("file"), &first = table.get("from"), *last = table.find("to");
+  const double near = 2 * tolerance::on_drawing * size_of(drawn.chain);
+  const auto is_on = [&](const Chain& curves, const Point& x) {
+    return std::any_of(curves.begin(), curves.end(),
+                       [&](const Segment& curve) { return core::distance(curve, x, 2 * near) < near; });
+  };
+  const Point from = read_point(first);
+  if (is_on(drawn.rest, from))
+    refuse_several(file, drawn, fmt::format("{} lies on two, allowed is a place on one", first.text));
+  if (!is_closed(drawn.chain) && !(last && is_on(drawn.chain, read_point(*last))))
+    refuse_several(file, drawn,
+                   fmt::format("the one next to {} is open and ends at {} and {}, allowed is a closed one "
+                               "or one from \"from\" to \"to\"",
+                               first.text, in_mm(drawn.chain.front().start), in_mm(drawn.chain.back().end)));
+  notes.push_back(fmt::format("of \"{}\" the outline through {} was taken, {} curves of others were left out",
+                              file.text, first.text, drawn.rest.size()));
+}
+
+/// The outline of the drawing at the first place as one chain of curves in the frame of the case.
 Chain read_chain(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
   const CaseNode& file = table.get("file");
   auto [curves, is_cut] = read_drawing(table, directory, notes);
   check_curves(file, curves);
   place(table, is_cut, curves);
-  ClosedGaps closed;
-  const double gap = gap_of(table, size_of(curves));
-  curves = chained(file, std::move(curves), gap, closed);
+  const double size = size_of(curves), gap = gap_of(table, size);
+  Chained drawn = chained(file, std::move(curves), read_point(table.get("from")), gap);
+  check_choice(table, drawn, notes);
+  const ClosedGaps& closed = drawn.closed;
   // The CAD kernel finds where a plane cuts a curved surface within less than that.
-  const bool is_of_kernel = is_cut && closed.widest <= curve_tolerance(size_of(curves));
+  const bool is_of_kernel = is_cut && closed.widest <= curve_tolerance(size);
   if (closed.count > 0 && !is_of_kernel)
     notes.push_back(
         fmt::format("gaps between curves of \"{}\" were closed, {} in all, the widest of {:.2g} mm at {}; with gap = "
                     "\"0 mm\" they are refused",
                     file.text, closed.count, 1e3 * closed.widest, in_mm(closed.where)));
-  clean(curves);
-  return curves;
+  clean(drawn.chain);
+  return drawn.chain;
 }
 
 /// The whole outline from a place on it, or the whole drawn line from one of its ends.
@@ -176,13 +199,23 @@ Chain whole(const CaseTable& table, const Chain& curves, bool closed) {
                   first.text));
 }
 
-/// The way round a closed outline that passes a place.
+/// The way round a closed outline that passes a place, or comes much nearer to it than the other way.
 Chain way_round(const CaseNode& place, const Chain& curves, double from, double to) {
   const double count = static_cast<double>(curves.size());
-  double via = place_on(place, curves, read_point(place));
   if (to <= from) to += count;
-  if (via < from) via += count;
-  return via < to ? interval(curves, from, to) : interval(turned(curves), count - from, 2 * count - to);
+  const Chain forth = interval(curves, from, to), back = interval(turned(curves), count - from, 2 * count - to);
+  const Point via = read_point(place);
+  const auto distance = [&](const Chain& way) {
+    double found = HUGE_VAL;
+    for (const Segment& curve : way) found = core::distance(curve, via, found);
+    return found;
+  };
+  const double by_forth = distance(forth), by_back = distance(back);
+  if (2 * by_forth < by_back) return forth;
+  if (2 * by_back < by_forth) return back;
+  core::refuse(place, fmt::format("{} is {:.3g} mm away from one way round the outline and {:.3g} mm from the other, "
+                                  "allowed is a place on or next to one of them",
+                                  place.text, 1e3 * by_forth, 1e3 * by_back));
 }
 
 }  // namespace

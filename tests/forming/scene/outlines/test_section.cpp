@@ -178,6 +178,27 @@ struct Refused {
   std::string path, sentence;
 };
 
+TEST(Section, of_several_views_on_a_layer_that_with_the_first_place_is_taken_with_a_note) {
+  const std::string layer_of_all = "unit = \"mm\", " + round_the_inside;  // blank, centre line and frame
+  const core::Profile wanted = blank_of(blank_points);
+  const Scene scene = scene_of(with_blank(drawing(bundled("blank.dxf"), layer_of_all)));
+  expect_same_outline(scene.tools.back().profile, wanted);
+  const auto& notes = scene.tools.back().drawing_notes;
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("the outline through (31, 14) mm was taken, "), std::string::npos) << notes[0];
+  EXPECT_NE(notes[0].find(" curves of others were left out"), std::string::npos) << notes[0];
+}
+
+TEST(Section, the_place_that_chooses_the_way_round_may_lie_next_to_it) {
+  const std::string beside = "via = \"(28, 60) mm\", unit = \"mm\", layer = \"BLANK\", ",
+                    between = "via = \"(42, 60) mm\", unit = \"mm\", layer = \"BLANK\", ";
+  expect_same_outline(blank_of(drawing(bundled("blank.dxf"), beside)), blank_of(blank_points));
+  const std::string said = complaint_about(with_blank(drawing(bundled("blank.dxf"), between)));
+  EXPECT_NE(said.find("away from one way round the outline and 14 mm from the other, allowed is a place on or next to"),
+            said.npos)
+      << said;
+}
+
 TEST(Section, what_is_no_section_is_refused_with_a_sentence) {
   const auto dxf = [](const std::string& name, const std::vector<std::pair<int, std::string>>& groups) {
     return drawing(file_beside_case(name, pairs(groups)), "unit = \"mm\", ");
@@ -226,11 +247,13 @@ TEST(Section, what_is_no_section_is_refused_with_a_sentence) {
            {drawing(bundled("blank.dxf"), "unit = \"kg\", "), "is a mass"},
            {drawing(bundled("blank.dxf"), "unit = \"mm\", layer = \"MOULD\", "),
             "no lines or arcs were found on layer \"MOULD\""},
-           {drawing(bundled("blank.dxf"), "unit = \"mm\", "), "several outlines were found in the drawing"},
            {drawing(bundled("blank.dxf"), dxf_blank, "(0, 90) mm"),
             "(0, 90) mm is 8 mm away from the drawing, allowed are points on it"},
            {dxf("gap.dxf", gap), "leave a gap of 0.02 mm at (0, 98) mm, allowed are ends that meet to 0.01 mm"},
-           {dxf("two.dxf", two), "several outlines were found in the drawing, one with 1 curves and 2 more curves"},
+           {drawing(file_beside_case("two.dxf", pairs(two)), "unit = \"mm\", ", "(65, 60) mm"),
+            "several outlines were found in the drawing, one with 1 curves and 2 more curves; the one next to (31, 14) "
+            "mm "
+            "is open and ends at"},
            {dxf("branch.dxf", branch), "more than two curves of the drawing meet at (0, 98) mm"},
            {dxf("spline.dxf", spline), "spline.dxf:16: tool.boundary.path.file: a SPLINE without control points"},
            {dxf("word.dxf", word),
