@@ -32,8 +32,8 @@ class Charts {
   }
 
   /** `series` are {label, x, y, colour, dash, error, kind}, drawn as lines or by `kind` as "points" or "steps";
-   * nothing where none has a value. With `upright` x goes up. */
-  chart({ title, note, series, xLabel = "time, s", yLabel, upright = false, logarithmic = false, height = 300 }) {
+   * nothing where none has a value. With `upright` x goes up; `alsoAt` gives more to be read at an x. */
+  chart({ title, note, series, xLabel = "time, s", yLabel, upright = false, logarithmic = false, height = 300, alsoAt }) {
     const shown = series.filter((one) => one.x && one.y && one.y.some(Number.isFinite));
     if (!shown.length) return null;
     const host = element("div"),
@@ -51,7 +51,7 @@ class Charts {
     const errors = shown.map((one) => (one.error ? new Map(Array.from(one.x, (x, i) => [x, one.error[i]])) : null));
     host.start = () => {
       const plot = new uPlot(
-        this.options(host, { shown, errors, xLabel, yLabel, upright, logarithmic, height, overTime }),
+        this.options(host, { shown, errors, xLabel, yLabel, upright, logarithmic, height, overTime, alsoAt }),
         data,
         host,
       );
@@ -75,7 +75,7 @@ class Charts {
     this.waiting = [];
   }
 
-  options(host, { shown, errors, xLabel, yLabel, upright, logarithmic, height, overTime }) {
+  options(host, { shown, errors, xLabel, yLabel, upright, logarithmic, height, overTime, alsoAt }) {
     const room = (plot, values) => 14 + 7 * Math.max(3, ...(values || []).map((text) => text.length));
     const axis = (label, side, size) => ({
       label,
@@ -113,7 +113,7 @@ class Charts {
         markers: { width: 3, dash: (plot, i) => ["solid", "dashed", "dotted", "double"][(shown[i - 1].dash || 0) % 4] },
       },
       series: [
-        { label: xLabel, value: (plot, value) => (value == null ? "" : figure(value)) },
+        { label: xLabel, value: (plot, value) => (value == null ? "" : figure(value) + (alsoAt ? alsoAt(value) : "")) },
         ...shown.map((one, i) => ({
           label: one.label,
           stroke: () => seriesColour(one.colour),

@@ -130,6 +130,19 @@ function heatBars(runs) {
   );
 }
 
+/** ", height 95 mm": of a place along the outer side of a run's wall, as the container stands; empty where not known. */
+function heightAlong(run) {
+  const [arc, z] = ["arc_mm", "z_outer_mm"].map((name) => run.column("profile", name)),
+    [heights, places] = ["height_mm", "z_mm"].map((name) => run.column("heights", name));
+  if (!arc || !z || !heights || !places || heights.length < 2) return () => "";
+  const last = heights.length - 1,
+    up = Math.sign((heights[last] - heights[0]) / (places[last] - places[0]));
+  return (x) => {
+    const at = arc.reduce((best, value, i) => (Math.abs(value - x) < Math.abs(arc[best] - x) ? i : best), 0);
+    return `, height ${figure(heights[0] + up * (z[at] - places[0]))} mm`;
+  };
+}
+
 function wallPart(all, charts) {
   // The wall of a run that stopped on its way would stretch the scales of those that are whole.
   const whole = all.filter((run) => !run.short),
@@ -166,6 +179,8 @@ function wallPart(all, charts) {
       dash,
     })),
   );
+  const readers = runs.map(heightAlong),
+    alsoAt = (x) => readers.map((heightAt) => heightAt(x)).join("");
   const charted = [
     charts.chart({
       title: "Wall thickness over height",
@@ -185,6 +200,7 @@ function wallPart(all, charts) {
         xLabel: "along the outer side, mm",
         yLabel: "thickness, mm",
         height: 230,
+        alsoAt,
         series: along,
       }),
       charts.chart({
@@ -192,6 +208,7 @@ function wallPart(all, charts) {
         xLabel: "along the outer side, mm",
         yLabel: "temperature, °C",
         height: 230,
+        alsoAt,
         series: sides,
       }),
     ),
