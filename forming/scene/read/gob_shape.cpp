@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "forming/scene/read/curves/curve_arcs.hpp"
 
@@ -29,17 +30,29 @@ double radius_at(const GobRoom& room, double z) {
   return std::max(0.0, radius - room.clearance);
 }
 
-/// The balls of the first room that is met on the way down, from below; none is wider than a throat above it.
-std::vector<Ball> balls_in(const GobRoom& room) {
-  std::vector<Ball> balls;
+/// The balls of the rooms along the axis, each from above.
+std::vector<std::vector<Ball>> rooms_along(const GobRoom& room) {
+  std::vector<std::vector<Ball>> rooms(1);
   for (int i = ball_count; i >= 0; --i) {
-    const double share = double(i) / ball_count;
-    const double z =
-        room.up > 0 ? room.low + share * (room.high - room.low) : room.high - share * (room.high - room.low);
-    const double radius = radius_at(room, z);
-    if (radius == 0 && !balls.empty()) break;
-    if (radius > 0) balls.push_back({room.up * z, radius});
+    const double rise = double(i) / ball_count * (room.high - room.low);
+    const double z = room.up > 0 ? room.low + rise : room.high - rise, radius = radius_at(room, z);
+    if (radius > 0)
+      rooms.back().push_back({room.up * z, radius});
+    else if (!rooms.back().empty())
+      rooms.emplace_back();
   }
+  return rooms;
+}
+
+/// The balls of the largest room, from below; none is wider than a throat above it. A smaller one is a bore of a tool.
+std::vector<Ball> balls_in(const GobRoom& room) {
+  const auto section = [](const std::vector<Ball>& balls) {
+    return std::accumulate(balls.begin(), balls.end(), 0.0,
+                           [](double sum, const Ball& ball) { return sum + ball.radius * ball.radius; });
+  };
+  auto rooms = rooms_along(room);
+  auto& balls =
+      *std::max_element(rooms.begin(), rooms.end(), [&](auto& a, auto& b) { return section(a) < section(b); });
   const auto widest =
       std::max_element(balls.begin(), balls.end(), [](auto& a, auto& b) { return a.radius < b.radius; });
   for (auto ball = widest; ball != balls.end(); ++ball)

@@ -124,6 +124,12 @@ TEST(LaidGob, without_a_diameter_it_takes_the_shape_of_its_room) {
   EXPECT_NEAR(highest(turned), 0.098, 1e-4) << "with gravity along the axis it comes to rest on the baffle";
 }
 
+TEST(LaidGob, without_a_diameter_it_does_not_take_the_bore_of_the_plunger_for_its_room) {
+  const Scene scene = with_gob("tumbler", "mass = \"278 g\", in = \"mould\"");
+  EXPECT_NEAR(lowest(scene), 0, 1e-4);
+  EXPECT_LT(highest(scene), 0.070) << "below the plunger";
+}
+
 TEST(LaidGob, a_tool_that_comes_down_on_it_later_is_told) {
   const auto notes = [](const std::string& blow) {
     return describe_unusual(with_gob("bottle", "mass = \"125 g\", diameter = \"28 mm\", in = \"blank\"", {blow}));
