@@ -43,6 +43,9 @@ struct BodyView {
   /// Of a body whose absorption varies: the temperatures by node, K, at which it is taken. Null: `advance` takes those
   /// of the middle of the step.
   const Eigen::VectorXd* absorption_at = nullptr;
+  /// Of a body whose density depends on temperature: by node, K, that for which its mass lies as in `mass_mesh`. Null:
+  /// `density` is that of all of it.
+  const Eigen::VectorXd* mass_temperature = nullptr;
 };
 
 /// Whether the wall thickness limits the radiation inside the body.

@@ -37,6 +37,7 @@ struct Material {
   core::Table heat_capacity;  ///< J/kg/K
   core::Table conductivity;   ///< W/m/K, without internal radiation
   std::optional<Radiation> radiation;
+  core::Table relative_density = {};  ///< density over `density`, by temperature, K; empty: the same at all
 };
 
 /// Convection and radiation from a boundary to its surroundings, heat flux positive out of the body:

@@ -18,10 +18,11 @@ std::shared_ptr<const Batches> batches_of(const BodyView& body, core::Geometry g
   const core::Mesh &mesh = *body.mesh, &mass = *body.mass_mesh;
   if (!kept || has_thin_wall(body)) return std::make_shared<const Batches>(make_batches(body, geometry));
   if (!kept->batches || kept->geometry != geometry || kept->density != body.density || kept->cells != mesh.cells() ||
-      kept->nodes != mesh.nodes || kept->mass_nodes != mass.nodes)
-    *kept = {mesh.nodes,   mass.nodes, mesh.cells(),
-             body.density, geometry,   std::make_shared<const Batches>(make_batches(body, geometry)),
-             kept->light,  kept->views};
+      kept->nodes != mesh.nodes || kept->mass_nodes != mass.nodes ||
+      (body.mass_temperature && kept->mass_temperature != *body.mass_temperature))
+    *kept = {mesh.nodes,   mass.nodes,  mesh.cells(),
+             body.density, geometry,    std::make_shared<const Batches>(make_batches(body, geometry)),
+             kept->light,  kept->views, body.mass_temperature ? *body.mass_temperature : Eigen::VectorXd()};
   return kept->batches;
 }
 
@@ -232,6 +233,11 @@ void accumulate_content(HeatBalance& balance, const HeatSystem& system, const Ei
 
 double heat_content(const BodyView& body, core::Geometry geometry, const Eigen::VectorXd& temperature) {
   const Enthalpy enthalpy(body.material->heat_capacity);
+  if (body.mass_temperature)
+    return body.density * core::integral(*body.mass_mesh, geometry, temperature, *body.mass_temperature,
+                                         [&, &relative = body.material->relative_density](double T, double then) {
+                                           return relative(then) * enthalpy(T).h;
+                                         });
   return body.density * core::integral(*body.mass_mesh, geometry, temperature, [&](double T) { return enthalpy(T).h; });
 }
 

@@ -69,6 +69,7 @@ struct KeptCells {
   std::shared_ptr<const std::vector<CellBatch>> batches;
   std::shared_ptr<KeptLight> light;
   KeptTraces<TracedViews> views;  ///< of the enclosure of all bodies, with the first body
+  Eigen::VectorXd mass_temperature;
 };
 /// Prepares the equations of a problem, which must outlive them. `kept`, by body, reuses what has not changed since the
 /// last call; null computes all anew.

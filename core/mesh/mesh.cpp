@@ -231,6 +231,21 @@ double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& noda
   return sum;
 }
 
+double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& first, const Eigen::VectorXd& second,
+                const std::function<double(double, double)>& function) {
+  static const Rule<6> rule(4);
+  const Depth depth(geometry);
+  FieldAtPoints<6> one, other;
+  double sum = 0;
+  for (Index batch = 0; batch < batch_count(mesh.cell_count()); ++batch) {
+    set_field_of_batch(rule, mesh, depth, first, batch, one);
+    set_field_of_batch(rule, mesh, depth, second, batch, other);
+    for (int lane = 0; lane < filled_lanes(mesh.cell_count(), batch); ++lane)
+      for (int q = 0; q < 6; ++q) sum += one.measure[q][lane] * function(one.value[q][lane], other.value[q][lane]);
+  }
+  return sum;
+}
+
 double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal) {
   static const Rule<12> rule(6);
   const double base = nodal[0];  // a uniform field has its own value as the mean

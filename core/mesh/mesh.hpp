@@ -105,6 +105,9 @@ double mean_wall(const Mesh& mesh);
 /// Integral of a function of a P2 field over the volume by triangle_rule(4), the function's unit times m3.
 double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal,
                 const std::function<double(double)>& function);
+/// The same of a function of two fields.
+double integral(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& first, const Eigen::VectorXd& second,
+                const std::function<double(double, double)>& function);
 /// Volume mean of a nodal field.
 double volume_mean(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal);
 

@@ -33,6 +33,16 @@ using MappedPoint = core::MappedPoint<VectorizedArray>;
   for (int q = 0; q < core::cell_points; ++q) factor[q] = thin_wall_factor(*body.material->radiation, thickness[q]);
 }
 
+/// Gives the points the mass of the density that their temperature had where the mass lies.
+void weigh_by_density(const BodyView& body, const BatchIndices<6>& nodes, CellBatch& batch) {
+  UnknownValues<6> at_nodes;
+  PointValues temperature, density;
+  core::gather(body.mass_temperature->data(), nodes, at_nodes);
+  core::interpolate(cell_shapes<6>().value, at_nodes, temperature);
+  detail::set_each(temperature, body.material->relative_density, density);
+  for (int q = 0; q < core::cell_points; ++q) batch.mass[q] *= density[q];
+}
+
 [[gnu::always_inline]] inline void set_batch(const BodyView& body, const core::Depth& depth,
                                              const BatchIndices<6>& nodes, const VectorizedArray& filled,
                                              CellBatch& batch) {
@@ -61,6 +71,7 @@ using MappedPoint = core::MappedPoint<VectorizedArray>;
     batch.thin_wall[q] = VectorizedArray{} + 1;
   }
   if (has_thin_wall(body)) set_thin_wall(body, nodes, batch.thin_wall);
+  if (body.mass_temperature) weigh_by_density(body, nodes, batch);
 }
 
 }  // namespace
