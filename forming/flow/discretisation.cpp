@@ -2,6 +2,7 @@
 #include "forming/flow/discretisation.hpp"
 
 #include "core/mesh/element.hpp"
+#include "forming/flow/cells/expansion.hpp"
 
 namespace parison::flow {
 
@@ -31,11 +32,13 @@ Eigen::VectorXd dilatation_load(const Problem& problem, const CellGeometry& geom
 void update_viscosity(const Problem& problem, const Eigen::VectorXd& velocity, Discretisation& discretisation) {
   discretisation.viscosity = viscosity_field(problem, discretisation.geometry, velocity);
   discretisation.cells = cell_matrices(problem, discretisation.geometry, discretisation.viscosity);
+  if (!problem.expansion_rate.empty())
+    discretisation.expansion_load = expansion_load(problem, discretisation.geometry, discretisation.viscosity);
 }
 
 Discretisation discretise(const Problem& problem) {
   const auto& mesh = *problem.mesh;
-  Discretisation result{cell_geometry(mesh, problem.geometry), surface_edges(problem), {}, {}, {}, {}, {}};
+  Discretisation result{cell_geometry(mesh, problem.geometry), surface_edges(problem), {}, {}, {}, {}, {}, {}};
   update_viscosity(problem, {}, result);
   if (problem.material->shear_thinning) result.shear_thinning_jacobian = result.cells;
   result.dilatation_load = dilatation_load(problem, result.geometry);

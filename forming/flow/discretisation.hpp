@@ -17,6 +17,7 @@ struct Discretisation {
       shear_thinning_jacobian;      ///< d(K x)/dx or K, as the last linearisation chose; empty without shear thinning
   Eigen::VectorXd dilatation_load;  ///< right-hand side of div v = 1/s, one entry per unknown
   Eigen::VectorXd load;             ///< gravity, body force and the prescribed div v, one entry per unknown, N and m3/s
+  Eigen::VectorXd expansion_load;   ///< of the change of density, likewise; empty without one
 
   /// The matrices of the linearised equations.
   const CellMatrices& jacobian() const {

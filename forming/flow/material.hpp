@@ -45,7 +45,8 @@ struct Material {
   double density;  ///< kg/m3
   Viscosity viscosity;
   std::optional<Carreau> shear_thinning;
-  double surface_tension = 0;  ///< N/m
+  double surface_tension = 0;         ///< N/m
+  core::Table relative_density = {};  ///< density over `density`, by temperature, K; empty: the same at all
 };
 
 /// Tangential behaviour of the glass on a tool while it is pressed against it.

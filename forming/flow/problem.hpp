@@ -43,8 +43,8 @@ struct ContactCandidate {
   double recovery = 0;                      ///< part of the rate that takes a penetrated node out of the tool, m/s
 };
 
-/// Quasi-static creeping flow (Stokes): div(2 eta D(v)) - grad p + rho g + f = 0, div v = dilatation_rate, with D the
-/// symmetric gradient, no inertia.
+/// Quasi-static creeping flow (Stokes): div(2 eta (D(v) - e/3 I)) - grad p + rho g + f = 0, div v = dilatation_rate +
+/// e, with D the symmetric gradient, e the expansion rate, no inertia.
 struct Problem {
   const core::Mesh* mesh;
   core::Geometry geometry;
@@ -55,6 +55,9 @@ struct Problem {
   std::vector<bool> frozen;                       ///< per cell: solidified, with a raised viscosity; empty: no cell
   double gravity = 0;                             ///< along the axis, m/s2
   double dilatation_rate = 0;  ///< prescribed div v everywhere, 1/s: offsets the volume error of finite time steps
+  /// div v by the change of density at each quadrature point (cells x cell_points), 1/s; empty: none. Unlike the one
+  /// above it is physical: what hinders it makes stress.
+  std::vector<double> expansion_rate;
   bool with_dilatation_mode = false;                   ///< whether Equilibrium::dilatation_mode is wanted
   std::vector<BoundaryCondition> boundary_conditions;  ///< one for each mesh boundary
   std::vector<ToolMotion> tools;

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "forming/flow/cells/expansion.hpp"
+
 namespace parison::flow {
 
 using core::dim;
@@ -101,6 +103,10 @@ void evaluate_powers(const Problem& problem, const Equilibrium& equilibrium, Sol
   if (equilibrium.dilatation_mode.size() > 0)
     shear = result.velocity - 0.5 * (equilibrium.dilatation_rate * equilibrium.dilatation_mode);
   auto viscous = dissipation(problem, discretisation.geometry, discretisation.viscosity, shear);
+  if (!problem.expansion_rate.empty())
+    result.expansion_power = result.pressure.dot(discretisation.expansion_load.tail(result.pressure.size())) +
+                             leave_out_expansion(problem, discretisation.geometry, discretisation.viscosity, shear,
+                                                 equilibrium.dilatation_rate, viscous);
   result.dissipation = std::move(viscous.power);
   result.mean_rate = viscous.mean_rate;
   result.high_rate = viscous.high_rate;
@@ -137,6 +143,7 @@ Solution evaluate(const Problem& problem, Equilibrium equilibrium) {
   evaluate_powers(problem, equilibrium, result);
   evaluate_air(problem, equilibrium, result);
   result.dilatation_mode = std::move(equilibrium.dilatation_mode);
+  result.tool_dilatation_mode = std::move(equilibrium.tool_dilatation_mode);
   return result;
 }
 

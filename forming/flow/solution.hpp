@@ -46,17 +46,19 @@ void add_dilatation(double rate, Equilibrium& equilibrium);
 
 /// What the rest of a time step needs to know of the flow.
 struct Solution : Convergence {
-  Eigen::VectorXd velocity;           ///< m/s, two per node
-  Eigen::VectorXd pressure;           ///< Pa, per vertex
-  Eigen::VectorXd contact_pressure;   ///< Pa, per node, 0 without contact
-  std::vector<double> tool_velocity;  ///< along the axis, m/s
-  std::vector<double> tool_force;     ///< of the tool on the glass along the axis, N
-  std::vector<double> dissipation;    ///< W at each quadrature point: cells x triangle_rule(4)
-  double friction_power = 0;          ///< lost by the glass where it slides along tools, W
-  double impact_power = 0;            ///< lost by glass that comes to rest on a tool within the step, W
-  double correction_power = 0;        ///< of the corrections of volume and penetration, W: not physical
-  double recovery_power = 0;          ///< part of it that takes penetrated nodes out of tools, W
-  Eigen::VectorXd dilatation_mode;    ///< m/s, two per node: Equilibrium::dilatation_mode
+  Eigen::VectorXd velocity;                  ///< m/s, two per node
+  Eigen::VectorXd pressure;                  ///< Pa, per vertex
+  Eigen::VectorXd contact_pressure;          ///< Pa, per node, 0 without contact
+  std::vector<double> tool_velocity;         ///< along the axis, m/s
+  std::vector<double> tool_force;            ///< of the tool on the glass along the axis, N
+  std::vector<double> dissipation;           ///< W at each quadrature point: cells x triangle_rule(4)
+  double friction_power = 0;                 ///< lost by the glass where it slides along tools, W
+  double impact_power = 0;                   ///< lost by glass that comes to rest on a tool within the step, W
+  double correction_power = 0;               ///< of the corrections of volume and penetration, W: not physical
+  double recovery_power = 0;                 ///< part of it that takes penetrated nodes out of tools, W
+  double expansion_power = 0;                ///< taken by the change of density against the stress, W; negative: given
+  Eigen::VectorXd dilatation_mode;           ///< m/s, two per node: Equilibrium::dilatation_mode
+  std::vector<double> tool_dilatation_mode;  ///< m/s: likewise
   std::vector<bool>
       exposed;  ///< per boundary edge: at least one node free, so that gas pressure and surface tension act
   std::vector<PocketAfter> pockets;    ///< of trapped air, in the order of the problem

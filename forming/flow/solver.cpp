@@ -151,6 +151,7 @@ bool ActiveSetIteration::constrain_nodes() {
   const Discretisation& discretisation = result_.discretisation;
   const auto in_contact = nodes_in_contact(problem_, result_.active);
   load_ = discretisation.load;
+  if (discretisation.expansion_load.size() > 0) load_ += discretisation.expansion_load;
   load_.head(velocities_) += surface_load(mesh_, discretisation.surface, in_contact);
   if (problem_.air) {
     air_ = air_loads(problem_, in_contact);

@@ -27,8 +27,10 @@ struct PointWeights {
 };
 using BatchWeights = std::array<PointWeights, cell_points>;
 
+/// The arrays have one entry for each quadrature point; the density is over that of the material and empty where it is
+/// the same everywhere.
 BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry, Index batch,
-                           const std::vector<double>& viscosity) {
+                           const std::vector<double>& viscosity, const Eigen::ArrayXd& density) {
   const Point weight = problem.material->density * problem.gravity * core::axis_direction();
   BatchWeights weights;
   for (int q = 0; q < cell_points; ++q) {
@@ -39,6 +41,8 @@ BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry,
     weights[q].ring = 2 * weights[q].viscous * at.hoop * at.hoop;
     weights[q].compliance = at.volume / (bulk_ratio * eta);
     for (int a = 0; a < dim; ++a) weights[q].force[a] = weight[a] * at.volume;
+    for (int lane = 0; density.size() > 0 && lane < batch_size; ++lane)
+      for (auto& force : weights[q].force) force[lane] *= density[geometry.cell(batch, lane) * cell_points + q];
     if (!problem.force) continue;
     for (int lane = 0; lane < batch_size; ++lane) {
       const Point more = problem.force(geometry.position(geometry.cell(batch, lane), q));
@@ -221,8 +225,11 @@ CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry,
   static const Shapes shapes;
   CellMatrices cells;
   cells.batches.resize(geometry.batches());
+  Eigen::ArrayXd density;
+  if (const core::Table& relative = problem.material->relative_density; !relative.x.empty())
+    density = temperature_at_points(*problem.mesh, *problem.temperature).unaryExpr(std::cref(relative));
   for (Index batch = 0; batch < geometry.batches(); ++batch) {
-    const auto weights = batch_weights(problem, geometry, batch, viscosity);
+    const auto weights = batch_weights(problem, geometry, batch, viscosity, density);
     set_batch(shapes, &geometry.at(batch, 0), weights, cells.batches[batch].matrix, cells.batches[batch].load);
   }
   return cells;
