@@ -9,6 +9,7 @@
 #include "core/io/files.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/preset_scales.hpp"
+#include "forming/scene/read/read_density.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -235,6 +236,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   check_sizes(scene, root);
   if (auto plan = plan_container(scene)) scene.container = std::make_shared<const ContainerPlan>(*std::move(plan));
   check_gob(scene, root.get("glass"));
+  check_density(scene, root.get("glass"));
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));
   check_support(scene, root);

@@ -90,6 +90,13 @@ struct Glass : Body {
   std::optional<flow::Material> flow;
   FilmLimit film;
   std::optional<GobSkin> skin;  ///< at the start; initial_temperature is that of the core
+
+  /// kg/m3; of glass that expands, at its initial temperature.
+  double density() const { return thermal ? thermal->density : flow ? flow->density : 0; }
+  /// Density over that, by temperature, K; empty where it does not depend on temperature.
+  core::Table relative_density() const {
+    return thermal ? thermal->relative_density : flow ? flow->relative_density : core::Table();
+  }
 };
 
 /// Lubricant that is brought onto the contact surfaces of a tool between two containers, now and then.
@@ -267,6 +274,8 @@ struct Scene {
 
   bool has_flow() const { return glass.flow.has_value(); }
   bool has_heat() const { return glass.thermal.has_value(); }
+  /// Whether the density of the glass depends on its temperature.
+  bool expands() const { return !glass.relative_density().x.empty(); }
   /// Whether the light in the glass is computed in bands.
   bool has_light() const { return has_heat() && thermal::has_light(*glass.thermal); }
   /// Whether the gap of any contact is a quantity that evolves.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forming/scene/read/read_density.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -195,7 +196,8 @@ std::vector<std::string> glass_keys() {
 }
 
 void read_glass_temperature(const CaseTable& table, const BodyContext& context, Glass& glass) {
-  const bool needed = glass.thermal || !glass.flow->viscosity.constant;
+  const bool expands = !glass.relative_density().x.empty();
+  const bool needed = glass.thermal || !glass.flow->viscosity.constant || expands;
   const auto* item = needed ? &table.get("temperature") : table.find("temperature");
   if (item) read_start_temperature(*item, context, glass);
   const double coldest = glass.start_field ? glass.start_field->min : glass.initial_temperature;
@@ -207,6 +209,19 @@ void read_glass_temperature(const CaseTable& table, const BodyContext& context, 
   if (skin && glass.start_field)
     core::refuse(*skin, "a skin and a field of temperatures were found, allowed is one of them");
   if (skin) glass.skin = read_skin(*skin, glass);
+  if (expands) relate_density(glass.initial_temperature, glass);
+}
+
+/// Relates the density of a gob that is given by its mass to the temperature at which it is to have it.
+void relate_gob_density(const CaseTable& table, Glass& glass) {
+  if (glass.relative_density().x.empty()) return;
+  const CaseNode& temperature = table.get("temperature");
+  const auto* skin = table.find("skin");
+  if (skin || temperature.kind == CaseNode::Kind::table)
+    core::refuse(skin ? *skin : temperature,
+                 "a gob by its mass was found with a density over temperature, allowed is one temperature of all of "
+                 "it, or its outline by a boundary");
+  relate_density(core::quantity(temperature, dimension::temperature), glass);
 }
 
 Glass read_glass(const CaseNode& node, const BodyContext& context) {
@@ -225,6 +240,7 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
   if (const auto* item = table.find("film")) glass.film = read_film(*item);
   const auto* gob = table.find("gob");
   if (!gob || table.find("boundary")) read_shape(table, context, glass);
+  if (gob) relate_gob_density(table, glass);
   if (gob) read_gob(*gob, context.geometry, glass);
   if (const auto* mesh = table.find("mesh"); mesh && !table.find("boundary")) glass.mesh = read_mesh(*mesh, glass);
   const bool has_its_place = !gob || !CaseTable(*gob, gob_keys()).find("in");
@@ -254,6 +270,9 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
                    fmt::format("\"{}\" has no conductivity and heat_capacity, allowed is a material that carries heat, "
                                "because the glass does",
                                material.name));
+    if (!material.thermal->relative_density.x.empty())
+      core::refuse(item,
+                   fmt::format("\"{}\" has a density over temperature, which only the glass can have", material.name));
     if (thermal::has_light(*material.thermal))
       core::refuse(
           item,

@@ -19,10 +19,6 @@ namespace dimension = core::dimension;
 
 constexpr core::Dimension mass_dimension{0, 1};
 
-double density_of(const Glass& glass) {
-  return glass.flow ? glass.flow->density : glass.thermal->density;
-}
-
 Segment arc_of(const Point& centre, double radius, double from, double to, const Point& start, const Point& end) {
   Segment arc{start, end};
   arc.is_arc = true;
@@ -135,7 +131,7 @@ void read_gob(const CaseNode& node, core::Geometry geometry, Glass& glass) {
         "at = \"(0, 20) mm\", its lower pole");
   if (geometry != core::Geometry::axisymmetric)
     core::refuse(node, "a gob was found in a planar scene, allowed is a boundary");
-  const double mass = core::positive(table.get("mass"), mass_dimension), volume = mass / density_of(glass);
+  const double mass = core::positive(table.get("mass"), mass_dimension), volume = mass / glass.density();
   constexpr double least = 1e-15, most = 1e3;  // m3
   if (!(volume >= least && volume <= most))
     core::refuse(table.get("mass"),

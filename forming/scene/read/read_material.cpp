@@ -6,6 +6,7 @@
 
 #include "forming/flow/viscosity/composition.hpp"
 #include "forming/scene/materials/material_library.hpp"
+#include "forming/scene/read/read_density.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "thermal/radiation/fresnel.hpp"
 
@@ -139,21 +140,23 @@ void read_notes(const CaseTable& table, NamedMaterial& material) {
   if (const auto* assumed = table.find("assumed")) read_assumed(*assumed, table, material);
 }
 
-void read_thermal(const CaseTable& table, double density, NamedMaterial& material) {
+void read_thermal(const CaseTable& table, const Density& density, NamedMaterial& material) {
   if (!table.find("conductivity") && !table.find("heat_capacity")) return;
   material.thermal.emplace();
-  material.thermal->density = density;
+  material.thermal->density = density.value;
+  material.thermal->relative_density = density.relative;
   material.thermal->conductivity = property(table.get("conductivity"), dimension::temperature, dimension::conductivity);
   material.thermal->heat_capacity =
       property(table.get("heat_capacity"), dimension::temperature, dimension::heat_capacity);
   if (const auto* radiation = table.find("radiation")) material.thermal->radiation = read_radiation(*radiation);
 }
 
-void read_flow(const CaseTable& table, double density, NamedMaterial& material) {
+void read_flow(const CaseTable& table, const Density& density, NamedMaterial& material) {
   const auto* viscosity = table.find("viscosity");
   if (!viscosity) return;
   material.flow.emplace();
-  material.flow->density = density;
+  material.flow->density = density.value;
+  material.flow->relative_density = density.relative;
   material.flow->viscosity = read_viscosity(*viscosity);
   if (const auto* carreau = table.find("shear_thinning")) material.flow->shear_thinning = read_shear_thinning(*carreau);
   if (const auto* tension = table.find("surface_tension"))
@@ -162,7 +165,7 @@ void read_flow(const CaseTable& table, double density, NamedMaterial& material) 
 
 /// Refuses a material that gives single values only, as if to change a bundled one.
 void check_density(const CaseTable& table, const std::string& name) {
-  if (table.find("density")) return;
+  if (table.find("density") || table.find("expansion")) return;
   const auto names = library_names();
   if (std::count(names.begin(), names.end(), name))
     core::refuse(table.node(), fmt::format("the density is missing; to change single values of the bundled material, "
@@ -171,13 +174,14 @@ void check_density(const CaseTable& table, const std::string& name) {
 }
 
 NamedMaterial read_material(const CaseNode& node) {
-  const CaseTable table(node, {"density", "heat_capacity", "conductivity", "radiation", "viscosity", "shear_thinning",
-                               "surface_tension", "emissivity", "like", "about", "source", "assumed"});
+  const CaseTable table(
+      node, {"density", "expansion", "heat_capacity", "conductivity", "radiation", "viscosity", "shear_thinning",
+             "surface_tension", "emissivity", "like", "about", "source", "assumed"});
   NamedMaterial material;
   material.name = core::identifier(core::key_of(node));
   read_notes(table, material);
   check_density(table, material.name);
-  const double density = core::positive(table.get("density"), dimension::density);
+  const Density density = read_density(table);
   read_thermal(table, density, material);
   read_flow(table, density, material);
   for (const auto* key : {"radiation", "emissivity"})
