@@ -108,6 +108,7 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
   }
   const auto heat = [&](const Eigen::VectorXd& field) {
     carried = field;
+    if (scene.expands()) distribute_mass(scene, state.glass, next.glass);
     return glass_heat(scene, next);
   };
   std::vector<bool> on_surface(mesh.nodes.size(), false);
@@ -152,6 +153,30 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
   next.glass.active_contacts = {};
   next.heat_couplings.clear();
   next.light = {};
+}
+
+/// Shifts the surface of the new mesh and warms the glass by what the transfer of its temperatures has left of mass and
+/// heat, where density depends on temperature: either changes the other a little.
+void settle_mass(const Scene& scene, const State& state, State& next) {
+  constexpr int rounds = 6;
+  constexpr double settled = 1e-14;
+  if (!follows_density(scene)) return;
+  const auto warm = [&](double by) {
+    next.glass.temperature.array() += by;
+    distribute_mass(scene, state.glass, next.glass);
+    return scene.has_heat() ? glass_heat(scene, next) : 0;
+  };
+  const double wanted = excess_volume(scene, state), heat = scene.has_heat() ? glass_heat(scene, state) : 0;
+  for (int round = 0; round < rounds; ++round) {
+    const double missing = wanted - excess_volume(scene, next);
+    if (std::abs(missing) <= settled * state.glass.initial_volume) return;
+    core::Mesh mesh = next.glass.mesh;
+    restore_volume(scene, state, core::volume(mesh, scene.geometry) + missing, mesh);
+    if (!(remesh::min_quality(mesh) > 0)) return;
+    next.glass.mesh = std::move(mesh);
+    const double shifted = warm(0), capacity = warm(1) - shifted;  // J, J/K
+    warm(capacity > 0 ? (heat - shifted) / capacity - 1 : -1);
+  }
 }
 
 void accumulate_change(double change, double& sum, double& largest) {
@@ -232,10 +257,10 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
   const auto transfer = remesh::make_transfer(state.glass.mesh, mesh);
   const SurfaceTransfer along_surface(state.glass.mesh, mesh, scene.geometry);
   carry_fields(scene, state, transfer, along_surface, next);
-  next.glass.mass_nodes = mesh.nodes;
-  next.glass.density =
-      state.glass.density * core::volume(mass_mesh(state), scene.geometry) / core::volume(mesh, scene.geometry);
+  if (!scene.expands()) distribute_mass(scene, state.glass, next.glass);
   carry_temperature(scene, state, transfer, along_surface, next);
+  if (scene.expands()) distribute_mass(scene, state.glass, next.glass);
+  settle_mass(scene, state, next);
   accumulate(scene, state, why, made, next);
   result.ok = true;
   return result;

@@ -95,6 +95,14 @@ double hottest_contact(const core::Mesh& mesh, const Eigen::VectorXd& temperatur
   return hottest;
 }
 
+/// The mass of the glass in its mesh and temperatures.
+void lay_initial_mass(const Scene& scene, GlassState& glass) {
+  glass.mass_nodes = glass.mesh.nodes;
+  glass.density = scene.glass.density();
+  if (scene.expands()) glass.mass_temperature = glass.temperature;
+  glass.mass = glass.density * relative_mass(scene, glass);
+}
+
 GlassState initial_glass(const Scene& scene) {
   const Accuracy& accuracy = scene.accuracy;
   GlassState glass;
@@ -109,9 +117,8 @@ GlassState initial_glass(const Scene& scene) {
     std::fill((glass.*field.values).begin(), (glass.*field.values).end(), field.at_rest());
   });
   if (glass.temperature.size() > 0) glass.temperature = start_temperature(scene, glass_body, glass.mesh);
-  glass.mass_nodes = glass.mesh.nodes;
-  glass.density = scene.has_heat() ? scene.glass.thermal->density : scene.has_flow() ? scene.glass.flow->density : 0;
   glass.initial_volume = core::volume(glass.mesh, scene.geometry);
+  lay_initial_mass(scene, glass);
   return glass;
 }
 
@@ -132,15 +139,31 @@ ToolState initial_tool(const Scene& scene, Index index) {
 
 }  // namespace
 
-core::Mesh mass_mesh(const State& state) {
-  core::Mesh mesh = state.glass.mesh;
-  mesh.nodes = state.glass.mass_nodes;
+core::Mesh mass_mesh(const GlassState& glass) {
+  core::Mesh mesh = glass.mesh;
+  mesh.nodes = glass.mass_nodes;
   return mesh;
 }
 
+double relative_mass(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& temperature) {
+  if (!scene.expands()) return core::volume(mesh, scene.geometry);
+  return core::integral(mesh, scene.geometry, temperature, scene.glass.relative_density());
+}
+
+double relative_mass(const Scene& scene, const GlassState& glass) {
+  return relative_mass(scene, mass_mesh(glass), glass.mass_temperature);
+}
+
+void distribute_mass(const Scene& scene, const GlassState& before, GlassState& glass) {
+  glass.mass_nodes = glass.mesh.nodes;
+  if (scene.expands()) glass.mass_temperature = glass.temperature;
+  glass.density = before.density * relative_mass(scene, before) / relative_mass(scene, glass);
+}
+
 double glass_heat(const Scene& scene, const State& state) {
-  const core::Mesh mass = mass_mesh(state);
+  const core::Mesh mass = mass_mesh(state.glass);
   thermal::BodyView view{&mass, &mass, state.glass.density, &*scene.glass.thermal, {}, {}};
+  if (scene.expands()) view.mass_temperature = &state.glass.mass_temperature;
   return thermal::heat_content(view, scene.geometry, state.glass.temperature);
 }
 
@@ -156,6 +179,7 @@ State initial_state(const Scene& scene) {
 
 void set_start_temperature(const Scene& scene, State& state) {
   state.glass.temperature = start_temperature(scene, glass_body, state.glass.mesh);
+  if (scene.expands()) lay_initial_mass(scene, state.glass);
   if (scene.has_heat()) state.glass.initial_heat = glass_heat(scene, state);
 }
 

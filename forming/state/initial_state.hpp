@@ -16,7 +16,19 @@ State initial_state(const Scene& scene);
 void set_start_temperature(const Scene& scene, State& state);
 
 /// The glass mesh with its nodes where the mass was last distributed.
-core::Mesh mass_mesh(const State& state);
+core::Mesh mass_mesh(const GlassState& glass);
+inline core::Mesh mass_mesh(const State& state) {
+  return mass_mesh(state.glass);
+}
+
+/// Mass of the glass over its `density`, m3, as it was last distributed.
+double relative_mass(const Scene& scene, const GlassState& glass);
+
+/// The same of the density that glass in a mesh has at nodal temperatures, K.
+double relative_mass(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& temperature);
+
+/// Distributes the mass of `before` anew, by volume and the density at the temperatures of `glass`.
+void distribute_mass(const Scene& scene, const GlassState& before, GlassState& glass);
 
 /// Heat content of the glass, J, relative to thermal::content_reference.
 double glass_heat(const Scene& scene, const State& state);

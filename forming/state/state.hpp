@@ -45,9 +45,12 @@ struct TablesExcess {
 struct GlassState : GlassFields {
   core::Mesh mesh;
   std::vector<Point> mass_nodes;  ///< node positions in which the mass was last distributed
-  double density = 0;             ///< in those positions, kg/m3
-  double initial_volume = 0;      ///< m3
-  double initial_heat = 0;        ///< heat content at the start, J
+  double density = 0;             ///< in those positions, kg/m3; of glass that expands, what its law is a multiple of
+  Eigen::VectorXd mass_temperature;  ///< by node, K, in those positions, which gives the density there; empty where
+                                     ///< density does not depend on temperature
+  double mass = 0;                   ///< kg
+  double initial_volume = 0;         ///< m3
+  double initial_heat = 0;           ///< heat content at the start, J
   ActiveContacts active_contacts;
   TemperatureBounds bounds;
   TablesExcess tables;
@@ -98,6 +101,7 @@ struct Work {
   double friction = 0;                     ///< lost where the glass slides along tools
   double impact_loss = 0;                  ///< lost where it came to rest on a tool before a step was over
   double surface = 0;                      ///< stored in open surface by its tension
+  double expansion = 0;                    ///< taken by the change of density against the stress
   double correction = 0;                   ///< taken by leading volume and penetrated nodes back; counts as unexplained
 };
 

@@ -66,6 +66,8 @@ void visit_glass(Visitor visit, Glass& glass) {
   visit("mesh", glass.mesh);
   visit("mass_nodes", glass.mass_nodes);
   visit("density", glass.density);
+  visit("mass_temperature", glass.mass_temperature);
+  visit("mass", glass.mass);
   visit("initial_volume", glass.initial_volume);
   visit("initial_heat", glass.initial_heat);
   for_each_glass_field([&](const auto& field) { visit(field.name, glass.*field.values); });
@@ -106,6 +108,7 @@ void visit_work(Visitor visit, Sums& work) {
   visit("friction", work.friction);
   visit("impact_loss", work.impact_loss);
   visit("surface", work.surface);
+  visit("expansion", work.expansion);
   visit("correction", work.correction);
 }
 

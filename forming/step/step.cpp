@@ -172,6 +172,16 @@ bool pass_once(const StepStart& start, MidpointPredictor& predictor, Workspace& 
   return !scene.has_flow() || (has_no_inverted_cells(scene, result) && has_no_glass_in_glass(start, result));
 }
 
+/// The middle of a step, and its expansion, before it is tried.
+MidpointPredictor first_prediction(const Scene& scene, const State& state, double dt) {
+  if (!scene.has_flow()) return {};
+  MidpointPredictor predictor{
+      predicted_velocity(state, 0.5 * dt), predicted_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
+  if (follows_density(scene))
+    predictor.expansion = expansion_until(scene, state, predicted_temperature(scene, state, dt), dt);
+  return predictor;
+}
+
 }  // namespace
 
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
@@ -179,14 +189,12 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   workspace.clamped_lookups = state.totals.clamped_lookups;
   const StepStart start = step_start(scene, state, dt);
   StepResult result;
-  MidpointPredictor predictor;
-  if (scene.has_flow())
-    predictor = {
-        predicted_velocity(state, 0.5 * dt), predicted_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
+  MidpointPredictor predictor = first_prediction(scene, state, dt);
   result.state = state;
   const int passes = scene.has_flow() ? std::max(scene.accuracy.passes, predicts_temperature(scene, state) ? 1 : 2) : 1;
   for (int pass = 0; pass < passes; ++pass) {
     if (pass > 0) {
+      predictor.expansion = expansion_until(scene, state, result.state.glass.temperature, dt);
       predictor.temperature = 0.5 * (state.glass.temperature + result.state.glass.temperature);
       auto active = std::move(result.state.glass.active_contacts);
       result.state = state;
@@ -203,6 +211,7 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
   if (scene.has_flow() && !workspace.static_stage) {
     correct_edges(scene, after);
     if (!has_no_edge_in_tools(start, result)) return result;
+    conserve_mass(scene, state, result.tool_dilatation_mode, dt, after);
   }
   advance_openings(scene, state, dt, after);
   after.time += dt;

@@ -40,7 +40,8 @@ struct StepResult {
   bool unrecoverable = false;  ///< a shorter step fails as well
   double edge_depth = 0;       ///< m, where the step is refused because it moves an edge so deep into a tool
   StepReport report;
-  std::vector<double> dissipation;  ///< of the flow, W at each quadrature point: flow::Solution::dissipation
+  std::vector<double> dissipation;           ///< of the flow, W at each quadrature point: flow::Solution::dissipation
+  std::vector<double> tool_dilatation_mode;  ///< flow::Solution::tool_dilatation_mode
 };
 
 }  // namespace parison::forming

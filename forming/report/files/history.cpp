@@ -13,6 +13,7 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
 #include "forming/state/start_temperature.hpp"
+#include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "thermal/properties.hpp"
 
@@ -65,19 +66,28 @@ std::vector<double> in_cubic_millimetres(std::vector<double> volumes) {
   return volumes;
 }
 
+double mean_temperature(const Scene& scene, const State& state) {
+  const GlassState& glass = state.glass;
+  const core::Mesh mass = mass_mesh(state);
+  if (!scene.expands()) return core::volume_mean(mass, scene.geometry, glass.temperature);
+  const core::Table density = scene.glass.relative_density();
+  return core::integral(mass, scene.geometry, glass.temperature, glass.mass_temperature,
+                        [&](double T, double then) { return density(then) * T; }) /
+         relative_mass(scene, glass);
+}
+
 }  // namespace
 
 GlassFacts glass_facts(const Scene& scene, const State& state) {
   const GlassState& glass = state.glass;
-  const core::Mesh mass = mass_mesh(state);
   GlassFacts facts;
   facts.volume = core::volume(glass.mesh, scene.geometry);
-  facts.mass = state.glass.density * core::volume(mass, scene.geometry);
-  facts.volume_drift = (facts.volume - state.glass.initial_volume) / state.glass.initial_volume;
+  facts.mass = state.glass.density * relative_mass(scene, state.glass);
+  facts.volume_drift = excess_volume(scene, state) / state.glass.initial_volume;
   facts.mean = facts.lowest = facts.highest = none;
   facts.energy_imbalance = 0;
   if (!scene.has_heat()) return facts;
-  facts.mean = core::volume_mean(mass, scene.geometry, glass.temperature);
+  facts.mean = mean_temperature(scene, state);
   facts.lowest = glass.temperature.minCoeff();
   facts.highest = glass.temperature.maxCoeff();
   facts.energy_imbalance = energy_imbalance(scene, state);

@@ -12,6 +12,7 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/edge_correction.hpp"
+#include "forming/step/flow/predictor.hpp"
 #include "remesh/surface/repair/restore_volume.hpp"
 
 namespace parison::forming {
@@ -31,18 +32,39 @@ constexpr double min_response = 0.5;
 constexpr double restored_volume = 4e-15;
 constexpr int edge_points = 3;
 
-/// Volume after straight motion at `velocity` over dt, m3, for which nodes inside the mesh do not count.
-double moved_volume(const Scene& scene, const core::Mesh& start, const Eigen::VectorXd& velocity, double dt) {
-  core::Mesh end = start;
-  for (const auto& edge : start.boundary_edges())
-    for (const Index n : edge.nodes) end.nodes[n] = start.nodes[n] + dt * flow::node_velocity(velocity, n);
-  return core::volume(end, scene.geometry);
+/// Whether no flow has given its dilatation mode yet.
+bool is_unknown(const Eigen::VectorXd& dilatation_mode) {
+  return dilatation_mode.isZero(0);
 }
 
-/// Volume gained by straight motion at `velocity` over dt, m3, in excess of dt times the integral of div v over the
-/// midpoint mesh.
-double volume_error(const Scene& scene, const core::Mesh& start, const core::Mesh& midpoint,
-                    const Eigen::VectorXd& velocity, double dt) {
+/// Calls move(node) for the nodes whose places count for the conserved volume: those inside only where density varies.
+template <typename Move>
+void for_each_moved(const Scene& scene, const core::Mesh& mesh, Move&& move) {
+  if (follows_density(scene))
+    for (Index n = 0; n < mesh.node_count(); ++n) move(n);
+  else
+    for (const auto& edge : mesh.boundary_edges())
+      for (const Index n : edge.nodes) move(n);
+}
+
+/// Conserved volume after straight motion at `velocity` over dt and at nodal temperatures, K, m3.
+double moved_volume(const Scene& scene, const State& state, const Eigen::VectorXd& velocity, double dt,
+                    const Eigen::VectorXd& temperature) {
+  const core::Mesh& start = state.glass.mesh;
+  core::Mesh end = start;
+  for_each_moved(scene, start, [&](Index n) { end.nodes[n] = start.nodes[n] + dt * flow::node_velocity(velocity, n); });
+  return conserved_volume(scene, state.glass, end, temperature);
+}
+
+/// Conserved volume gained by straight motion at `velocity` over dt, m3, in excess of dt times the integral of div v
+/// over the midpoint mesh.
+double volume_error(const Scene& scene, const State& state, const core::Mesh& midpoint, const Eigen::VectorXd& velocity,
+                    double dt, const Expansion& expansion) {
+  const core::Mesh& start = state.glass.mesh;
+  const double before = conserved_volume(scene, state.glass, start, state.glass.temperature);
+  const double gained = moved_volume(scene, state, velocity, dt, expansion.end_temperature) - before;
+  if (!expansion.rate.empty())
+    return gained - dt * before * mean_divergence(scene, state, midpoint, velocity, expansion).of_mass;
   double divergence_volume = 0;
   for (const auto& edge : midpoint.boundary_edges())
     for (const auto& rule : core::edge_rule(3)) {
@@ -50,24 +72,22 @@ double volume_error(const Scene& scene, const core::Mesh& start, const core::Mes
       for (int i = 0; i < 3; ++i)
         divergence_volume += dt * at.area * at.shape[i] * at.normal.dot(flow::node_velocity(velocity, edge.nodes[i]));
     }
-  return moved_volume(scene, start, velocity, dt) - core::volume(start, scene.geometry) - divergence_volume;
+  return gained - divergence_volume;
 }
 
-double excess_volume(const Scene& scene, const State& state) {
-  return core::volume(state.glass.mesh, scene.geometry) - state.glass.initial_volume;
-}
-
-/// Multiple of `dilatation_mode`, 1/s, with which straight motion at `velocity` over dt leads to the volume `target`,
-/// m3, by one secant step; nothing where the mode hardly changes the volume.
-std::optional<double> correction_rate(const Scene& scene, const core::Mesh& start, const Eigen::VectorXd& velocity,
-                                      const Eigen::VectorXd& dilatation_mode, double dt, double target) {
+/// Multiple of `dilatation_mode`, 1/s, with which straight motion at `velocity` over dt leads to the conserved volume
+/// `target`, m3, at nodal temperatures, K, by one secant step; nothing where the mode hardly changes the volume.
+std::optional<double> correction_rate(const Scene& scene, const State& state, const Eigen::VectorXd& velocity,
+                                      const Eigen::VectorXd& dilatation_mode, double dt, double target,
+                                      const Eigen::VectorXd& temperature) {
+  const core::Mesh& start = state.glass.mesh;
   core::Mesh end = start;
   const auto volume_with = [&](double rate) {
-    for (const auto& edge : start.boundary_edges())
-      for (const Index n : edge.nodes)
-        end.nodes[n] =
-            start.nodes[n] + dt * (flow::node_velocity(velocity, n) + rate * flow::node_velocity(dilatation_mode, n));
-    return core::volume(end, scene.geometry);
+    for_each_moved(scene, start, [&](Index n) {
+      end.nodes[n] =
+          start.nodes[n] + dt * (flow::node_velocity(velocity, n) + rate * flow::node_velocity(dilatation_mode, n));
+    });
+    return conserved_volume(scene, state.glass, end, temperature);
   };
   const double without = volume_with(0), trial = (target - without) / (dt * target);
   if (trial == 0) return 0;
@@ -114,29 +134,54 @@ double target_volume(const Scene& scene, const State& state, double dt) {
 }
 
 double prescribed_dilatation_rate(const Scene& scene, const State& state, const core::Mesh& midpoint,
-                                  const Eigen::VectorXd* velocity, double dt) {
-  const double error = velocity ? volume_error(scene, state.glass.mesh, midpoint, *velocity, dt) : 0;
+                                  const Eigen::VectorXd* velocity, double dt, const Expansion& expansion) {
+  const double error = velocity ? volume_error(scene, state, midpoint, *velocity, dt, expansion) : 0;
   return -(excess_volume(scene, state) / std::max(dt, volume_recovery_time) + error / dt) / state.glass.initial_volume;
 }
 
-void correct_volume(const Scene& scene, const State& state, double dt, flow::Equilibrium& equilibrium) {
+void correct_volume(const Scene& scene, const State& state, double dt, const Eigen::VectorXd& end_temperature,
+                    flow::Equilibrium& equilibrium) {
   const Eigen::VectorXd& mode = equilibrium.dilatation_mode;
   if (mode.size() == 0) return;
   const Eigen::VectorXd velocity = equilibrium.response.unknowns.head(mode.size());
-  const auto rate = correction_rate(scene, state.glass.mesh, velocity, mode, dt, target_volume(scene, state, dt));
+  const auto rate = correction_rate(scene, state, velocity, mode, dt, target_volume(scene, state, dt), end_temperature);
   if (rate) flow::add_dilatation(*rate, equilibrium);
 }
 
-double missed_volume(const Scene& scene, const State& state, const Eigen::VectorXd& velocity, double dt) {
-  const double missed = moved_volume(scene, state.glass.mesh, velocity, dt) - target_volume(scene, state, dt);
+double missed_volume(const Scene& scene, const State& state, const Eigen::VectorXd& velocity, double dt,
+                     const Eigen::VectorXd& end_temperature) {
+  const double missed = moved_volume(scene, state, velocity, dt, end_temperature) - target_volume(scene, state, dt);
   return std::abs(missed) / state.glass.initial_volume;
 }
 
-Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen::VectorXd velocity, double dt) {
+Eigen::VectorXd volume_conserving(const Scene& scene, const State& state, Eigen::VectorXd velocity, double dt,
+                                  const Eigen::VectorXd& temperature) {
   const Eigen::VectorXd& mode = state.glass.dilatation_mode;
-  const auto rate = correction_rate(scene, state.glass.mesh, velocity, mode, dt, state.glass.initial_volume);
+  const auto rate = correction_rate(scene, state, velocity, mode, dt, state.glass.initial_volume, temperature);
   if (rate) velocity += *rate * mode;
   return velocity;
+}
+
+void conserve_mass(const Scene& scene, const State& before, const std::vector<double>& tool_mode, double dt,
+                   State& after) {
+  constexpr int corrections = 3;
+  if (!follows_density(scene) || is_unknown(after.glass.dilatation_mode)) return;
+  const double target = target_volume(scene, before, dt);
+  Eigen::VectorXd mode = after.glass.dilatation_mode;
+  keep_on_symmetry(after.glass.mesh, mode);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(mode.size());
+  for (int i = 0; i < corrections; ++i) {
+    const auto strain = correction_rate(scene, after, rest, mode, 1, target, after.glass.temperature);
+    if (!strain || std::abs(*strain) < restored_volume) return;
+    for (Index n = 0; n < after.glass.mesh.node_count(); ++n)
+      after.glass.mesh.nodes[n] += *strain * flow::node_velocity(mode, n);
+    keep_beside_axis(scene.geometry, after.glass.mesh);
+    after.glass.velocity += *strain / dt * mode;
+    for (const StageTool& tool : scene.stages[after.stage].tools) {
+      after.tools[tool.tool].offset += *strain * tool_mode[tool.tool];
+      after.tools[tool.tool].velocity += *strain / dt * tool_mode[tool.tool];
+    }
+  }
 }
 
 void restore_volume(const Scene& scene, const State& state, double target, core::Mesh& mesh) {
@@ -180,8 +225,13 @@ bool shift_free_surface(const Scene& scene, const State& state, double target, c
   return true;
 }
 
+double excess_volume(const Scene& scene, const State& state) {
+  return conserved_volume(scene, state.glass, state.glass.mesh, state.glass.temperature) - state.glass.initial_volume;
+}
+
 double volume_drift(const Scene& scene, const State& state) {
-  return core::volume(state.glass.mesh, scene.geometry) / state.glass.initial_volume - 1;
+  return conserved_volume(scene, state.glass, state.glass.mesh, state.glass.temperature) / state.glass.initial_volume -
+         1;
 }
 
 }  // namespace parison::forming

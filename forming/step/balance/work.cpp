@@ -50,6 +50,13 @@ ExposedSurface exposed_surface(const Scene& scene, const std::vector<double>& pr
   return surface;
 }
 
+/// Velocities times the density relative to that of the material, by node.
+Eigen::VectorXd by_density(const Scene& scene, const Eigen::VectorXd& temperature, Eigen::VectorXd velocity) {
+  const core::Table density = scene.glass.relative_density();
+  for (Index n = 0; n < temperature.size(); ++n) velocity.segment<dim>(dim * n) *= density(temperature[n]);
+  return velocity;
+}
+
 }  // namespace
 
 void accumulate_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work) {
@@ -70,11 +77,14 @@ void accumulate_work(const Scene& scene, const State& start, const flow::Solutio
   work.surface += scene.glass.flow->surface_tension * (after.area - before.area);
   // Gravity acts on the mass where it was last distributed.
   const core::Mesh mass = mass_mesh(start);
-  const double sinking = flow::integral(mass, scene.geometry, flow.velocity).dot(core::axis_direction());
+  const Eigen::VectorXd momentum =
+      scene.expands() ? by_density(scene, start.glass.mass_temperature, flow.velocity) : flow.velocity;
+  const double sinking = flow::integral(mass, scene.geometry, momentum).dot(core::axis_direction());
   work.gravity += dt * start.glass.density * stage.gravity * sinking;
   work.dissipation += dt * std::accumulate(flow.dissipation.begin(), flow.dissipation.end(), 0.0);
   work.friction += dt * flow.friction_power;
   work.impact_loss += dt * flow.impact_power;
+  work.expansion += dt * flow.expansion_power;
   work.correction += dt * flow.correction_power;
 }
 
@@ -86,7 +96,7 @@ double lost(const Work& work) {
 
 /// Work done on the glass that is neither lost nor stored, J.
 double excess_work(const Work& work) {
-  return work.tools + work.gravity + work.air - lost(work) - work.surface;
+  return work.tools + work.gravity + work.air - lost(work) - work.surface - work.expansion;
 }
 
 /// Work, J, of a strain that nobody sees in the time of a stage: less is round-off of glass that nothing loads.

@@ -118,7 +118,7 @@ void slide_middle(const core::BoundaryEdge& edge, double s, GlassState& glass) {
     (*nodes)[edge.nodes[2]] = place_on(edge, s, *nodes);
   for (Eigen::VectorXd* field :
        {&glass.temperature, &glass.temperature_rate, &glass.temperature_slowing, &glass.velocity, &glass.acceleration,
-        &glass.dilatation_mode, &glass.contact_pressure, &glass.contact_opening}) {
+        &glass.dilatation_mode, &glass.contact_pressure, &glass.contact_opening, &glass.mass_temperature}) {
     const Index width = static_cast<Index>(field->size()) / glass.mesh.node_count();
     if (width > 0)
       field->segment(width * edge.nodes[2], width) =
@@ -172,11 +172,11 @@ bool centre_middles(const Scene& scene, State& state) {
     if (is_cut(placed, edge, glass)) cut.push_back(edge);
   if (cut.empty()) return false;
   const double heat = scene.has_heat() ? glass_heat(scene, state) : 0;
-  const double volume = core::volume(mass_mesh(state), scene.geometry);
+  const double mass = relative_mass(scene, glass);
   std::vector<Index> slid;
   for (const auto& edge : cut)
     if (centre_middle(placed, edge, glass)) slid.push_back(edge.nodes[2]);
-  glass.density *= volume / core::volume(mass_mesh(state), scene.geometry);
+  glass.density *= mass / relative_mass(scene, glass);
   const auto warm = [&](double by) {
     for (const Index node : slid) glass.temperature[node] += by;
   };

@@ -27,6 +27,16 @@ std::vector<flow::BoundaryCondition> boundary_conditions(const Scene& scene, con
   return conditions;
 }
 
+/// The expansion rate with which the flow conserves mass and not volume, as far as its velocity can be predicted.
+std::vector<double> conserving_rate(const StepStart& start, const core::Mesh& middle,
+                                    const MidpointPredictor& predictor) {
+  std::vector<double> rate = predictor.expansion.rate;
+  if (rate.empty() || !predictor.trusted) return rate;
+  const auto mean = mean_divergence(start.scene, start.state, middle, predictor.velocity, predictor.expansion);
+  for (double& here : rate) here += mean.of_volume - mean.of_mass;
+  return rate;
+}
+
 }  // namespace
 
 FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const MidpointPredictor& predictor,
@@ -34,7 +44,7 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
   const Scene& scene = start.scene;
   const State& state = start.state;
   const double dt = start.dt;
-  const core::Mesh middle = midpoint_mesh(scene, state, predictor.velocity, dt);
+  const core::Mesh middle = midpoint_mesh(scene, state, predictor, dt);
   flow::Problem problem{};
   problem.mesh = &middle;
   problem.geometry = scene.geometry;
@@ -42,8 +52,9 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
   problem.temperature = &predictor.temperature;
   problem.frozen = start.frozen;
   problem.gravity = scene.stages[state.stage].gravity;
-  problem.dilatation_rate =
-      prescribed_dilatation_rate(scene, state, middle, predictor.trusted ? &predictor.velocity : nullptr, dt);
+  problem.dilatation_rate = prescribed_dilatation_rate(
+      scene, state, middle, predictor.trusted ? &predictor.velocity : nullptr, dt, predictor.expansion);
+  problem.expansion_rate = conserving_rate(start, middle, predictor);
   problem.with_dilatation_mode = true;
   problem.boundary_conditions = boundary_conditions(scene, state, dt);
   problem.tools = tool_motions(scene, state, dt);
@@ -58,7 +69,7 @@ FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const 
   const bool carried = (problem.air || floating) && add_carrier(problem, warm, carrier_force);
   if (!workspace.flow) workspace.flow.emplace(middle);
   auto equilibrium = workspace.flow->find_equilibrium(problem, warm);
-  correct_volume(scene, state, dt, equilibrium);
+  correct_volume(scene, state, dt, predictor.expansion.end_temperature, equilibrium);
   auto solution = flow::evaluate(problem, std::move(equilibrium));
   if (carried) remove_carrier(problem, solution);
   if (floating && solution.converged) keep_centre_of_mass(problem, solution);

@@ -236,13 +236,16 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
   double gained = 0;
   double tolerance = (state.last_step > 0 ? 1 : initial_fraction) * scene.accuracy.motion_tolerance;
   std::optional<flow::Solution> solution;
+  const auto missed = [&] {
+    return missed_volume(scene, state, result.state.glass.velocity, dt, predictor.expansion.end_temperature);
+  };
   const auto converged = [&] {
     // What has left the tolerance would leave it again in the next step.
     if (!start.air && result.report.predictor_corrector_difference > tolerance)
       tolerance = initial_fraction * scene.accuracy.motion_tolerance;
     return gained == 0 && result.report.predictor_corrector_difference <= tolerance &&
            !rejected_for_work(scene, result.report) && !is_much_corrected(scene, *solution, dt, state.totals.work) &&
-           missed_volume(scene, state, result.state.glass.velocity, dt) <= iterated_missed_volume;
+           missed() <= iterated_missed_volume;
   };
   for (int iteration = 0; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
     solution = flow_iteration(start, predictor, workspace, result, gained);
@@ -260,15 +263,15 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
     if (result.reason.empty()) result.reason = fmt::format("the step moves glass {:.2g} um into a tool", 1e6 * gained);
     return false;
   }
-  const double missed = missed_volume(scene, state, result.state.glass.velocity, dt);
-  if (missed > rejected_missed_volume && dt > min_step_ratio * scene.accuracy.initial_step) {
-    result.reason = fmt::format("the step changes the volume of the glass by {:.2g}", missed);
+  if (missed() > rejected_missed_volume && dt > min_step_ratio * scene.accuracy.initial_step) {
+    result.reason = fmt::format("the step changes the volume of the glass by {:.2g}", missed());
     return false;
   }
   auto& totals = result.state.totals;
   totals.max_reynolds = std::max(totals.max_reynolds, reynolds(start, *solution));
   sample_resolution(scene, state, *solution, dt, totals);
   totals.capped_work = state.totals.capped_work + capped_work(scene, state, *solution, dt);
+  result.tool_dilatation_mode = solution->tool_dilatation_mode;
   result.dissipation = heating(std::move(*solution));
   move_glass_probes(scene, state.glass.mesh, result.state.glass.velocity, dt, result.state);
   return true;

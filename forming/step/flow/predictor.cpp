@@ -66,11 +66,11 @@ Eigen::VectorXd predicted_velocity(const State& state, double ahead) {
   return velocity;
 }
 
-core::Mesh midpoint_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& midpoint_velocity, double dt) {
+core::Mesh midpoint_mesh(const Scene& scene, const State& state, const MidpointPredictor& predictor, double dt) {
   core::Mesh mesh = state.glass.mesh;
-  Eigen::VectorXd mean = midpoint_velocity;  // over the first half of the step
+  Eigen::VectorXd mean = predictor.velocity;  // over the first half of the step
   if (state.moves_smoothly) mean -= 0.25 * dt * state.glass.acceleration;
-  mean = volume_conserving(scene, state, std::move(mean), 0.5 * dt);
+  mean = volume_conserving(scene, state, std::move(mean), 0.5 * dt, predictor.temperature);
   for (Index n = 0; n < mesh.node_count(); ++n) mesh.nodes[n] += 0.5 * dt * flow::node_velocity(mean, n);
   return mesh;
 }

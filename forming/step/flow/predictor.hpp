@@ -3,6 +3,7 @@
 #include "forming/flow/problem.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "forming/step/balance/expansion.hpp"
 #include "forming/step/flow/fixed_point.hpp"
 
 namespace parison::forming {
@@ -14,6 +15,7 @@ struct MidpointPredictor {
   std::vector<flow::ContactCandidate>
       bounds;                 ///< of earlier coupling iterations, for nodes that later bounds did not keep out
   FixedPoint iteration = {};  ///< of the velocity
+  Expansion expansion = {};   ///< until the step's end
 };
 
 /// Removes from a nodal velocity (two per node, m/s) what crosses the symmetry lines of `mesh`, so that their nodes
@@ -28,9 +30,9 @@ Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, do
 /// contact do not move into their tool.
 Eigen::VectorXd predicted_velocity(const State& state, double ahead);
 
-/// Mesh of the glass in the middle of a step with velocity `midpoint_velocity` there, to third order in the step;
-/// its volume is the first.
-core::Mesh midpoint_mesh(const Scene& scene, const State& state, const Eigen::VectorXd& midpoint_velocity, double dt);
+/// Mesh of the glass in the middle of a step with such velocities and temperatures there, to third order in the step;
+/// its volume is the first, or that of its mass.
+core::Mesh midpoint_mesh(const Scene& scene, const State& state, const MidpointPredictor& predictor, double dt);
 
 /// Accumulates in `after`, a step of length dt behind `before`, the rates from which the next step is predicted. Nodes
 /// whose contact changed in the last two steps are given no acceleration.

@@ -40,6 +40,7 @@ thermal::Problem make_problem(const Scene& scene, const State& state, const Mesh
     for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
       problem.bodies[b].light = surface_light(scene, state, b, *meshes[b]);
   problem.bodies[glass_body].density = state.glass.density;
+  if (scene.expands()) problem.bodies[glass_body].mass_temperature = &state.glass.mass_temperature;
   problem.law = interface_law(scene, problem.interface, state.time, clamped_lookups);
   return problem;
 }

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Glass whose density follows its temperature: sizes, openings and velocities that are known exactly, and its mass.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "core/mesh/element.hpp"
+#include "figure.hpp"
+#include "forming/pot_scene.hpp"
+#include "forming/report/files/history.hpp"
+#include "forming/run/run.hpp"
+#include "forming/scene_text.hpp"
+#include "forming/state/fingerprint.hpp"
+#include "forming/step/balance/volume_conservation.hpp"
+#include "stepping.hpp"
+
+namespace parison::forming {
+namespace {
+
+constexpr double solid = 9e-6, liquid = 32e-6, transformation = 823.15;
+
+/// Length at a temperature, K, over that at 20 degC.
+double length_at(double T) {
+  return std::exp(solid * (std::min(T, transformation) - 293.15) + liquid * std::max(0.0, T - transformation));
+}
+
+std::string expanding_glass(const std::string& conductivity, const std::string& viscosity) {
+  return R"(geometry = "axisymmetric"
+[material.expanding]
+heat_capacity = "1300 J/kg/K"
+expansion = { cold_density = "2520 kg/m3", solid = "9e-6 1/K", liquid = "32e-6 1/K", transformation = "550 degC" }
+conductivity = ")" +
+         conductivity + "\"\nviscosity = " + viscosity + "\n";
+}
+const std::string container = R"({ law = "vft", A = -2.309, B = "3922 K", T0 = "291 degC" })";
+
+/// Mass by the fields as a result file has them, kg.
+double mass_of(const Scene& scene, const State& state) {
+  return scene.glass.density() * relative_mass(scene, state.glass.mesh, state.glass.temperature);
+}
+
+/// Half a ball, 10 mm radius, that cools in air; the plane is one of symmetry.
+Scene ball(const std::string& h, const std::string& duration) {
+  return scene_of("case = \"ball\"\n" + expanding_glass("1.3 W/m/K", container) + R"([glass]
+material = "expanding"
+temperature = "1150 degC"
+mesh = { size = "1 mm" }
+boundary = [
+  { name = "plane", condition = "symmetry", path = "(0, 0) (10, 0) mm" },
+  { name = "surface", condition = "air", path = "arc centre (0, 0) mm radius 10 mm from 0 deg to 90 deg" },
+  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
+[air]
+temperature = "20 degC"
+ambient = "20 degC"
+h = ")" + h + R"("
+[[stage]]
+name = "cool"
+duration = ")" + duration +
+                      "\"\n",
+                  "standard");
+}
+
+TEST(Density, a_ball_that_cools_from_1150_to_20_degC_has_its_size_and_at_each_step_its_mass) {
+  const Scene scene = ball("100 W/m2/K", "1200 s");
+  const State start = initial_state(scene);
+  double worst_mass = 0, colder = 0;
+  const State state = steps_to(scene, start, 1200, [&](const State&, const State& after) {
+    worst_mass = std::max(worst_mass, std::abs(mass_of(scene, after) / start.glass.mass - 1));
+    const auto& T = after.glass.temperature;
+    colder = std::max(colder, T.maxCoeff() - T.minCoeff());
+  });
+  EXPECT_LT(state.glass.temperature.maxCoeff(), 293.25);
+  EXPECT_GT(colder, 100) << "the skin is much colder than the middle in between";
+  tests::Figure size("ball that cools from 1150 to 20 degC, standard: radius off by"), mass("the same: mass off by");
+  const Index surface = core::find_boundary(state.glass.mesh, "surface");
+  for (const auto& edge : state.glass.mesh.boundary_edges())
+    if (edge.boundary_id == surface)
+      for (const Index node : edge.nodes)
+        size.add(std::abs(state.glass.mesh.nodes[node].norm() * length_at(1423.15) / 0.01 - 1));
+  mass.add(worst_mass);
+  std::printf("ball: mass off by %.2e in %d steps, drift %.2e\n", worst_mass, state.totals.steps,
+              state.totals.max_drift);
+  size.at_most(1e-4);
+  mass.at_most(1e-12);
+}
+
+TEST(Density, a_cooling_ball_moves_as_the_heat_it_has_lost_inside_each_radius) {
+  const Scene scene = ball("100 W/m2/K", "20 s");
+  tests::Figure error("ball in cooling, standard: velocity off by, of the largest");
+  double at = 0;
+  steps_to(scene, initial_state(scene), 20, [&](const State& before, const State& after) {
+    at = after.time;
+    if (at < 10) return;
+    // v r^2 is the integral of e r^2, here from the temperatures along the plane.
+    const double dt = after.time - before.time;
+    const auto expansion = [&](Index node) {
+      return 3 * std::log(length_at(after.glass.temperature[node]) / length_at(before.glass.temperature[node])) / dt;
+    };
+    const auto middle = [&](Index node) {
+      return 0.5 * (before.glass.mesh.nodes[node][0] + after.glass.mesh.nodes[node][0]);
+    };
+    std::map<double, std::array<Index, 3>> edges;
+    for (const auto& edge : before.glass.mesh.boundary_edges())
+      if (edge.boundary_id == core::find_boundary(before.glass.mesh, "plane"))
+        edges[middle(edge.nodes[0])] = edge.nodes;
+    double integral = 0, worst = 0, largest = 0;
+    for (const auto& [first, nodes] : edges) {
+      const double length = middle(nodes[1]) - middle(nodes[0]);
+      for (const auto& rule : core::edge_rule(4)) {
+        const auto shape = core::edge_shape(rule.s);
+        double r = 0, e = 0;
+        for (int i = 0; i < 3; ++i) r += shape[i] * middle(nodes[i]), e += shape[i] * expansion(nodes[i]);
+        integral += rule.weight * length * e * r * r;
+      }
+      const double v = after.glass.velocity[core::dim * nodes[1]], r = middle(nodes[1]);
+      largest = std::max(largest, std::abs(v));
+      worst = std::max(worst, std::abs(v - integral / (r * r)));
+    }
+    error.add(worst / largest);
+  });
+  EXPECT_GT(at, 10);
+  error.at_most(5e-3);
+}
+
+TEST(Density, a_plug_opens_from_a_rigid_mould_by_what_it_shrinks) {
+  const Scene scene =
+      scene_of("case = \"plug\"\n" + expanding_glass("1000 W/m/K", R"({ law = "constant", value = "1e9 Pa.s" })") +
+               iron + R"([glass]
+material = "expanding"
+temperature = "1150 degC"
+boundary = [
+  { name = "bottom", condition = "contact", path = "(0, 0) (10, 0) mm" },
+  { name = "side", condition = "contact", path = "(10, 10) mm" },
+  { name = "top", condition = "air", path = "(0, 10) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
+[[tool]]
+name = "mould"
+material = "iron"
+temperature = "400 degC"
+friction = "slip"
+boundary = [
+  { name = "inner", condition = "contact", path = "(10, 20) (10, 0) (0, 0) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, -8) mm" },
+  { name = "outer", condition = "insulated", path = "(20, -8) (20, 20) (10, 20) mm" } ]
+[[interface]]
+tools = ["mould"]
+law = "constant"
+h = "1e-3 W/m2/K"
+[air]
+temperature = "20 degC"
+ambient = "20 degC"
+h = "500 W/m2/K"
+[[stage]]
+name = "hold"
+duration = "20 s"
+gravity = "-9.81 m/s2"
+tools = ["mould"]
+)");
+  const State state = steps_to(scene, initial_state(scene), 20);
+  const double T = core::volume_mean(state.glass.mesh, scene.geometry, state.glass.temperature);
+  const double opening = 0.01 * (1 - length_at(T) / length_at(1423.15));
+  EXPECT_GT(opening, 1e-4);
+  tests::Figure error("plug that cools in a rigid mould: its opening off by");
+  const Index side = core::find_boundary(state.glass.mesh, "side");
+  for (const auto& edge : state.glass.mesh.boundary_edges())
+    if (edge.boundary_id == side)
+      for (const Index node : edge.nodes) {
+        error.add(std::abs((0.01 - state.glass.mesh.nodes[node][0]) / opening - 1));
+        if (state.glass.mesh.nodes[node][1] > 1e-4) EXPECT_EQ(state.glass.contact_tool[node], -1);
+      }
+  std::printf("plug: at %.1f degC, opening %.4f mm\n", T - 273.15, 1e3 * opening);
+  error.at_most(5e-3);
+}
+
+/// Sees how far the mass is off after each step and each new mesh.
+class MassWitness : public RunObserver {
+ public:
+  double worst = 0, start = 0;
+  RunOutcome kept;
+  void stage_begins(const RunView& run) override { look(run); }
+  void step_begins(const RunView& run) override { look(run); }
+  void step_taken(const RunView& run, const State&, const StepReport&) override { look(run); }
+  void checkpoint_possible(const RunView& run, bool) override {
+    if (run.state.totals.steps == 8) kept = {run.state, run.facts};
+  }
+
+ private:
+  void look(const RunView& run) {
+    const double mass = mass_of(run.scene, run.state);
+    if (start == 0) start = mass;
+    worst = std::max(worst, std::abs(mass / start - 1));
+  }
+};
+
+TEST(Density, a_pressed_gob_keeps_its_mass_through_new_meshes_and_a_run_taken_up_again) {
+  const std::string glass = "[material.glass]\ndensity = \"2400 kg/m3\"\n";
+  std::string text = replaced(glass,
+                              "[material.glass]\nexpansion = { cold_density = \"2520 kg/m3\", solid = \"9e-6 "
+                              "1/K\", liquid = \"32e-6 1/K\", transformation = \"550 degC\" }\n",
+                              replaced("duration = \"0.4 s\"", "duration = \"0.1 s\"", pot + "quality_floor = 0.6\n"));
+  text = replaced("[material.glass]",
+                  "[[stage]]\nname = \"rest\"\nduration = \"0.1 s\"\ngravity = \"-9.81 m/s2\"\ntools = [\"pot\"]\n"
+                  "[material.glass]",
+                  text);
+  const Scene scene = scene_of(text);
+  MassWitness witness;
+  const RunOutcome whole = run(scene, {&witness});
+  ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
+  const auto& remeshing = whole.state.totals.remeshing;
+  EXPECT_GE(remeshes(whole.state), 3);
+  tests::Figure mass("gob pressed in a pot, new meshes and a second stage: mass off by");
+  tests::Figure heat("the same: heat changed by one new mesh, of all that it loses");
+  std::printf("pot: mass off by %.2e, %d steps, %d meshes, heat %.2e, imbalance %.2e, work %.2e\n", witness.worst,
+              whole.state.totals.steps, remeshes(whole.state), remeshing.max_heat,
+              glass_facts(scene, whole.state).energy_imbalance, whole.state.totals.work.expansion);
+  mass.add(witness.worst);
+  mass.at_most(1e-12);
+  heat.add(remeshing.max_heat / (whole.state.totals.to_tools + whole.state.totals.to_air));
+  heat.at_most(1e-9);
+  EXPECT_LT(std::abs(glass_facts(scene, whole.state).energy_imbalance), 1e-9);
+  EXPECT_NEAR(glass_facts(scene, whole.state).mass, witness.start, 1e-12 * witness.start);
+  ASSERT_EQ(witness.kept.state.totals.steps, 8);
+  EXPECT_EQ(fingerprint(resume(scene, std::move(witness.kept)).state), fingerprint(whole.state));
+}
+
+}  // namespace
+}  // namespace parison::forming
