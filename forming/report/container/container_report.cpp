@@ -10,6 +10,7 @@
 #include "forming/report/files/history.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/container/hollow.hpp"
+#include "forming/step/balance/cold_glass.hpp"
 
 namespace parison::forming {
 namespace {
@@ -48,10 +49,45 @@ std::string millilitres(double volume) {
   return figures(volume / millilitre, 2);
 }
 
+/// The mesh of the glass as it would be cold, against that of the run's end; it stands as `up` says.
+ColdContainer cold_container(const Scene& scene, const core::Mesh& hot, const core::Mesh& cold, int up) {
+  const core::Profile surface = surface_of(cold);
+  double radius = 0;
+  for (const core::Segment& segment : surface.segments) radius = std::max(radius, segment.start[0]);
+  ColdContainer container{highest_place(surface, 1) - highest_place(surface, -1),
+                          2 * radius,
+                          std::cbrt(core::volume(hot, scene.geometry) / core::volume(cold, scene.geometry)) - 1,
+                          {},
+                          {}};
+  const auto glass = slices_of({&surface, {true}, 0});
+  const auto hollow = glass ? hollow_of(*glass, up) : std::nullopt;
+  if (!hollow) return container;
+  container.capacity = hollow->capacity;
+  if (const auto level = scene.output.fill_level) container.filled = hollow->to_depth(*level);
+  return container;
+}
+
 /// Whether a volume of the container is not that of the drawings, by a share that is worth a word.
 bool differs(double volume, const std::optional<double>& drawn) {
   constexpr double notable = 1e-3;
   return drawn && std::abs(volume / *drawn - 1) > notable;
+}
+
+void add_cold(core::JsonWriter& json, const ContainerReport& report) {
+  if (!report.cold) return;
+  json.open_object("cold");
+  add_volumes(json, report.cold->capacity, report.cold->filled);
+  json.add("height_mm", report.cold->height / millimetre);
+  json.add("diameter_mm", report.cold->diameter / millimetre);
+  json.add("contraction", report.cold->contraction);
+  json.close();
+}
+
+/// What the table of results says about the cold container; empty without one that holds something.
+std::string cold_text(const ContainerReport& report) {
+  if (!report.cold || !report.cold->capacity) return "";
+  return fmt::format("; at 20 degC {} ml, {:.5g} mm high, contraction {:.2f} %", millilitres(*report.cold->capacity),
+                     report.cold->height / millimetre, 100 * report.cold->contraction);
 }
 
 }  // namespace
@@ -80,6 +116,7 @@ std::optional<ContainerReport> container_report(const Scene& scene, const State&
         "not computed: as the glass stands, no hollow was found that would hold a liquid; it is open below, or its "
         "wall too thin or its mesh too fine to tell";
   }
+  if (const auto cold = cold_glass(scene, state)) report.cold = cold_container(scene, state.glass.mesh, *cold, up);
   if (plan->press && plan->press->is_driven && state.stage >= plan->press->stage)
     report.plunger_stop = state.tools[plan->press->tool].offset;
   return report;
@@ -95,6 +132,7 @@ void add_container(core::JsonWriter& json, const Scene& scene, const State& stat
   if (!report->absent.empty()) json.add("capacity_absent", report->absent);
   add_optional(json, "plunger_stop_mm", report->plunger_stop, millimetre);
   add_optional(json, "fill_level_mm", scene.output.fill_level, millimetre);
+  add_cold(json, *report);
   const ContainerPlan& plan = *scene.container;
   json.open_object("from_drawings");
   json.add("weight_g", 1e3 * plan.mass);
@@ -116,11 +154,11 @@ std::string capacity_text(const Scene& scene, const State& state, bool is_wall) 
   if (!is_as_drawn)
     text += fmt::format(" at {:.5g} mm, drawn {} ml at {:.5g} mm", report->rim / millimetre,
                         millilitres(*plan.capacity), *plan.rim / millimetre);
-  if (!report->filled) return text;
+  if (!report->filled) return text + cold_text(*report);
   text += fmt::format("{} {} ml to {:.4g} mm below it", is_as_drawn ? "," : ";", millilitres(*report->filled),
                       *scene.output.fill_level / millimetre);
   if (differs(*report->filled, plan.filled)) text += fmt::format(", drawn {} ml", millilitres(*plan.filled));
-  return text;
+  return text + cold_text(*report);
 }
 
 }  // namespace parison::forming

@@ -10,6 +10,14 @@
 
 namespace parison::forming {
 
+/// The container at 20 degC, where the density of the glass depends on temperature.
+struct ColdContainer {
+  double height, diameter;         ///< m
+  double contraction;              ///< of the glass in length since the end of the run, mean: what a mould is larger by
+  std::optional<double> capacity;  ///< to the rim, m3
+  std::optional<double> filled;    ///< to the fill level of the case, m3
+};
+
 /// The container as the run has formed it.
 struct ContainerReport {
   double weight = 0;  ///< kg
@@ -19,6 +27,7 @@ struct ContainerReport {
   std::string absent;                            ///< why there is no capacity, a sentence; empty with one
   std::optional<double> filled;                  ///< to the fill level of the case, m3
   std::optional<double> plunger_stop;            ///< offset of the plunger of the press, where a force drives it, m
+  std::optional<ColdContainer> cold;
 };
 
 /// Nothing in a planar scene, without flow or without tools, and where neither the drawings make a container

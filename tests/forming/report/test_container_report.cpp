@@ -12,15 +12,15 @@ namespace parison::forming {
 namespace {
 
 /// A cup of glass, open above, 4 mm outside and 3 mm inside, 20 mm high on 1 mm of bottom, in a mould without a lid.
-Scene cup_in_an_open_mould(const std::string& gravity) {
+Scene cup_in_an_open_mould(const std::string& gravity, const std::string& density = "density = \"2400 kg/m3\"\n",
+                           const std::string& temperature = "") {
   return scene_of(R"(case = "cup"
 geometry = "axisymmetric"
 output.fill_level = "5 mm"
 [material.soft]
-density = "2400 kg/m3"
-viscosity = { law = "constant", value = "1e4 Pa.s" }
+)" + density + R"(viscosity = { law = "constant", value = "1e4 Pa.s" }
 [glass]
-material = "soft"
+)" + temperature + R"(material = "soft"
 boundary = [
   { name = "outer", path = "(0, 0) (4, 0) (4, 20) mm", condition = "contact" },
   { name = "top", path = "(3, 20) mm", condition = "air" },
@@ -54,6 +54,27 @@ TEST(ContainerReport, what_a_blown_wall_holds_is_given_where_no_tool_closes_the_
   EXPECT_NEAR(1e9 * *report->filled, M_PI * 9 * 14, 0.01);
   EXPECT_EQ(capacity_text(scene, initial_state(scene), true), "0.5372 ml to the rim, 0.3958 ml to 5 mm below it");
   EXPECT_EQ(capacity_text(scene, initial_state(scene), false), "") << "a gob";
+}
+
+TEST(ContainerReport, a_container_of_one_temperature_shrinks_alike_to_20_degC) {
+  const Scene scene = cup_in_an_open_mould(
+      "-9.81 m/s2",
+      "expansion = { cold_density = \"2520 kg/m3\", solid = \"9e-6 1/K\", liquid = \"32e-6 1/K\", transformation = "
+      "\"550 degC\" }\n",
+      "temperature = \"700 degC\"\n");
+  const State state = initial_state(scene);
+  const auto report = container_report(scene, state, true);
+  ASSERT_TRUE(report && report->capacity && report->cold && report->cold->capacity && report->cold->filled);
+  const double length = std::exp(9e-6 * 530 + 32e-6 * 150);
+  EXPECT_NEAR(report->cold->contraction, length - 1, 1e-7);
+  EXPECT_NEAR(1e3 * report->cold->height * length, 20, 1e-5);
+  EXPECT_NEAR(1e3 * report->cold->diameter * length, 8, 1e-5);
+  EXPECT_NEAR(*report->cold->capacity * std::pow(length, 3) / *report->capacity, 1, 1e-6);
+  EXPECT_LT(*report->cold->filled, *report->cold->capacity);
+  EXPECT_NE(capacity_text(scene, state, true).find("; at 20 degC 0.5220 ml, 19.81 mm high, contraction 0.96 %"),
+            std::string::npos)
+      << capacity_text(scene, state, true);
+  EXPECT_FALSE(container_report(cup_in_an_open_mould("-9.81 m/s2"), state, true)->cold);
 }
 
 TEST(ContainerReport, a_wall_whose_capacity_cannot_be_computed_is_told_why) {
