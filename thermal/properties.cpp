@@ -6,6 +6,22 @@
 
 namespace parison::thermal {
 
+core::Table rosseland_absorption(const std::vector<Band>& bands) {
+  constexpr double coldest = 300, hottest = 2000, apart = 50;  // K
+  core::Table table;
+  for (double T = coldest; T <= hottest; T += apart) {
+    double conducted = 0, from = 0;
+    for (const Band& band : bands) {
+      const double absorption = band.absorption * (band.relative.x.empty() ? 1 : band.relative(T));
+      conducted += emission_between(from, band.up_to, T).derivative / absorption;
+      from = band.up_to;
+    }
+    table.x.push_back(T);
+    table.y.push_back(4 * stefan_boltzmann * T * T * T / conducted);
+  }
+  return table;
+}
+
 bool absorption_varies(const Material& material) {
   const auto varies = [](const Band& band) { return !band.relative.x.empty(); };
   return has_light(material) && std::any_of(material.radiation->bands.begin(), material.radiation->bands.end(), varies);

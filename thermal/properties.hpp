@@ -17,6 +17,11 @@ struct Band {
   core::Table relative = {};  ///< kappa over `absorption`, by temperature, K; empty: the same at all temperatures
 };
 
+/// The mean absorption that gives Rosseland's conduction of bands, 1/m, over temperature, K: the harmonic mean weighted
+/// with the derivative of the emission, where glass beyond the last band conducts nothing (M. F. Modest, Radiative Heat
+/// Transfer, 3rd ed. 2013, chapter 15).
+core::Table rosseland_absorption(const std::vector<Band>& bands);
+
 /// Internal radiation. Rosseland (1924): it adds to the conductivity k_r = 16/3 n^2 sigma T^3 / kappa, T in K, which
 /// holds where the wall is optically thick, kappa w >> 1. P1: an equation for the light of each band (see
 /// radiation/README.md); beyond the last band the glass is opaque. P1 in cones: two equations, for the directions that

@@ -40,8 +40,9 @@ bool read_enclosure(const core::CaseNode& node, const Scene& scene) {
   return true;
 }
 
-/// Refuses planes of symmetry that show more images of the bodies than those of one mirror or of two at right angles.
-void refuse_many_mirrors(const core::CaseNode& enclosure, const Scene& scene) {
+/// How many planes of symmetry there are where they show more images of the bodies than those of one mirror or of two at
+/// right angles; 0 otherwise.
+std::size_t too_many_mirrors(const Scene& scene) {
   constexpr double same = 1e-6;  // of the size of the glass, and of an angle
   struct Line {
     core::Point at, along;
@@ -62,10 +63,19 @@ void refuse_many_mirrors(const core::CaseNode& enclosure, const Scene& scene) {
   };
   add(scene.glass, 0);
   for (const Tool& tool : scene.tools) add(tool, tool.position);
-  if (lines.size() > 2 || (lines.size() == 2 && std::abs(lines[0].along.dot(lines[1].along)) > same))
-    core::refuse(enclosure,
+  const bool many = lines.size() > 2 || (lines.size() == 2 && std::abs(lines[0].along.dot(lines[1].along)) > same);
+  return many ? lines.size() : 0;
+}
+
+/// Surfaces see each other by default where the glass has its light by rays and its mirrors are few.
+void settle_enclosure(const core::CaseNode* given, Scene& scene) {
+  const std::size_t many = scene.enclosure ? too_many_mirrors(scene) : 0;
+  if (many == 0) return;
+  if (given)
+    core::refuse(*given,
                  fmt::format("true was found with {} planes of symmetry{}, allowed are one, or two at right angles",
-                             lines.size(), scene.geometry == core::Geometry::planar ? "" : " across the axis"));
+                             many, scene.geometry == core::Geometry::planar ? "" : " across the axis"));
+  scene.enclosure = false;
 }
 
 void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
@@ -73,11 +83,14 @@ void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
   scene.glass = read_glass(root.get("glass"), context);
   context.with_heat = scene.has_heat();
   context.with_flow = scene.has_flow();
-  if (const auto* enclosure = root.find("enclosure")) scene.enclosure = read_enclosure(*enclosure, scene);
+  const auto* enclosure = root.find("enclosure");
+  scene.enclosure = enclosure ? read_enclosure(*enclosure, scene)
+                              : scene.has_light() && scene.glass.thermal->radiation->model ==
+                                                         thermal::Radiation::Model::transfer;
   context.with_light = scene.has_light() || scene.enclosure || scene.radiation_choice;
   refuse_repeated_names(root.tables("tool"));
   for (const auto* tool : root.tables("tool")) scene.tools.push_back(read_tool(*tool, context));
-  if (scene.enclosure) refuse_many_mirrors(*root.find("enclosure"), scene);
+  settle_enclosure(enclosure, scene);
   for (const auto* node : root.tables("interface"))
     for (auto& interface : read_interfaces(*node, scene)) scene.interfaces.push_back(std::move(interface));
 }

@@ -41,7 +41,7 @@ bool is_intact(const std::string& path) {
 
 void put_in_place(const std::string& directory, const std::string& made) {
   const std::string last = last_path(directory);
-  if (is_intact(last))  // a damaged one never takes the place of a good one
+  if (is_intact(last) && core::is_own(last))  // a damaged one, or the user's, never takes the place of a good one
     core::rename_own(last, path_before(directory));
   core::rename_own(made, last);
   core::sync_to_disk(directory);

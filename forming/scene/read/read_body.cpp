@@ -231,7 +231,11 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
   const auto& material = find_material(table.get("material"), context, true);
   glass.thermal = material.thermal;
   glass.flow = material.flow;
-  glass.emissivity = material.emissivity;
+  if (material.emissivity.y.size() > 1)
+    core::refuse(table.get("material"),
+                 fmt::format("\"{}\" has an emissivity over temperature, allowed for the glass is one value",
+                             material.name));
+  glass.emissivity = material.emissivity.y.front();
   if (!glass.thermal && !glass.flow)
     core::refuse(table.get("material"),
                  fmt::format("\"{}\" has neither viscosity nor conductivity and heat_capacity, allowed is a material "
@@ -290,7 +294,6 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
                                "thin_wall = false or no radiation",
                                material.name));
     tool.thermal = material.thermal;
-    tool.emissivity = material.emissivity;
     table.get("temperature");
   }
   if (context.with_flow) tool.friction = read_friction(table.get("friction"), context.with_heat);
@@ -299,7 +302,9 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
   if (const auto* item = table.find("swab")) tool.swab = read_swab(*item);
   if (const auto* item = table.find("position")) tool.position = core::quantity(*item, dimension::length);
   read_shape(table, context, tool);
-  if (tool.thermal) read_start_temperature(table.get("temperature"), context, tool);
+  if (!tool.thermal) return tool;
+  read_start_temperature(table.get("temperature"), context, tool);
+  tool.emissivity = find_material(table.get("material"), context, false).emissivity(tool.initial_temperature);
   return tool;
 }
 

@@ -173,6 +173,15 @@ void check_density(const CaseTable& table, const std::string& name) {
                                            name));
 }
 
+core::Table read_emissivity(const CaseNode& node) {
+  const bool varies = node.kind == CaseNode::Kind::list;
+  core::Table table = core::quantity_table(node, dimension::temperature, dimension::none);
+  for (std::size_t i = 0; i < table.y.size(); ++i)
+    if (!(table.y[i] >= 0 && table.y[i] <= 1))
+      core::refuse(varies ? node.items[i].items[1] : node, fmt::format("{:g} was found, allowed is 0 to 1", table.y[i]));
+  return table;
+}
+
 NamedMaterial read_material(const CaseNode& node) {
   const CaseTable table(
       node, {"density", "expansion", "heat_capacity", "conductivity", "radiation", "viscosity", "shear_thinning",
@@ -192,12 +201,10 @@ NamedMaterial read_material(const CaseNode& node) {
     if (const auto* item = table.find(key); item && !material.flow)
       core::refuse(*item, "the material does not flow, this key is allowed only together with viscosity");
   if (material.thermal && thermal::has_light(*material.thermal))
-    material.emissivity = thermal::surface_emissivity(material.thermal->radiation->refractive_index);
+    material.emissivity = core::constant(thermal::surface_emissivity(material.thermal->radiation->refractive_index));
   if (const auto* emissivity = table.find("emissivity")) {
     material.has_emissivity = true;
-    material.emissivity = core::not_negative(*emissivity, dimension::none);
-    if (material.emissivity > 1)
-      core::refuse(*emissivity, fmt::format("{:g} was found, allowed is 0 to 1", material.emissivity));
+    material.emissivity = read_emissivity(*emissivity);
   }
   return material;
 }

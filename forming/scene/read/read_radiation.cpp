@@ -25,18 +25,22 @@ struct Absorption {
   core::Table relative;  ///< empty where it does not depend on temperature
 };
 
+Absorption relative_to_first(core::Table table) {
+  const double first = table.y.front();
+  for (double& y : table.y) y /= first;
+  return {first, std::move(table)};
+}
+
 /// A quantity, or a list of [temperature, quantity]; `check` is called with each and where it stands.
 template <typename Check>
 Absorption read_absorption(const CaseNode& node, const Check& check) {
   constexpr std::size_t most = 1000;
   if (node.items.size() > most)
     core::refuse(node, fmt::format("{} pairs were found, allowed are up to {}", node.items.size(), most));
-  Absorption absorption{0, core::quantity_table(node, dimension::temperature, dimension::inverse_length)};
+  core::Table table = core::quantity_table(node, dimension::temperature, dimension::inverse_length);
   const bool varies = node.kind == CaseNode::Kind::list;
-  for (std::size_t i = 0; i < absorption.relative.y.size(); ++i)
-    check(absorption.relative.y[i], varies ? node.items[i].items[1] : node);
-  absorption.first = absorption.relative.y.front();
-  for (double& y : absorption.relative.y) y /= absorption.first;
+  for (std::size_t i = 0; i < table.y.size(); ++i) check(table.y[i], varies ? node.items[i].items[1] : node);
+  Absorption absorption = relative_to_first(std::move(table));
   if (!varies) absorption.relative = {};
   return absorption;
 }
@@ -114,11 +118,25 @@ CaseNode* material_of_glass(core::CaseFile& file) {
 /// Models cheaper than `transfer` that a case has the keys of. With an enclosure P1 is none of them.
 std::vector<std::string> allowed_models(core::CaseFile& file, CaseNode& material, CaseNode& radiation) {
   std::vector<std::string> allowed;
-  if (member(radiation, "absorption") && member(radiation, "thin_wall") && member(material, "emissivity"))
+  if (member(radiation, "thin_wall") && member(material, "emissivity"))
     allowed.push_back("rosseland");
   const CaseNode* enclosure = member(file.root, "enclosure");
-  if (!enclosure || !enclosure->flag) allowed.insert(allowed.end(), {"p1", "p1_cones"});
+  if (enclosure && !enclosure->flag) allowed.insert(allowed.end(), {"p1", "p1_cones"});
   return allowed;
+}
+
+/// The node of `radiation.model`, which is `auto` where a glass with bands has none.
+CaseNode* model_of(CaseNode& radiation) {
+  CaseNode* model = member(radiation, "model");
+  if (model || !member(radiation, "bands")) return model;
+  CaseNode automatic = radiation;
+  automatic.kind = CaseNode::Kind::text;
+  automatic.name = "model";
+  automatic.text = "auto";
+  automatic.items.clear();
+  const auto after = std::find_if(radiation.items.begin(), radiation.items.end(),
+                                  [](const CaseNode& item) { return item.name > "model"; });
+  return &*radiation.items.insert(after, automatic);
 }
 
 }  // namespace
@@ -126,7 +144,7 @@ std::vector<std::string> allowed_models(core::CaseFile& file, CaseNode& material
 std::optional<RadiationChoice> choose_radiation(core::CaseFile& file, const AccuracyChoice& accuracy) {
   CaseNode* material = material_of_glass(file);
   CaseNode* radiation = material ? member(*material, "radiation") : nullptr;
-  CaseNode* model = radiation ? member(*radiation, "model") : nullptr;
+  CaseNode* model = radiation ? model_of(*radiation) : nullptr;
   if (!model || model->text != "auto") return {};
   read_radiation(*radiation);  // has what every model needs, or is refused
   const CaseNode* within = member(*radiation, "within");
@@ -143,7 +161,8 @@ std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
   enum { none, rosseland, p1, p1_cones, transfer, automatic };
   const auto* named = table.find("model");
   const int model =
-      named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones", "transfer", "auto"}) : rosseland;
+      named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones", "transfer", "auto"})
+            : table.find("bands") ? automatic : rosseland;
   if (const auto* within = table.find("within")) read_within(*within);
   // What another model needs may stand beside it, so that a case can be run with each; it is read all the same.
   const auto wanted = [&](const char* key, bool needed) { return needed ? &table.get(key) : table.find(key); };
@@ -154,14 +173,18 @@ std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
       core::refuse(*index,
                    fmt::format("{:g} was found, allowed are refractive indices from 1", radiation.refractive_index));
   }
-  if (const auto* mean = wanted("absorption", model == rosseland)) {
+  if (const auto* bands = wanted("bands", model >= p1)) radiation.bands = read_bands(*bands);
+  if (const auto* mean = wanted("absorption", model == rosseland && radiation.bands.empty())) {
     const auto absorption =
         read_absorption(*mean, [](double, const CaseNode& at) { core::positive(at, dimension::inverse_length); });
     radiation.absorption = absorption.first;
     radiation.relative = absorption.relative;
+  } else if (!radiation.bands.empty()) {
+    const auto absorption = relative_to_first(thermal::rosseland_absorption(radiation.bands));
+    radiation.absorption = absorption.first;
+    radiation.relative = absorption.relative;
   }
   if (const auto* thin_wall = wanted("thin_wall", model == rosseland)) radiation.thin_wall = core::flag(*thin_wall);
-  if (const auto* bands = wanted("bands", model >= p1)) radiation.bands = read_bands(*bands);
   if (model == none) return {};
   if (model == p1) radiation.model = thermal::Radiation::Model::p1;
   if (model == p1_cones) radiation.model = thermal::Radiation::Model::p1_cones;
