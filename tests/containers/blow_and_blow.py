@@ -4,7 +4,7 @@ import math
 
 from . import case_text as text
 from .case_text import CONTACT, INSULATED, SYMMETRY, WALL, Tool, cooled
-from .draws import Parison, absorption, friction, rounded, temperatures
+from .draws import Parison, colour, friction, rounded, temperatures
 from .outline import Path, area, gap_within, volume
 
 
@@ -84,5 +84,5 @@ def draw_case(draw, name):
     head = [f"Random narrow-neck bottle, blow and blow: {2.4e-3 * wanted:.0f} g, height {total:g} mm,",
             f"mean wall {wall:.2f} mm. Neck-down frame: z = 0 at the finish."]
     glass = [("side", CONTACT, side), ("top", CONTACT, top), ("axis", SYMMETRY, Path((0, tip)))]
-    return text.case_text(head, name, made, glass, heat["gob"], absorption(draw), tools), {
+    return text.case_text(head, name, made, glass, heat["gob"], colour(draw), tools), {
         f"friction_{tool}": value for tool, value in frictions.items()}

@@ -3,19 +3,6 @@
 from .outline import Path, number, point_text
 
 AIR = 'air = { temperature = "50 degC", h = "20 W/m2/K", ambient = "50 degC" }'
-MATERIALS = """[material.container_glass]
-density = "2400 kg/m3"
-heat_capacity = "1300 J/kg/K"
-conductivity = "1.3 W/m/K"
-radiation = {{ refractive_index = 1.518, absorption = "{absorption} 1/m", thin_wall = true }}
-viscosity = {{ law = "vft", A = -2.309, B = "3922 K", T0 = "291 degC" }}
-surface_tension = "0.315 N/m"
-emissivity = 0.89
-
-[material]
-grey_iron = {{ density = "7200 kg/m3", heat_capacity = "490 J/kg/K", conductivity = "46 W/m/K" }}
-H13 = {{ density = "7750 kg/m3", heat_capacity = "440 J/kg/K", conductivity = "20 W/m/K" }}
-"""
 LAW = """law = "pressure-viscosity"
 h0 = "500 W/m2/K"
 h1 = "20000 W/m2/K"
@@ -68,13 +55,13 @@ def named_boundary(name, start, end):
     return f'name_boundary = [{{ name = "{name}", from = "{point_text([start])}", to = "{point_text([end])}" }}]'
 
 
-def case_text(head, name, stages, glass, temperature, absorption, tools):
-    """A whole case file; `glass` holds the glass boundaries, like a tool's."""
+def case_text(head, name, stages, glass, temperature, colour, tools):
+    """A whole case file; `glass` holds the glass boundaries, like a tool's, `colour` names one of the bundled glasses."""
     lines = [f"# {line}" for line in head] + [f'case = "{name}"', 'geometry = "axisymmetric"', AIR,
                                              'output.interval = "0.1 s"', "", "stage = [", *stages, "]", "",
-                                             MATERIALS.format(absorption=absorption), "[[interface]]",
+                                             "[[interface]]",
                                              f"tools = {quoted(tool.name for tool in tools)}", LAW, "[glass]",
-                                             'material = "container_glass"', f'temperature = "{temperature} degC"',
+                                             f'material = "{colour}"', f'temperature = "{temperature} degC"',
                                              "boundary = [", *[boundary(*b) for b in glass], "]", ""]
     return "\n".join(lines + [tool.text() for tool in tools])
 

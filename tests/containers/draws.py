@@ -37,9 +37,9 @@ def temperatures(draw):
             "plunger": whole(draw, 450, 600), "ring": whole(draw, 450, 550)}
 
 
-def absorption(draw):
-    """Absorption of the glass, 1/m, from clear to dark."""
-    return whole(draw, 50, 260)
+def colour(draw):
+    """A bundled glass, from clear to dark; of one whole number, so that all draws after it are those of earlier versions."""
+    return ("flint", "green", "amber")[(whole(draw, 50, 260) - 50) // 71]
 
 
 def plunger_force(draw, area, least=0.5):

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from . import case_text as text
-from .draws import (Parison, Plunger, Tip, absorption, enough_force, friction, holding_walls, plunger_force, pressing,
+from .draws import (Parison, Plunger, Tip, colour, enough_force, friction, holding_walls, plunger_force, pressing,
                     rounded, temperatures)
 from .outline import Path, area, gap_within, solve, volume
 
@@ -153,7 +153,7 @@ def pressed_case(draw, name, title, shape, loads_of, times):
     head = [f"Random {title}, press and blow: {2.4e-3 * wanted:.0f} g, height {shape.total:g} mm, mean wall {shape.wall} mm,",
             f"plunger tip {plunger.tip}, cavity full at {shape.full:.3f} mm. Neck-down frame: z = 0 at the finish."]
     glass = [("surface", text.CONTACT, shape.glass), ("axis", text.SYMMETRY, Path((0, shape.start)))]
-    return text.case_text(head, name, made, glass, heat["gob"], absorption(draw), shape.tools(heat, frictions)), \
+    return text.case_text(head, name, made, glass, heat["gob"], colour(draw), shape.tools(heat, frictions)), \
         facts(plunger.tip, force, frictions, shape.full)
 
 

@@ -4,7 +4,7 @@ import math
 
 from . import case_text as text
 from .case_text import CONTACT, INSULATED, SYMMETRY, WALL, Tool, cooled
-from .draws import Tip, absorption, enough_force, friction, holding_walls, plunger_force, pressing, rounded, temperatures
+from .draws import Tip, colour, enough_force, friction, holding_walls, plunger_force, pressing, rounded, temperatures
 from .outline import Path, gap_within, radius_at, volume
 from .press_and_blow import facts, gob
 
@@ -90,5 +90,5 @@ def draw_case(draw, name):
     head = [f"Random tumbler, pressed: {2.4e-3 * wanted:.0f} g, height {rim:g} mm, wall {wall} mm,",
             f"plunger tip {tip}, cavity full at {foot:.3f} mm. z = 0 under the foot."]
     glass = [("surface", CONTACT, glass), ("axis", SYMMETRY, Path((0, 0)))]
-    return text.case_text(head, name, stages(draw, press, rim, foot, shank), glass, heat["gob"], absorption(draw),
+    return text.case_text(head, name, stages(draw, press, rim, foot, shank), glass, heat["gob"], colour(draw),
                           tools), facts(tip, force, frictions, foot)

@@ -55,7 +55,7 @@ def jar(options):
 def light_sets(kind):
     """What replaces values of the jar for a kind of radiation."""
     model, _, table = kind.partition("_")
-    return store.with_light("jar", model) + ([f"material.flint.radiation.bands={BY_TEMPERATURE}"] if table else [])
+    return store.with_light(model) + ([f"material.flint.radiation.bands={BY_TEMPERATURE}"] if table else [])
 
 
 def radiation(options):

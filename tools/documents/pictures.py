@@ -6,7 +6,7 @@ COLOURS = {"rosseland": "#b03030", "none": "#808080", "transfer": "#2060a0", "en
 
 
 def radiation(case):
-    """Wall and skin of a case by Rosseland's conduction, without radiation inside the glass, and by transfer."""
+    """Wall and skin of a case by transfer with and without enclosure, without radiation inside the glass, and by Rosseland's conduction."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -21,7 +21,7 @@ def radiation(case):
         wall.plot([i / last for i, _ in known], [t for _, t in known], color=colour, label=label, linewidth=1.2)
         over_time = run["skin"] + [[end["end_s"], end["skin_mean_degC"]] for end in run["stages"][-1:] if "skin_mean_degC" in end]
         skin.plot([t for t, _ in over_time], [T for _, T in over_time], color=colour, label=label, linewidth=1.2)
-    for stage in store.run(case, "light_rosseland")["stages"]:
+    for stage in store.run(case, "light_enclosure")["stages"]:
         skin.axvline(stage["end_s"], color="#d0d0d0", linewidth=0.6, zorder=0)
         skin.annotate(stage["name"], (stage["end_s"], 0), xycoords=("data", "axes fraction"), xytext=(-1, 3), rotation=90,
                       textcoords="offset points", ha="right", va="bottom", fontsize=6, color="#606060")

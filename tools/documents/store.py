@@ -24,37 +24,33 @@ COVERAGE = ROOT / "tests/coverage.json"
 VERIFICATION = ROOT / "tests/figures.json"
 PERFECT = '"1e9 W/m2/K"'
 
-# Tools of oxidised iron, which light of the glass reaches.
-EMISSIVITIES = {"jar": ("grey_iron", "H13"), "bottle": ("grey_iron",), "tumbler": ("grey_iron", "H13")}
-MODELS = ("rosseland", "none", "p1", "transfer", "enclosure")
+# What light does in the glass of a case: as it stands, and by other models of radiation.
+MODELS = ("enclosure", "transfer", "p1", "none", "rosseland")
 
 
-def with_light(case, model):
-    """What replaces values of a case for a model of radiation; `enclosure` is transfer whose surfaces see each other."""
-    if model == "rosseland":
-        return []
-    sets = ["material.flint.radiation.model=" + ("transfer" if model == "enclosure" else model)]
-    if model != "none":
-        sets += [f"material.{tool}.emissivity=0.8" for tool in EMISSIVITIES[case]]
-    return sets + (["enclosure=true"] if model == "enclosure" else [])
+def with_light(model):
+    """What replaces values of a bundled case for a model of radiation; `enclosure` is the case itself: transfer whose surfaces see each other."""
+    alone = ["enclosure=false"] if model in ("transfer", "p1") else []
+    return [] if model == "enclosure" else [f"material.flint.radiation.model={model}", *alone]
 
 
-def light_runs(case):
-    return {f"light_{model}": ("draft", with_light(case, model)) for model in MODELS}
+def light_runs():
+    return {f"light_{model}": ("draft", with_light(model)) for model in MODELS}
 
 
 # Gob and tools of the blank side of the jar hotter by 5 K, with the contact of the case and with one whose h does not fall with the viscosity.
 WARMER = {"": [], "_gob": ["glass.temperature=1155 degC"],
           "_tools": ["tool.ring.temperature=465 degC", "tool.plate.temperature=465 degC", "tool.blank.temperature=465 degC",
                      "tool.plunger.temperature=505 degC"]}
-SLOPE_MODELS = ("rosseland", "none", "transfer")
+SLOPE_MODELS = ("enclosure", "none", "rosseland")
+EVEN_MODELS = ("enclosure", "none")
 
 
 def slope_runs():
-    runs = {f"slope_{model}{warmer}": ("draft", with_light("jar", model) + sets) for model in SLOPE_MODELS
+    runs = {f"slope_{model}{warmer}": ("draft", with_light(model) + sets) for model in SLOPE_MODELS
             for warmer, sets in WARMER.items() if warmer}
-    runs.update({f"slope_{model}_even{warmer}": ("draft", [*with_light("jar", model), "interface.0.b=0", *WARMER[warmer]])
-                 for model in ("rosseland", "none") for warmer in ("", "_gob")})
+    runs.update({f"slope_{model}_even{warmer}": ("draft", [*with_light(model), "interface.0.b=0", *WARMER[warmer]])
+                 for model in EVEN_MODELS for warmer in ("", "_gob")})
     return runs
 
 
@@ -68,11 +64,11 @@ RUNS = {
         "dwell_8kN": ("draft", ["stage.dwell.motion.plunger.force=8 kN"]),
         "perfect": ("standard", [f"interface.0.h0={PERFECT}", f"interface.0.h1={PERFECT}"]),
         "mould_perfect": ("standard", [f"interface.blow_mould.h0={PERFECT}", f"interface.blow_mould.h1={PERFECT}"]),
-        **light_runs("jar"),
+        **light_runs(),
         **slope_runs(),
     },
-    "bottle": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", []), **light_runs("bottle")},
-    "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", []), **light_runs("tumbler")},
+    "bottle": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", []), **light_runs()},
+    "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", []), **light_runs()},
     "nnpb": {"draft": ("draft", []), "standard": ("standard", [])},
     "flute": {"draft": ("draft", []), "standard": ("standard", [])},
     "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.2 s", "dimension.reheat=1.8 s", "dimension.run=0.5 s"])},

@@ -292,8 +292,8 @@ def dwell(case):
     return table(["load in the dwell", "heat out of the glass by its end"], rows)
 
 
-MODELS = {"rosseland": "Rosseland (the case)", "none": "none: opaque", "p1": "P1 in bands", "transfer": "transfer",
-          "enclosure": "transfer, enclosure"}
+MODELS = {"enclosure": "transfer, enclosure (the case)", "transfer": "transfer", "p1": "P1 in bands", "none": "none: opaque",
+          "rosseland": "Rosseland"}
 
 
 def heat_of(run, kind):
@@ -306,7 +306,7 @@ def radiation(case, *cases):
     for each in cases or (case,):
         for model, label in MODELS.items():
             run = store.run(each, f"light_{model}")
-            off = "" if model == "rosseland" else against(run, store.run(each, "light_rosseland"))
+            off = "" if model == "enclosure" else against(run, store.run(each, "light_enclosure"))
             received, radiated, seen = (heat_of(run, kind) for kind in ("heat_received_J", "heat_radiated_J", "heat_from_enclosure_J"))
             skins = ", ".join(f"{stage['name']} {stage['skin_mean_degC']:.0f}" for stage in run["stages"]
                               if "skin_mean_degC" in stage and stage["name"] in ("press", "settle_blow", "counter_blow", "dwell", "reheat"))
@@ -334,7 +334,7 @@ def heat_by_tool(case):
             light = 1e-3 * tool.get("heat_radiated_J", 0)
             row.append(f"{1e-3 * tool['heat_received_J'] - light:.1f}" + (f" + {light:.1f}" if light else ""))
         rows.append(row)
-    return table(["kJ conducted + radiated"] + [tool.replace("_", " ") for tool in store.run(case, "light_rosseland")["tools"]], rows)
+    return table(["kJ conducted + radiated"] + [tool.replace("_", " ") for tool in store.run(case, "light_enclosure")["tools"]], rows)
 
 
 def light_bands(case):
@@ -360,7 +360,7 @@ def blank_slopes(case):
     """Heat out of the glass in the blank, and its mean at the end of the dwell over gob and tool temperature, by differences of 5 K."""
     rows = []
     contacts = [(model, "that of the case", f"light_{model}", f"slope_{model}") for model in store.SLOPE_MODELS]
-    contacts += [(model, "h by pressure alone, b = 0", f"slope_{model}_even", f"slope_{model}_even") for model in ("rosseland", "none")]
+    contacts += [(model, "h by pressure alone, b = 0", f"slope_{model}_even", f"slope_{model}_even") for model in store.EVEN_MODELS]
     for model, contact, name, changed in contacts:
         end = blank_end(case, name)
         slopes = [f"{(blank_end(case, changed + warmer)['glass_mean_degC'] - end['glass_mean_degC']) / 5:.2f}"

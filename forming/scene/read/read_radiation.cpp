@@ -118,7 +118,7 @@ CaseNode* material_of_glass(core::CaseFile& file) {
 /// Models cheaper than `transfer` that a case has the keys of. With an enclosure P1 is none of them.
 std::vector<std::string> allowed_models(core::CaseFile& file, CaseNode& material, CaseNode& radiation) {
   std::vector<std::string> allowed;
-  if (member(radiation, "thin_wall") && member(material, "emissivity"))
+  if (member(material, "emissivity"))
     allowed.push_back("rosseland");
   const CaseNode* enclosure = member(file.root, "enclosure");
   if (enclosure && !enclosure->flag) allowed.insert(allowed.end(), {"p1", "p1_cones"});
@@ -184,7 +184,7 @@ std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
     radiation.absorption = absorption.first;
     radiation.relative = absorption.relative;
   }
-  if (const auto* thin_wall = wanted("thin_wall", model == rosseland)) radiation.thin_wall = core::flag(*thin_wall);
+  if (const auto* thin_wall = wanted("thin_wall", model == rosseland && radiation.bands.empty())) radiation.thin_wall = core::flag(*thin_wall);
   if (model == none) return {};
   if (model == p1) radiation.model = thermal::Radiation::Model::p1;
   if (model == p1_cones) radiation.model = thermal::Radiation::Model::p1_cones;
