@@ -40,8 +40,8 @@ bool read_enclosure(const core::CaseNode& node, const Scene& scene) {
   return true;
 }
 
-/// How many planes of symmetry there are where they show more images of the bodies than those of one mirror or of two at
-/// right angles; 0 otherwise.
+/// How many planes of symmetry there are where they show more images of the bodies than those of one mirror or of two
+/// at right angles; 0 otherwise.
 std::size_t too_many_mirrors(const Scene& scene) {
   constexpr double same = 1e-6;  // of the size of the glass, and of an angle
   struct Line {
@@ -84,9 +84,9 @@ void read_bodies(const CaseTable& root, BodyContext context, Scene& scene) {
   context.with_heat = scene.has_heat();
   context.with_flow = scene.has_flow();
   const auto* enclosure = root.find("enclosure");
-  scene.enclosure = enclosure ? read_enclosure(*enclosure, scene)
-                              : scene.has_light() && scene.glass.thermal->radiation->model ==
-                                                         thermal::Radiation::Model::transfer;
+  scene.enclosure =
+      enclosure ? read_enclosure(*enclosure, scene)
+                : scene.has_light() && scene.glass.thermal->radiation->model == thermal::Radiation::Model::transfer;
   context.with_light = scene.has_light() || scene.enclosure || scene.radiation_choice;
   refuse_repeated_names(root.tables("tool"));
   for (const auto* tool : root.tables("tool")) scene.tools.push_back(read_tool(*tool, context));

@@ -71,12 +71,15 @@ RUNS = {
     "tumbler": {"draft": ("draft", []), "standard": ("standard", []), "fine": ("fine", []), **light_runs()},
     "nnpb": {"draft": ("draft", []), "standard": ("standard", [])},
     "flute": {"draft": ("draft", []), "standard": ("standard", [])},
-    "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.2 s", "dimension.reheat=1.8 s", "dimension.run=0.5 s"])},
+    "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.7 s", "dimension.reheat=1.6 s", "dimension.run=0.5 s"])},
     "sag": {"draft": ("draft", []), "standard": ("standard", [])},
     "vial": {"draft": ("draft", []), "standard": ("standard", [])},
     "contact_cylinders": {"draft": ("draft", [])},
     "shell_inflation": {"draft": ("draft", []), "standard": ("standard", [])},
 }
+
+
+LIT = [case for case, runs in RUNS.items() if "light_enclosure" in runs]  # cases whose models of radiation are compared
 
 
 def own_runs(case):

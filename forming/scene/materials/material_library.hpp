@@ -21,8 +21,9 @@ struct NamedMaterial {
   std::string name;
   std::optional<thermal::Material> thermal;
   std::optional<flow::Material> flow;
-  core::Table emissivity = core::constant(0);  ///< over temperature, K; by itself that of an opaque surface of its glass
-  bool has_emissivity = false;                 ///< whether the case gives it
+  core::Table emissivity =
+      core::constant(0);        ///< over temperature, K; by itself that of an opaque surface of its glass
+  bool has_emissivity = false;  ///< whether the case gives it
   std::string about, source;    ///< what it is; where its values come from
   std::vector<AssumedValue> assumed;
 };

@@ -232,9 +232,9 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
   glass.thermal = material.thermal;
   glass.flow = material.flow;
   if (material.emissivity.y.size() > 1)
-    core::refuse(table.get("material"),
-                 fmt::format("\"{}\" has an emissivity over temperature, allowed for the glass is one value",
-                             material.name));
+    core::refuse(
+        table.get("material"),
+        fmt::format("\"{}\" has an emissivity over temperature, allowed for the glass is one value", material.name));
   glass.emissivity = material.emissivity.y.front();
   if (!glass.thermal && !glass.flow)
     core::refuse(table.get("material"),
@@ -286,7 +286,7 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
     if (context.with_light && !material.has_emissivity)
       core::refuse(item,
                    fmt::format("\"{}\" has no emissivity, allowed is a material with one, because light of the glass "
-                               "reaches the tool",
+                               "reaches the tool (oxidised iron: 0.8)",
                                material.name));
     if (thermal::is_rosseland(*material.thermal) && material.thermal->radiation->thin_wall)
       core::refuse(item,

@@ -178,7 +178,8 @@ core::Table read_emissivity(const CaseNode& node) {
   core::Table table = core::quantity_table(node, dimension::temperature, dimension::none);
   for (std::size_t i = 0; i < table.y.size(); ++i)
     if (!(table.y[i] >= 0 && table.y[i] <= 1))
-      core::refuse(varies ? node.items[i].items[1] : node, fmt::format("{:g} was found, allowed is 0 to 1", table.y[i]));
+      core::refuse(varies ? node.items[i].items[1] : node,
+                   fmt::format("{:g} was found, allowed is 0 to 1", table.y[i]));
   return table;
 }
 

@@ -116,10 +116,9 @@ CaseNode* material_of_glass(core::CaseFile& file) {
 }
 
 /// Models cheaper than `transfer` that a case has the keys of. With an enclosure P1 is none of them.
-std::vector<std::string> allowed_models(core::CaseFile& file, CaseNode& material, CaseNode& radiation) {
+std::vector<std::string> allowed_models(core::CaseFile& file, CaseNode& material) {
   std::vector<std::string> allowed;
-  if (member(material, "emissivity"))
-    allowed.push_back("rosseland");
+  if (member(material, "emissivity")) allowed.push_back("rosseland");
   const CaseNode* enclosure = member(file.root, "enclosure");
   if (enclosure && !enclosure->flag) allowed.insert(allowed.end(), {"p1", "p1_cones"});
   return allowed;
@@ -151,7 +150,7 @@ std::optional<RadiationChoice> choose_radiation(core::CaseFile& file, const Accu
   const double asked = within ? read_within(*within) : accuracy.target.value_or(expected_error(accuracy.level));
   RadiationChoice choice{
       material->name, asked,
-      cheapest_model(ranked_models(calibration().radiation), allowed_models(file, *material, *radiation), asked)};
+      cheapest_model(ranked_models(calibration().radiation), allowed_models(file, *material), asked)};
   model->text = choice.model.name;
   return choice;
 }
@@ -160,9 +159,9 @@ std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
   const CaseTable table(node, {"model", "within", "refractive_index", "absorption", "thin_wall", "bands"});
   enum { none, rosseland, p1, p1_cones, transfer, automatic };
   const auto* named = table.find("model");
-  const int model =
-      named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones", "transfer", "auto"})
-            : table.find("bands") ? automatic : rosseland;
+  const int model = named ? core::choice(*named, {"none", "rosseland", "p1", "p1_cones", "transfer", "auto"})
+                    : table.find("bands") ? automatic
+                                          : rosseland;
   if (const auto* within = table.find("within")) read_within(*within);
   // What another model needs may stand beside it, so that a case can be run with each; it is read all the same.
   const auto wanted = [&](const char* key, bool needed) { return needed ? &table.get(key) : table.find(key); };
@@ -184,7 +183,8 @@ std::optional<thermal::Radiation> read_radiation(const CaseNode& node) {
     radiation.absorption = absorption.first;
     radiation.relative = absorption.relative;
   }
-  if (const auto* thin_wall = wanted("thin_wall", model == rosseland && radiation.bands.empty())) radiation.thin_wall = core::flag(*thin_wall);
+  if (const auto* thin_wall = wanted("thin_wall", model == rosseland && radiation.bands.empty()))
+    radiation.thin_wall = core::flag(*thin_wall);
   if (model == none) return {};
   if (model == p1) radiation.model = thermal::Radiation::Model::p1;
   if (model == p1_cones) radiation.model = thermal::Radiation::Model::p1_cones;

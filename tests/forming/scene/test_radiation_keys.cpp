@@ -3,10 +3,12 @@
 
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "../scene_text.hpp"
 #include "forming/run/run.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/study/model_variants.hpp"
 #include "thermal/radiation/fresnel.hpp"
 
@@ -57,7 +59,9 @@ TEST(RadiationKeys, bands_may_be_those_of_a_bundled_glass_by_name) {
   };
   EXPECT_LT(absorption("flint"), absorption("green"));
   EXPECT_LT(absorption("green"), absorption("amber"));
-  EXPECT_NE(complaint(bands("\"flnt\"")).find("allowed are amber, flint, green"), std::string::npos)
+  EXPECT_NE(complaint(bands("\"flnt\""))
+                .find("allowed are DGG_I, NIST_710A, amber, borosilicate, crystal, flint, float, green"),
+            std::string::npos)
       << complaint(bands("\"flnt\""));
 }
 
@@ -160,7 +164,10 @@ TEST(RadiationKeys, an_enclosure_needs_surfaces_that_emit_and_a_model_that_light
   const std::string band = R"(refractive_index = 1.5, bands = [{ absorption = "150 1/m" }])";
   EXPECT_EQ(complaint_with_enclosure("model = \"transfer\", " + band), "");
   EXPECT_TRUE(scene_of("enclosure = true\n" + text_with("model = \"transfer\", " + band)).enclosure);
-  EXPECT_FALSE(scene_of(text_with("model = \"transfer\", " + band)).enclosure);
+  EXPECT_TRUE(scene_of(text_with("model = \"transfer\", " + band)).enclosure)
+      << "surfaces of light by rays see each other";
+  EXPECT_FALSE(scene_of("enclosure = false\n" + text_with("model = \"transfer\", " + band)).enclosure);
+  EXPECT_FALSE(scene_of(text_with("model = \"p1\", " + band)).enclosure);
   for (const char* model : {"p1", "p1_cones"})
     EXPECT_NE(complaint_with_enclosure(std::string("model = \"") + model + "\", " + band)
                   .find("enclosure: true was found with the radiation of the glass by P1, allowed with the models "
@@ -177,6 +184,41 @@ TEST(RadiationKeys, an_enclosure_needs_surfaces_that_emit_and_a_model_that_light
             std::string::npos);
 }
 
+TEST(RadiationKeys, glass_with_bands_and_no_model_has_its_light_by_rays) {
+  const Scene scene = scene_of(text_with(R"(refractive_index = 1.5, bands = [{ absorption = "150 1/m" }])"));
+  EXPECT_TRUE(scene.glass.thermal->radiation->model == thermal::Radiation::Model::transfer);
+  EXPECT_TRUE(scene.enclosure);
+  ASSERT_TRUE(scene.radiation_choice);
+  EXPECT_EQ(scene.radiation_choice->model.name, "transfer");
+  EXPECT_NE(complaint(R"(refractive_index = 1.5, bands = [{ absorption = "150 1/m" }])", "").find("has no emissivity"),
+            std::string::npos);
+}
+
+TEST(RadiationKeys, an_emissivity_over_temperature_is_that_of_the_start_of_the_tool) {
+  const std::string light = bands(R"([{ absorption = "150 1/m" }])");
+  const Scene scene = scene_of(text_with(light, "emissivity = [[\"0 degC\", 0.2], [\"1000 degC\", 0.7]]\n"));
+  const double start = scene.tools[0].initial_temperature - 273.15;
+  EXPECT_NEAR(scene.tools[0].emissivity, 0.2 + 0.5 * start / 1000, 1e-12);
+  EXPECT_NE(complaint(light, "emissivity = [[\"0 degC\", 0.2], [\"900 degC\", 1.2]]\n")
+                .find("1.2 was found, allowed is 0 to 1"),
+            std::string::npos);
+}
+
+TEST(RadiationKeys, conduction_in_place_of_bands_has_their_mean_absorption) {
+  const auto conducted = [](const char* material, double celsius) {
+    thermal::Material glass{2400, core::constant(1300), core::constant(1.3), {}};
+    for (const NamedMaterial& known : library_materials())
+      if (known.name == material) glass = *known.thermal;
+    glass.radiation->model = thermal::Radiation::Model::rosseland;
+    return thermal::conductivity(glass, celsius + 273.15) - glass.conductivity(celsius + 273.15);
+  };
+  // Genzel 1952, measured at 1200 degC on a clear and on an absorbing glass, W/m/K.
+  EXPECT_NEAR(conducted("flint", 1200), 46.5, 0.15 * 46.5);
+  EXPECT_NEAR(conducted("green", 1200), 8.1, 0.3 * 8.1);
+  const core::Table grey = thermal::rosseland_absorption({{std::numeric_limits<double>::infinity(), 150}});
+  for (const double kappa : grey.y) EXPECT_NEAR(kappa, 150, 1e-3);
+}
+
 TEST(RadiationKeys, light_needs_surroundings) {
   const std::string lit = text_with(bands(R"([{ absorption = "150 1/m" }])"));
   const std::string dark =
@@ -185,8 +227,10 @@ TEST(RadiationKeys, light_needs_surroundings) {
 }
 
 TEST(RadiationKeys, check_names_transfer_and_the_audit_puts_the_cheaper_model_in_its_place) {
-  const std::string text = text_with(
-      R"(model = "transfer", refractive_index = 1.5, bands = [{ up_to = "2.75 um", absorption = "30 1/m" }])");
+  const std::string text =
+      "enclosure = false\n" +
+      text_with(
+          R"(model = "transfer", refractive_index = 1.5, bands = [{ up_to = "2.75 um", absorption = "30 1/m" }])");
   const Scene scene = scene_of(text);
   EXPECT_NE(describe_scene(scene).find("radiative transfer along rays, 1 band, opaque beyond 2.75 um"),
             std::string::npos);
