@@ -10,6 +10,7 @@
 #include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/report/process/mould_filling.hpp"
+#include "forming/run/room_in_tool.hpp"
 #include "forming/run/step_loop.hpp"
 #include "forming/run/warnings.hpp"
 #include "forming/state/initial_state.hpp"
@@ -33,13 +34,17 @@ std::string stage_precondition_failure(const Scene& scene, const State& state) {
     if (inside.depth > max_penetration.depth) max_penetration = inside;
   if (max_penetration.depth <= core::tolerance::stage_overlap * size) return unsupported_glass(scene, state);
   const Point& x = state.glass.mesh.nodes[max_penetration.node];
+  const std::string& tool = scene.tools[max_penetration.tool].name;
+  const ExcessSize excess = excess_size(scene, state, max_penetration.tool);
   return fmt::format(
-      "active tool {} overlaps the glass by {:.3g} mm at ({:.4g}, {:.4g}) mm; the glass does not fit between "
+      "active tool {} overlaps the glass{} at ({:.4g}, {:.4g}) mm; the glass does not fit between "
       "the tools of the stage. Where the blank as drawn is longer or wider than this tool (`parison check` compares "
       "them), one of the drawings has to change; a parison that has sagged too far needs less time or cooler glass "
       "before; a tool that closes on it needs a position clear of the glass and motion.{} = {{ offset = [...] }}",
-      scene.tools[max_penetration.tool].name, 1e3 * max_penetration.depth, 1e3 * x[0], 1e3 * x[1],
-      scene.tools[max_penetration.tool].name);
+      tool,
+      excess.length > max_penetration.depth ? ", which is " + describe(excess, "its cavity") + ","
+                                            : fmt::format(" by {:.3g} mm", 1e3 * max_penetration.depth),
+      1e3 * x[0], 1e3 * x[1], tool);
 }
 
 std::string first_stage_failure(const Scene& scene) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "forming/remeshing/remesh_criteria.hpp"
+#include "forming/run/room_in_tool.hpp"
 #include "forming/scene/describe/support.hpp"
 #include "forming/step/contact/film.hpp"
 #include "forming/step/step.hpp"
@@ -220,6 +221,11 @@ bool advance(RunInProgress& run, AcceptedStep& step) {
   const Scene& scene = run.scene;
   if (const std::string falling = falling_glass(run); !falling.empty()) {
     run.outcome.facts.reason = falling;
+    return false;
+  }
+  if (const std::string outgrown = gravity_alone_moves(run) ? outgrown_tool(scene, run.outcome.state) : "";
+      !outgrown.empty()) {
+    run.outcome.facts.reason = outgrown;
     return false;
   }
   if (scene.has_flow() && needs_remesh(scene, run.outcome.state) && !remesh_glass(run, RemeshReason::quality))

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/room_in_tool.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "forming/scene/container/crossings.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
+
+namespace parison::forming {
+namespace {
+
+/// The contact boundary of a tool that a line meets first from a place on it; none: infinite.
+double first_contact(const std::vector<Crossing>& crossings, double from, double direction) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Crossing& crossing : crossings)
+    if (const double way = direction * (crossing.at - from); crossing.contact && way >= 0)
+      nearest = std::min(nearest, way);
+  return nearest;
+}
+
+template <typename Add>
+std::vector<Crossing> crossings_of(const Tool& tool, const Add& add) {
+  std::vector<Crossing> crossings;
+  for (const core::Segment& segment : tool.profile.segments)
+    add(segment, tool.boundaries[segment.boundary_id].kind == BoundaryKind::contact, crossings);
+  return crossings;
+}
+
+}  // namespace
+
+ExcessSize excess_size(const Scene& scene, const State& state, Index tool) {
+  ExcessSize excess;
+  if (scene.geometry != core::Geometry::axisymmetric) return excess;
+  const Tool& around = scene.tools[tool];
+  const double offset = state.tools[tool].offset, beside_axis = 1e-3 * core::size(around.profile);
+  const core::Mesh& mesh = state.glass.mesh;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Point& x : mesh.nodes) lowest = std::min(lowest, x[1]), highest = std::max(highest, x[1]);
+  const double middle = 0.5 * (lowest + highest) - offset;
+  const auto along = crossings_of(around, [&](const auto& segment, bool contact, auto& found) {
+    add_crossings_along(segment, beside_axis, contact, found);
+  });
+  for (const double direction : {1.0, -1.0}) {
+    const double room = first_contact(along, middle, direction), length = 0.5 * (highest - lowest) - room;
+    if (length > excess.length) excess = {length, true, 0};
+  }
+  for (const Index node : surface_nodes(mesh)) {
+    const Point x = mesh.nodes[node] - offset * core::axis_direction();
+    const auto across = crossings_of(
+        around, [&](const auto& segment, bool contact, auto& found) { add_crossings(segment, x[1], contact, found); });
+    if (const double more = x[0] - first_contact(across, 0, 1); more > excess.length)
+      excess = {more, false, mesh.nodes[node][1]};
+  }
+  return excess;
+}
+
+std::string describe(const ExcessSize& excess, const std::string& tool) {
+  return excess.along_axis
+             ? fmt::format("{:.3g} mm longer than {}", 1e3 * excess.length, tool)
+             : fmt::format("{:.3g} mm wider than {} at z = {:.4g} mm", 1e3 * excess.length, tool, 1e3 * excess.z);
+}
+
+std::string outgrown_tool(const Scene& scene, const State& state) {
+  constexpr double most = 0.02;  // of the glass, beyond the distances that steps leave
+  if (state.stage + 1 >= static_cast<Index>(scene.stages.size())) return "";
+  const auto is_in = [](const Stage& stage, Index tool) {
+    return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) { return one.tool == tool; });
+  };
+  const Stage &now = scene.stages[state.stage], &next = scene.stages[state.stage + 1];
+  for (const StageTool& place : next.tools) {
+    if (is_in(now, place.tool)) continue;
+    const ExcessSize excess = excess_size(scene, state, place.tool);
+    if (excess.length > most * core::size(scene.glass.profile))
+      return fmt::format(
+          "the glass hangs {}, which comes in stage {}: less time or colder glass before, or a larger tool, let it fit",
+          describe(excess, scene.tools[place.tool].name), next.name);
+  }
+  return "";
+}
+
+}  // namespace parison::forming
