@@ -3,11 +3,11 @@
 import re
 import subprocess
 
-from documents import studies, tables
+from documents import measured, studies, tables
 from documents.store import ROOT, Missing
 
 BLOCK = re.compile(r"(^<!-- begin: (\w+)((?: [\w.]+)*) -->\n).*?^(<!-- end: \2 -->)", re.DOTALL | re.MULTILINE)
-BLOCKS = {**tables.BLOCKS, **studies.BLOCKS}
+BLOCKS = {**tables.BLOCKS, **studies.BLOCKS, **measured.BLOCKS}
 MARK = re.compile(r"^<!-- (?:begin|end): ", re.MULTILINE)
 
 

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cases that were measured: published points, the stored figures of tests/measured_cases, their tables and pictures."""
+import csv
+import json
+
+from documents import store as stored
+from documents.tables import digits, table
+
+FOLDER = stored.ROOT / "cases" / "measured"
+
+
+def points(name):
+    """Rows of a case's measured.csv."""
+    with open(FOLDER / name / "measured.csv", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def key(row):
+    return row["quantity"] + (f", {row['at']}" if row["at"] else "")
+
+
+def store(name, found):
+    (FOLDER / name / "figures.json").write_text(json.dumps(stored.rounded(found), indent=1) + "\n")
+    if found["curves"]:
+        picture(name, found)
+
+
+def figures(name):
+    return stored.read(FOLDER / name / "figures.json", f"tests/measured_cases --only {name} --store")
+
+
+def verdict(row, value):
+    if not row["low"]:
+        return ""
+    return "inside" if float(row["low"]) <= value <= float(row["high"]) else "**outside**"
+
+
+def rows(name):
+    computed = figures(name)["computed"]
+    for row in points(name):
+        if key(row) in computed:
+            unit = f" {row['unit']}" if row["unit"] else ""
+            allowed = f"{row['low']} to {row['high']}{unit}" if row["low"] else ""
+            yield [key(row) + (" s" if row["at"] else ""), f"{row['value']}{unit}" if row["value"] else "", row["grade"], allowed,
+                   digits(computed[key(row)], 4 if computed[key(row)] >= 100 else 3) + unit, verdict(row, computed[key(row)])]
+
+
+HEADER = ["what", "published", "grade", "allowed", "computed", ""]
+
+
+def measured(name):
+    """Published points of a case, and what is computed."""
+    return table(HEADER, list(rows(name)))
+
+
+def measured_cases(*names):
+    """Of all cases the values that have a range."""
+    return table(["case", *HEADER], [[f"[{name}]({name}/README.md)", *row] for name in names for row in rows(name) if row[3]])
+
+
+def picture(name, found):
+    """Computed curves over the published points."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(5.6, 3.4), constrained_layout=True)
+    colours = dict(zip(found["curves"], ("#2060a0", "#b03030", "#808080")))
+    for label, curve in found["curves"].items():
+        axes.plot(*zip(*curve), color=colours[label], label=label, linewidth=1.4, marker="x" if len(curve) < 9 else None)
+    shown, unit = {}, found["axes"][1].rpartition(", ")[2]
+    for row in points(name):
+        if row["unit"] != unit or not row["value"] or row["grade"] == "formula":
+            continue
+        if row["at"]:
+            shown.setdefault(row["quantity"], []).append(row)
+        else:
+            axes.axhline(float(row["value"]), color="black", linestyle=":", linewidth=1)
+            axes.annotate(f"published: {row['value']}", (1, float(row["value"])), xycoords=("axes fraction", "data"), xytext=(-3, 2),
+                          textcoords="offset points", ha="right", va="bottom", fontsize=7)
+    for (quantity, of), mark, colour in zip(shown.items(), "os", colours.values()):
+        spread = [[float(r["value"]) - float(r["low"] or r["value"]) for r in of], [float(r["high"] or r["value"]) - float(r["value"]) for r in of]]
+        axes.errorbar([float(r["at"]) for r in of], [float(r["value"]) for r in of], yerr=spread if of[0]["low"] else None, fmt=mark,
+                      color=colour if len(shown) > 1 else "black", markersize=4, capsize=3, label=f"published, {quantity}")
+    axes.set(xlabel=found["axes"][0], ylabel=found["axes"][1])
+    axes.legend(fontsize=7, frameon=False)
+    figure.savefig(FOLDER / name / "picture.png", dpi=110)
+    pyplot.close(figure)
+
+
+BLOCKS = {function.__name__: function for function in (measured, measured_cases)}
