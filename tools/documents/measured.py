@@ -19,6 +19,11 @@ def key(row):
     return row["quantity"] + (f", {row['at']}" if row["at"] else "")
 
 
+def published(row):
+    """The value, or the range where no value was published."""
+    return row["value"] or (f"{row['low']} to {row['high']}" if row["low"] else "")
+
+
 def store(name, found):
     (FOLDER / name / "figures.json").write_text(json.dumps(stored.rounded(found), indent=1) + "\n")
     if found["curves"]:
@@ -41,7 +46,7 @@ def rows(name):
         if key(row) in computed:
             unit = f" {row['unit']}" if row["unit"] else ""
             allowed = f"{row['low']} to {row['high']}{unit}" if row["low"] else ""
-            yield [key(row) + (" s" if row["at"] else ""), f"{row['value']}{unit}" if row["value"] else "", row["grade"], allowed,
+            yield [key(row) + (" s" if row["at"] else ""), published(row) + unit if published(row) else "", row["grade"], allowed,
                    digits(computed[key(row)], 4 if computed[key(row)] >= 100 else 3) + unit, verdict(row, computed[key(row)])]
 
 
@@ -71,7 +76,10 @@ def picture(name, found):
         axes.plot(*zip(*curve), color=colours[label], label=label, linewidth=1.4, marker="x" if len(curve) < 9 else None)
     shown, unit = {}, found["axes"][1].rpartition(", ")[2]
     for row in points(name):
-        if row["unit"] != unit or not row["value"] or row["grade"] == "formula":
+        if row["unit"] != unit or not published(row) or row["grade"] == "formula":
+            continue
+        if not row["value"]:
+            axes.axhspan(float(row["low"]), float(row["high"]), color="#e8e8e8", zorder=0)
             continue
         if row["at"]:
             shown.setdefault(row["quantity"], []).append(row)
