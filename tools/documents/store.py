@@ -22,7 +22,6 @@ SWEEP_COSTS = ROOT / "tests/sweeps/costs.json"
 SLURM_COSTS = ROOT / "tests/sweeps/slurm_costs.json"
 COVERAGE = ROOT / "tests/coverage.json"
 VERIFICATION = ROOT / "tests/figures.json"
-PERFECT = '"1e9 W/m2/K"'
 
 # What light does in the glass of a case: as it stands, and by other models of radiation.
 MODELS = ("enclosure", "transfer", "p1", "none", "rosseland")
@@ -62,8 +61,6 @@ RUNS = {
         "fine": ("fine", []),
         "dwell_500N": ("draft", ["stage.dwell.motion.plunger.force=500 N"]),
         "dwell_8kN": ("draft", ["stage.dwell.motion.plunger.force=8 kN"]),
-        "perfect": ("standard", [f"interface.0.h0={PERFECT}", f"interface.0.h1={PERFECT}"]),
-        "mould_perfect": ("standard", [f"interface.blow_mould.h0={PERFECT}", f"interface.blow_mould.h1={PERFECT}"]),
         **light_runs(),
         **slope_runs(),
     },

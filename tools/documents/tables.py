@@ -371,18 +371,6 @@ def blank_slopes(case):
                   "K of it per K of the gob", "per K of the blank side's tools"], rows)
 
 
-def perfect(case):
-    """Heat of each tool of the jar over that with perfect contact; the blow mould's alone perfect."""
-    real = store.run(case, "standard")["tools"]
-    rows = []
-    for tool, of in real.items():
-        alone = tool == "blow_mould"
-        most = store.run(case, "mould_perfect" if alone else "perfect")["tools"][tool]["heat_received_J"]
-        rows.append([tool.replace("_", " ") + (", alone perfect" if alone else ""), f"{1e-3 * of['heat_received_J']:.2f}",
-                     f"{1e-3 * most:.2f}", f"{100 * of['heat_received_J'] / most:.0f} %"])
-    return table(["tool", "heat, kJ", "heat with perfect contact, kJ", "fraction"], rows)
-
-
 def press(case, *names):
     """Where and when the plunger of the tumbler comes to rest, and the heat of each tool."""
     runs = [store.run(case, name) for name in names]
@@ -411,4 +399,4 @@ def shell(case, *names):
 
 
 BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, noise, asked_accuracies, difference_bars, difference_costs, production_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
-CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, perfect, press, laps, sagging, shell, bands)}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, press, laps, sagging, shell, bands)}
