@@ -14,13 +14,17 @@
 namespace parison::forming {
 namespace {
 
-/// The contact boundary of a tool that a line meets first from a place on it; none: infinite.
+/// The way along a line from a place on it to the boundary of a tool that it meets first; infinite where it meets none,
+/// or one without contact, as in the bore of a plunger.
 double first_contact(const std::vector<Crossing>& crossings, double from, double direction) {
   double nearest = std::numeric_limits<double>::infinity();
+  bool meets_contact = false;
   for (const Crossing& crossing : crossings)
-    if (const double way = direction * (crossing.at - from); crossing.contact && way >= 0)
-      nearest = std::min(nearest, way);
-  return nearest;
+    if (const double way = direction * (crossing.at - from); way >= 0 && way < nearest) {
+      nearest = way;
+      meets_contact = crossing.contact;
+    }
+  return meets_contact ? nearest : std::numeric_limits<double>::infinity();
 }
 
 template <typename Add>
@@ -39,21 +43,30 @@ ExcessSize excess_size(const Scene& scene, const State& state, Index tool) {
   const Tool& around = scene.tools[tool];
   const double offset = state.tools[tool].offset, beside_axis = 1e-3 * core::size(around.profile);
   const core::Mesh& mesh = state.glass.mesh;
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  for (const Point& x : mesh.nodes) lowest = std::min(lowest, x[1]), highest = std::max(highest, x[1]);
-  const double middle = 0.5 * (lowest + highest) - offset;
+  struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    void include(double z) { low = std::min(low, z), high = std::max(high, z); }
+  } all, on_axis;
+  for (const Point& x : mesh.nodes) {
+    all.include(x[1] - offset);
+    if (x[0] < beside_axis) on_axis.include(x[1] - offset);
+  }
+  const double middle = 0.5 * (all.low + all.high);
+  const auto is_in_tool = [&](double z) { return core::contains(around.profile, Point(beside_axis, z)); };
   const auto along = crossings_of(around, [&](const auto& segment, bool contact, auto& found) {
     add_crossings_along(segment, beside_axis, contact, found);
   });
   for (const double direction : {1.0, -1.0}) {
-    const double room = first_contact(along, middle, direction), length = 0.5 * (highest - lowest) - room;
-    if (length > excess.length) excess = {length, true, 0};
+    const double end = direction > 0 ? on_axis.high - middle : middle - on_axis.low;
+    const double length = end - first_contact(along, middle, direction);
+    if (length > excess.length && !is_in_tool(middle)) excess = {length, true, 0};
   }
   for (const Index node : surface_nodes(mesh)) {
     const Point x = mesh.nodes[node] - offset * core::axis_direction();
     const auto across = crossings_of(
         around, [&](const auto& segment, bool contact, auto& found) { add_crossings(segment, x[1], contact, found); });
-    if (const double more = x[0] - first_contact(across, 0, 1); more > excess.length)
+    // A tool that fills the axis, as a plunger or a push-up does, has no room around it at that height.
+    if (const double more = x[0] - first_contact(across, 0, 1); more > excess.length && !is_in_tool(x[1]))
       excess = {more, false, mesh.nodes[node][1]};
   }
   return excess;

@@ -52,6 +52,15 @@ TEST(RoomInTool, a_parison_wider_than_the_next_mould_is_told_with_the_height) {
   EXPECT_NE(outgrown_tool(parison.scene, parison.state).find("wider than blow_mould at z = "), std::string::npos);
 }
 
+TEST(RoomInTool, glass_around_a_tool_is_not_too_wide_for_it) {
+  // A ring of glass around the plunger, which fills the axis there.
+  Stretched ring(1, 1);
+  for (Point& x : ring.state.glass.mesh.nodes) x += Point(0.035, -0.03);
+  Index plunger = 0;
+  while (ring.scene.tools[plunger].name != "plunger") ++plunger;
+  EXPECT_EQ(excess_size(ring.scene, ring.state, plunger).length, 0);
+}
+
 TEST(RoomInTool, a_stage_that_begins_with_such_glass_names_the_excess_and_not_the_thickness_of_the_iron) {
   Stretched parison(1, 2);
   parison.state.stage = parison.reheat + 1;
