@@ -11,8 +11,10 @@
 #include "forming/study/production/fixed_point.hpp"
 #include "forming/study/production/periodic_state.hpp"
 #include "forming/study/production/settled_estimates.hpp"
+#include "forming/study/production/surface_range.hpp"
 #include "forming/study/production/swabbing.hpp"
 #include "forming/study/production/tool_fields.hpp"
+#include "forming/study/production/wanted_cooling.hpp"
 
 namespace parison::forming {
 namespace {
@@ -372,6 +374,88 @@ TEST(MachineCycle, of_a_tool_that_nothing_cools_is_refused) {
       with(slab, R"(condition.cooled = { h = "400 W/m2/K", temperature = "50 degC" })", R"(condition = "insulated")"),
       R"(h = "20 W/m2/K")", R"(h = "0 W/m2/K")");
   EXPECT_NE(refusal(insulated, 8.0).find("the tool \"plate\" has no cooling"), std::string::npos);
+}
+
+PeriodicState with_wanted(const Scene& scene, double wanted, const std::string& folder) {
+  PeriodicRequest request;
+  request.tolerance = 0.1;
+  request.directory = (tests::folder_of_test("result") / folder).string();
+  request.wanted = {{"plate", wanted}};
+  const MachineCycle cycle = machine_cycle(scene, 8.0);
+  check_wanted(scene, cycle, request.wanted);
+  return find_periodic_state(scene, cycle, request, never, silent);
+}
+
+TEST(WantedCooling, is_that_with_which_the_surface_settles_to_the_wanted_temperature) {
+  const Scene scene = scene_of(slab);
+  const double kelvin = 273.15;
+  const double before = range_of(periodic(scene, "case", 0.1).settled.samples, 0).mean;
+  const double wanted = 480 + kelvin;
+  ASSERT_GT(std::abs(wanted - before), 50);
+  const PeriodicState state = with_wanted(scene, wanted, "wanted");
+  ASSERT_EQ(state.failure, "");
+  EXPECT_TRUE(state.is_confirmed(0.1));
+  EXPECT_NEAR(range_of(state.settled.samples, 0).mean, wanted, 1);
+  ASSERT_EQ(state.cooling.size(), 1u);
+  EXPECT_EQ(state.cooling[0].key(), "tool.plate.boundary.back.condition.cooled.h");
+  EXPECT_LE(state.search.size(), 6u);
+  // The case with this cooling, started where it was, settles to the same without a word about wanted temperatures.
+  Scene cooled = scene;
+  set_cooling(cooled, state.cooling[0]);
+  EXPECT_NEAR(range_of(periodic(cooled, "again", 0.1).settled.samples, 0).mean, wanted, 1);
+}
+
+TEST(WantedCooling, that_no_cooling_gives_is_told_in_a_sentence) {
+  const Scene scene = scene_of(slab);
+  EXPECT_NE(with_wanted(scene, 970 + 273.15, "hot")
+                .failure.find("--want plate: 970 degC cannot be reached by any cooling: as good as insulated"),
+            std::string::npos);
+  EXPECT_NE(with_wanted(scene, 60 + 273.15, "cold")
+                .failure.find("--want plate: 60 degC cannot be reached by any cooling: even with h = "),
+            std::string::npos);
+}
+
+TEST(WantedCooling, of_what_has_none_to_change_is_refused_before_any_run) {
+  const auto refused = [](const std::string& text, const std::vector<WantedTool>& wanted) -> std::string {
+    const Scene scene = scene_of(text);
+    try {
+      check_wanted(scene, machine_cycle(scene, 8.0), wanted);
+    } catch (const core::CaseError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refused(slab, {{"plate", 700}}), "");
+  EXPECT_NE(refused(slab, {{"plato", 700}}).find("--want: \"plato\" was found (did you mean \"plate\"?)"),
+            std::string::npos);
+  EXPECT_NE(refused(slab, {{"plate", 700}, {"plate", 710}}).find("found twice"), std::string::npos);
+  EXPECT_NE(refused(slab, {{"plate", 300}}).find("which no cooling gives"), std::string::npos);
+  EXPECT_NE(refused(slab, {{"plate", 1300}}).find("which no cooling gives"), std::string::npos);
+  const std::string over_time =
+      with(slab, R"(h = "400 W/m2/K")", R"(h = [["0 s", "400 W/m2/K"], ["1 s", "300 W/m2/K"]])");
+  EXPECT_NE(refused(over_time, {{"plate", 700}}).find("an h over time"), std::string::npos);
+  const std::string given = with(slab, R"(condition.cooled = { h = "400 W/m2/K", temperature = "50 degC" })",
+                                 R"(condition.temperature = "50 degC")");
+  EXPECT_NE(refused(given, {{"plate", 700}}).find("a tool without a cooled boundary"), std::string::npos);
+}
+
+TEST(TemperatureTable, of_a_settled_tool_gives_a_case_its_temperatures) {
+  const Scene scene = scene_of(slab);
+  const PeriodicState state = periodic(scene, "cycle", 0.1);
+  ASSERT_EQ(state.failure, "");
+  const auto table = tests::folder_of_test("result") / "cycle/tools/plate.csv";
+  const Scene warm =
+      scene_of(with(slab, "temperature = \"300 degC\"", "temperature = { csv = \"" + table.string() + "\" }"));
+  EXPECT_LT((tool_temperatures(initial_state(warm)) - state.settled.start).lpNorm<Eigen::Infinity>(), 0.5);
+}
+
+TEST(SurfaceRange, colder_than_production_is_told) {
+  const Scene scene = scene_of(slab);
+  const PeriodicState state = periodic(scene, "cycle", 0.1);
+  ASSERT_LT(range_of(state.settled.samples, 0).mean, 400 + 273.15);
+  ASSERT_EQ(too_cold(scene, state.settled.samples).size(), 1u);
+  EXPECT_NE(too_cold(scene, state.settled.samples)[0].find("the surface of \"plate\" settles at "), std::string::npos);
+  EXPECT_TRUE(too_cold(scene, with_wanted(scene, 480 + 273.15, "wanted").settled.samples).empty());
 }
 
 }  // namespace

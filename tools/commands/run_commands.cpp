@@ -90,6 +90,12 @@ void add_cycle(CLI::App& app, Command& chosen) {
       ->take_all()
       ->allow_extra_args(false);
   command
+      ->add_option("--want", request->wanted,
+                   "TOOL=TEMPERATURE: mean that the tool's surface is to settle to, \"blank=450 degC\"; the h of its "
+                   "cooled boundary is found; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  command
       ->add_option("--tolerance", request->tolerance,
                    "by which no tool surface may differ from the settled one, nor change in a plain cycle")
       ->capture_default_str();

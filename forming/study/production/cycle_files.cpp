@@ -68,6 +68,16 @@ void add_changes(core::JsonWriter& json, const std::vector<CaseDifference>& chan
   json.close();
 }
 
+/// Wanted temperatures and the cooling that was found for them.
+void add_wanted(core::JsonWriter& json, const PeriodicRequest& request, const PeriodicState& state) {
+  json.open_object("wanted_degC");
+  for (const WantedTool& one : request.wanted) json.add(one.name, one.temperature - zero_celsius);
+  json.close();
+  json.open_object("cooling_W_m2K");
+  for (const Cooling& one : state.cooling) json.add(one.key(), one.h);
+  json.close();
+}
+
 std::string json_text(const Scene& scene, const PeriodicRequest& request, const PeriodicState& state,
                       const std::string& reason) {
   core::JsonWriter json;
@@ -83,6 +93,10 @@ std::string json_text(const Scene& scene, const PeriodicRequest& request, const 
   json.open_list("not_possible");
   for (const std::string& sentence : why_not_possible(scene, state.settled.samples)) json.add("", sentence);
   json.close();
+  json.open_list("too_cold");
+  for (const std::string& sentence : too_cold(scene, state.settled.samples)) json.add("", sentence);
+  json.close();
+  add_wanted(json, request, state);
   add_changes(json, request.changes);
   add_search(json, scene, state);
   json.add("start_up_cycles", static_cast<long>(std::max<std::size_t>(state.start_up.size(), 1) - 1));
@@ -158,6 +172,8 @@ std::string periodic_table(const Scene& scene, const PeriodicState& state) {
       "  cooling: through the boundaries that no glass touches, what the contact surface loses to air is not in it\n";
   for (const std::string& sentence : why_not_possible(scene, state.settled.samples))
     text += fmt::format("\n  no possible production: {}\n", sentence);
+  for (const std::string& sentence : too_cold(scene, state.settled.samples))
+    text += fmt::format("\n  colder than production: {}\n", sentence);
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/io/files.hpp"
 #include "core/io/written_files.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/checkpoint.hpp"
@@ -17,6 +18,7 @@
 #include "forming/study/production/heat_cycles.hpp"
 #include "forming/study/production/settled_estimates.hpp"
 #include "forming/study/production/swabbing.hpp"
+#include "forming/study/production/temperature_table_text.hpp"
 #include "forming/study/production/tool_fields.hpp"
 
 namespace parison::forming {
@@ -30,7 +32,7 @@ constexpr double heat_only_share = 0.02;
 
 /// The search and what it has so far.
 struct Search {
-  const Scene& scene;
+  Scene& scene;  ///< its cooling is changed while it is looked for
   const PeriodicRequest& request;
   const StopRequest& stop;
   const Progress& progress;
@@ -39,6 +41,7 @@ struct Search {
   SwabImprint swab;
   SettledEstimates estimates;
   PeriodicState& result;
+  bool cooling_is_open;  ///< it is still looked for
 };
 
 /// A cycle of a scene, in a folder of that name unless it is empty; false where it failed.
@@ -57,21 +60,41 @@ double rounded_up(double value) {
   return digit * std::ceil(value / digit * (1 - 1e-12));
 }
 
+std::string cooling_text(const std::vector<Cooling>& cooling) {
+  std::vector<std::string> parts;
+  for (const Cooling& one : cooling)
+    parts.push_back(fmt::format("{}.{} h = {:.4g} W/m2/K", one.tool, one.boundary, one.h));
+  return fmt::format("cooling for the wanted temperatures: {}", fmt::join(parts, ", "));
+}
+
 std::string largest_text(const Scene& scene, const std::vector<double>& values) {
   const auto largest = std::max_element(values.begin(), values.end());
   return fmt::format("{:.3g} K ({})", *largest, scene.tools[static_cast<std::size_t>(largest - values.begin())].name);
 }
 
+/// While cooling is looked for: that which the heat of this run asks for, and the state to which tools settle with it.
+bool adjust_cooling(Search& search, const CycleRun& run, Eigen::VectorXd& settled) {
+  constexpr double finest = 1;  // K
+  const CoolingSearch wanted{search.initial, search.request.wanted, std::max(finest, search.request.tolerance)};
+  FoundCooling found = find_cooling(wanted, search.heat_cycles, run, settled, search.scene);
+  search.result.failure = found.failure;
+  search.cooling_is_open = found.changed;
+  settled = std::move(found.settled);
+  search.result.cooling = cooling_of(search.scene, search.request.wanted);
+  return found.failure.empty();
+}
+
 /// Takes what a cycle says of the periodic state, and keeps what heat-only cycles settle to with its heat. False where
 /// they do not settle.
 bool learn(Search& search, const CycleRun& run) {
-  const auto settled = search.heat_cycles.learn(run)
-                           ? search.heat_cycles.settled(run.end, heat_only_share * search.request.tolerance)
-                           : std::nullopt;
+  auto settled = search.heat_cycles.learn(run)
+                     ? search.heat_cycles.settled(run.end, heat_only_share * search.request.tolerance)
+                     : std::nullopt;
   if (!settled) {
     search.result.failure = "the tools alone do not settle with the heat of this run";
     return false;
   }
+  if (search.cooling_is_open && !adjust_cooling(search, run, *settled)) return false;
   search.estimates.add(run.start, run.end, *settled);
   return true;
 }
@@ -87,6 +110,7 @@ std::optional<Eigen::VectorXd> settle(Search& search, const Eigen::VectorXd& tem
   search.progress(fmt::format("forming run {}: tool surfaces change by {} in the cycle, {} to go",
                               search.estimates.runs().size(), largest_text(search.scene, last.change),
                               largest_text(search.scene, last.distance)));
+  if (search.cooling_is_open) search.progress("  " + cooling_text(search.result.cooling));
   if (is_first) search.result.first = std::move(run);
   return last.settled;
 }
@@ -95,13 +119,17 @@ double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
-/// A folder that other cases can take the temperatures of the tools from.
+/// A folder that other cases can take the temperatures of the tools from, and a table of each tool.
 void write_tools(const Search& search, const Eigen::VectorXd& temperatures, const std::string& folder) {
   Checkpoint checkpoint{{search.initial, {}}, {}};
   set_tool_temperatures(temperatures, checkpoint.outcome.state);
   const std::string directory = search.request.directory + '/' + folder;
   std::filesystem::create_directories(directory);
   write_checkpoint(directory, search.scene, checkpoint);
+  const State& state = checkpoint.outcome.state;
+  for (std::size_t t = 0; t < state.tools.size(); ++t)
+    core::replace_file(fmt::format("{}/{}.csv", directory, search.scene.tools[t].name),
+                       temperature_table_text(state.tools[t].mesh, state.tools[t].temperature));
 }
 
 /// The case with its tools as in the folder that write_tools has made.
@@ -128,6 +156,22 @@ void plain_cycles(Search& search) {
   }
 }
 
+/// Forming runs until the cooling of tools with wanted temperatures is known; the tools to begin the search with.
+Eigen::VectorXd approach_cooling(Search& search) {
+  Eigen::VectorXd start = tool_temperatures(search.initial);
+  while (search.cooling_is_open && static_cast<int>(search.estimates.runs().size()) < search.request.max_runs) {
+    const auto next = settle(search, start);
+    if (!next) break;
+    start = *next;
+  }
+  if (search.cooling_is_open && search.result.failure.empty())
+    search.result.failure = fmt::format(
+        "--max-runs {}: as many forming runs as are allowed did not find the cooling for the wanted temperatures; a "
+        "larger --max-runs goes on longer, into a new --output",
+        search.request.max_runs);
+  return start;
+}
+
 /// Forming runs towards the periodic state until it is known well enough or no more are allowed.
 void approach(Search& search) {
   const double tolerance = search.request.tolerance;
@@ -135,11 +179,14 @@ void approach(Search& search) {
   auto& estimates = search.estimates;
   const auto runs = [&] { return static_cast<int>(estimates.runs().size()); };
   if (runs() == 0) {
-    const FixedPointOptions options{tolerance, anderson_depth, anderson_delay, most, [&](const Eigen::VectorXd&) {
-                                      return estimates.only_scatter() ? 0 : estimates.uncertainty();
-                                    }};
+    const Eigen::VectorXd start = approach_cooling(search);
+    if (!search.result.failure.empty() || runs() >= most || (runs() > 0 && estimates.uncertainty() <= tolerance))
+      return;
+    const FixedPointOptions options{
+        tolerance, anderson_depth, anderson_delay, most - runs(),
+        [&](const Eigen::VectorXd&) { return estimates.only_scatter() ? 0 : estimates.uncertainty(); }};
     find_fixed_point(
-        tool_temperatures(search.initial), [&](const Eigen::VectorXd& x) { return settle(search, x); }, options);
+        start, [&](const Eigen::VectorXd& x) { return settle(search, x); }, options);
   }
   while (search.result.failure.empty() && runs() < most && estimates.uncertainty() > tolerance)
     settle(search, estimates.mean());
@@ -277,7 +324,8 @@ PeriodicState find_periodic_state(const Scene& given, const MachineCycle& cycle,
                 HeatCycles(scene, cycle, initial),
                 swab_imprint(scene, initial),
                 SettledEstimates(initial, request.tolerance),
-                result};
+                result,
+                !request.wanted.empty()};
   result.failure = search.swab.failure;
   if (!result.failure.empty()) return result;
   result.swab_heat = search.swab.heat;

@@ -7,6 +7,7 @@
 
 #include "forming/run/resume/case_differences.hpp"
 #include "forming/study/production/cycle_run.hpp"
+#include "forming/study/production/wanted_cooling.hpp"
 
 namespace parison::forming {
 
@@ -19,6 +20,7 @@ struct PeriodicRequest {
   /// the change. Empty: the search starts from the tools as the case has them.
   std::string changed_from = {};
   std::vector<CaseDifference> changes = {};  ///< in which the case differs from that of the other production
+  std::vector<WantedTool> wanted = {};       ///< tools whose cooling is looked for with the state
 };
 
 /// A forming run of the search.
@@ -40,6 +42,7 @@ struct PeriodicState {
   bool stopped = false;
   bool found = false;
   int runs = 0;                   ///< forming runs to the state found, without the plain cycles from there
+  std::vector<Cooling> cooling;   ///< that gives the wanted temperatures
   std::vector<SearchRun> search;  ///< of all of them; the first is that of the first gob
   CycleRun first, settled;        ///< cycles from the temperatures of the case and from the state found
   std::vector<double> confirmed;  ///< change of any tool surface in each of two plain cycles from the state found, K
@@ -63,7 +66,9 @@ using Progress = std::function<void(const std::string&)>;
 /// no tool surface by more than the tolerance, and what they settle to, with the runs before, is no further away, which
 /// a tool that takes hundreds of cycles does not show by its change; more runs are made where single ones scatter too
 /// much for that. Otherwise the search goes on. Each cycle has its
-/// share of swabs; what happens from one to the next is found afterwards.
+/// share of swabs; what happens from one to the next is found afterwards. Where tools have wanted temperatures, the
+/// first forming runs find their cooling too (find_cooling), until the next one would change it no more; it then is
+/// held.
 PeriodicState find_periodic_state(const Scene& scene, const MachineCycle& cycle, const PeriodicRequest& request,
                                   const StopRequest& stop, const Progress& progress);
 

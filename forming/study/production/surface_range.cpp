@@ -55,4 +55,18 @@ std::vector<std::string> why_not_possible(const Scene& scene, const std::vector<
   return sentences;
 }
 
+std::vector<std::string> too_cold(const Scene& scene, const std::vector<CycleSample>& samples) {
+  constexpr double coldest_usual = 400 + zero_celsius;
+  std::vector<std::string> sentences;
+  for (std::size_t t = 0; !samples.empty() && t < scene.tools.size(); ++t) {
+    const double mean = range_of(samples, t).mean;
+    if (mean < coldest_usual)
+      sentences.push_back(
+          fmt::format("the surface of \"{}\" settles at {:.0f} degC on the mean, where tools of production have {:.0f} "
+                      "degC and more: cool it less, or make more containers in the time",
+                      scene.tools[t].name, mean - zero_celsius, coldest_usual - zero_celsius));
+  }
+  return sentences;
+}
+
 }  // namespace parison::forming

@@ -21,4 +21,8 @@ SurfaceRange range_of(const std::vector<CycleSample>& samples, std::size_t tool)
 /// the glass, 10^6.6 Pa.s (Littleton, 1927). Empty where production is possible.
 std::vector<std::string> why_not_possible(const Scene& scene, const std::vector<CycleSample>& samples);
 
+/// A sentence for each tool whose surface is colder than the 400 degC that blanks and moulds have at least in
+/// production, in the mean over it and the cycle.
+std::vector<std::string> too_cold(const Scene& scene, const std::vector<CycleSample>& samples);
+
 }  // namespace parison::forming

@@ -52,6 +52,21 @@ std::map<std::string, int> sets_of(const CycleRequest& request) {
   return sets;
 }
 
+/// Temperatures that tools are to settle to.
+std::vector<forming::WantedTool> wanted_of(const CycleRequest& request) {
+  std::vector<forming::WantedTool> wanted;
+  for (const std::string& text : request.wanted) {
+    const auto equals = text.find('=');
+    if (equals == text.npos || equals == 0)
+      throw core::CaseError(fmt::format(
+          "--want: \"{}\" was found, allowed is a tool and the temperature of its surface, \"blank=450 degC\"", text));
+    const std::string name = text.substr(0, equals);
+    wanted.push_back(
+        {name, positive("--want " + name, text.substr(equals + 1), core::dimension::temperature, "450 degC")});
+  }
+  return wanted;
+}
+
 std::string new_folder(const CycleRequest& request, const std::string& name) {
   const std::string folder = request.output.empty() ? "results/cycle_" + name : request.output;
   std::error_code error;
@@ -82,6 +97,8 @@ bool compare_containers(const CycleRequest& request, const forming::Scene& scene
 /// The options by which `parison run` of the case begins with the tools of a folder, as they are pasted into a shell.
 std::string start_from_tools(const forming::Scene& scene, const PeriodicState& state, const std::string& folder) {
   std::vector<std::string> options;
+  for (const forming::Cooling& one : state.cooling)
+    options.push_back(fmt::format("--set '{}={:.10g} W/m2/K'", one.key(), one.h));
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const std::string& name = scene.tools[t].name;
     options.push_back(fmt::format("--set 'tool.{}.temperature={{ from = \"{}\" }}'", name, folder));
@@ -95,7 +112,7 @@ std::string start_from_tools(const forming::Scene& scene, const PeriodicState& s
 bool print_result(const CycleRequest& request, const forming::Scene& scene, const forming::PeriodicRequest& asked,
                   const PeriodicState& state) {
   fmt::print("{}", forming::periodic_table(scene, state));
-  fmt::print("\n{}", search_lines(state, asked));
+  fmt::print("\n{}{}", search_lines(state, asked), cooling_lines(state));
   const bool ended = compare_containers(request, scene, asked.directory, state);
   fmt::print("\n  results in {}; a run starts from these tools with\n    {}\n", asked.directory,
              start_from_tools(scene, state, fs::absolute(asked.directory + "/tools").lexically_normal().string()));
@@ -111,7 +128,8 @@ int cycle(const CycleRequest& request) {
         "--accuracy: {} was found, allowed are draft, standard, fine, coarser or finer ones", request.accuracy));
   CyclePlan plan{{},
                  positive("--tolerance", request.tolerance, core::dimension::temperature_difference, "0.5 K"),
-                 sets_of(request)};
+                 sets_of(request),
+                 wanted_of(request)};
   if (!request.cycle_time.empty())
     plan.seconds = positive("--cycle-time", request.cycle_time, core::dimension::time, "12 s");
   const forming::Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
@@ -121,8 +139,9 @@ int cycle(const CycleRequest& request) {
     with_folder.output = folder;
     return cycle_variants(with_folder, plan);
   }
-  const forming::PeriodicRequest asked{plan.tolerance, request.max_runs, folder};
+  const forming::PeriodicRequest asked{plan.tolerance, request.max_runs, folder, {}, {}, plan.wanted};
   const forming::MachineCycle machine = forming::machine_cycle(scene, plan.seconds, plan.sets);
+  forming::check_wanted(scene, machine, plan.wanted);
   core::claim_folder(folder, "cycle", {});
   print_notes_on_cycle(scene, machine, "");
   fmt::print("{} at {} accuracy: a machine cycle of {:.4g} s\n", scene.name, scene.accuracy_name, machine.seconds);

@@ -11,7 +11,8 @@ namespace parison::tools {
 struct CycleRequest {
   std::string case_path, accuracy = "standard", output, cycle_time, tolerance = "0.5 K";
   std::vector<std::string> overrides;
-  std::vector<std::string> sets;  ///< "ring=2": tools of which sets take turns
+  std::vector<std::string> sets;    ///< "ring=2": tools of which sets take turns
+  std::vector<std::string> wanted;  ///< "blank=450 degC": what the surfaces of tools are to settle to
   int max_runs = 12;
   bool error_bars = false;  ///< of the differences between the first gob's container and the settled one
   int jobs = 1;             ///< runs of the error bars at once

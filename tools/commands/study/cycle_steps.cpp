@@ -55,6 +55,14 @@ std::string search_lines(const forming::PeriodicState& state, const forming::Per
       state.offset);
 }
 
+std::string cooling_lines(const forming::PeriodicState& state) {
+  if (state.cooling.empty()) return {};
+  std::string text = "  cooling that gives the wanted temperatures:\n";
+  for (const forming::Cooling& one : state.cooling)
+    text += fmt::format("    --set '{}={:.4g} W/m2/K'\n", one.key(), one.h);
+  return text;
+}
+
 std::string not_confirmed(const forming::PeriodicState& state, const forming::PeriodicRequest& asked) {
   if (state.is_confirmed(asked.tolerance)) return {};
   return fmt::format(

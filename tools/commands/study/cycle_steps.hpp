@@ -17,6 +17,9 @@ forming::PeriodicState find_settled(const forming::Scene& scene, const forming::
 /// How many runs the search took, how long production takes to the state found, and how well that is known, as lines.
 std::string search_lines(const forming::PeriodicState& state, const forming::PeriodicRequest& asked);
 
+/// The cooling that gives the wanted temperatures, as options of a run; empty where none were wanted.
+std::string cooling_lines(const forming::PeriodicState& state);
+
 /// Why the two plain cycles do not confirm a state that was found; empty where they do.
 std::string not_confirmed(const forming::PeriodicState& state, const forming::PeriodicRequest& asked);
 

@@ -40,6 +40,7 @@ Production production_of(const CycleRequest& request, const CyclePlan& plan, con
   forming::Scene scene = forming::read_scene(request.case_path, request.accuracy, overrides);
   try {
     forming::MachineCycle machine = forming::machine_cycle(scene, plan.seconds, plan.sets);
+    forming::check_wanted(scene, machine, plan.wanted);
     return {variant.name, request.output + '/' + variant.name, std::move(scene), std::move(machine)};
   } catch (const core::CaseError& error) {
     throw core::CaseError(fmt::format("{}: {}", variant.name, error.what()));
@@ -120,6 +121,7 @@ bool settle(const CycleRequest& request, const CyclePlan& plan, const std::strin
   asked.max_runs = request.max_runs;
   asked.directory = one.folder;
   asked.changes = one.settings;
+  asked.wanted = plan.wanted;
   fmt::print("\n{} at {} accuracy: a machine cycle of {:.4g} s\n", one.name, one.scene.accuracy_name,
              one.machine.seconds);
   std::fflush(stdout);
@@ -129,7 +131,7 @@ bool settle(const CycleRequest& request, const CyclePlan& plan, const std::strin
   one.uncertainty = std::max(state.uncertainty, state.offset);
   one.failure = !state.failure.empty() ? state.failure : not_confirmed(state, asked);
   if (state.failure.empty())
-    fmt::print("{}\n{}", forming::periodic_table(one.scene, state), search_lines(state, asked));
+    fmt::print("{}\n{}{}", forming::periodic_table(one.scene, state), search_lines(state, asked), cooling_lines(state));
   if (!one.failure.empty()) fmt::print(stderr, "parison: {}: {}\n", one.name, one.failure);
   return !state.stopped;
 }

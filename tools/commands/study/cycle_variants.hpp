@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "forming/study/production/wanted_cooling.hpp"
 #include "tools/commands/study/cycle.hpp"
 
 namespace parison::tools {
@@ -13,6 +14,7 @@ struct CyclePlan {
   std::optional<double> seconds;  ///< from one container to the next; none: that of the case
   double tolerance;               ///< K
   std::map<std::string, int> sets;
+  std::vector<forming::WantedTool> wanted = {};
 };
 
 /// Settles production of the case and of each variant, compares the containers and prints which differences are real.
