@@ -24,15 +24,17 @@ class Layer:
 
 @dataclass
 class Interval:
-    """A time, s, in which h, W/m2/K (infinite: the surface has that temperature), and the temperature around, K, run straight."""
+    """A time, s, in which h, W/m2/K (infinite: the surface has that temperature), and the temperature around, K, run straight;
+    with a `law` it gives h, of a value that runs straight in its place."""
     duration: float
     h: tuple
     temperature: tuple = (0.0, 0.0)
+    law: object = None
 
     def at(self, share):
         def between(pair):
             return pair[0] if pair[0] == pair[1] else (1 - share) * pair[0] + share * pair[1]
-        return between(self.h), between(self.temperature)
+        return self.law(between(self.h)) if self.law else between(self.h), between(self.temperature)
 
 
 class Column:

@@ -43,17 +43,13 @@ def value_at(points, time):
     return points[0][1] if time < points[0][0] else points[-1][1]
 
 
-def intervals(points, end, h=None, around=None, parts=1, law=None):
+def intervals(points, end, h=None, around=None, law=None):
     """Intervals between the points of a curve up to an end; what is not the curve is a constant. `law`: h by the curve's value."""
     times = sorted({t for t, _ in points if t < end} | {0.0, end})
     result = []
     for start, stop in zip(times, times[1:]):
-        at = [value_at(points, start + 1e-9 * (stop - start)), value_at(points, stop - 1e-9 * (stop - start))]
-        for part in range(parts if at[0] != at[1] else 1):
-            count = parts if at[0] != at[1] else 1
-            pair = tuple(at[0] + (at[1] - at[0]) * (part + i) / count for i in (0, 1))
-            conductance = tuple(map(law, pair)) if law else pair if h is None else (h, h)
-            result.append(Interval((stop - start) / count, conductance, pair if around is None else (around, around)))
+        pair = (value_at(points, start + 1e-9 * (stop - start)), value_at(points, stop - 1e-9 * (stop - start)))
+        result.append(Interval(stop - start, pair if h is None else (h, h), pair if around is None else (around, around), law))
     return result
 
 
@@ -176,7 +172,7 @@ def pressed(draw, log):
 
     def law(pressure):
         return h0 + (h1 - h0) * pressure / (pressure + reference)
-    history = intervals(points, end, law=law, around=0.0, parts=8)
+    history = intervals(points, end, law=law, around=0.0)
     return ended(text, [layer, tool], history, "tools.tool.heat_received_J")
 
 
