@@ -176,7 +176,9 @@ int resume(const RunRequest& request) {
   forming::read_checkpoint(checkpoint, scene);  // refuses a changed case before anything is given up
   if (!request.after.empty()) forming::return_to_stage_end(output, request.after);
   if (const std::string damage = forming::damage_of_last_checkpoint(output); !damage.empty())
-    fmt::print("{}; the run is taken up from the checkpoint before it\n", damage);
+    fmt::print(
+        "{}; the run is taken up from the checkpoint before it, and what a user has put there is kept as .damaged\n",
+        damage);
   fmt::print("{} at {} accuracy, from {} in {}\n", scene.name, scene.accuracy_name,
              request.after.empty() ? "the last checkpoint" : "the end of stage " + request.after, output);
   std::fflush(stdout);
