@@ -117,6 +117,27 @@ bool has_worn_edges(const Scene& scene, const State& state) {
   });
 }
 
+/// Whether the edges on a tenth of the surface are twice as long as a new mesh would have them for the viscosity that
+/// has come to vary below them. Those on a tool do not count: the skin of the contact has its own size.
+bool has_coarse_skin(const Scene& scene, const State& state) {
+  constexpr double max_stretch = 2, max_share = 0.1;
+  if (!scene.has_flow() || !scene.has_heat()) return false;
+  const core::Mesh& mesh = state.glass.mesh;
+  const std::vector<double> wanted = viscosity_target_sizes(scene, state);
+  const double shortest = min_edge_fraction * scene.accuracy.skin_size,
+               stretch = max_stretch * state.totals.remeshing.coarsening_factor;
+  double coarse = 0, all = 0;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
+    const double length = (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm();
+    const bool on_tool = std::all_of(edge.nodes.begin(), edge.nodes.end(),
+                                     [&](Index node) { return state.glass.contact_tool[node] >= 0; });
+    all += length;
+    if (!on_tool && length > stretch * std::max(wanted[edge.nodes[2]], shortest)) coarse += length;
+  }
+  return coarse > max_share * all;
+}
+
 }  // namespace
 
 remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
@@ -165,7 +186,8 @@ bool needs_remesh(const Scene& scene, const State& state) {
   if (state.totals.remeshing.before_step == state.totals.steps) return false;
   return remesh::min_quality(state.glass.mesh) < scene.accuracy.quality_floor ||
          (scene.geometry == core::Geometry::axisymmetric && remesh::has_reached_axis(state.glass.mesh)) ||
-         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_worn_edges(scene, state));
+         remesh::crosses_itself(state.glass.mesh) || (remeshes(state) > 0 && has_worn_edges(scene, state)) ||
+         has_coarse_skin(scene, state);
 }
 
 }  // namespace parison::forming
