@@ -98,6 +98,14 @@ def read_summary(folder):
     return json.loads((folder / "summary.json").read_text())
 
 
+def warmer_tool(tool, change):
+    """The override by which a tool of a case, a table of its TOML, starts warmer by `change`, K."""
+    given, key = tool["temperature"], f'tool.{tool["name"]}.temperature'
+    if isinstance(given, dict):
+        return f"{key}.plus={float(given.get('plus', '0 K').removesuffix(' K')) + change:.6g} K"
+    return f"{key}={float(given.removesuffix(' degC')) + change:.3f} degC"
+
+
 def sampled(rows):
     """The steps beside which the bare figures were taken."""
     return [row for row in rows if not math.isnan(row["bare"])]

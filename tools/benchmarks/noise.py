@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scatter of a wall when all tools are warmer by 0.001 to 0.02 K: what a discrete decision taken otherwise changes."""
 import math
-import re
 import sys
+import tomllib
 
-from benchmarks.common import ROOT, Figure, build, new_path, parison, read_summary
+from benchmarks.common import ROOT, Figure, build, new_path, parison, read_summary, warmer_tool
 
 RUNS, RUNS_OF_CONTAINER, WARMER = 20, 10, 0.001  # K, from one run to the next
 TARGETS = {"draft": 0.2, "standard": 0.08}  # %
@@ -12,10 +12,8 @@ TARGETS = {"draft": 0.2, "standard": 0.08}  # %
 
 def warmer(text, change):
     """Overrides that set the temperature of every tool higher by `change`, K."""
-    for tool in re.split(r"^\[\[tool\]\]", text, flags=re.M)[1:]:
-        name = re.search(r'^name = "(\w+)"', tool, re.M).group(1)
-        value = re.search(r'^temperature = "([\d.]+) degC"', tool, re.M).group(1)
-        yield from ("--set", f'tool.{name}.temperature="{float(value) + change:.3f} degC"')
+    for tool in tomllib.loads(text)["tool"]:
+        yield from ("--set", warmer_tool(tool, change))
 
 
 def deviations(profile):

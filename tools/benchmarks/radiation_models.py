@@ -3,10 +3,11 @@
 import csv
 import json
 import math
+import tomllib
 
 from benchmarks import bars
 from benchmarks.calibration import FILE, measured_by, save
-from benchmarks.common import ROOT, Figure, build, parison, read_summary
+from benchmarks.common import ROOT, Figure, build, parison, read_summary, warmer_tool
 
 MODELS = ("rosseland", "p1", "p1_cones")  # cheaper than the reference, or meant to be
 REFERENCE = "transfer"
@@ -19,10 +20,7 @@ HARMLESS = 1e-3  # K warmer: what a change that means nothing does
 
 def warmer(case):
     """Sets that warm the first tool of a case by next to nothing."""
-    text = (ROOT / "cases" / case / "case.toml").read_text()
-    tool = text.split("[[tool]]")[1]
-    name, degrees = (tool.split(f'{key} = "')[1].split('"')[0] for key in ("name", "temperature"))
-    return f"tool.{name}.temperature={float(degrees.removesuffix(' degC')) + HARMLESS} degC"
+    return warmer_tool(tomllib.loads((ROOT / "cases" / case / "case.toml").read_text())["tool"][0], HARMLESS)
 
 
 def run(case, glass, model, accuracy, *more):

@@ -39,8 +39,7 @@ def light_runs():
 
 # Gob and tools of the blank side of the jar hotter by 5 K, with the contact of the case and with one whose h does not fall with the viscosity.
 WARMER = {"": [], "_gob": ["glass.temperature=1155 degC"],
-          "_tools": ["tool.ring.temperature=465 degC", "tool.plate.temperature=465 degC", "tool.blank.temperature=465 degC",
-                     "tool.plunger.temperature=505 degC"]}
+          "_tools": [f"tool.{tool}.temperature.plus=5 K" for tool in ("ring", "plate", "blank", "plunger")]}
 SLOPE_MODELS = ("enclosure", "none", "rosseland")
 EVEN_MODELS = ("enclosure", "none")
 

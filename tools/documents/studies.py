@@ -14,7 +14,7 @@ from documents.store import ROOT, Missing, read, rounded
 from documents.tables import digits, table
 
 SEARCHED = ("jar", "bottle")
-TOLERANCES = {"jar": ("tool.blank.temperature=460 +- 10 degC", "tool.plunger.temperature=500 +- 15 degC", "interface.0.h0=500 +- 200 W/m2/K",
+TOLERANCES = {"jar": ("tool.blank.temperature.plus=0 +- 10 K", "tool.plunger.temperature.plus=0 +- 15 K", "interface.0.h0=500 +- 200 W/m2/K",
                       "glass.temperature=1150 +- 5 degC", "stage.reheat.duration=1.6 +- 0.05 s")}
 QUANTITIES = ("thickness_min", "glass_mean", "glass_skin", "heat_blank", "heat_plunger")
 

@@ -53,11 +53,20 @@ TEST(StartTemperature, a_formula_may_use_the_dimensions_of_the_case) {
   EXPECT_NEAR(scene.glass.start_field->min, 1173.15, 1e-9);
 }
 
+TEST(StartTemperature, a_field_is_warmer_by_its_plus_everywhere) {
+  const std::string formula = "formula = \"1000 degC - 200 K*(r/20 mm)*(r/20 mm)\"";
+  const State plain = initial_state(scene_of(with_glass("{ " + formula + " }")));
+  const State warmer = initial_state(scene_of(with_glass("{ " + formula + ", plus = \"12 K\" }")));
+  EXPECT_LT((warmer.glass.temperature.array() - plain.glass.temperature.array() - 12).abs().maxCoeff(), 1e-9);
+  EXPECT_THROW(scene_of(with_glass("{ " + formula + ", plus = \"-1200 K\" }")), core::CaseError);
+}
+
 /// A case with a table beside it.
-Scene scene_with_table(const std::string& text, const std::string& table) {
+Scene scene_with_table(const std::string& text, const std::string& table,
+                       const std::vector<std::string>& overrides = {}) {
   const std::string folder = write_scene(text);
   std::ofstream(folder + "/T.csv") << table;
-  return read_scene(folder, "draft");
+  return read_scene(folder, "draft", overrides);
 }
 
 TEST(StartTemperature, a_table_is_linear_between_its_points_and_constant_beyond) {
@@ -76,6 +85,9 @@ TEST(StartTemperature, a_table_is_linear_between_its_points_and_constant_beyond)
   EXPECT_NEAR(T({0, -9e-3}), 573.15, 1e-9);
   EXPECT_NEAR(T({0.02, -3e-3}), 593.15, 1e-9);
   EXPECT_NEAR(T({0, 0}), 603.15, 1e-9);
+  const Scene warmer = scene_with_table(with_plate("{ csv = \"T.csv\" }"), "z_mm,T_degC\n-5,300\n-2,330\n",
+                                        {"tool.plate.temperature.plus=5 K"});
+  EXPECT_NEAR(warmer.tools[0].start_field->at({0, 0}), 608.15, 1e-9);
 }
 
 TEST(StartTemperature, a_table_of_another_place_is_refused_and_one_of_a_part_is_told) {

@@ -141,6 +141,16 @@ StartField read_result(const CaseTable& table, const BodyContext& context, const
   return field;
 }
 
+/// The same field, warmer by a temperature difference everywhere.
+void raise(StartField& field, double by) {
+  if (auto* grid = field.at.target<TemperatureGrid>())
+    for (double& T : grid->T) T += by;
+  else if (field.at)
+    field.at = [at = std::move(field.at), by](const Point& x) { return at(x) + by; };
+  field.temperature.array() += by;
+  field.source += fmt::format(", {:+g} K", by);
+}
+
 /// Sets the range of a field and its mean by volume.
 double complete(StartField& field, const core::Profile& profile, core::Geometry geometry) {
   if (!field.at) {
@@ -201,7 +211,7 @@ void read_start_temperature(const CaseNode& node, const BodyContext& context, Bo
     body.initial_temperature = core::quantity(node, dimension::temperature);
     return;
   }
-  const CaseTable table(node, {"formula", "csv", "from", "body"});
+  const CaseTable table(node, {"formula", "csv", "from", "body", "plus"});
   const auto *formula = table.find("formula"), *csv = table.find("csv"), *from = table.find("from");
   if (!body.thermal) core::refuse(node, "a field of temperatures was found, allowed only where the glass carries heat");
   if ((formula != nullptr) + (csv != nullptr) + (from != nullptr) != 1)
@@ -211,7 +221,10 @@ void read_start_temperature(const CaseNode& node, const BodyContext& context, Bo
   StartField field = formula ? read_formula(*formula)
                      : csv   ? read_temperature_table(*csv, context.directory)
                              : read_result(table, context, body);
+  if (const auto* plus = table.find("plus")) raise(field, core::quantity(*plus, dimension::temperature_difference));
   body.initial_temperature = complete(field, body.profile, context.geometry);
+  if (field.min <= 0)
+    core::refuse(node, fmt::format("{:g} K was found, allowed are temperatures above zero", field.min));
   body.start_field = std::move(field);
   if (csv) refuse_table_elsewhere(*csv, body, context.geometry);
 }
