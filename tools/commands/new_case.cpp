@@ -133,9 +133,12 @@ int new_case(const NewRequest& request) {
       "mm\".\n",
       name, scene.name, request.folder);
   fs::create_directories(folder);
-  for (const auto& entry : fs::directory_iterator(scene.directory))
-    if (text.find("\"" + entry.path().filename().string() + "\"") != text.npos)
-      fs::copy_file(entry.path(), folder / entry.path().filename());
+  for (const auto& entry : fs::recursive_directory_iterator(scene.directory)) {
+    const fs::path file = entry.path().lexically_relative(scene.directory);
+    if (text.find("\"" + file.string() + "\"") == text.npos) continue;
+    fs::create_directories((folder / file).parent_path());
+    fs::copy_file(entry.path(), folder / file);
+  }
   core::write_text((folder / "case.toml").string(), head + text);
   forming::read_scene(folder.string(), "draft");
   fmt::print("{}\n", (folder / "case.toml").string());
