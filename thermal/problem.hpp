@@ -8,6 +8,7 @@
 #include "core/mesh/interface_point.hpp"
 #include "core/mesh/mesh.hpp"
 #include "thermal/properties.hpp"
+#include "thermal/radiation/rays/light_resolution.hpp"
 #include "thermal/radiation/traced_places.hpp"
 
 namespace parison::thermal {
@@ -74,6 +75,7 @@ struct Problem {
   InterfaceLaw law;                             ///< unused without an interface
   int order = 2;  ///< polynomial degree of the temperature: 2, or 1, where a mid-side node has the mean of its ends
   bool enclosure = false;  ///< whether open surfaces see each other; all bodies then have their `surroundings`
+  LightResolution light_resolution = {};
   /// Where light was traced last, from where it goes on; null: from what was kept by the last call.
   const TracedPlaces* traced = nullptr;
 };

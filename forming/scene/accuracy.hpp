@@ -24,6 +24,7 @@ struct Accuracy {
   double work_per_step;       ///< largest work_error of a step
   double temperature_tolerance;  ///< local error of a heat step, K
   double temperature_per_step;   ///< largest change of the glass surface temperature in a coupled step, K
+  double light_rays;             ///< that find the exchange of light in the glass
   double max_step;               ///< s
   double initial_step;           ///< of each stage, s
   double min_step;               ///< s; a run that needs less stops

@@ -153,6 +153,8 @@ struct Totals {
   double unforeseen_work = 0;  ///< by which work of the steps would differ at the viscosity that their own heat gave, J
   double sampled_work = 0;     ///< dissipated in the steps whose rate of deformation was compared with the recovered, J
   double unresolved_work = 0;  ///< the part of it in the difference, J
+  double sampled_heat = 0;     ///< exchanged by all bodies in the steps in which parts of the rays were compared, J
+  double uncertain_heat = 0;   ///< the part of it by which these differed, J
   double off_axis = 0;         ///< largest correction of nodes beyond a line of symmetry in a step, m
   Index short_steps = 0;       ///< that were nearly as short as numerics.min_step
   double max_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative

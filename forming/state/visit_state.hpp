@@ -144,6 +144,8 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("unforeseen_work", totals.unforeseen_work);
   visit("sampled_work", totals.sampled_work);
   visit("unresolved_work", totals.unresolved_work);
+  visit("sampled_heat", totals.sampled_heat);
+  visit("uncertain_heat", totals.uncertain_heat);
   visit("off_axis", totals.off_axis);
   visit("short_steps", totals.short_steps);
   visit("max_flux_mismatch", totals.max_flux_mismatch);

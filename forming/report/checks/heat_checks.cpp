@@ -148,6 +148,12 @@ void add_heat_checks(const Scene& scene, const State& state, Checks& checks) {
                     "the heat out of the glass and the heat into a tool differ; this is an error of the program, "
                     "please report it with the case"});
   checks.push_back(thermal_skin(scene, state));
+  if (scene.has_light() || scene.enclosure)
+    checks.push_back({"light", totals.sampled_heat > 0 ? totals.uncertain_heat / totals.sampled_heat : 0, 0.01, 0.1,
+                      "%",
+                      "the heat exchanged is uncertain by about this, because so much do parts of the rays that find "
+                      "the exchange of light differ; more numerics.light_rays help",
+                      CheckKind::error});
   checks.push_back(overshoot(scene, state, &TemperatureBounds::overshoot, "overshoot", "above"));
   checks.push_back(overshoot(scene, state, &TemperatureBounds::undershoot, "undershoot", "below"));
   if (scene.interfaces.empty()) return;

@@ -10,6 +10,7 @@
 #include "forming/step/heat/surroundings.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
 #include "remesh/surface/wall_thickness.hpp"
+#include "thermal/radiation/light_error.hpp"
 
 namespace parison::forming {
 
@@ -33,6 +34,7 @@ using Meshes = std::vector<const core::Mesh*>;  ///< by body
 thermal::Problem make_problem(const Scene& scene, const State& state, const Meshes& meshes,
                               const std::vector<core::InterfacePoint>& interface, long& clamped_lookups) {
   thermal::Problem problem{scene.geometry, {}, interface, {}, scene.accuracy.temperature_order};
+  problem.light_resolution.rays = scene.accuracy.light_rays;
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
     problem.bodies.push_back(body_view(scene, state, b, *meshes[b]));
   problem.enclosure = scene.enclosure;
@@ -253,6 +255,23 @@ HeatRates heat_rates(const Scene& scene, const State& state) {
   return rates;
 }
 
+namespace {
+
+/// Compares, in one of some steps, the heat flows of parts of the rays: what they differ by tells how wrong light is.
+void sample_light(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface, double dt) {
+  constexpr Index seldom = 90;
+  if (!(scene.has_light() || scene.enclosure) || state.totals.steps % seldom != 0) return;
+  const MovingParts parts = moving_parts(scene, state);
+  long clamped_lookups = 0;
+  auto problem = moving_problem(scene, state, parts, interface, clamped_lookups);
+  problem.bodies[glass_body].absorption_at = &state.glass.temperature;
+  const thermal::LightError error = thermal::light_error(problem, state.time, temperatures(state));
+  state.totals.sampled_heat += dt * error.all_heat;
+  state.totals.uncertain_heat += dt * error.power;
+}
+
+}  // namespace
+
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace) {
   std::vector<double> heat_before;
@@ -265,6 +284,7 @@ HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<cor
   update_overshoot(scene, state);
   update_temperature_bounds(scene, dissipation, dt, state);
   update_contact_skins(scene, interface, dt, heat_before, state);
+  sample_light(scene, state, interface, dt);
   return outcome;
 }
 

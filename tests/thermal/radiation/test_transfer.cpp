@@ -6,6 +6,7 @@
 #include "thermal/radiation/exact_emission.hpp"
 #include "thermal/radiation/exact_tube.hpp"
 #include "thermal/radiation/light_checks.hpp"
+#include "thermal/radiation/light_error.hpp"
 #include "thermal/radiation/light_heat.hpp"
 
 namespace parison::thermal::test {
@@ -165,6 +166,29 @@ TEST(Transfer, another_mesh_changes_the_heat_rates_by_little) {
   for (const auto& [across, high] : {std::pair<int, int>{12, 6}, {17, 9}, {23, 8}})
     off.add(100 * std::abs(disc_flows(across, high).light_to_air[0] / reference - 1));
   off.at_most(0.3);
+}
+
+TEST(Transfer, parts_of_the_rays_tell_how_wrong_all_of_them_are) {
+  GlassOnTool pair(Geometry::axisymmetric, 2, flint, 320, 0.9, Model::transfer);
+  const auto flows = [&](double rays) {
+    pair.problem.light_resolution.rays = rays;
+    const HeatSystem system = make_heat_system(pair.problem);
+    return evaluate_flows(system, 0, scattered(system, pair.start)).exchanged;
+  };
+  const auto told = [&](double rays) {
+    pair.problem.light_resolution.rays = rays;
+    const HeatSystem system = make_heat_system(pair.problem);
+    const Eigen::VectorXd T = scattered(system, pair.start);
+    std::vector<Eigen::VectorXd> by_body;
+    for (std::size_t b = 0; b + 1 < system.first_unknown.size(); ++b)
+      by_body.push_back(T.segment(system.first_unknown[b], system.first_unknown[b + 1] - system.first_unknown[b]));
+    return light_error(pair.problem, 0, by_body);
+  };
+  const LightError coarse = told(1000), fine = told(16000);
+  EXPECT_LT((flows(1000) - flows(32000)).cwiseAbs().sum(), coarse.power);
+  EXPECT_LT(fine.power, 0.3 * coarse.power);
+  EXPECT_LT(fine.power, 0.01 * fine.all_heat);
+  EXPECT_GT(fine.power, 0);
 }
 
 }  // namespace

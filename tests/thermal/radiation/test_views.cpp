@@ -178,5 +178,61 @@ TEST(Views, the_mouth_of_a_tube_with_a_closed_end_looks_as_black_as_its_exact_ri
   off.at_most(0.5);
 }
 
+/// Light of a disc that leaves a can of radius 1 through a hole in its lid, over what it sends, as a run divides and
+/// traces the can.
+double through_hole(double hole, double height, const LightResolution& resolution) {
+  const std::vector<Surface> walls{{{0, 0}, {1, 0}}, {{1, 0}, {1, height}}, {{1, height}, {hole, height}}};
+  const double patch = (2 + height - hole) / resolution.patches();
+  std::vector<Surface> surfaces;
+  Eigen::Index of_disc = 0;
+  for (const Surface& wall : walls) {
+    const int count = std::max(1, static_cast<int>(std::lround((wall.to - wall.from).norm() / patch)));
+    for (int i = 0; i < count; ++i)
+      surfaces.push_back({wall.from + double(i) / count * (wall.to - wall.from),
+                          wall.from + double(i + 1) / count * (wall.to - wall.from)});
+    if (of_disc == 0) of_disc = static_cast<Eigen::Index>(surfaces.size());
+  }
+  const auto edges = view_edges(surfaces, round_section, 4);
+  const Eigen::ArrayXd area = areas(edges, surfaces.size());
+  const auto patches = static_cast<Index>(surfaces.size());
+  const Views views = closed(trace_views(edges, round_section, patches, resolution.view_rays(), resolution.part), area);
+  return views.open.head(of_disc).sum() / area.head(of_disc).sum();
+}
+
+/// Standard deviation between four parts of the rays.
+double spread_through_hole(double hole, double height, LightResolution resolution) {
+  Eigen::Array4d found;
+  for (int part = 0; part < 4; ++part) {
+    resolution.part = {4, part};
+    found[part] = through_hole(hole, height, resolution);
+  }
+  return std::sqrt((found - found.mean()).square().sum() / 3);
+}
+
+TEST(Views, a_disc_is_seen_through_a_hole_the_finer_the_better_and_parts_of_the_rays_tell_how_well) {
+  const std::array<std::pair<const char*, double>, 3> presets{{{"draft", 4000}, {"standard", 6000}, {"fine", 9000}}};
+  const std::array<double, 3> limits{1.5, 0.7, 0.35};
+  int scenes = 0, told = 0;
+  for (std::size_t level = 0; level < presets.size(); ++level) {
+    const LightResolution resolution{presets[level].second, {}};
+    double squares = 0;
+    int count = 0;
+    for (const double hole : {0.15, 0.3, 0.45, 0.6})
+      for (const double height : {0.35, 0.8, 1.4}) {
+        const double exact = disc_to_disc(1, hole, height), found = through_hole(hole, height, resolution);
+        squares += std::pow(found / exact - 1, 2);
+        told += std::abs(found - exact) < spread_through_hole(hole, height, resolution) ? 1 : 0;
+        ++count;
+      }
+    scenes += count;
+    tests::expect_at_most(fmt::format("enclosure at {}: light of a disc through a hole in front of it: off by, root "
+                                      "mean square of twelve cans",
+                                      presets[level].first),
+                          100 * std::sqrt(squares / count), limits[level], "%");
+  }
+  tests::expect_at_least("enclosure: the same: error inside what parts of the rays differ by", 100.0 * told / scenes,
+                         90, "%");
+}
+
 }  // namespace
 }  // namespace parison::thermal::test

@@ -14,8 +14,6 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr int patch_count = 64;  ///< as many have the length of the surface
-constexpr int rays_of_patch = 256;
 constexpr double moved_far = 0.5;   ///< of the length of a patch, before views are traced anew
 constexpr double opened_far = 0.5;  ///< the same of the area of a patch that a tool covers or uncovers
 constexpr double most_lost = 0.01;  ///< share of what all open surfaces send, before they are refused
@@ -186,15 +184,17 @@ std::shared_ptr<const TracedViews> trace(const HeatSystem& system, std::vector<s
   traced->edge_open = std::move(open);
   traced->edge_full = std::move(full);
   for (const BodyView& body : system.problem->bodies) traced->cells.push_back(body.mesh->cells());
-  traced->patch_length = open_length(system, *traced) / patch_count;
+  const LightResolution& resolution = system.problem->light_resolution;
+  traced->patch_length = open_length(system, *traced) / resolution.patches();
   Index patches;
   traced->edges = divide(system, *traced, patches);
-  traced->views = trace_views(view_edges(system, *traced), system.problem->geometry, patches, rays_of_patch);
+  traced->views = trace_views(view_edges(system, *traced), system.problem->geometry, patches, resolution.view_rays(),
+                              resolution.part);
   traced->failure = why_not_closed(system, *traced);
   if (patches > 0) drop_alone(*traced);
   set_areas(*traced, traced->edge_open, traced->edge_full);
   for (const auto& body : traced->edge_full)
-    traced->patch_area += std::accumulate(body.begin(), body.end(), 0.0) / patch_count;
+    traced->patch_area += std::accumulate(body.begin(), body.end(), 0.0) / resolution.patches();
   return traced;
 }
 

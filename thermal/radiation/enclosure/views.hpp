@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "thermal/radiation/rays/light_resolution.hpp"
 #include "thermal/radiation/rays/section.hpp"
 
 namespace parison::thermal {
@@ -24,7 +25,7 @@ struct Views {
 /// Traces `rays` rays from each patch, straight through the air until they meet an edge. Rays that begin inside a body,
 /// where bodies touch or overlap, are left out. One that begins in the air and ends behind a surface is lost: the
 /// outline there is open, crosses itself or runs the wrong way round.
-Views trace_views(const std::vector<ViewEdge>& edges, Geometry geometry, Index patches, int rays);
+Views trace_views(const std::vector<ViewEdge>& edges, Geometry geometry, Index patches, int rays, RayPart part = {});
 
 /// Views that are reciprocal and whose rows have the areas as sums, to round-off: between_ij d_i d_j, open_i d_i with
 /// factors d near 1 (symmetric scaling, R. Sinkhorn, Ann. Math. Stat. 35 (1964) 876-879). A patch that sees less than

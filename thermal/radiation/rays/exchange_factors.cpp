@@ -11,7 +11,6 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr double little = 0.005;   ///< what is left of the light where a ray ends
 constexpr double trapped = 0.1;    ///< the same where all was reflected so far
 constexpr int most_chords = 5000;  ///< of a ray; between two mirrors they are many
 constexpr double finest = 0.5;     ///< length of a segment of a ray, of a zone's box
@@ -54,11 +53,12 @@ struct BandOnRay {
 class Tracer {
  public:
   Tracer(const core::Mesh& mesh, Geometry geometry, const Zones& zones, const std::vector<RaySurface>& surface,
-         Index patches, double index, const std::vector<Eigen::VectorXd>& absorption)
+         Index patches, double index, const std::vector<Eigen::VectorXd>& absorption, double end)
       : section_(mesh, geometry),
         zones_(zones),
         surface_(surface),
         index_(index),
+        end_(end),
         first_patch_(zones.function_count()),
         passed_(zones.size(), Eigen::Matrix3d::Zero()) {
     for (const Eigen::VectorXd& kappa : absorption) {
@@ -194,7 +194,7 @@ class Tracer {
     const double R = reflectivity(at, mu);
     for (BandOnRay& band : bands_) {
       if (band.left <= band.least) continue;
-      if (R < 1) band.least = little;
+      if (R < 1) band.least = end_;
       if (R < 1) band.sink.add(first_patch_ + at.patch, band.left * (1 - R));
       band.left *= R;
     }
@@ -215,6 +215,7 @@ class Tracer {
   const Zones& zones_;
   const std::vector<RaySurface>& surface_;
   double index_;
+  double end_;  ///< share of the light that is left where a ray ends
   Index first_patch_;
   std::vector<BandOnRay> bands_;
   std::vector<ExchangeFactors> factors_;
@@ -227,8 +228,9 @@ class Tracer {
 
 std::vector<ExchangeFactors> trace_exchange(const core::Mesh& mesh, Geometry geometry, const Zones& zones,
                                             const std::vector<RaySurface>& surface, Index patches, double index,
-                                            const std::vector<Eigen::VectorXd>& absorption, int rays) {
-  Tracer tracer(mesh, geometry, zones, surface, patches, index, absorption);
+                                            const std::vector<Eigen::VectorXd>& absorption,
+                                            const LightResolution& resolution) {
+  Tracer tracer(mesh, geometry, zones, surface, patches, index, absorption, resolution.end());
   const bool only_mirrors = patches == 0;
   double length = 0;
   const auto starts_at = [&](std::size_t e) {
@@ -246,7 +248,7 @@ std::vector<ExchangeFactors> trace_exchange(const core::Mesh& mesh, Geometry geo
   for (std::size_t e = 0; e < surface.size(); ++e) {
     if (!starts_at(e)) continue;
     const auto edge = static_cast<Index>(e);
-    const int count = std::max(8, static_cast<int>(std::lround(rays * length_of(e) / length)));
+    const int count = std::max(8, static_cast<int>(std::lround(resolution.rays * length_of(e) / length)));
     double exact = 0, sum = 0;
     for (const auto& at : core::edge_rule(3))
       exact += core::map_edge_point(mesh, mesh.boundary_edges()[e].nodes, geometry, at).area;
@@ -256,7 +258,8 @@ std::vector<ExchangeFactors> trace_exchange(const core::Mesh& mesh, Geometry geo
       const double s = (i + 0.5) / count, square = std::fmod(0.5 + static_cast<double>(k) * first, 1.0);
       const double azimuth = M_PI * std::fmod(0.5 + static_cast<double>(k) * second, 1.0);
       const double area = exact * core::depth(geometry, {tracer.section().point(edge, s)[0], 0}) / sum;
-      tracer.follow(edge, s, std::sqrt(square), azimuth, index * index * area);
+      if (const int weight = resolution.part.weight(k); weight > 0)
+        tracer.follow(edge, s, std::sqrt(square), azimuth, weight * index * index * area);
     }
   }
   return tracer.result();

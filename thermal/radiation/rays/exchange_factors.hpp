@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "thermal/radiation/rays/light_resolution.hpp"
 #include "thermal/radiation/rays/section.hpp"
 #include "thermal/radiation/rays/zones.hpp"
 
@@ -20,11 +21,12 @@ struct RaySurface {
 /// outside, diffuse.
 using ExchangeFactors = Eigen::MatrixXd;
 
-/// Those of each band, whose absorption coefficient, 1/m, is given for each zone, by `rays` rays, which begin at the
+/// Those of each band, whose absorption coefficient, 1/m, is given for each zone, by rays, which begin at the
 /// surface at places and in directions of a low-discrepancy sequence and are followed, with specular reflection by
 /// Fresnel's equations, until little is left.
 std::vector<ExchangeFactors> trace_exchange(const core::Mesh& mesh, Geometry geometry, const Zones& zones,
                                             const std::vector<RaySurface>& surface, Index patches, double index,
-                                            const std::vector<Eigen::VectorXd>& absorption, int rays);
+                                            const std::vector<Eigen::VectorXd>& absorption,
+                                            const LightResolution& resolution);
 
 }  // namespace parison::thermal

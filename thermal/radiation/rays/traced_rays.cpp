@@ -16,9 +16,7 @@ Field product(Field a, const Field& b) {
 
 namespace {
 
-constexpr int most_zones = 80;    ///< boxes that have the area of the section
-constexpr int cells_of_zone = 3;  ///< of the mesh, at the least
-constexpr int ray_count = 4000;
+constexpr int cells_of_zone = 3;   ///< of the mesh, at the least
 constexpr double moved_far = 0.5;  ///< distance, of a box, that the glass moves before rays are traced anew
 constexpr double changed = 0.02;   ///< share by which the absorption of a zone changes before that
 
@@ -71,7 +69,7 @@ void for_each_point(const core::Mesh& mesh, What&& what) {
       }
 }
 
-Zones make_zones(const Field& volumes, const core::Mesh& mesh, Geometry geometry) {
+Zones make_zones(const Field& volumes, const core::Mesh& mesh, Geometry geometry, int most_zones) {
   std::vector<Point> position;
   std::vector<double> volume, area;
   for_each_point(mesh, [&](Index b, int q, int lane, const Point& x) {
@@ -110,8 +108,9 @@ std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& sy
                                         const Field& volumes, const std::vector<SurfaceKind>& kinds,
                                         const std::vector<double>& given) {
   const Geometry geometry = system.problem->geometry;
-  auto traced = std::make_shared<TracedRays>(
-      TracedRays{mesh.nodes, mesh.cells(), kinds, make_zones(volumes, mesh, geometry), {}, 0, {}, {}, {}, {}});
+  const LightResolution& resolution = system.problem->light_resolution;
+  auto traced = std::make_shared<TracedRays>(TracedRays{
+      mesh.nodes, mesh.cells(), kinds, make_zones(volumes, mesh, geometry, resolution.zones()), {}, 0, {}, {}, {}, {}});
   traced->surface = divide_surface(mesh, kinds, traced->zones.box_size(), traced->patches);
   traced->zone.assign(volumes.size(), {});
   traced->values.assign(volumes.size(), {});
@@ -126,7 +125,7 @@ std::shared_ptr<const TracedRays> trace(const Light& light, const HeatSystem& sy
     for (double& kappa : band)
       if (!given.empty()) kappa = *next++;
   traced->factors = trace_exchange(mesh, geometry, traced->zones, traced->surface, traced->patches,
-                                   light.kept->radiation.refractive_index, traced->absorption, ray_count);
+                                   light.kept->radiation.refractive_index, traced->absorption, resolution);
   return traced;
 }
 
