@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/case/case_file.hpp"
+#include "forming/report/model_bars.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
@@ -163,9 +164,11 @@ Quantities quantities(const Scene& scene, const State& state, const Summary& sum
   const std::vector<ThicknessRow>& rows = wall.rows;
   if (has_wall(scene, rows) && rows.size() > 1) add_wall(wall, found);
   if (scene.has_heat()) add_heat(scene, state, summary, rows, found);
-  if (!scene.has_flow()) return found;
-  add_extent(state, found);
-  add_tools(scene, state, summary, found);
+  if (scene.has_flow()) {
+    add_extent(state, found);
+    add_tools(scene, state, summary, found);
+  }
+  add_models(scene, found);
   return found;
 }
 
@@ -208,10 +211,19 @@ void add_quantities(core::JsonWriter& json, const Quantities& quantities) {
     json.add("value", quantity.value);
     json.add("scale", quantity.scale);
     if (std::isfinite(quantity.error)) json.add("error", quantity.error);
+    json.add("model", quantity.model);
     if (quantity.place.allFinite()) {
       json.add("r_mm", 1e3 * quantity.place[0]);
       json.add("z_mm", 1e3 * quantity.place[1]);
     }
+    json.close();
+  }
+  json.close();
+  json.open_object("models");
+  for (const ModelUse& model : quantities.models) {
+    json.open_object(model.part);
+    json.add("used", model.used);
+    json.add("best", model.best);
     json.close();
   }
   json.close();
@@ -233,7 +245,11 @@ Quantities read_quantities(const core::JsonValue& summary) {
                               item.number_of("value"),
                               item.number_of("scale"),
                               item.number_of("error"),
-                              {1e-3 * item.number_of("r_mm"), 1e-3 * item.number_of("z_mm")}});
+                              {1e-3 * item.number_of("r_mm"), 1e-3 * item.number_of("z_mm")},
+                              item.number_of("model")});
+  if (const auto* models = summary.find("models"))
+    for (const core::JsonValue& item : models->items)
+      found.models.push_back({item.name, item.text_of("used"), item.text_of("best")});
   if (const auto* profile = summary.find("thickness_profile_mm"))
     for (const core::JsonValue& item : profile->items) found.profile.push_back(item.number);
   if (const auto* arc = summary.find("thickness_profile_arc_mm"); arc && arc->items.size() == 2) {

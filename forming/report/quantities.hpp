@@ -19,6 +19,14 @@ struct Quantity {
   double scale;  ///< what a share of it is taken of: its own size, for temperatures the span of the scene
   double error = std::numeric_limits<double>::quiet_NaN();                  ///< estimated; NaN where none was asked for
   Point place = Point::Constant(std::numeric_limits<double>::quiet_NaN());  ///< that it stands for, m; NaN for none
+  /// What the best models were found to move a quantity of its kind, at most; 0 where the run has them, NaN where it
+  /// was not measured.
+  double model = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The model that a run used of a part of the physics, and the best one there is, by their names in a case.
+struct ModelUse {
+  std::string part, used, best;
 };
 
 /// Number of evenly spaced points of the wall-thickness profile along the outer arc, with both ends, from the axis, or
@@ -32,6 +40,7 @@ struct Quantities {
   /// the scene has no wall.
   std::vector<double> profile;
   double profile_start = 0, profile_end = 0;  ///< arcs of its first and last point, mm
+  std::vector<ModelUse> models = {};
 
   const Quantity* find(const std::string& name) const;
 };
@@ -47,7 +56,7 @@ std::vector<Quantity> possible_quantities(const Scene& scene);
 /// empty.
 std::string unknown_quantity(const std::string& name, const std::vector<Quantity>& known);
 
-/// To and from the `quantities` and `thickness_profile_mm` of a summary.json.
+/// To and from the `quantities`, `models` and `thickness_profile_mm` of a summary.json.
 void add_quantities(core::JsonWriter& json, const Quantities& quantities);
 Quantities read_quantities(const core::JsonValue& summary);
 

@@ -9,6 +9,7 @@
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/container/figures.hpp"
 #include "forming/report/error_bars.hpp"
+#include "forming/report/model_bars.hpp"
 #include "forming/report/quantity_labels.hpp"
 #include "forming/report/summary.hpp"
 #include "thermal/properties.hpp"
@@ -153,6 +154,16 @@ std::string error_text(const Quantity& quantity) {
   return fmt::format("+- {:.2g}", quantity.error);
 }
 
+/// What the column of models means, and where that of the tolerances is.
+std::string model_lines(const std::vector<ModelUse>& models) {
+  if (models.empty()) return "";
+  return fmt::format(
+      "  model: {}; its column is what the best one moved such quantities at most where\n"
+      "  it was measured, - where the run has it, ? where it was not measured\n"
+      "  tolerances: `parison uncertainty` shows what they add, beside these two\n",
+      models_text(models));
+}
+
 /// What the bars rest on.
 std::string coarser_lines(const ErrorBars& bars) {
   std::string factors;
@@ -197,15 +208,15 @@ std::string control_lines(const ErrorBars& bars) {
 }  // namespace
 
 std::string error_table(const ErrorBars& bars) {
-  std::string text = fmt::format("\n  {:<42}{:>14}{:>16}\n", "quantity", "value", "estimated error");
+  std::string text = fmt::format("\n  {:<42}{:>14}{:>14}{:>10}\n", "quantity", "value", "numerical", "model");
   for (const Quantity& quantity : bars.quantities.values)
-    text +=
-        fmt::format("  {:<42}{:>14.5g}{:>16} {}\n", quantity_label(quantity.name), quantity.value, error_text(quantity),
-                    quantity.place.allFinite() ? quantity.unit + ", at " + at(quantity.place) : quantity.unit);
+    text += fmt::format("  {:<42}{:>14.5g}{:>14}{:>10} {}\n", quantity_label(quantity.name), quantity.value,
+                        error_text(quantity), model_text(quantity.model),
+                        quantity.place.allFinite() ? quantity.unit + ", at " + at(quantity.place) : quantity.unit);
   text += percent_line("wall thickness, mean error", bars.profile_mean);
   text += percent_line("wall thickness, largest error", bars.profile_max);
   text += percent_line("heat into tools, error", bars.heat);
-  text += coarser_lines(bars);
+  text += coarser_lines(bars) + model_lines(bars.quantities.models);
   return bars.control ? text + control_lines(bars) : text;
 }
 
@@ -215,6 +226,8 @@ std::string summary_table(const Scene& scene, const State& state, const Summary&
                                 : fmt::format("stopped at {:.4g} s: {}\n", state.time, summary.run.reason);
   for (const std::string& assignment : scene.overrides) text += line("override", assignment);
   if (scene.has_heat()) text += line("radiation", radiation_text(scene));
+  if (const std::string moves = models_move_text(summary.quantities.models); !moves.empty())
+    text += line("best model moves", moves);
   return text + glass_lines(scene, state, summary) + tool_lines(summary) + stage_lines(summary.run) +
          run_lines(scene, state, summary);
 }

@@ -42,12 +42,18 @@ def skin_difference(summary, reference):
     return max(abs(summary["skins"][stage] - skin) for stage, skin in reference["skins"].items())
 
 
+def thinnest_difference(summary, reference):
+    """Of the thinnest wall, as a share of the reference's; 0 where the scene has no wall."""
+    found, true = (one["quantities"].get("thickness_min", {"value": 0.0})["value"] for one in (summary, reference))
+    return abs(found / true - 1) if true else 0.0
+
+
 def differences(summary, reference):
-    """Of the wall in the mean and of the heat into the tools, as shares of the reference's; 0 for what the scene has not."""
+    """Of the wall in the mean, of its thinnest place and of the heat into the tools, as shares of the reference's; 0 for what the scene has not."""
     wall, heat = bars.profile_errors(summary, reference), bars.heat_error(summary, reference)
     if not wall and heat is None:
         raise RuntimeError(f"{reference['case']} has neither a wall nor heat of tools to compare")
-    return {"thickness": wall[0] if wall else 0.0, "heat": heat or 0.0}
+    return {"thickness": wall[0] if wall else 0.0, "thinnest": thinnest_difference(summary, reference), "heat": heat or 0.0}
 
 
 def worst(row):

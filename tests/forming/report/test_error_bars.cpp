@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "core/io/json_read.hpp"
 #include "forming/report/error_bars.hpp"
+#include "forming/report/model_bars.hpp"
 #include "forming/report/summary.hpp"
 
 namespace parison::forming {
@@ -100,6 +102,73 @@ TEST(Accuracy, the_table_says_what_an_accuracy_asked_for_is_that_of) {
   EXPECT_EQ(told(NAN, 0.01), "accuracy asked for: 2 % of the heat into tools");
   EXPECT_EQ(told(NAN, NAN),
             "accuracy asked for: 2 % of each of the quantities above, as there is no wall and no heat into tools");
+}
+
+const char* const measured = R"({ "some_models": { "scenes": [
+  { "models": { "cheap": { "thickness": 0.1, "thinnest": 0.3, "heat": 0.04, "skin_K": 20 } } },
+  { "models": { "cheap": { "thickness": 0.2, "heat": 0.02, "skin_K": 50 } } } ] } })";
+
+Quantities wall_and_heat() {
+  Quantities run{{{"thickness_mean", "mm", 3, 3},
+                  {"thickness_min", "mm", 2, 2},
+                  {"glass_mean", "degC", 800, 1000},
+                  {"heat_a", "J", 90, 90},
+                  {"heat_b", "J", 10, 10},
+                  {"time_a", "s", 1, 1}},
+                 {}};
+  run.models = {{"radiation", "rosseland", "transfer"}};
+  return run;
+}
+
+TEST(Models, a_model_is_off_by_the_most_of_all_scenes_and_one_that_was_not_measured_by_nobody_knows_what) {
+  const ModelDifference found = model_difference(measured, "some_models", "cheap");
+  EXPECT_DOUBLE_EQ(found.thickness, 0.2);
+  EXPECT_DOUBLE_EQ(found.thinnest, 0.3);
+  EXPECT_DOUBLE_EQ(found.heat, 0.04);
+  EXPECT_DOUBLE_EQ(found.temperature, 50);
+  EXPECT_TRUE(std::isnan(model_difference(measured, "some_models", "other").heat));
+  EXPECT_TRUE(std::isnan(model_difference(measured, "other_models", "cheap").heat));
+}
+
+TEST(Models, each_quantity_gets_what_its_kind_was_moved_by_and_nothing_by_the_best_models) {
+  Quantities run = wall_and_heat();
+  add_model_bars({model_difference(measured, "some_models", "cheap"), {0.1, 0.1, 0.01, 5}}, run);
+  EXPECT_NEAR(run.find("thickness_mean")->model, 0.9, 1e-12);
+  EXPECT_NEAR(run.find("thickness_min")->model, 0.8, 1e-12);
+  EXPECT_NEAR(run.find("glass_mean")->model, 55, 1e-12);
+  EXPECT_NEAR(run.find("heat_b")->model, 0.05 * std::sqrt(10 * 100), 1e-12);
+  EXPECT_TRUE(std::isnan(run.find("time_a")->model));
+  add_model_bars({}, run);
+  for (const Quantity& quantity : run.values) EXPECT_EQ(quantity.model, 0);
+}
+
+TEST(Models, rosseland_has_a_figure_of_every_kind_and_transfer_is_the_best) {
+  EXPECT_NE(models_move_text({{"radiation", "rosseland", "transfer"}}).find("thinnest place"), std::string::npos);
+  EXPECT_EQ(models_move_text({{"radiation", "none", "transfer"}}), "not measured");
+  EXPECT_EQ(models_move_text({{"radiation", "transfer", "transfer"}}), "");
+  EXPECT_EQ(models_text({{"radiation", "rosseland", "transfer"}}), "radiation rosseland (best: transfer)");
+}
+
+TEST(Models, the_table_of_error_bars_has_a_column_of_them_and_names_the_model) {
+  Quantities run = wall_and_heat();
+  add_model_bars({{0.1, 0.25, 0.01, 5}}, run);
+  const std::string table = error_table(error_bars(run, {{1.5, run}}));
+  EXPECT_NE(table.find("numerical     model"), std::string::npos) << table;
+  EXPECT_NE(table.find("       0.5 mm\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("         ? s\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("model: radiation rosseland (best: transfer)"), std::string::npos) << table;
+}
+
+TEST(Models, bars_and_names_go_through_the_summary_and_error_bars_keep_them) {
+  Quantities run = wall_and_heat();
+  add_model_bars({{0.1, 0.25, 0.01, 5}}, run);
+  core::JsonWriter json;
+  add_quantities(json, error_bars(run, {{1.5, run}}).quantities);
+  const Quantities found = read_quantities(core::read_json(json.finish(), "summary"));
+  EXPECT_DOUBLE_EQ(found.find("thickness_min")->model, 0.5);
+  EXPECT_TRUE(std::isnan(found.find("time_a")->model));
+  ASSERT_EQ(found.models.size(), 1u);
+  EXPECT_EQ(models_text(found.models), models_text(run.models));
 }
 
 }  // namespace
