@@ -10,6 +10,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
+#include "forming/report/model_bars.hpp"
 #include "forming/report/quantity_labels.hpp"
 #include "forming/study/comparison/same_case.hpp"
 #include "forming/study/comparison/wrapped_text.hpp"
@@ -40,8 +41,8 @@ int label_width(const std::vector<Difference>& rows) {
 
 std::string quantity_row(const Difference& difference, int width) {
   const ShownDifference row = shown(difference);
-  return fmt::format("  {:<{}}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", row.label, width, row.base, row.other,
-                     row.difference, row.bar, row.unit, row.verdict);
+  return fmt::format("  {:<{}}{:>13}{:>13}{:>13}{:>12}{:>10}  {:<12}{}\n", row.label, width, row.base, row.other,
+                     row.difference, row.bar, row.model, row.unit, row.verdict);
 }
 
 }  // namespace
@@ -49,10 +50,32 @@ std::string quantity_row(const Difference& difference, int width) {
 ShownDifference shown(const Difference& row) {
   const double fine = std::isfinite(row.bar) ? row.bar : 1e-4 * std::max(std::abs(row.base), std::abs(row.other));
   const int digits = digits_for(fine);
-  return {quantity_label(row.name),   number(row.base, digits),
-          number(row.other, digits),  number(row.difference, digits, true),
-          number(row.bar, digits),    row.unit,
+  return {quantity_label(row.name),
+          number(row.base, digits),
+          number(row.other, digits),
+          number(row.difference, digits, true),
+          number(row.bar, digits),
+          model_text(row.model),
+          row.unit,
           name_of(row.significance())};
+}
+
+std::string models_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other) {
+  const std::string text = models_text(base.quantities.models), of_other = models_text(other.quantities.models);
+  if (text != of_other) {
+    const auto named = [](const std::string& models) { return models.empty() ? "not told" : models; };
+    return fmt::format("  the models differ: {} in the base, {} here; what that was found to move is under model\n",
+                       named(text), named(of_other));
+  }
+  std::string smaller;
+  for (const Difference& row : result.quantities)
+    if (std::abs(row.difference) < row.model) smaller += (smaller.empty() ? "" : "; ") + quantity_label(row.name);
+  if (models_move_text(base.quantities.models).empty()) return "";
+  if (smaller.empty()) return fmt::format("  model of both: {}\n", text);
+  return "  " +
+         wrapped(fmt::format("model of both: {}; smaller than what the best one was found to move: {}", text, smaller),
+                 4) +
+         '\n';
 }
 
 std::string bars_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other) {
@@ -171,10 +194,11 @@ std::string comparison_tables(const Comparison& comparison) {
     text += heading(other, comparison.base);
     if (!other.result) continue;
     const int width = label_width(other.result->quantities);
-    text += fmt::format("  {:<{}}{:>13}{:>13}{:>13}{:>12}  {:<12}{}\n", "quantity", width, "base", "other",
-                        "difference", "error bar", "unit", "verdict");
+    text += fmt::format("  {:<{}}{:>13}{:>13}{:>13}{:>12}{:>10}  {:<12}{}\n", "quantity", width, "base", "other",
+                        "difference", "error bar", "model", "unit", "verdict");
     for (const Difference& row : other.result->quantities) text += quantity_row(row, width);
-    text += wall_line(other.result->profile) + bars_line(*other.result, comparison.base, other.run);
+    text += wall_line(other.result->profile) + bars_line(*other.result, comparison.base, other.run) +
+            models_line(*other.result, comparison.base, other.run);
   }
   return text + remark_lines(comparison);
 }

@@ -35,12 +35,16 @@ std::string no_base(const std::string& folder, const std::string& reason);
 
 /// A row of a table of differences, as people read it: so many digits that the bar shows two.
 struct ShownDifference {
-  std::string label, base, other, difference, bar, unit, verdict;
+  std::string label, base, other, difference, bar, model, unit, verdict;
 };
 ShownDifference shown(const Difference& row);
 
 /// Where the bars of a comparison come from, or why there are none, as lines.
 std::string bars_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other);
+
+/// Which models both runs used, and which differences are smaller than what the best ones were found to move; where the
+/// runs have other models, that they differ. As lines; empty where both have the best.
+std::string models_line(const RunComparison& result, const FinishedRun& base, const FinishedRun& other);
 
 /// Throws core::CaseError where a quantity that was named by --quantity is none of the known ones, with their names.
 void require_quantity(const std::string& quantity, const std::vector<Quantity>& known);

@@ -82,6 +82,7 @@ void add_run(core::JsonWriter& json, const ComparedRun& other, const FinishedRun
       json.add("error_bar", row.bar);
       json.add("scatter", row.scatter);
       json.add("bars_added", row.added);
+      json.add("model", row.model);
       json.add("scale", row.scale);
       json.add("verdict", name_of(row.significance()));
       json.close();

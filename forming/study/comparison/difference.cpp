@@ -187,6 +187,7 @@ Difference compare_quantity(const Evidence& evidence, const Quantity& base, cons
   result.scatter =
       std::isfinite(by_twins) ? by_twins : stated_scatter(base.name) * size_of_kind(evidence.base.quantities, base);
   result.added = base.error + other.error;
+  result.model = std::isnan(other.model) ? other.model : std::max(base.model, other.model);
   const double error = comparison.bars == BarSource::differences && !jumps(base.name)
                            ? error_by_partners(evidence, value, result.difference)
                            : result.added;

@@ -29,6 +29,7 @@ struct Difference {
   double bar = std::numeric_limits<double>::quiet_NaN();      ///< half width; NaN where it cannot be told
   double scatter = std::numeric_limits<double>::quiet_NaN();  ///< its part by discrete decisions
   double added = std::numeric_limits<double>::quiet_NaN();    ///< the bars of both runs added, for comparison
+  double model = std::numeric_limits<double>::quiet_NaN();    ///< Quantity::model of base or other, the larger
   Significance significance() const;
 };
 

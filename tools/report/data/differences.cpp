@@ -30,6 +30,7 @@ Json rows_of(const forming::RunComparison& result) {
                     {"other", row.other},
                     {"difference", row.difference},
                     {"bar", row.bar},
+                    {"model", row.model},
                     {"unit", row.unit},
                     {"verdict", row.verdict}});
   }
@@ -44,7 +45,8 @@ Json against(const std::string& base, const std::string& folder) {
     if (!other.result) return {{"reason", "no results: " + other.reason}};
     return {{"settings", forming::settings_line(other.settings)},
             {"rows", rows_of(*other.result)},
-            {"bars", in_one_line(forming::bars_line(*other.result, comparison.base, other.run))}};
+            {"bars", in_one_line(forming::bars_line(*other.result, comparison.base, other.run) +
+                                 forming::models_line(*other.result, comparison.base, other.run))}};
   } catch (const std::exception& error) {
     return {{"reason", error.what()}};
   }

@@ -4,6 +4,15 @@
 /** What the program calls a quantity in tables for people. */
 const quantityLabel = (runs, name) => runs.map((run) => (run.labels || {})[name]).find((label) => label) || words(name);
 
+/** What the best models were found to move: "-" where the run has them, "?" where it was not measured. */
+const modelText = (one) => (one.model === 0 ? "-" : Number.isFinite(one.model) ? one.model.toPrecision(2) : "?");
+
+/** The models of a run, and the best ones where they are others. */
+const modelNames = (run) =>
+  Object.entries(run.summary.models || {})
+    .map(([part, { used, best }]) => `${part} ${used}${used === best ? "" : ` (best: ${best})`}`)
+    .join(", ");
+
 const unitText = (unit) => (unit === "degC" ? "°C" : unit === "of the arc" ? "" : unit);
 
 function quantityPart(runs) {
@@ -24,18 +33,27 @@ function quantityPart(runs) {
     "quantities",
     "Quantities",
     table(
-      ["quantity", ...runs.map((run) => number(headingOf(run))), "unit"],
+      ["quantity", ...runs.flatMap((run) => [headingOf(run), "model"].map(number)), "unit"],
       names.map((name) => {
         const known = runs.map((run) => of(run)[name]);
         return [
           quantityLabel(runs, name),
-          ...known.map((one) => number(one ? withError(one.value, one.error) : "-")),
+          ...known.flatMap((one) =>
+            (one ? [withError(one.value, one.error), modelText(one)] : ["-", "-"]).map(number),
+          ),
           unitText((known.find((one) => one) || {}).unit),
         ];
       }),
     ),
     element("p", {}, element("small", {}, note)),
+    element("p", {}, element("small", {}, modelNote(runs))),
   );
+}
+
+/** What the columns of models mean. */
+function modelNote(runs) {
+  const models = [...new Set(runs.map(modelNames))].filter((text) => text);
+  return `Model: ${models.join("; ") || "not told"}. Its column is what the best model moved such quantities at most where it was measured, - where the run has it, ? where it was not measured. What tolerances add, \`parison uncertainty\` shows.`;
 }
 
 /** What `parison compare` says of the other runs beside the first. */
@@ -47,10 +65,10 @@ function differencePart(differences) {
     element("h3", {}, `${one.run} against ${base}`),
     element("p", { class: "soft" }, one.settings),
     table(
-      ["quantity", ...[base, one.run, "difference", "error bar"].map(number), "unit", "verdict"],
+      ["quantity", ...[base, one.run, "difference", "error bar", "model"].map(number), "unit", "verdict"],
       one.rows.map((row) => [
         row.quantity,
-        ...[row.base, row.other, row.difference, row.bar].map(number),
+        ...[row.base, row.other, row.difference, row.bar, row.model].map(number),
         unitText(row.unit),
         element("span", { class: verdictClass[row.verdict] || "warn" }, row.verdict),
       ]),

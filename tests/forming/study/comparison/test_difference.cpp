@@ -388,5 +388,35 @@ TEST(Resolution, a_size_that_is_none_another_unit_and_an_unknown_quantity_are_re
   EXPECT_THROW(other.add(compared(run_with(2, 2, 2), run_with(3, 3, 3))), core::CaseError);  // the run has no such heat
 }
 
+/// Of this model of radiation, with what the best one was found to move the wall.
+FinishedRun run_of_model(double value, const std::string& model, double moved) {
+  FinishedRun run = run_with(value);
+  run.quantities.values[0].model = moved;
+  run.quantities.models = {{"radiation", model, "transfer"}};
+  return run;
+}
+
+std::string told_of_models(const FinishedRun& base, const FinishedRun& other) {
+  return models_line(compare_runs(base, other), base, other);
+}
+
+TEST(Difference, one_below_what_the_best_model_was_found_to_move_is_told_and_so_are_two_models) {
+  const FinishedRun base = run_of_model(2, "rosseland", 0.9), best = run_of_model(2.2, "transfer", 0);
+  const RunComparison near = compare_runs(base, run_of_model(2.1, "rosseland", 0.95));
+  EXPECT_DOUBLE_EQ(wall(near).model, 0.95);
+  EXPECT_EQ(shown(wall(near)).model, "0.95");
+  const std::string smaller = told_of_models(base, run_of_model(2.1, "rosseland", 0.95));
+  EXPECT_NE(smaller.find("found to move: wall\n    thickness, least"), std::string::npos) << smaller;
+  const std::string larger = told_of_models(base, run_of_model(3, "rosseland", 0.9));
+  EXPECT_EQ(larger, "  model of both: radiation rosseland (best: transfer)\n");
+  EXPECT_NE(told_of_models(base, best)
+                .find("the models differ: radiation rosseland (best: transfer) in the base, "
+                      "radiation transfer here"),
+            std::string::npos);
+  EXPECT_EQ(told_of_models(best, best), "");
+  for (const auto& [a, b] : {std::pair{base, run_of_model(2, "none", NAN)}, {run_of_model(2, "none", NAN), base}})
+    EXPECT_EQ(shown(wall(compare_runs(a, b))).model, "?");
+}
+
 }  // namespace
 }  // namespace parison::forming
