@@ -122,8 +122,8 @@ void add_quantities(const Study& study, const Runs& runs, UncertaintyResult& res
         column ? effects_of(study, without_round_off(of_done(column->values, runs.done), quantity), noise.at_least)
                : std::nullopt;
     if (effects)
-      result.quantities.push_back(
-          {quantity.name, quantity.unit, quantity.value, quantity.error, std::sqrt(noise.variance), *effects});
+      result.quantities.push_back({quantity.name, quantity.unit, quantity.value, quantity.error,
+                                   std::sqrt(noise.variance), *effects, quantity.model});
     else
       result.left_out.push_back(quantity.name);
   }

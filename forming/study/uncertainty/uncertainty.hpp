@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct UncertainQuantity {
   double numerical;  ///< NaN where there is no such bar
   double noise;      ///< standard deviation of runs that differ in nothing that matters
   Effects effects;
+  double model = std::numeric_limits<double>::quiet_NaN();  ///< Quantity::model of that run
 
   double tolerance_bar() const { return 2 * deviation(effects).value; }
   double bar() const;

@@ -24,14 +24,14 @@ std::string fields(const Interval& interval) {
 /// The bars of a quantity, as CSV.
 std::string bar_fields(const UncertainQuantity& quantity) {
   const Interval spread = deviation(quantity.effects);
-  return fmt::format("{},{},{},{},{},{},{},{},{},{}", number(quantity.at_mean), number(quantity.effects.mean),
-                     number(quantity.numerical), number(quantity.tolerance_bar()), number(2 * spread.low),
-                     number(2 * spread.high), number(quantity.bar()), number(quantity.noise),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", number(quantity.at_mean), number(quantity.effects.mean),
+                     number(quantity.numerical), number(quantity.model), number(quantity.tolerance_bar()),
+                     number(2 * spread.low), number(2 * spread.high), number(quantity.bar()), number(quantity.noise),
                      number(quantity.effects.q2()), quantity.effects.runs);
 }
 
 constexpr const char* bar_header =
-    "at_means,mean,numerical_bar,tolerance_bar,tolerance_bar_low,tolerance_bar_high,bar,noise,q2,runs";
+    "at_means,mean,numerical_bar,model_bar,tolerance_bar,tolerance_bar_low,tolerance_bar_high,bar,noise,q2,runs";
 
 std::string quantity_table(const UncertaintyResult& result) {
   std::string text = fmt::format("quantity,unit,{}\n", bar_header);
@@ -125,6 +125,7 @@ void add_quantities(JsonWriter& json, const UncertaintyPlan& plan, const Uncerta
     json.add("at_means", quantity.at_mean);
     json.add("mean", quantity.effects.mean);
     json.add("numerical_bar", quantity.numerical);
+    json.add("model_bar", quantity.model);
     json.add("tolerance_bar", quantity.tolerance_bar());
     json.add("bar", quantity.bar());
     add_interval(json, "standard_deviation", deviation(quantity.effects));
