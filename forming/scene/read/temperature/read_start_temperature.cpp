@@ -142,7 +142,7 @@ StartField read_result(const CaseTable& table, const BodyContext& context, const
 }
 
 /// The same field, warmer by a temperature difference everywhere.
-void raise(StartField& field, double by) {
+void warm(StartField& field, double by) {
   if (auto* grid = field.at.target<TemperatureGrid>())
     for (double& T : grid->T) T += by;
   else if (field.at)
@@ -221,7 +221,7 @@ void read_start_temperature(const CaseNode& node, const BodyContext& context, Bo
   StartField field = formula ? read_formula(*formula)
                      : csv   ? read_temperature_table(*csv, context.directory)
                              : read_result(table, context, body);
-  if (const auto* plus = table.find("plus")) raise(field, core::quantity(*plus, dimension::temperature_difference));
+  if (const auto* plus = table.find("plus")) warm(field, core::quantity(*plus, dimension::temperature_difference));
   body.initial_temperature = complete(field, body.profile, context.geometry);
   if (field.min <= 0)
     core::refuse(node, fmt::format("{:g} K was found, allowed are temperatures above zero", field.min));
