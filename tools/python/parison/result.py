@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Results: of a run just made, or of a folder that `parison run` wrote."""
 import json
+import math
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -39,6 +40,35 @@ class Table(dict[str, Any]):
         import pandas
 
         return pandas.DataFrame(self)
+
+
+class Quantity(float):
+    """A number of a run with its three bars, all in `unit`.
+
+    `numerical`: of mesh and steps, nan without error bars. `model`: what the best models were found to move such a
+    quantity at most, 0 where the run has them, nan where it was not measured. `tolerance`: two standard deviations by
+    `parison uncertainty`, nan where the run is not the mean of such a study.
+    """
+
+    unit: str
+    numerical: float
+    model: float
+    tolerance: float
+
+    def __new__(cls, value: float, unit: str = "", numerical: float = math.nan, model: float = math.nan,
+                tolerance: float = math.nan) -> "Quantity":
+        made = super().__new__(cls, value)
+        made.unit, made.numerical, made.model, made.tolerance = unit, numerical, model, tolerance
+        return made
+
+    def __getnewargs__(self) -> tuple[float, str, float, float, float]:  # type: ignore[override]
+        return float(self), self.unit, self.numerical, self.model, self.tolerance
+
+
+def _number(of: dict[str, Any], key: str) -> float:
+    """Of a JSON object; nan where it has none."""
+    found = of.get(key)
+    return math.nan if found is None else float(found)
 
 
 class Result:
@@ -89,9 +119,27 @@ class Result:
         return str(self.summary["verdict"])
 
     @property
-    def quantities(self) -> dict[str, float]:
-        """Numbers by the names of `parison compare`: {"thickness_min": 1.44, ...}."""
-        return {name: quantity["value"] for name, quantity in self.summary["quantities"].items()}
+    def quantities(self) -> dict[str, Quantity]:
+        """Numbers by the names of `parison compare`: {"thickness_min": 1.44, ...}, each a float with its bars."""
+        tolerances = self._tolerances()
+        return {name: Quantity(_number(one, "value"), str(one["unit"]), _number(one, "error"), _number(one, "model"),
+                               tolerances.get(name, math.nan))
+                for name, one in self.summary["quantities"].items()}
+
+    @property
+    def models(self) -> dict[str, dict[str, str]]:
+        """The models of the run and the best ones: {"radiation": {"used": "rosseland", "best": "transfer"}}."""
+        found: dict[str, dict[str, str]] = self.summary.get("models", {})
+        return found
+
+    def _tolerances(self) -> dict[str, float]:
+        """Bars of the tolerances by quantity, where the folder is the run at the means of `parison uncertainty`."""
+        runs = self.folder.resolve().parent
+        study = runs.parent / "uncertainty.csv"
+        if runs.name != "mean" or not study.is_file():
+            return {}
+        table = _table(study)
+        return dict(zip(table["quantity"], (float(bar) for bar in table["tolerance_bar"])))
 
     def table(self, name: str) -> Table:
         """A CSV file of the folder by its name without ending: "history", "thickness", "contour", "heights", "tools" or
