@@ -10,7 +10,6 @@
 #include <thread>
 
 #include "core/io/written_files.hpp"
-#include "forming/report/model_bars.hpp"
 #include "forming/study/uncertainty/uncertainty.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/folder_lock.hpp"
@@ -95,7 +94,7 @@ void print_quantities(const UncertaintyPlan& plan, const UncertaintyResult& resu
              "tolerances", "both", "unit", "Q2", "most of it from (total index)");
   for (const UncertainQuantity& quantity : result.quantities)
     fmt::print("  {:<24}{:>11.5g}{:>10}{:>9}{:>11}{:>9}  {:<8}{:>6.2f}  {}\n", quantity.name, quantity.at_mean,
-               bar_text(quantity.numerical), forming::model_text(quantity.model), bar_text(quantity.tolerance_bar()),
+               bar_text(quantity.numerical), quantity.model_text(), bar_text(quantity.tolerance_bar()),
                bar_text(quantity.bar()), quantity.unit, quantity.effects.q2(), most_of(plan, quantity.effects));
   for (const std::string& name : result.left_out) fmt::print("  {:<24} too few runs have it\n", name);
 }

@@ -10,6 +10,7 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/report/error_bars.hpp"
+#include "forming/report/model_bars.hpp"
 #include "forming/study/comparison/finished_run.hpp"
 #include "forming/study/sweep/sweep_table.hpp"
 
@@ -163,6 +164,10 @@ void count_runs(const UncertaintyPlan& plan, Runs& runs, UncertaintyResult& resu
 
 double UncertainQuantity::bar() const {
   return std::isfinite(numerical) ? std::hypot(numerical, tolerance_bar()) : tolerance_bar();
+}
+
+std::string UncertainQuantity::model_text() const {
+  return forming::model_text(model);
 }
 
 UncertaintyResult analyse_uncertainty(const UncertaintyPlan& plan) {

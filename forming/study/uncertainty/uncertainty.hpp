@@ -22,6 +22,7 @@ struct UncertainQuantity {
 
   double tolerance_bar() const { return 2 * deviation(effects).value; }
   double bar() const;
+  std::string model_text() const;  ///< `model` for a table
 };
 
 /// Below this share of the variance at unseen runs a surrogate is called poor.
