@@ -151,8 +151,8 @@ void add_heat_checks(const Scene& scene, const State& state, Checks& checks) {
   if (scene.has_light() || scene.enclosure)
     checks.push_back({"light", totals.sampled_heat > 0 ? totals.uncertain_heat / totals.sampled_heat : 0, 0.01, 0.1,
                       "%",
-                      "the heat exchanged is uncertain by about this, because so much do parts of the rays that find "
-                      "the exchange of light differ; more numerics.light_rays help",
+                      "the heat exchanged may be wrong by up to this: by so much do four parts of the rays that carry "
+                      "light differ; more numerics.light_rays help",
                       CheckKind::error});
   checks.push_back(overshoot(scene, state, &TemperatureBounds::overshoot, "overshoot", "above"));
   checks.push_back(overshoot(scene, state, &TemperatureBounds::undershoot, "undershoot", "below"));
