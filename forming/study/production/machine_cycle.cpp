@@ -87,14 +87,6 @@ double coldest_cooling(const Scene& scene, State& state, Index tool) {
   return std::isfinite(coldest) ? coldest : at_contact;
 }
 
-void require_tool(const Scene& scene, const std::string& name) {
-  std::vector<std::string> names;
-  for (const Tool& tool : scene.tools) names.push_back(tool.name);
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    throw core::CaseError(fmt::format("--sets: \"{}\" was found{}, allowed are the tools {}", name,
-                                      core::did_you_mean(name, names), fmt::join(names, ", ")));
-}
-
 /// No machine makes containers so slowly, or has so many on their way at once.
 void refuse_impossible(const Scene& scene, const MachineCycle& cycle) {
   constexpr double most_at_once = 100, hour = 3600, most_waiting = 10;
@@ -148,13 +140,21 @@ void refuse_uncooled(const Scene& scene, const MachineCycle& cycle) {
 
 }  // namespace
 
+void require_tool(const Scene& scene, const std::string& option, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Tool& tool : scene.tools) names.push_back(tool.name);
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw core::CaseError(fmt::format("{}: \"{}\" was found{}, allowed are the tools {}", option, name,
+                                      core::did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
 MachineCycle machine_cycle(const Scene& scene, const std::optional<double>& seconds,
                            const std::map<std::string, int>& sets) {
   if (!scene.has_heat() || scene.tools.empty())
     throw core::CaseError(
         fmt::format("{}: a cycle of production was asked for, allowed only for a case whose glass and tools carry heat",
                     scene.file));
-  for (const auto& one : sets) require_tool(scene, one.first);
+  for (const auto& one : sets) require_tool(scene, "--sets", one.first);
   MachineCycle cycle{time_of(scene, seconds), {}, {}, seconds ? "--cycle-time" : scene.file + ": timing.cuts"};
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     cycle.uses.push_back(use_of(scene, t));

@@ -28,6 +28,9 @@ struct MachineCycle {
   bool overlaps(std::size_t tool) const { return uses[tool].end > seconds_of(tool) * (1 + 1e-9); }
 };
 
+/// Throws core::CaseError, with the option that named it, where a scene has no tool of a name.
+void require_tool(const Scene& scene, const std::string& option, const std::string& name);
+
 /// The cycle of a scene, of the time given or else that of its [timing]; `sets` of tools by name, one of each other.
 /// Throws core::CaseError where there is no time, where it is too short for a tool or one that no machine has, and
 /// where the state of the tools cannot be periodic.

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "core/case/case_error.hpp"
-#include "core/case/case_file.hpp"
 #include "forming/report/process/tool_surface.hpp"
+#include "forming/study/production/machine_cycle.hpp"
 #include "forming/study/production/surface_range.hpp"
 #include "forming/study/production/tool_fields.hpp"
 
@@ -29,14 +29,6 @@ std::size_t index_of(const Scene& scene, const std::string& name) {
   const auto found =
       std::find_if(scene.tools.begin(), scene.tools.end(), [&](const Tool& tool) { return tool.name == name; });
   return static_cast<std::size_t>(found - scene.tools.begin());
-}
-
-void require_tool(const Scene& scene, const std::string& name) {
-  std::vector<std::string> names;
-  for (const Tool& tool : scene.tools) names.push_back(tool.name);
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    throw core::CaseError(fmt::format("--want: \"{}\" was found{}, allowed are the tools {}", name,
-                                      core::did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
 /// One constant h that is above zero at each of its cooled boundaries, in all stages.
@@ -182,7 +174,7 @@ std::string Cooling::key() const {
 void check_wanted(const Scene& scene, const MachineCycle& cycle, const std::vector<WantedTool>& wanted) {
   std::set<std::string> names;
   for (const WantedTool& one : wanted) {
-    require_tool(scene, one.name);
+    require_tool(scene, "--want", one.name);
     if (!names.insert(one.name).second)
       throw core::CaseError(
           fmt::format("--want {}: it was found twice, allowed is one temperature of a tool", one.name));
