@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The text of each marked block: a function for each name, of the stored figures alone."""
 import math
+import re
 import sys
 import tomllib
 
@@ -189,28 +190,49 @@ def shown(value, unit):
     return digits(value) + (f" {unit}" if unit else "")
 
 
+SIGNS = {"at most": "≤", "at least": "≥"}
+
+
+def below(what, above):
+    """The text of a row without the words, two at least, that it begins with as the row above does; up to a comma or colon where there is one."""
+    if what.startswith("the same: "):
+        return "… " + what.removeprefix("the same: ")
+    words, others = what.split(), above.split()
+    shared = next((i for i, pair in enumerate(zip(words, others)) if pair[0] != pair[1]), min(len(words), len(others)))
+    marked = [i for i in range(3, shared + 1) if words[i - 1][-1] in ",:"]
+    shared = marked[-1] if marked else shared - 1
+    return " ".join(["…", *words[shared:]]) if 1 < shared < len(words) else what
+
+
 def verification():
-    rows = []
+    """Errors are told without "off by", required values have the unit of the measured ones, and a test is named in its first row."""
+    rows, last, above = [], "", ""
     for figure in store.verification():
-        required = "" if figure["bound"] is None else f"{figure['sense']} {figure['bound']:g}" + (
-            f" {figure['unit']}" if figure["unit"] else "")
-        rows.append([figure["what"], shown(figure["measured"], figure["unit"]), required, f"`{figure['test']}`"])
-    return table(["what", "measured", "required", "test"], rows)
+        test = figure["test"].removeprefix("test_").removesuffix(".*")
+        what = re.sub(r"[:,]? off by( at most)?$", "", figure["what"].strip())
+        required = "" if figure["bound"] is None else f"{SIGNS[figure['sense']]} {figure['bound']:g}"
+        rows.append(["" if test == last else f"`{test}`", below(what, above if test == last else ""), shown(figure["measured"], figure["unit"]), required])
+        last, above = test, what
+    return table(["test", "error, or what is named", "measured", "required"], rows)
 
 
 def expectations():
     sys.path.insert(0, str(ROOT / "tools"))
     import expect
 
+    """A case is named in its first row."""
     rows = []
     for case in store.RUNS:
-        found = store.run(case, "draft")["expectations"]
+        found, first = store.run(case, "draft")["expectations"], len(rows)
         entries = tomllib.loads((ROOT / "cases" / case / "expect.toml").read_text())["expect"]
         for entry in entries:
             for label, _, bounds in expect.expectations(entry):
                 if label not in found:
                     raise store.Missing(f"cases/{case}/figures.json has no \"{label}\": tools/readme_figures --run {case}.draft")
-                rows.append([case, f"`{label}`", digits(found[label], 4), expect.allowed(*bounds)])
+                allowed = expect.allowed(*bounds)
+                for text, sign in SIGNS.items():
+                    allowed = allowed.replace(text, sign)
+                rows.append(["" if len(rows) > first else case, f"`{label}`", digits(found[label], 4), allowed])
     return table(["case", "what", "measured", "allowed"], rows)
 
 
