@@ -256,9 +256,9 @@ def cost(case, *names):
     for name in names or store.own_runs(case):
         run = store.run(case, name)
         whole = sum(run["timing"].values())
-        shares = [f"{part} {100 * seconds / whole:.0f} %" for part, seconds in run["timing"].items() if seconds > 0.005 * whole]
+        shares = [f"{part} {100 * seconds / whole:.0f}" for part, seconds in run["timing"].items() if seconds > 0.005 * whole]
         rows.append([name.replace("_", " "), str(run["steps"]), str(run["remeshes"]), digits(run["cpu_seconds"]), ", ".join(shares)])
-    return table(["run", "steps", "remeshes", "CPU, s, one thread", "of the time"], rows)
+    return table(["run", "steps", "remeshes", "CPU, s, one thread", "of the time, %"], rows)
 
 
 def wall(case, *names):
