@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marked blocks of the READMEs: `<!-- begin: NAME ARGUMENTS -->` to `<!-- end: NAME -->`, whose text a function makes."""
 import re
-import subprocess
 
 from documents import measured, studies, tables
-from documents.store import ROOT, Missing
+from documents.store import ROOT, Missing, files
 
 BLOCK = re.compile(r"(^<!-- begin: (\w+)((?: [\w.]+)*) -->\n).*?^(<!-- end: \2 -->)", re.DOTALL | re.MULTILINE)
 BLOCKS = {**tables.BLOCKS, **studies.BLOCKS, **measured.BLOCKS}
@@ -12,10 +11,8 @@ MARK = re.compile(r"^<!-- (?:begin|end): ", re.MULTILINE)
 
 
 def documents():
-    """All documents of the repository, those not committed yet too."""
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", "*.md"], capture_output=True, text=True)
-    paths = [ROOT / line for line in listed.stdout.split("\n") if line]
-    return [path for path in paths or sorted(ROOT.rglob("*.md")) if path.exists()]
+    """All documents of the repository."""
+    return files("*.md")
 
 
 def make(path, name, arguments):

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -100,6 +101,13 @@ def read(path, command):
     return json.loads(path.read_text())
 
 
+def files(pattern):
+    """All files of the repository by a pattern of git, those not committed yet too; where there is no git those in the folder."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", pattern], capture_output=True, text=True)
+    paths = [ROOT / line for line in listed.stdout.split("\n") if line]
+    return [path for path in paths or sorted(ROOT.rglob(pattern)) if path.is_file()]
+
+
 @lru_cache
 def benchmarks():
     return read(BENCHMARKS, "tools/bench --save")
@@ -162,6 +170,23 @@ def figures(case, results):
     kept["expectations"] = {label: found for label, found, _ in expect.judge(summary, rows, ROOT / "cases" / case)}
     kept["thickness_profile_mm"] = summary["thickness_profile_mm"]
     return rounded(kept)
+
+
+OF_PHYSICS = re.compile(r"thickness_mean|glass_mean|heat_\w+")  # quantities that scatter little from run to run
+LARGEST_CHANGE = 0.01  # of their scale: three times the scatter of any bundled case (tools/bench noise)
+
+
+def changes(case, results):
+    """A sentence for each quantity of a draft run that is no longer what is stored: the figures are older than the physics."""
+    now, known = figures(case, results)["quantities"], run(case, "draft")["quantities"]
+    for name in sorted(name for name in now.keys() | known.keys() if OF_PHYSICS.fullmatch(name)):
+        if name not in now or name not in known:
+            yield f"cases/{case}/figures.json: {name} is in one of the stored and the present results alone"
+            continue
+        change = abs(now[name]["value"] - known[name]["value"]) / known[name]["scale"]
+        if change > LARGEST_CHANGE:
+            yield (f"cases/{case}/figures.json: {name} was {known[name]['value']:g} {known[name]['unit']} and is {now[name]['value']:g}, a change of "
+                   f"{100 * change:.1f} %; tools/readme_figures --run {case} stores what the program gives")
 
 
 def skin_over_time(rows):

@@ -216,24 +216,40 @@ def verification():
     return table(["test", "error, or what is named", "measured", "required"], rows)
 
 
-def expectations():
+def expected():
+    """Case, label, stored value and bounds of each expectation of the bundled cases."""
     sys.path.insert(0, str(ROOT / "tools"))
     import expect
 
-    """A case is named in its first row."""
-    rows = []
     for case in store.RUNS:
-        found, first = store.run(case, "draft")["expectations"], len(rows)
-        entries = tomllib.loads((ROOT / "cases" / case / "expect.toml").read_text())["expect"]
-        for entry in entries:
+        found = store.run(case, "draft")["expectations"]
+        for entry in tomllib.loads((ROOT / "cases" / case / "expect.toml").read_text())["expect"]:
             for label, _, bounds in expect.expectations(entry):
                 if label not in found:
                     raise store.Missing(f"cases/{case}/figures.json has no \"{label}\": tools/readme_figures --run {case}.draft")
-                allowed = expect.allowed(*bounds)
-                for text, sign in SIGNS.items():
-                    allowed = allowed.replace(text, sign)
-                rows.append(["" if len(rows) > first else case, f"`{label}`", digits(found[label], 4), allowed])
+                yield case, label, found[label], bounds, expect.allowed(*bounds)
+
+
+def expectations():
+    """A case is named in its first row."""
+    rows, last = [], ""
+    for case, label, found, _, allowed in expected():
+        for text, sign in SIGNS.items():
+            allowed = allowed.replace(text, sign)
+        rows.append(["" if case == last else case, f"`{label}`", digits(found, 4), allowed])
+        last = case
     return table(["case", "what", "measured", "allowed"], rows)
+
+
+def outside():
+    """A sentence for each stored figure of the bundled cases and of the verification that stands outside its own limit."""
+    for case, label, found, (low, high), allowed in expected():
+        if not low <= found <= high:
+            yield f"cases/{case}/figures.json: {label} is {found:g}, allowed is {allowed}; tools/readme_figures --run {case} stores it anew"
+    for figure in store.verification():
+        bound, value = figure["bound"], figure["measured"]
+        if bound is not None and (value > bound if figure["sense"] == "at most" else value < bound):
+            yield f"tests/figures.json: {figure['what']} is {value:g}, required is {figure['sense']} {bound:g}; tools/verification_table stores it anew"
 
 
 # --- cases/*/README.md --------------------------------------------------------------------------------------------------
